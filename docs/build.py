@@ -28,9 +28,9 @@ def pages():
     """{name: Markdown} of the guide: those that lie here, and one of keys for every kind of file"""
     from theory import theory
 
-    from pipelines.keys.kinds import KINDS
-    from pipelines.keys.reference import reference
-    from pipelines.keys.shown import as_markdown, kinds_text
+    from hakobune.pipelines.keys.kinds import KINDS
+    from hakobune.pipelines.keys.reference import reference
+    from hakobune.pipelines.keys.shown import as_markdown, kinds_text
 
     made = {path.stem: path.read_text(encoding="utf-8") for path in sorted(DOCS.glob("*.md"))}
     links = "\n".join(f"- [{name}](keys-{name}.md): {kind.meaning}" for name, kind in KINDS.items())

@@ -12,8 +12,8 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
-from bem import __version__
-from mooring.criteria.failing import fails
+from hakobune.bem import __version__
+from hakobune.mooring.criteria.failing import fails
 
 from .bench.command import bench
 from .berth.flags import berth
@@ -177,7 +177,7 @@ def plot(
     output: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
 ):
     """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png."""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from .common.picture import PLOTS, check_picture
     from .view.gaps import gaps_of
@@ -328,7 +328,7 @@ def _solve(file, body, flags, run):
 
 
 def _run(scene, output, flags):
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from .executors.choice import executor_of
 
@@ -345,8 +345,8 @@ def _run(scene, output, flags):
 
 
 def _write_mesh(raw, output):
-    from bem.database.file import check_place
-    from meshing.files import write_mesh
+    from hakobune.bem.database.file import check_place
+    from hakobune.meshing.files import write_mesh
 
     from .scene.scene import make_scene
     from .solve.hull import make_hull

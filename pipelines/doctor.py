@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import platform
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from .printing.verdict import tell
 
@@ -53,7 +53,7 @@ def _version(name):
 
 def _gmsh():
     """The mesher's shared libraries are loaded when it is"""
-    from meshing.gmsh_session import session
+    from hakobune.meshing.gmsh_session import session
 
     try:
         with session():
@@ -64,7 +64,7 @@ def _gmsh():
 
 
 def _cache():
-    from bem.kernels import jit
+    from hakobune.bem.kernels import jit
 
     folder = jit.cache_folder(jit.__file__, jit.ROOT).parent
     size = sum(file.stat().st_size for file in folder.rglob("*") if file.is_file()) if folder.is_dir() else 0

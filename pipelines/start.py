@@ -16,7 +16,7 @@ from .printing import timing
 SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sections")
 
 # kernels of some lines or one system take milliseconds uncompiled, and up to a minute to compile
-LINES = "mooring.lines."
+LINES = "hakobune.mooring.lines."
 SHORT, SECONDS = (LINES + "catenary", LINES + "multi_segment", LINES + "system"), 10.0
 # and of a few equilibria as long as it takes to load numba and them: 0.4 s for so many calls
 FEW, CALLS = ("line", "lines", "moor"), 100_000
@@ -88,7 +88,7 @@ def _spare_numpy():
 
 def _put_off_compiling():
     """Let kernels of lines run uncompiled: for some seconds where none is on disk, in short commands in any case."""
-    from bem.kernels.uncompiled import allow
+    from hakobune.bem.kernels.uncompiled import allow
 
     allow(SHORT, SECONDS, CALLS if sys.argv[1] in FEW else 0)
 
@@ -96,7 +96,7 @@ def _put_off_compiling():
 def _tell_compiling():
     """Say at a terminal that kernels are compiled, when the first is"""
     if sys.stderr.isatty():
-        from bem.kernels.jit import before_first_kernel
+        from hakobune.bem.kernels.jit import before_first_kernel
 
         from .common.first_use import tell_first_use
 

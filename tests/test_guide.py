@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pipelines import cli
+from hakobune.pipelines import cli
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"

@@ -86,7 +86,7 @@ def test_only_the_mesher_sees_gmsh():
     assert users == ["gmsh_session.py"]
 
 
-@pytest.mark.parametrize("module", ["bem.database", "mooring", "pipelines.scene.scene"])
+@pytest.mark.parametrize("module", ["hakobune.bem.database", "mooring", "hakobune.pipelines.scene.scene"])
 def test_reading_and_mooring_load_nothing_heavy(module):
     heavy = ("numba", "gmsh", "pyvista", "matplotlib")
     code = f"import sys, {module}; print(*[m for m in {heavy} if m in sys.modules])"

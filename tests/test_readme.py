@@ -12,8 +12,8 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from pipelines import cli
-from pipelines.keys.kinds import KINDS, struct_of
+from hakobune.pipelines import cli
+from hakobune.pipelines.keys.kinds import KINDS, struct_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = {path.relative_to(ROOT): path.read_text(encoding="utf-8") for path in (ROOT / "docs").glob("*.md")}

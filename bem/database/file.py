@@ -11,10 +11,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-import bem
-from meshing.panels import PanelMesh
-from meshing.seals import damage, kind_filled_in
-from meshing.whole_files import NotWritten, write_whole
+from hakobune import bem
+from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.seals import damage, kind_filled_in
+from hakobune.meshing.whole_files import NotWritten, write_whole
 
 from ..waves import wavenumber
 from .integrity import MARK, ROWS, DamagedError, DatabaseError, check_schema

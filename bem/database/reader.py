@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from meshing.panels import PanelMesh
+from hakobune.meshing.panels import PanelMesh
 
 from .. import DOFS
 from ..drift import harmonics

@@ -15,7 +15,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from meshing import seals
+from hakobune.meshing import seals
 
 from .integrity import DamagedError, DatabaseError, VersionError
 from .schema import FORMAT, SCHEMA_VERSION

@@ -17,7 +17,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from meshing.whole_files import keep_room
+from hakobune.meshing.whole_files import keep_room
 
 from .. import INTERPOLATED
 from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from meshing.hydrostatics import hydrostatics, inertia_matrix
+from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 
 from ..motions import response
 from .values import FormatError

@@ -17,7 +17,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
 from .values import FormatError, Values, about

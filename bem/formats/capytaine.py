@@ -12,7 +12,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from .. import DOFS
 from ..database.schema import BODY, QUANTITIES

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.text_files import numbers_of
-from meshing.whole_files import write_whole
+from hakobune.meshing.text_files import numbers_of
+from hakobune.meshing.whole_files import write_whole
 
 from . import wamit
 from .values import FormatError, lines_of
@@ -25,7 +25,7 @@ PERIOD_KINDS = {1: "deep wavenumber", 2: "wavenumber", 3: "frequency", 4: "perio
 
 def write(values, place):
     """Write the folder of a project; its parts that HAMS would make are there already.  Returns the paths."""
-    from meshing.files import write_mesh
+    from hakobune.meshing.files import write_mesh
 
     place = Path(place)
     (place / "Input").mkdir(parents=True, exist_ok=True)

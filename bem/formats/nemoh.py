@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from .values import FormatError, Values, evenly, lines_of
 
@@ -28,7 +28,7 @@ TITLE = 'VARIABLES="w (rad/s)"'
 
 def write(values, place):
     """Write the folder.  Returns the paths.  Raises FormatError for frequencies that are not evenly spaced."""
-    from meshing.files import write_mesh
+    from hakobune.meshing.files import write_mesh
 
     A, B = values.need("added_mass", "radiation_damping")
     omegas = evenly("frequencies", values.omega, "rad/s", "as solved by --omega start:stop:count")

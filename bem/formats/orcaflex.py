@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS
 from ..waves import wavenumber

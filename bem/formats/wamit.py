@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
 from .values import FormatError, Values, gridded, omega_of, table_of

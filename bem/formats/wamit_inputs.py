@@ -15,8 +15,8 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
-from meshing.text_files import numbers_of
-from meshing.text_formats import length_unit
+from hakobune.meshing.text_files import numbers_of
+from hakobune.meshing.text_formats import length_unit
 
 from .values import FormatError, lines_of
 

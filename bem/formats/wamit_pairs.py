@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.whole_files import made_beside
+from hakobune.meshing.whole_files import made_beside
 
 from ..second_order.kinds import DIFFERENCE, SUM
 from ..second_order.quadratic_forces import QuadraticForces

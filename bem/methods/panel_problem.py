@@ -98,7 +98,7 @@ class PreparedPanelProblem:
         g, problem = self.geometry, self.problem
         if problem.lid is None or g.sectors or not g.without_lid.sectors:
             return g
-        from meshing.lid import polar_lid
+        from hakobune.meshing.lid import polar_lid
 
         from ..panels.influence import Geometry
 

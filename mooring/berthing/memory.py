@@ -87,7 +87,7 @@ def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0):
 
     raises : ValueError of `memory_of_database`; BerthingError where mass or gyration are impossible
     """
-    from bem.time_domain.memory import memory_of_database
+    from hakobune.bem.time_domain.memory import memory_of_database
 
     for key, value in (("mass", mass), ("radius of gyration", gyration)):
         if not 0 < value < np.inf:

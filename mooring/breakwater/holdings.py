@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.waves import group_factor, wavenumber
+from hakobune.bem.waves import group_factor, wavenumber
 
 from .elastic import elastic_exact
 from .exact import fixed_exact, free_exact, moved_to_origin, taut_exact

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.waves import depth_factor, depth_factor_slope, group_factor, wavenumber
+from hakobune.bem.waves import depth_factor, depth_factor_slope, group_factor, wavenumber
 
 EQUAL_AREA = np.sqrt(np.pi) / 4  # half the side of the square of a circle's area, over its diameter
 

@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.waves import depth_factor_slope, group_factor, wavenumber
+from hakobune.bem.waves import depth_factor_slope, group_factor, wavenumber
 
 GAUSSIAN = 3 * np.pi / 8 * np.sqrt(8 / np.pi)  # amplitude of the regular waves that lose as a sea of σ = 1 m does
 LARGEST = 1e4

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.between_frequencies import Between
-from bem.database.reader import Reader
+from hakobune.bem.database.between_frequencies import Between
+from hakobune.bem.database.reader import Reader
 
 from ..lines.system.graph import System
 from ..lines.system.hawser import Hawser, pull_of_points

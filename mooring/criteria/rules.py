@@ -88,7 +88,7 @@ def read_rules(path=None):
     if path is None:
         tables = {name: files(__package__).joinpath("tables", name).read_text(encoding="utf-8") for name in TABLES}
     else:
-        from meshing.text_files import read_text
+        from hakobune.meshing.text_files import read_text
 
         tables = {str(path): read_text(path, RuleError, largest=8)}
     return tuple(criterion for name, text in tables.items() for criterion in _rows(name, text))

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.between_headings import WIDEST_GAP
+from hakobune.bem.database.between_headings import WIDEST_GAP
 
 from .allowed import row_of_numbers
 from .spectrum import Spectrum

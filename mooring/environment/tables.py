@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 
 class TableError(ValueError):

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.waves import wavenumber
-from meshing.seals import write_sealed
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.seals import write_sealed
 
 from .allowed import positive, row_of_numbers
 from .tables import TableError, column_of, fault_of_steps, read_table, unit_of

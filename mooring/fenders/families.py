@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 from .fender import FenderError, fender_of_points
 from .pneumatic import pneumatic

@@ -13,8 +13,8 @@ import re
 import typing
 from dataclasses import dataclass, field
 
-from meshing.text_files import read_text
-from meshing.whole_files import write_whole
+from hakobune.meshing.text_files import read_text
+from hakobune.meshing.whole_files import write_whole
 
 from .fault import FormatError, fault
 from .moordyn_rows import (

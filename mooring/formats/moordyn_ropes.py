@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 from ..lines.multi_segment.segments import Segment
 from .fault import FormatError

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem import DOFS
+from hakobune.bem import DOFS
 
 from ..lines.system.graph import System
 from ..lines.system.parts import (

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 from ..lines.system.graph import System
 from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineType, MooredBody, UniformLine

@@ -48,7 +48,7 @@ def write_channels(path, time, channels, names=None, frames=None, attributes=Non
     """
     import h5py
 
-    from bem.database.file import beside, check_place
+    from hakobune.bem.database.file import beside, check_place
 
     path, time = Path(path), np.atleast_1d(np.asarray(time, float))
     check_place(path)
@@ -75,7 +75,7 @@ def _put(file, name, value, unit):
 
 def is_channels(path):
     """Whether a file holds channels written here.  Raises ValueError for one that is damaged."""
-    from bem.database.results import has_schema
+    from hakobune.bem.database.results import has_schema
 
     return has_schema(path, SCHEMA)
 
@@ -98,8 +98,8 @@ def read_frames(path):
 
 @contextlib.contextmanager
 def _opened(path):
-    from bem.database.integrity import DatabaseError
-    from bem.database.results import opened_result
+    from hakobune.bem.database.integrity import DatabaseError
+    from hakobune.bem.database.results import opened_result
 
     try:
         with opened_result(path, SCHEMA) as file:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bem.formats.yaml_text import YamlFault, parse
+from hakobune.bem.formats.yaml_text import YamlFault, parse
 
 from .fault import fault
 

@@ -131,7 +131,7 @@ def line_type(name, density=1025.0, gravity=9.80665) -> LineType:
         breaking_load=breaking,
         proof_load=proof,
         dynamics=_dynamics(1e-3 * d / diameter, *drag),
-        source="mooring.lines.catalogue",
+        source="hakobune.mooring.lines.catalogue",
     )
 
 

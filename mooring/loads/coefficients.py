@@ -15,7 +15,7 @@ from functools import cached_property
 
 import numpy as np
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 from .box_drag import check_positive, stream_pressure
 from .smooth import smooth

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.waves import depth_factor, depth_factor_slope, wavenumber
+from hakobune.bem.waves import depth_factor, depth_factor_slope, wavenumber
 
 from ..environment.current_profile import CurrentProfile
 

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ..lines.ropes import RopePart
 from .line_loads import Lines, LineWork, body_lines, generalized, line_loads, line_work, tables_of

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ..fenders import hysteresis
 from ..fenders.hysteresis import ContactTable

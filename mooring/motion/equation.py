@@ -21,9 +21,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
-from bem.time_domain.memory import MemoryArrays
-from bem.time_domain.memory_kernels import memory_force, memory_rate
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.time_domain.memory import MemoryArrays
+from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
 
 from .buoy import buoy_rates
 from .contact_loads import Contacts, ContactWork, contact_loads

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .buoy import keep_pulls, open_water
 from .contact_loads import settle

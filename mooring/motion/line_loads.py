@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
 from ..lines.catenary.moving_end import pull_of_any, workspace

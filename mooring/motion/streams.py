@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ..environment.gusts import MissingVariance, gust_components
 from ..environment.wave_records import real_sum

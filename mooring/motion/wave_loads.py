@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
-from bem.waves import wavenumber
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.waves import wavenumber
 
 from ..response.linear import frequencies
 from ..response.wave_drift_damping import from_slopes

@@ -13,9 +13,9 @@ from functools import cached_property
 
 import numpy as np
 
-from bem.database.between_frequencies import RADIATION
-from bem.database.reader import Reader
-from bem.database.resonances import about, resonances
+from hakobune.bem.database.between_frequencies import RADIATION
+from hakobune.bem.database.reader import Reader
+from hakobune.bem.database.resonances import about, resonances
 
 from .waves import Carrier
 

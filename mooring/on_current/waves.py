@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.waves import group_factor, wavenumber
+from hakobune.bem.waves import group_factor, wavenumber
 
 SPECTRA = ("intrinsic", "absolute", "still")
 FIRST_ORDER = 0.25  # |V|/C_g; in deep water ωV/g = 1/8, half of where waves upstream end

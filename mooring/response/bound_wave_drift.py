@@ -18,8 +18,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.second_order.bound_waves import bound_waves
-from bem.waves import group_factor, wavenumber
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.waves import group_factor, wavenumber
 
 from ..environment.sea import Sea
 from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, sums
@@ -107,7 +107,7 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
 
     band : (low, high) rad/s; mean : rad/s, mean frequency; direction : rad, relative to the body
     """
-    from bem.second_order.long_wave_forces import LongWaveBody
+    from hakobune.bem.second_order.long_wave_forces import LongWaveBody
 
     depth, g = problem.depth, problem.gravity
     highest = SLOW[1] * mean
@@ -128,7 +128,7 @@ def problem_of(db):
     """The `PanelProblem` of a database's body on its panels.  Raises ValueError for a body beside a wall."""
     import tomllib
 
-    from bem.methods.panel_problem import PanelProblem
+    from hakobune.bem.methods.panel_problem import PanelProblem
 
     if "wall" in tomllib.loads(db.header.scene):
         raise ValueError(f"{db.path} is of a body beside a wall; allowed for second order: open water")

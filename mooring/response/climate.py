@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.between_headings import SAME
+from hakobune.bem.database.between_headings import SAME
 
 from ..environment.sea import Sea
 from ..environment.spectra import STEEPEST

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.database.between_frequencies import BetweenError
+from hakobune.bem.database.between_frequencies import BetweenError
 
 from .linear import over_headings
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem import DOFS
-from bem.waves import group_factor, wavenumber
+from hakobune.bem import DOFS
+from hakobune.bem.waves import group_factor, wavenumber
 
 from .drift import TURN
 from .linear import over_headings

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem import DOFS
-from bem.database.resonances import about, resonances
+from hakobune.bem import DOFS
+from hakobune.bem.database.resonances import about, resonances
 
 from ..on_current.body import carrier_of_body
 

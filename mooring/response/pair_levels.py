@@ -24,7 +24,7 @@ from .bound_wave_drift import RATIO, SHALLOW, STOKES, bound_to_newman, depth_in_
 from .slow_drift import HORIZONTAL
 
 if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should not wait
-    from bem.second_order.stored import BetweenPairs
+    from hakobune.bem.second_order.stored import BetweenPairs
 
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
@@ -190,7 +190,7 @@ def beside_newman(db, sea, level, spread=False):
 
 def _surface_left_out(db, level):
     """Remark on what the forcing of the surface is, where it is left out of the level `body`"""
-    from bem.second_order.stored import read_forces
+    from hakobune.bem.second_order.stored import read_forces
 
     share = read_forces(db).share
     if level == "full" or share is None:
@@ -204,7 +204,7 @@ def stored_pairs(db, sea, level="body", spread=False):
 
     raises : ValueError, one line, for what is not stored in it
     """
-    from bem.second_order.stored import read_forces
+    from hakobune.bem.second_order.stored import read_forces
 
     if not isinstance(sea, Sea) or (sea.spreading is not None and not spread):
         raise ValueError(f'qtf = "{level}" in a sea of several directions; allowed: one system of long crests')
@@ -238,7 +238,7 @@ def stored_pairs(db, sea, level="body", spread=False):
 
 def _of_heading(db, sea, forces, values, level):
     """`PairForces` of the sea's one direction"""
-    from bem.second_order.stored import BetweenPairs
+    from hakobune.bem.second_order.stored import BetweenPairs
 
     apart = np.abs(np.angle(np.exp(1j * (forces.headings - sea.direction))))
     h, degrees = int(np.argmin(apart)), np.degrees(sea.direction) % 360
@@ -253,7 +253,7 @@ def _of_heading(db, sea, forces, values, level):
 
 def _of_headings(db, sea, forces, values, level):
     """`SpreadPairForces` of all pairs of stored headings that waves travel to"""
-    from bem.second_order.stored import BetweenPairs
+    from hakobune.bem.second_order.stored import BetweenPairs
 
     try:
         share = sea.directional(forces.headings)

@@ -20,8 +20,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem import DOFS
-from bem.waves import wavenumber
+from hakobune.bem import DOFS
+from hakobune.bem.waves import wavenumber
 
 from ..on_current.body import carrier_of_body
 
@@ -136,7 +136,7 @@ def elevations(body, omega, heading, motion, places):
     omega : (q,) rad/s; heading : (p,) rad; motion : (q, p, 6) of the body, a `bem.database.reader.Reader`
     raises : BetweenError outside the database
     """
-    from bem.wave_field.around import at_waterline, beside_incident
+    from hakobune.bem.wave_field.around import at_waterline, beside_incident
 
     places = np.asarray(places, float).reshape(-1, 2)
     if body.mesh is not None:

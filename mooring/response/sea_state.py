@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.database.between_frequencies import BetweenError
+from hakobune.bem.database.between_frequencies import BetweenError
 
 from ..on_current.body import carrier_of_body
 from ..on_current.waves import check_blocked

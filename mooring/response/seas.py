@@ -13,7 +13,7 @@ import warnings
 
 import numpy as np
 
-from bem.database.between_frequencies import BetweenError
+from hakobune.bem.database.between_frequencies import BetweenError
 
 from .slow_drift import signed_means
 

@@ -33,7 +33,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.between_frequencies import BetweenError
+from hakobune.bem.database.between_frequencies import BetweenError
 
 from .linear import over_headings
 

@@ -16,8 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem import DOFS
-from bem.viscous import EQUIVALENT_AMPLITUDE, Quadratic, linearised_response
+from hakobune.bem import DOFS
+from hakobune.bem.viscous import EQUIVALENT_AMPLITUDE, Quadratic, linearised_response
 
 from ..on_current.body import carrier_of_body
 from .linear import frequencies, moments, moments_met, response_spectrum

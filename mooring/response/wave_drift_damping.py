@@ -27,7 +27,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.waves import group_factor, wavenumber
+from hakobune.bem.waves import group_factor, wavenumber
 
 from ..on_current.body import carrier_of_body
 from .drift import drift_slopes

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.waves import wavenumber
+from hakobune.bem.waves import wavenumber
 
 MICHE = 0.142
 SATURATED = 0.6

@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from bem.waves import wavenumber
+from hakobune.bem.waves import wavenumber
 
 from ..environment.allowed import positive, within
 from ..environment.periods import KINDS, the_one_period

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.text_files import numbers_of, read_text
+from hakobune.meshing.text_files import numbers_of, read_text
 
 from ..environment.sea import Sea
 from ..environment.spectra import tabulated

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bem.time_domain.memory import Memory, MemoryArrays
+from hakobune.bem.time_domain.memory import Memory, MemoryArrays
 
 from ..lines.system.parts import Fairlead
 from ..loads.on_hull import heeling

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.waves import wavenumber
+from hakobune.bem.waves import wavenumber
 
 from ..on_current.waves import met_by_a_place
 from .body import SinglePoint

@@ -16,8 +16,8 @@ from functools import cached_property
 
 import numpy as np
 
-from bem import DOFS
-from bem.database.natural_periods import NaturalPeriods, natural_periods
+from hakobune.bem import DOFS
+from hakobune.bem.database.natural_periods import NaturalPeriods, natural_periods
 
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.graph import LineForces, System

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem import DOFS
-from bem.database.resonances import resonances as known_resonances
+from hakobune.bem import DOFS
+from hakobune.bem.database.resonances import resonances as known_resonances
 
 from ..criteria.failing import fails
 from ..criteria.overuse import overused, shares

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.database.natural_periods import natural_periods
+from hakobune.bem.database.natural_periods import natural_periods
 
 from ..lines.system.equilibrium import SystemEquilibrium
 from .system_at_rest import about_body_axes, body_number, mooring_stiffness

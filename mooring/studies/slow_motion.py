@@ -27,7 +27,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.natural_periods import natural_periods
+from hakobune.bem.database.natural_periods import natural_periods
 
 from ..response.extremes import EULER, expected_maximum
 from ..response.sea_state import TINY, sea_state

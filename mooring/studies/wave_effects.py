@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.between_frequencies import BetweenError
+from hakobune.bem.database.between_frequencies import BetweenError
 
 from ..environment.sea import Sea
 from ..environment.spectra import issc

@@ -10,7 +10,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import told
 from ..printing.verdict import tell

@@ -102,7 +102,7 @@ def _cache(job, caches):
 
 
 def _answer(job, question, python, cache):
-    command = [python, "-m", "pipelines.bench.ours"]
+    command = [python, "-m", "hakobune.pipelines.bench.ours"]
     if job.program != "hakobune":
         command = [python, "-W", "ignore", SCRIPTS[job.program]]
     environment = {**os.environ, **dict.fromkeys(THREADS, str(job.threads)), **cache}

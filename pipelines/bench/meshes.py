@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 LID = 0.5  # panels of the lid for one of the hull: with a third the box in 20 m is up to 8 % farther off
 

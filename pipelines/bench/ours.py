@@ -22,7 +22,7 @@ FINEST = 1e-5  # tolerance of a scene; the contour method itself goes further
 
 def scene_of(case, asked):
     """The scene a user would write"""
-    from pipelines.scene.scene import make_scene
+    from hakobune.pipelines.scene.scene import make_scene
 
     fineness = {"panels": asked["panels"]} if "panels" in asked else {"tolerance": max(asked["tolerance"], FINEST)}
     return make_scene(
@@ -39,8 +39,8 @@ def scene_of(case, asked):
 
 def make(case, asked):
     """The scene and the body, prepared"""
-    from bem.methods.panel_problem import prepare
-    from pipelines.solve.plan import planned
+    from hakobune.bem.methods.panel_problem import prepare
+    from hakobune.pipelines.solve.plan import planned
 
     scene = scene_of(case, asked)
     plan = planned(scene)
@@ -54,7 +54,7 @@ def make(case, asked):
 
 def solve(made, omega):
     """The solved frequency and its results: `bem.frequency.solve_frequency` without the estimate of the error"""
-    from bem import DOFS
+    from hakobune.bem import DOFS
 
     scene, prepared = made
     run = prepared.run(omega, scene.headings(), scene.names(), None, DOFS)

@@ -6,8 +6,8 @@ import csv
 import io
 import math
 
-from meshing.seals import write_sealed
-from meshing.whole_files import write_whole
+from hakobune.meshing.seals import write_sealed
+from hakobune.meshing.whole_files import write_whole
 
 from ..common.outputs import opening
 from .cases import CASES, HEADING

@@ -6,10 +6,10 @@ import warnings
 
 import numpy as np
 
-from mooring.berthing.memory import berth as in_time
-from mooring.berthing.memory import ship_of_database, without_memory
-from mooring.criteria.failing import fails
-from mooring.fenders.fender import FenderError
+from hakobune.mooring.berthing.memory import berth as in_time
+from hakobune.mooring.berthing.memory import ship_of_database, without_memory
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.fenders.fender import FenderError
 
 from ..common.fender_tables import softest_and_stiffest
 from ..common.outputs import check_output, opening
@@ -84,7 +84,7 @@ def _ship(study, approach, database):
     if database is None:
         added = (approach.virtual_mass - 1) * ship.mass
         return without_memory(ship.mass, ship.gyration, added * np.diag([1.0, ship.gyration**2])), ()
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     db = open_database(database)
     with warnings.catch_warnings(record=True) as caught:

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from mooring.berthing.field import compared, contacts
-from mooring.berthing.two_springs import TwoSprings
-from mooring.criteria.failing import fails
+from hakobune.mooring.berthing.field import compared, contacts
+from hakobune.mooring.berthing.two_springs import TwoSprings
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.fender_tables import (
     BATCH,
@@ -153,7 +153,7 @@ def show_course(approach, course, database):
 
 def write_course(path, course):
     """CSV of the course in time, written whole"""
-    from meshing.whole_files import write_whole
+    from hakobune.meshing.whole_files import write_whole
 
     k = course.reaction.shape[1]
     names = ["t", "sway", "yaw", "sway_velocity", "yaw_velocity"]

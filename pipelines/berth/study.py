@@ -17,8 +17,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from mooring.berthing import energy
-from mooring.berthing.speeds import speeds_of_moments
+from hakobune.mooring.berthing import energy
+from hakobune.mooring.berthing.speeds import speeds_of_moments
 
 from ..common.fender_tables import FenderTable, fender_of, pair_of
 from ..common.quantities import StudyError, Table, below, positive, water_depth

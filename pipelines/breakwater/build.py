@@ -7,10 +7,10 @@ from functools import cached_property
 
 import numpy as np
 
-from bem.sections.outline import OutlineError, circle, closed, rectangle
-from mooring.breakwater.body import FloatingBody, TautBody
-from mooring.breakwater.long_waves import equal_area
-from mooring.breakwater.taut import TautRectangle
+from hakobune.bem.sections.outline import OutlineError, circle, closed, rectangle
+from hakobune.mooring.breakwater.body import FloatingBody, TautBody
+from hakobune.mooring.breakwater.long_waves import equal_area
+from hakobune.mooring.breakwater.taut import TautRectangle
 
 from ..common.quantities import StudyError
 

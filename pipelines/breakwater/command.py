@@ -54,7 +54,7 @@ def breakwater(
         with Console(stderr=True).status("designs are tried"):
             found = found._replace(front=front(read))
     if database is not None:
-        from bem.database import open_database
+        from hakobune.bem.database import open_database
 
         from .lee import lee
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.breakwater.holdings import Response, exact_response, long_wave_response, response_with_loss
+from hakobune.mooring.breakwater.holdings import Response, exact_response, long_wave_response, response_with_loss
 
 from ..common.quantities import StudyError
 from .build import KN
@@ -88,7 +88,7 @@ def _with_loss(breakwater, made, holding, rise, omega, amplitude):
     study = breakwater.study
     if study.loss is None or breakwater.loses_exactly:
         return made
-    from mooring.breakwater.loss import Keel, with_loss
+    from hakobune.mooring.breakwater.loss import Keel, with_loss
 
     wetted = breakwater.afloat(rise)[1] if holding == "free" else breakwater.mirrored(breakwater.wetted(rise))
     amplitude = study.waves.height / 2 if amplitude is None else amplitude
@@ -109,7 +109,7 @@ def sections(breakwater, wetted, rise, omega, obliquity=0.0):
 
 @lru_cache(maxsize=16384)
 def _rectangle(beam, draft, depth, density, gravity, omega, obliquity):
-    from bem.sections.coefficients import section
+    from hakobune.bem.sections.coefficients import section
 
     water = {"density": density, "gravity": gravity}
     tolerance = OBLIQUE_TOLERANCE if obliquity else TOLERANCE
@@ -118,13 +118,13 @@ def _rectangle(beam, draft, depth, density, gravity, omega, obliquity):
 
 @lru_cache(maxsize=4096)
 def _keel(beam, draft, depth, density, gravity, omega):
-    from bem.sections.keel_loss import keel_flow
+    from hakobune.bem.sections.keel_loss import keel_flow
 
     return keel_flow(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=TOLERANCE)
 
 
 @lru_cache(maxsize=4096)
 def _outline(wetted, depth, density, gravity, omega):
-    from bem.sections.any_section import any_section
+    from hakobune.bem.sections.any_section import any_section
 
     return any_section(wetted, depth, omega, density=density, gravity=gravity, tolerance=TOLERANCE)

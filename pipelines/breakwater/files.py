@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.database.results import has_schema
-from meshing.seals import write_sealed
-from mooring.breakwater.holdings import mean_drift
+from hakobune.bem.database.results import has_schema
+from hakobune.meshing.seals import write_sealed
+from hakobune.mooring.breakwater.holdings import mean_drift
 
 from ..common.outputs import opening
 from .curves import sections
@@ -36,7 +36,7 @@ def write_csv(path, study, found):
 def write_h5(path, breakwater, text, found):
     """Write Results of a `Breakwater` with the text of its study, the mean drift of every curve, and what its energy
     and Haskind's relation of its section miss."""
-    from bem.database.file import beside
+    from hakobune.bem.database.file import beside
 
     with beside(path) as file:
         file.attrs["schema"], file.attrs["study"], file.attrs["warnings"] = SCHEMA, text, "\n".join(found.warned)

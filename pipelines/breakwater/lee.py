@@ -13,14 +13,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.between_frequencies import KOCHIN
-from bem.kochin import angles
-from bem.wave_field.around import far_field
-from bem.wave_field.sources import rectangle
-from bem.wave_field.units import field, row
-from bem.waves import wavenumber
-from mooring.breakwater import unit
-from mooring.breakwater.transmission import equal_cells
+from hakobune.bem.database.between_frequencies import KOCHIN
+from hakobune.bem.kochin import angles
+from hakobune.bem.wave_field.around import far_field
+from hakobune.bem.wave_field.sources import rectangle
+from hakobune.bem.wave_field.units import field, row
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.breakwater import unit
+from hakobune.mooring.breakwater.transmission import equal_cells
 
 from ..common.quantities import StudyError
 from ..common.weather.seas import spectrum_of

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from bem.sections.outline import OutlineError
-from mooring.breakwater.transmission import equal_cells
+from hakobune.bem.sections.outline import OutlineError
+from hakobune.mooring.breakwater.transmission import equal_cells
 
 from ..common.quantities import StudyError
 from ..common.weather.seas import spectrum_of

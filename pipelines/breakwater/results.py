@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.waves import wavenumber
-from mooring.breakwater import anchors as sizes
-from mooring.breakwater.holdings import Response
-from mooring.breakwater.loss import GAUSSIAN
-from mooring.breakwater.transmission import Cells, equal_cells, greatest_of, slack_share
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.breakwater import anchors as sizes
+from hakobune.mooring.breakwater.holdings import Response
+from hakobune.mooring.breakwater.loss import GAUSSIAN
+from hakobune.mooring.breakwater.transmission import Cells, equal_cells, greatest_of, slack_share
 
 from ..common.quantities import StudyError, positive
 from ..common.weather.seas import spectrum_of, spreading_of
@@ -205,7 +205,7 @@ def _snapping(breakwater, tides, held):
     lines = breakwater.study.lines
     if held is None or not held.slack or lines.axial_stiffness_kN is None:
         return None
-    from mooring.breakwater.snap import frequencies, snap
+    from hakobune.mooring.breakwater.snap import frequencies, snap
 
     level, end = held.slack[0]
     tide = next(one for one in tides if one.level == level)

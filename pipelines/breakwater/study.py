@@ -98,7 +98,7 @@ def _check_section(section):
 
 
 def _check_names(study):
-    from mooring.breakwater.holdings import HOLDINGS
+    from hakobune.mooring.breakwater.holdings import HOLDINGS
 
     asked = [("holdings", study.holdings, HOLDINGS), ("theories", study.theories, THEORIES)]
     for key, values, known in asked:

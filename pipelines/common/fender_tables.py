@@ -8,11 +8,11 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from mooring.criteria.failing import fails
-from mooring.fenders.dolphin import bilinear, in_series
-from mooring.fenders.families import fender_of_family, fender_of_file
-from mooring.fenders.inclined import inclined
-from mooring.fenders.variability import bands, chosen, extremes
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.fenders.dolphin import bilinear, in_series
+from hakobune.mooring.fenders.families import fender_of_family, fender_of_file
+from hakobune.mooring.fenders.inclined import inclined
+from hakobune.mooring.fenders.variability import bands, chosen, extremes
 
 from .quantities import StudyError, Table, below, positive
 

@@ -9,10 +9,10 @@ import math
 
 import msgspec
 
-from mooring.lines.multi_segment.bed import Bed
-from mooring.lines.multi_segment.segments import PointLoad, Segment
-from mooring.lines.system.hawser import Hawser, elongation_at, pull_of_points
-from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
+from hakobune.mooring.lines.multi_segment.bed import Bed
+from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
+from hakobune.mooring.lines.system.hawser import Hawser, elongation_at, pull_of_points
+from hakobune.mooring.lines.system.parts import CompositeLine, LineType, UniformLine
 
 from .quantities import HEAVIEST, LONGEST, StudyError, Table, below, force, friction, one_of, positive
 from .units import KGF, TONF
@@ -114,7 +114,7 @@ class LineTable(Table):
 
 def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineType:
     """The LineType of a MaterialTable; density : kg/m³ of the water; name : that of the catalogue if not given"""
-    from mooring.lines.catalogue import line_type as of_catalogue
+    from hakobune.mooring.lines.catalogue import line_type as of_catalogue
 
     try:
         known = None if table.catalogue is None else of_catalogue(table.catalogue, density, gravity)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from bem.database.file import check_place
+from hakobune.bem.database.file import check_place
 
 DATABASE = (".h5", ".hdf5")
 

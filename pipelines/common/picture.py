@@ -9,8 +9,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from bem.database.file import check_place
-from meshing.whole_files import write_whole
+from hakobune.bem.database.file import check_place
+from hakobune.meshing.whole_files import write_whole
 
 PLOTS = (".png", ".svg", ".pdf")
 FIRST_OF_OTHERS = "\u2e80"  # from here on letters of China, Korea and Japan, which matplotlib's own font has none of

@@ -42,7 +42,7 @@ def below(key, value, limit, why=""):
 
 def level_of(key, value):
     """One of `mooring.response.pair_levels.LEVELS`.  Raises StudyError."""
-    from mooring.response.pair_levels import LEVELS
+    from hakobune.mooring.response.pair_levels import LEVELS
 
     if value not in LEVELS:
         raise StudyError(f"{key} is {value!r}; allowed: {', '.join(LEVELS)}")
@@ -83,7 +83,7 @@ def speed(where, table):
 
 def waves_on(current):
     """How the current of a table acts on waves.  Raises StudyError."""
-    from mooring.on_current.waves import SPECTRA
+    from hakobune.mooring.on_current.waves import SPECTRA
 
     if current.waves not in SPECTRA:
         raise StudyError(f"current.waves is {current.waves!r}; allowed: {', '.join(SPECTRA)}")

@@ -88,7 +88,7 @@ class RopeTable(Table):
 
 def berth_of_tables(fenders, dolphins, ropes, hull, center):
     """`mooring.motion.contacts.Berth` of lists of tables; hull : ExposedBox; center : (3,) m.  Raises ValueError."""
-    from mooring.motion.contacts import berth_of
+    from hakobune.mooring.motion.contacts import berth_of
 
     known = {one.name: one for one in dolphins}
     if len(known) < len(dolphins):
@@ -109,7 +109,7 @@ def berth_of_tables(fenders, dolphins, ropes, hull, center):
 
 
 def _fender(where, table, dolphin, hull):
-    from mooring.motion.contacts import QuayFender
+    from hakobune.mooring.motion.contacts import QuayFender
 
     if dolphin is not None:
         if table.dolphin is not None:
@@ -140,7 +140,7 @@ def _side(where, face, hull):
 
 
 def _rope(table):
-    from mooring.lines.ropes import RopePart, rope
+    from hakobune.mooring.lines.ropes import RopePart, rope
 
     where = f"rope {table.name}"
     load = 1e3 * positive(f"{where}: breaking_load_kN", table.breaking_load_kN)

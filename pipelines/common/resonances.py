@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem import DOFS
+from hakobune.bem import DOFS
 
 VISCOUS = 0.1  # ratio of wave damping; viscous damping, 1 to 3 % of critical, takes up to a third off lower ones
 UNSURE = 0.05  # estimated error of a peak that is named

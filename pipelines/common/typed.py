@@ -8,7 +8,7 @@ import typing
 
 import msgspec
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 LARGEST = 8  # MB, which take some seconds
 WORDS = {

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from ..printing.verdict import tell
 
@@ -50,8 +50,8 @@ def damping(
 
 def read_record(path):
     """{column: (n,) array} of a CSV.  Raises ValueError."""
-    from mooring.environment.tables import check_even, read_table
-    from mooring.identification.record import UNEVEN
+    from hakobune.mooring.environment.tables import check_even, read_table
+    from hakobune.mooring.identification.record import UNEVEN
 
     names, values = read_table(path)
     wrong = [name for name in names or () if name not in COLUMNS]
@@ -68,7 +68,7 @@ def read_record(path):
 def _forced(columns):
     import numpy as np
 
-    from mooring.identification.forced import forced
+    from hakobune.mooring.identification.forced import forced
 
     time, motion, force = (np.array(columns[name]) for name in COLUMNS)
     made = forced(time, motion, 1e3 * force)
@@ -102,7 +102,7 @@ def _forced(columns):
 def _decay(columns, mass):
     import numpy as np
 
-    from mooring.identification.decay import decay
+    from hakobune.mooring.identification.decay import decay
 
     time, motion = (np.array(columns[name]) for name in COLUMNS[:2])
     made = decay(time, motion)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import msgspec
 
-from mooring.criteria.verdict import judge
+from hakobune.mooring.criteria.verdict import judge
 
 from ..simulate.over_runs import OF_LINES
 from .cases import intact_cases, without_line

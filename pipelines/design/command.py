@@ -7,7 +7,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 
 def design(

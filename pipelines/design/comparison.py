@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from bem import DOFS
-from mooring.criteria.rules import OWN, read_rules
-from mooring.criteria.verdict import judge
-from mooring.lines.catalogue import FIBRE
+from hakobune.bem import DOFS
+from hakobune.mooring.criteria.rules import OWN, read_rules
+from hakobune.mooring.criteria.verdict import judge
+from hakobune.mooring.lines.catalogue import FIBRE
 
 
 class RuleSet(NamedTuple):

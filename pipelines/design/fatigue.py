@@ -17,11 +17,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.criteria.fatigue import YEAR, curves, damages
-from mooring.criteria.rules import OWN, Criterion
-from mooring.criteria.strength import kind_and_size
-from mooring.criteria.verdict import Judged, Use
-from mooring.motion.extremes import FEWEST
+from hakobune.mooring.criteria.fatigue import YEAR, curves, damages
+from hakobune.mooring.criteria.rules import OWN, Criterion
+from hakobune.mooring.criteria.strength import kind_and_size
+from hakobune.mooring.criteria.verdict import Judged, Use
+from hakobune.mooring.motion.extremes import FEWEST
 
 QUANTITY = "factor x fatigue damage over the service life"
 

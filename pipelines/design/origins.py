@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mooring.criteria import verdict as of
+from hakobune.mooring.criteria import verdict as of
 
 from .fatigue import QUANTITY as FATIGUE
 from .kinds.needs import SCOPE

@@ -48,12 +48,12 @@ from types import ModuleType
 
 import msgspec
 
-from bem import DOFS
-from mooring.criteria.rules import LINES as KNOWN_LINES
-from mooring.criteria.rules import OWN, Criterion, of_rule, read_rules, unit_of
-from mooring.criteria.rules import STATES as KNOWN_STATES
-from mooring.criteria.strength import kind_and_size
-from mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
+from hakobune.bem import DOFS
+from hakobune.mooring.criteria.rules import LINES as KNOWN_LINES
+from hakobune.mooring.criteria.rules import OWN, Criterion, of_rule, read_rules, unit_of
+from hakobune.mooring.criteria.rules import STATES as KNOWN_STATES
+from hakobune.mooring.criteria.strength import kind_and_size
+from hakobune.mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
 
 from ..common.quantities import StudyError, positive, speed
 from ..common.typed import read_toml, typed
@@ -247,7 +247,7 @@ def _check_wear(project, study):
 
 
 def _check_fatigue(project, study):
-    from mooring.criteria.fatigue import curves
+    from hakobune.mooring.criteria.fatigue import curves
 
     shares = [state.share for state in project.states]
     if any(not 0 <= share <= 1 for share in shares) or sum(shares) > 1 + 1e-9:

@@ -10,8 +10,8 @@ from importlib.resources import files
 
 import numpy as np
 
-from meshing.whole_files import write_whole
-from mooring.criteria.strength import equipment_of_box
+from hakobune.meshing.whole_files import write_whole
+from hakobune.mooring.criteria.strength import equipment_of_box
 
 from . import report_words as words
 from .checklist import checklist
@@ -98,7 +98,7 @@ def _found_in(read, verdict, folder):
 
 def _of_body(read, paths, folder):
     """What the page says of the body and its waves; where no database stands behind it, of the study alone"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     if paths[MEAN] is None:
         return {"body": read.kind.body(read.study), "checks": [], "equipment": [], "body_picture": None}
@@ -137,7 +137,7 @@ def _whole(value):
 
 def _checks(paths):
     """What the checks of the databases say, a line each"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ..solve.report import checked
 

@@ -33,7 +33,7 @@ def plans(read, verdict, paths, folder):
 
 def body_picture(database, folder):
     """Coefficients, forces and responses of a database"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ..view.plots import ON_PAPER, plot
 

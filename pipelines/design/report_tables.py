@@ -7,7 +7,7 @@ import io
 
 import numpy as np
 
-from meshing.seals import write_sealed
+from hakobune.meshing.seals import write_sealed
 
 from .running import worst_of
 

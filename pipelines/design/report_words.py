@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.criteria.failing import FAILS as MARKED
-from mooring.criteria.rules import read_rules
+from hakobune.mooring.criteria.failing import FAILS as MARKED
+from hakobune.mooring.criteria.rules import read_rules
 
 from ..common.weather.seas import period_of
 from .kinds.numbers import Numbers

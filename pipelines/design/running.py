@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from mooring.criteria.failing import fails
-from mooring.criteria.strength import worn_breaking_load
-from mooring.criteria.verdict import Case, Tensions
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.criteria.strength import worn_breaking_load
+from hakobune.mooring.criteria.verdict import Case, Tensions
 
 from ..common.quantities import StudyError
 from ..common.typed import read_toml
@@ -75,7 +75,7 @@ def databases(read, folder, executor, console):
 
 def of_databases(read, paths):
     """What fails of the databases, a line each: laws, and the tolerance of those that were solved for the project"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ..solve.report import failed_laws, gives_panels, missed_tolerance
 
@@ -110,7 +110,7 @@ def factors_of(read):
 
 def base_of(read, paths):
     """Tables of the study as laid; paths : {level: database}"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     return read.kind.base(read.study, None if paths[MEAN] is None else open_database(paths[MEAN]))
 

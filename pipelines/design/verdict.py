@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from mooring.criteria.failing import failing
-from mooring.criteria.verdict import judge
-from mooring.response.return_period import return_period
+from hakobune.mooring.criteria.failing import failing
+from hakobune.mooring.criteria.verdict import judge
+from hakobune.mooring.response.return_period import return_period
 
 from .comparison import side_by_side
 from .fatigue import fatigue

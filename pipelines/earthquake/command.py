@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.criteria.failing import fails
-from mooring.dolphins.earthquake import by_spectrum, course, normalised_reaction, response_spectrum
-from mooring.fenders.fender import FenderError
-from mooring.site.seismic import seismic_force
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.dolphins.earthquake import by_spectrum, course, normalised_reaction, response_spectrum
+from hakobune.mooring.fenders.fender import FenderError
+from hakobune.mooring.site.seismic import seismic_force
 
 from ..common.outputs import check_output, opening
 from ..common.picture import PLOTS, check_picture, save
@@ -197,7 +197,7 @@ def _show(quake, rows, stiffness):
 
 
 def _write(path, quake, run):
-    from meshing.whole_files import write_whole
+    from hakobune.meshing.whole_files import write_whole
 
     names = "t,ground,ground_acceleration,body,deflection,reaction"
     ground = quake.ground

@@ -20,8 +20,8 @@ from pathlib import Path
 
 import numpy as np
 
-from mooring.dolphins.earthquake import UNEVEN, EarthquakeError, Fenders, Floater, ground_of_record
-from mooring.site.seismic import seismic_coefficient
+from hakobune.mooring.dolphins.earthquake import UNEVEN, EarthquakeError, Fenders, Floater, ground_of_record
+from hakobune.mooring.site.seismic import seismic_coefficient
 
 from ..common.fender_tables import FenderTable, fender_of, pair_of
 from ..common.quantities import StudyError, Table, below, positive
@@ -170,8 +170,8 @@ def _floater(study, database):
             if not 0 <= getattr(body, name) < math.inf:
                 raise StudyError(f"body.{name} is {getattr(body, name):g}; allowed: 0 or more, finite")
         return Floater(1e3 * positive("body.mass", body.mass), 1e3 * body.added_mass, 1e3 * body.damping)
-    from bem.database import open_database
-    from bem.time_domain.memory import memory_of_database
+    from hakobune.bem.database import open_database
+    from hakobune.bem.time_domain.memory import memory_of_database
 
     db, i = open_database(database), MOTIONS.index(study.motion)
     memory = memory_of_database(db, 3e-3)
@@ -203,7 +203,7 @@ def _spectrum(table):
 
 
 def _ground(table, folder):
-    from mooring.environment.tables import TableError, check_even, read_table
+    from hakobune.mooring.environment.tables import TableError, check_even, read_table
 
     path = folder / table.file
     try:

@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database import open_database
-from bem.database.file import check_place
-from bem.database.schema import LIMITS
-from bem.database.widening import read_group
-from bem.formats.values import CARRIED, values_of
-from mooring.criteria.failing import fails
+from hakobune.bem.database import open_database
+from hakobune.bem.database.file import check_place
+from hakobune.bem.database.schema import LIMITS
+from hakobune.bem.database.widening import read_group
+from hakobune.bem.formats.values import CARRIED, values_of
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import check_ending, check_folder
 from ..printing.console import new_console
@@ -52,9 +52,9 @@ def export(database, to, output, fresh):
     output = database.with_name(database.stem + kind.ending) if output is None else output
     _check_place(output, kind, fresh, database)
     values = values_of(db)
-    made = import_module(f"bem.formats.{kind.module}").write(values, output)
+    made = import_module(f"hakobune.bem.formats.{kind.module}").write(values, output)
     if to == "wamit" and values.mesh is not None:
-        from meshing.files import write_mesh
+        from hakobune.meshing.files import write_mesh
 
         made.append(Path(output).with_suffix(".gdf"))
         write_mesh(values.mesh, made[-1])
@@ -66,8 +66,8 @@ def export(database, to, output, fresh):
 
 def _pairs_written(db, values, output):
     """[NAME.12d, NAME.12s] of what forces of pairs the database has"""
-    from bem.formats.wamit_pairs import write_pairs
-    from bem.second_order.stored import GROUPS, read_forces
+    from hakobune.bem.formats.wamit_pairs import write_pairs
+    from hakobune.bem.second_order.stored import GROUPS, read_forces
 
     weight = values.density * values.gravity
     there = [kind for kind, name in GROUPS.items() if read_group(db, name) is not None]

@@ -54,7 +54,7 @@ def import_(
 
     hakobune import barge.1 --from wamit --depth 20 --gyration 6,12,13 --center-of-gravity 0,0,1
     """
-    from bem.formats.afloat import Weight
+    from hakobune.bem.formats.afloat import Weight
 
     from .importing import import_
 

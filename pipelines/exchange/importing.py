@@ -8,15 +8,15 @@ from importlib import import_module
 
 import numpy as np
 
-from bem.database import append, append_limit, create, open_database, writing
-from bem.database.file import Header, check_place
-from bem.database.schema import DOFS, LIMITS
-from bem.formats.afloat import on_hull
-from bem.formats.values import FormatError, with_headings_once
-from meshing.files import read_mesh
-from meshing.quality import findings
-from meshing.whole_files import made_beside
-from mooring.criteria.failing import fails
+from hakobune.bem.database import append, append_limit, create, open_database, writing
+from hakobune.bem.database.file import Header, check_place
+from hakobune.bem.database.schema import DOFS, LIMITS
+from hakobune.bem.formats.afloat import on_hull
+from hakobune.bem.formats.values import FormatError, with_headings_once
+from hakobune.meshing.files import read_mesh
+from hakobune.meshing.quality import findings
+from hakobune.meshing.whole_files import made_beside
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import DATABASE, check_ending
 from ..printing.console import new_console
@@ -35,7 +35,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
         raise ValueError(f"{place} does not exist")
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     _check(kind, known, output, fresh, place)
-    module = import_module(f"bem.formats.{kind.module}")
+    module = import_module(f"hakobune.bem.formats.{kind.module}")
     of_module = {name: known[name] for name in kind.silent}
     said = ()
     if hasattr(module, "inputs_of"):
@@ -129,7 +129,7 @@ def _sizes(values):
 def _pairs_of(place, kind_name, values, known):
     if kind_name != "wamit":
         return []
-    from bem.formats.wamit_pairs import SUFFIXES, read_pairs
+    from hakobune.bem.formats.wamit_pairs import SUFFIXES, read_pairs
 
     found = (read_pairs(place, values.density * values.gravity, kind, known["length_unit"]) for kind in SUFFIXES)
     return [forces for forces in found if forces is not None]
@@ -139,7 +139,7 @@ def _store_pairs(output, pairs, values):
     """Names of the groups that forces of pairs are stored in"""
     if not pairs:
         return []
-    from bem.second_order.stored import GROUPS, Held, StoredForces, write_forces
+    from hakobune.bem.second_order.stored import GROUPS, Held, StoredForces, write_forces
 
     for forces in pairs:
         write_forces(output, StoredForces(forces, Held("rao" in values.quantities)))

@@ -32,7 +32,7 @@ def animate(
     hakobune animate run.h5 --output film.gif
     hakobune animate box.h5 --period 9 --heading 180 --output film.gif
     """
-    from bem.database.results import check_any_version, has_schema, schema_of
+    from hakobune.bem.database.results import check_any_version, has_schema, schema_of
 
     from ..printing.verdict import tell
     from ..simulate.file import is_run
@@ -60,7 +60,7 @@ def animate(
         _check_none(regular, "a database", file, "a simulation")
         frames = film_of_run(file, output, **_given(of_run))
     else:
-        from bem.database import open_database
+        from hakobune.bem.database import open_database
 
         from .of_database import film_of_database
 

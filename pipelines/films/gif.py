@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from ..common.bounds import Pace
 from ..common.outputs import check_output

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database import open_database
-from mooring.lines.system.bodies import rotation
+from hakobune.bem.database import open_database
+from hakobune.mooring.lines.system.bodies import rotation
 
 from ..waves.command import around_body, frequency, half_width, mapped, remarks
 from .gif import HULL, check_film, new_plotter, write_film

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from mooring.lines.system.bodies import rotation
+from hakobune.mooring.lines.system.bodies import rotation
 
 from ..moor.study import make_study
 from ..simulate.file import opened, whole_rows
@@ -96,9 +96,9 @@ def _waves(file, seed):
 
     None where the database is no longer there, or there are no waves
     """
-    from bem.database import open_database
-    from bem.waves import wavenumber
-    from mooring.motion.simulation import wave_components
+    from hakobune.bem.database import open_database
+    from hakobune.bem.waves import wavenumber
+    from hakobune.mooring.motion.simulation import wave_components
 
     try:
         reader = open_database(file.attrs["database"]).reader
@@ -127,8 +127,8 @@ def surface(waves, x, y):
 
 def _shapes(scene, motion):
     """(lines × POINTS, 3) m of lines, and of ropes as straight, with the body displaced by `motion` (6,)"""
-    from mooring.lines.system.equilibrium import held_at, rest
-    from mooring.lines.system.shapes import line_shapes
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.lines.system.shapes import line_shapes
 
     bollards, arms = scene.ropes
     ends = scene.center + motion[:3] + arms @ rotation(*motion[3:]).T

@@ -10,8 +10,8 @@ import tomllib
 
 import numpy as np
 
-from bem.database.results import opened_result
-from mooring.lines.system.bodies import rotation
+from hakobune.bem.database.results import opened_result
+from hakobune.mooring.lines.system.bodies import rotation
 
 from ..single_point.command import SCHEMA
 from ..single_point.study import system_of
@@ -74,8 +74,8 @@ def _stage(given, lines):
 
 
 def _lines(system, buoy):
-    from mooring.lines.system.equilibrium import held_at, rest
-    from mooring.lines.system.shapes import line_shapes
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.lines.system.shapes import line_shapes
 
     pose = (*map(float, buoy), 0.0, 0.0, 0.0)
     return line_shapes(rest(held_at(system, {"buoy": pose})), POINTS)

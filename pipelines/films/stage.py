@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.lines.system.bodies import rotation
+from hakobune.mooring.lines.system.bodies import rotation
 
 from .gif import BED, HULL, SEA, new_plotter
 

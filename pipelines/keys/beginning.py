@@ -7,7 +7,7 @@ import shutil
 import tomllib
 from pathlib import Path
 
-from bem.database.file import check_place
+from hakobune.bem.database.file import check_place
 
 from .kinds import KINDS, SCENES, kind_named
 from .reference import reference

@@ -10,7 +10,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from mooring.lines.system.findings import LONGEST_STRAIN
+from hakobune.mooring.lines.system.findings import LONGEST_STRAIN
 
 from ..common.anchors import warn_of_anchors
 from ..common.bounds import check_memory, check_seconds, told
@@ -38,7 +38,7 @@ FRAMES = 20  # of a cycle, or of a run without one at least 200
 
 def line_dynamics(file, duration, tolerance, output, picture):
     """Run the line of a study.  Returns the exit status; raises ValueError, one line."""
-    from mooring.formats.results import is_channels
+    from hakobune.mooring.formats.results import is_channels
 
     if picture is not None:
         check_picture(picture, PLOTS)
@@ -55,7 +55,7 @@ def line_dynamics(file, duration, tolerance, output, picture):
 
 
 def _run(study, text, folder, output, picture):
-    from mooring.lines.dynamics.simulation import simulate
+    from hakobune.mooring.lines.dynamics.simulation import simulate
 
     from ..printing.console import new_console
 
@@ -126,8 +126,8 @@ def check_effort(study, line, course, wave, frames, stations=0):
 
     Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
     """
-    from mooring.lines.dynamics.run import finer
-    from mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD
+    from hakobune.mooring.lines.dynamics.run import finer
+    from hakobune.mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD
 
     periods = np.zeros(0) if wave is None else wave.period
     fastest = min(course.motion.longest_step, periods.min(initial=np.inf) / PARTS_OF_PERIOD)
@@ -201,7 +201,7 @@ class Progress:
 def _write(study, text, course, result, found, line, strength, output, picture):
     written = []
     if output is not None:
-        from mooring.formats.results import channels_of_line, write_channels
+        from hakobune.mooring.formats.results import channels_of_line, write_channels
 
         places = np.array([course.motion.at(t)[0] for t in result.time])
         channels = channels_of_line(result)

@@ -155,8 +155,8 @@ def quasi_static(line, course, window, current):
 
     The places are those of one cycle, or of the whole window; nan where the line has no static shape.
     """
-    from mooring.lines.catenary.state import LineError
-    from mooring.lines.dynamics.simulation import FairleadMotion, simulate
+    from hakobune.mooring.lines.catenary.state import LineError
+    from hakobune.mooring.lines.dynamics.simulation import FairleadMotion, simulate
 
     begin = window[0] if course.cycle is None else window[1] - course.cycle
     places = np.array([course.motion.at(t)[0] for t in np.linspace(begin, window[1], POSITIONS + 1)])
@@ -172,7 +172,7 @@ def quasi_static(line, course, window, current):
 
 def judged_by_regime(line, course, harmonics):
     """Function of a displacement (3,) m → HarmonicTension or a text, or a text where the method does not apply."""
-    from mooring.lines.dynamics.regime import regime_of
+    from hakobune.mooring.lines.dynamics.regime import regime_of
 
     if harmonics != 1:
         return "the simplified method is for one harmonic motion"

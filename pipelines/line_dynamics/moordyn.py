@@ -28,8 +28,8 @@ def with_moordyn(study, folder):
     warns : of what of the file is left out
     raises : StudyError, FormatError for a file that cannot be read
     """
-    from mooring.formats.moordyn import read_moordyn
-    from mooring.formats.moordyn_system import system_of_moordyn
+    from hakobune.mooring.formats.moordyn import read_moordyn
+    from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 
     path = Path(folder) / study.moordyn.file
     file = read_moordyn(path)
@@ -63,7 +63,7 @@ def with_moordyn(study, folder):
 
 def _way(system, name):
     """Lines from the anchor to the end that moves, the free points between them, and the names of both ends"""
-    from mooring.lines.system.parts import Anchor, CompositeLine, FreePoint
+    from hakobune.mooring.lines.system.parts import Anchor, CompositeLine, FreePoint
 
     lines = {line.name: line for line in system.lines}
     if name not in lines:

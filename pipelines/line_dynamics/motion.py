@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 from ..common.quantities import StudyError, positive
 from ..common.weather.seas import mean_period
@@ -47,7 +47,7 @@ class Course:
 
 def course_of(study, folder):
     """The Course of a LineDynamicsStudy whose table lies in `folder`.  Raises ValueError."""
-    from mooring.lines.dynamics.simulation import FairleadMotion
+    from hakobune.mooring.lines.dynamics.simulation import FairleadMotion
 
     given = study.fairlead
     if (given.table is None) == (given.position is None):

@@ -22,7 +22,7 @@ FEWEST, MOST = 10, 1000  # components of a sea
 
 def line_of(study):
     """DynamicLine, and the Strength of its segments.  Raises ValueError."""
-    from mooring.lines.dynamics.simulation import DynamicLine
+    from hakobune.mooring.lines.dynamics.simulation import DynamicLine
 
     kinds = {name: _properties(f"types.{name}", kind, study.water) for name, kind in study.types.items()}
     total = sum(positive(f"segments[{i}].length", part.length) for i, part in enumerate(study.segments))
@@ -39,7 +39,7 @@ def line_of(study):
 
 
 def _segment(where, part, kinds, total):
-    from mooring.lines.dynamics.simulation import DynamicSegment
+    from hakobune.mooring.lines.dynamics.simulation import DynamicSegment
 
     properties, breaking = of_types(where, part.type, kinds)
     elements = part.elements if part.elements is not None else max(4, round(ELEMENTS * part.length / total))
@@ -51,7 +51,7 @@ def _segment(where, part, kinds, total):
 
 def _properties(where, kind, water):
     """Keywords of a DynamicSegment, and the breaking load in N"""
-    from mooring.lines.system.parts import LineDynamics
+    from hakobune.mooring.lines.system.parts import LineDynamics
 
     static = line_type(where, kind, water.density, water.gravity)
     stiffness = static.axial_stiffness if kind.elongation_percent is None else _elongation(where, kind)
@@ -93,7 +93,7 @@ def _elongation(where, kind):
 
 
 def _bodies(study):
-    from mooring.lines.dynamics.simulation import AttachedBody
+    from hakobune.mooring.lines.dynamics.simulation import AttachedBody
 
     found = []
     for i, body in enumerate(attached("", study.bodies, len(study.segments) - 1)):
@@ -105,7 +105,7 @@ def _bodies(study):
 
 
 def _bed(study):
-    from mooring.lines.dynamics.simulation import ElasticBed
+    from hakobune.mooring.lines.dynamics.simulation import ElasticBed
 
     if math.isinf(study.water.depth):
         if study.bed is not None:
@@ -143,8 +143,8 @@ def _uphill(study, table):
 
 def current_of(study):
     """CurrentProfile of `mooring.lines.dynamics.simulation`, or None.  Raises ValueError."""
-    from mooring.environment.current_profile import power_law, table
-    from mooring.lines.dynamics.simulation import CurrentProfile
+    from hakobune.mooring.environment.current_profile import power_law, table
+    from hakobune.mooring.lines.dynamics.simulation import CurrentProfile
 
     given, depth = study.current, study.water.depth
     if given is None:
@@ -168,7 +168,7 @@ def wave_of(study, ramp):
 
     Raises ValueError, also for a wave that would break (Miche), or a sea of that height and period.
     """
-    from mooring.lines.dynamics.simulation import WaveTrain
+    from hakobune.mooring.lines.dynamics.simulation import WaveTrain
 
     depth = study.water.depth
     if study.sea is not None:
@@ -198,7 +198,7 @@ def _components(study):
 
 
 def _check_breaking(where, height, period, water):
-    from bem.waves import wavenumber
+    from hakobune.bem.waves import wavenumber
 
     k = float(wavenumber(2 * math.pi / period, water.depth, water.gravity))
     breaking = 0.142 * 2 * math.pi / k * math.tanh(min(k * water.depth, 20.0))

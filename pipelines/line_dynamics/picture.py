@@ -98,7 +98,7 @@ def _bed(axes, line, start, left, right):
     away = start[-1, :2] - start[0, :2]
     size = np.linalg.norm(away)
     heading = away / size if size > 0 else np.array([1.0, 0.0])
-    from mooring.lines.dynamics.lumped.system import above_bed
+    from hakobune.mooring.lines.dynamics.lumped.system import above_bed
 
     x = np.linspace(left, right, 401)
     under = np.column_stack([line.anchor[:2] + x[:, None] * heading, np.zeros_like(x)])

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import DEEPEST, HEAVIEST, LONGEST, ROUGHEST, StudyError
@@ -54,15 +54,15 @@ class OneLine:
 
     def solve(self, span):
         """LineSolution at spans, m"""
-        from mooring.lines.catenary.buoyant import solve_buoyant_lines
-        from mooring.lines.catenary.solve import solve_lines
+        from hakobune.mooring.lines.catenary.buoyant import solve_buoyant_lines
+        from hakobune.mooring.lines.catenary.solve import solve_lines
 
         return (solve_buoyant_lines if self.floats else solve_lines)(span, self.height, *self.properties)
 
     def span_at(self, H):
         """m, where the line carries a horizontal tension, N"""
-        from mooring.lines.catenary.solve import span_at_tension
-        from mooring.lines.multi_segment.span import span_of
+        from hakobune.mooring.lines.catenary.solve import span_at_tension
+        from hakobune.mooring.lines.multi_segment.span import span_of
 
         if self.floats:
             return span_of(self.solve, H, self.length, self.height)
@@ -70,8 +70,8 @@ class OneLine:
 
     def shape(self, span, points):
         """(points, 2) m from the anchor"""
-        from mooring.lines.catenary.buoyant import buoyant_profile
-        from mooring.lines.catenary.solve import profile
+        from hakobune.mooring.lines.catenary.buoyant import buoyant_profile
+        from hakobune.mooring.lines.catenary.solve import profile
 
         return (buoyant_profile if self.floats else profile)(span, self.height, *self.properties, points=points)
 
@@ -153,8 +153,8 @@ def _check_above_bed(one, span, depth):
 
 
 def _kind(name, weight, stiffness):
-    from mooring.lines.catalogue import line_type
-    from mooring.lines.system.parts import LineType
+    from hakobune.mooring.lines.catalogue import line_type
+    from hakobune.mooring.lines.system.parts import LineType
 
     if (name is None) == (weight is None):
         state = "neither is given" if name is None else "both are given"
@@ -244,7 +244,7 @@ def tension_curve(one, points=120, span=0.0):
 
 def _span_over_bed(one, H, shore):
     """m, at least 0, with a horizontal tension, N, or just before `shore`, where the bed is as high as the fairlead"""
-    from mooring.lines.catenary.state import LineError
+    from hakobune.mooring.lines.catenary.state import LineError
 
     try:
         span = max(one.span_at(H), 0.0)

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from bem import DOFS
-from bem.database.file import check_place
-from mooring.criteria.failing import fails
+from hakobune.bem import DOFS
+from hakobune.bem.database.file import check_place
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import MOST, Pace, check_seconds, told
 from ..common.outputs import DATABASE, check_output
@@ -37,10 +37,10 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
     returns : the exit status
     raises : ValueError, one line
     """
-    from bem.database import open_database
-    from mooring.formats.results import is_channels
-    from mooring.lines.system.equilibrium import rest
-    from mooring.studies.in_air import lines_in_air
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.formats.results import is_channels
+    from hakobune.mooring.lines.system.equilibrium import rest
+    from hakobune.mooring.studies.in_air import lines_in_air
 
     if picture is not None:
         check_picture(picture, PLOTS)
@@ -77,7 +77,7 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
         curves = [] if offset is None else _curves(state, name, offset, directions)
     written = _write(state, output, picture, curves, losses)
     if exported is not None:
-        from mooring.formats.moordyn import write_moordyn
+        from hakobune.mooring.formats.moordyn import write_moordyn
 
         write_moordyn(exported, moordyn)
         written.append(moordyn)
@@ -92,7 +92,7 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
     if broken:
         _show_losses(console, state, losses, name)
     if database is not None:
-        from mooring.studies.places import off_the_mesh
+        from hakobune.mooring.studies.places import off_the_mesh
 
         found += [*off_the_mesh(system, name, db.mesh), *_show_periods(console, state, name, db)]
     status = tell(found, console)
@@ -142,7 +142,7 @@ def _body(system, name, needed):
 def _loaded(system, name, force):
     if len(force) != 3:
         raise StudyError(f"--force has {len(force)} numbers; allowed: 3, Fx and Fy in kN and Mz in kN m")
-    from mooring.lines.system.parts import MooredBody
+    from hakobune.mooring.lines.system.parts import MooredBody
 
     given = next(body for body in system.bodies if body.name == name)
     if not given.freedom:
@@ -198,7 +198,7 @@ def _show_rest(console, state):
 
 
 def _show_stiffness(console, state, name):
-    from mooring.studies.system_at_rest import mooring_stiffness
+    from hakobune.mooring.studies.system_at_rest import mooring_stiffness
 
     K = mooring_stiffness(state, name)
     shift, turn = np.sqrt(np.abs(np.diag(K)).reshape(2, 3).max(axis=1))
@@ -211,7 +211,7 @@ def _show_stiffness(console, state, name):
 
 
 def _curves(state, name, offset, directions):
-    from mooring.studies.system_at_rest import offset_curve
+    from hakobune.mooring.studies.system_at_rest import offset_curve
 
     offsets = np.linspace(-offset, offset, 21)
     pace = Pace("offset curves take", len(directions) * len(offsets), "give fewer with --direction")
@@ -219,7 +219,7 @@ def _curves(state, name, offset, directions):
 
 
 def _losses(state):
-    from mooring.studies.system_at_rest import one_line_broken
+    from hakobune.mooring.studies.system_at_rest import one_line_broken
 
     count = len(state.system.lines)
     return one_line_broken(state, Pace(f"{count} losses of a line take", count, "leave out --broken").step)
@@ -245,13 +245,13 @@ def _kN(value):
 
 
 def _show_line(console, state, name):
-    from mooring.lines.system.characteristic import characteristic
+    from hakobune.mooring.lines.system.characteristic import characteristic
 
     show_characteristic(console, name, *characteristic(state, name))
 
 
 def _show_losses(console, state, losses, name):
-    from mooring.studies.system_at_rest import body_number
+    from hakobune.mooring.studies.system_at_rest import body_number
 
     table = _table("one line broken", "lost line", "largest tension kN", "in", "used %", f"{name or 'system'} moves m")
     i = None if name is None else body_number(state.system, name)
@@ -273,7 +273,7 @@ def _show_losses(console, state, losses, name):
 
 def _show_periods(console, state, name, db):
     """Print them; a line where the body is unstable"""
-    from mooring.studies.natural_periods import moored_periods
+    from hakobune.mooring.studies.natural_periods import moored_periods
 
     periods = moored_periods(state, name, db)
     table = _table(f"natural periods of {name}", "mode", "s")
@@ -286,8 +286,8 @@ def _show_periods(console, state, name, db):
 
 def _moordyn_file(system, path, source):
     """The MoorDynFile of a system, before anything is solved for it; source : the file the system was read from"""
-    from mooring.formats.moordyn import read_moordyn
-    from mooring.formats.moordyn_writing import moordyn_of_system
+    from hakobune.mooring.formats.moordyn import read_moordyn
+    from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
 
     if Path(path).exists():
         raise StudyError(f"{path} exists and is not replaced; give another name")
@@ -298,7 +298,7 @@ def _moordyn_file(system, path, source):
 def _write(state, output, picture, curves, losses):
     written, system = [], state.system
     if output is not None:
-        from mooring.formats.results import channels_of_rest, write_channels
+        from hakobune.mooring.formats.results import channels_of_rest, write_channels
 
         names = {kind: [part.name for part in getattr(system, kind)] for kind in ("lines", "points", "bodies")}
         write_channels(output, 0.0, channels_of_rest(state), names)

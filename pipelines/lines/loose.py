@@ -12,7 +12,7 @@ def without_lines(path):
     """The MoorDynFile of a path if it has no lines, else None"""
     if path.suffix.lower() in (*TOML, *YAML):
         return None
-    from mooring.formats.moordyn import read_moordyn
+    from hakobune.mooring.formats.moordyn import read_moordyn
 
     file = read_moordyn(path)
     return None if file.lines else file
@@ -27,8 +27,8 @@ def check_alone(path, asked):
 
 def rests(file, path, depth):
     """[Loose] of a file.  raises : FormatError; warns of what is left out"""
-    from mooring.formats.moordyn_loose import rests_of_moordyn
-    from mooring.formats.moordyn_system import still_water
+    from hakobune.mooring.formats.moordyn_loose import rests_of_moordyn
+    from hakobune.mooring.formats.moordyn_system import still_water
 
     return rests_of_moordyn(file, still_water(file, path, depth), path)
 

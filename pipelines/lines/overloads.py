@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.criteria.failing import fails
-from mooring.lines.system.findings import LONGEST_STRAIN, beyond_tables, strains
-from mooring.response.findings import LINES_NAMED, some
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.lines.system.findings import LONGEST_STRAIN, beyond_tables, strains
+from hakobune.mooring.response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.lines.system.shapes import beds_of_lines, line_shapes, loads_on_lines
+from hakobune.mooring.lines.system.shapes import beds_of_lines, line_shapes, loads_on_lines
 
 from ..common.picture import save
 from ..common.units import KN
@@ -60,7 +60,7 @@ def _draw_beds(axes, state):
 
 
 def _draw_points(axes, state, i, j):
-    from mooring.lines.system.parts import Anchor, Fairlead
+    from hakobune.mooring.lines.system.parts import Anchor, Fairlead
 
     marks = {Anchor: ("^", "k"), Fairlead: ("s", "0.3")}
     for point, place in zip(state.system.points, state.points, strict=True):
@@ -167,7 +167,7 @@ def draw_result(file, picture):
 
     picture : Path; None for NAME_frames.png beside the file, where a picture of the run keeps NAME.png
     """
-    from mooring.formats.results import read_frames
+    from hakobune.mooring.formats.results import read_frames
 
     from ..common.picture import PLOTS, check_picture
 

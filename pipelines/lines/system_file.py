@@ -12,8 +12,8 @@ from pathlib import Path
 
 import msgspec
 
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody
 
 from ..common.anchors import warn_of_anchors
 from ..common.line_tables import LineTable, TypeTable, check_types, line_of
@@ -139,10 +139,10 @@ def _read(path, depth):
             raise StudyError(f"--depth is {depth:g} m and {path} has its own; allowed: without it, or [water] depth")
         return make_system(read_toml(path, "a system", StudyError)[0])
     if path.suffix.lower() in YAML:
-        from mooring.formats.moorpy import read_moorpy
+        from hakobune.mooring.formats.moorpy import read_moorpy
 
         return read_moorpy(path, depth)
-    from mooring.formats.moordyn_system import read_moordyn_system
+    from hakobune.mooring.formats.moordyn_system import read_moordyn_system
 
     return read_moordyn_system(path, depth)
 

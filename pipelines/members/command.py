@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.criteria.failing import fails
-from mooring.loads.morison import member_force
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.loads.morison import member_force
 
 from ..common.bounds import told
 from ..common.picture import PLOTS, check_picture, save

@@ -17,11 +17,11 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from mooring.environment.current_profile import power_law
-from mooring.loads import members as wind_loads
-from mooring.loads.morison import Section, circular, plate, square
-from mooring.loads.regular_wave import RegularWave
-from mooring.seas.breaking import breaking_height
+from hakobune.mooring.environment.current_profile import power_law
+from hakobune.mooring.loads import members as wind_loads
+from hakobune.mooring.loads.morison import Section, circular, plate, square
+from hakobune.mooring.loads.regular_wave import RegularWave
+from hakobune.mooring.seas.breaking import breaking_height
 
 from ..common.quantities import StudyError, Table, direction, positive, water_depth
 from ..common.typed import read_toml, typed

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from bem import DOFS
-from bem.database.resonances import resonances
-from bem.database.results import has_schema
-from mooring.studies.multi_point import PLANE, line_ends, multi_point
+from hakobune.bem import DOFS
+from hakobune.bem.database.resonances import resonances
+from hakobune.bem.database.results import has_schema
+from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..common.outputs import DATABASE, check_output
 from ..common.resonances import resonance_lines
@@ -45,7 +45,7 @@ def moor(study_path, database_path, output_path=None, quiet=False):
     With `output_path` the results are written there (HDF5), with a plan of the lines beside it (…_plan.png).
     raises : ValueError, one line, before anything is written
     """
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     study, text = read_study(study_path)
     db = open_database(database_path)
@@ -80,7 +80,7 @@ def write_result(output, result, text, database):
     """Write a MultiPoint result, the text of its study and the seal of its database whole into a file (HDF5)."""
     import h5py
 
-    from bem.database.file import beside
+    from hakobune.bem.database.file import beside
 
     with beside(output) as file:
         file.attrs["schema"] = SCHEMA

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.lines.system.shapes import joints_of_lines, loads_on_lines
-from mooring.studies.multi_point import line_ends
+from hakobune.mooring.lines.system.shapes import joints_of_lines, loads_on_lines
+from hakobune.mooring.studies.multi_point import line_ends
 
 from ..common.picture import save
 

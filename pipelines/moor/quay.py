@@ -40,7 +40,7 @@ def body_of(study, db):
 
 def by_far_field(db, y):
     """`Reader` of a database of open water before a quay at y, m, and lines for the reader.  Raises StudyError."""
-    from bem.wave_field.before_wall import WallError, before_wall, given_back, neglected
+    from hakobune.bem.wave_field.before_wall import WallError, before_wall, given_back, neglected
 
     try:
         key = db.path, db.header, y

@@ -16,10 +16,10 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
-from mooring.loads.on_hull import current_on, wind_on
-from mooring.studies.conditions import Conditions, ExposedBox, Waves
-from mooring.studies.wave_effects import METHODS
+from hakobune.mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
+from hakobune.mooring.loads.on_hull import current_on, wind_on
+from hakobune.mooring.studies.conditions import Conditions, ExposedBox, Waves
+from hakobune.mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import TypeTable, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, force, positive, water_depth

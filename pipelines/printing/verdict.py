@@ -11,7 +11,7 @@ docs/commands.md has what fails of each command.
 
 from __future__ import annotations
 
-from mooring.criteria.failing import FAILS, failing
+from hakobune.mooring.criteria.failing import FAILS, failing
 
 
 def tell(findings, console=None, remark="warning: "):

@@ -40,9 +40,9 @@ def qtf(
     With --sum the forces that ring and spring are solved, up to the highest sum whose waves the panels carry, with the
     forcing of the surface, which is a large part of them.
     """
-    from bem.database import open_database
-    from bem.second_order.kinds import DIFFERENCE, SUM
-    from bem.second_order.stored import Held
+    from hakobune.bem.database import open_database
+    from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+    from hakobune.bem.second_order.stored import Held
 
     from ..common.picture import PLOTS, check_picture
     from ..printing.verdict import tell
@@ -83,8 +83,8 @@ def qtf(
 
 def _answer(db, question, moored, fresh):
     """`StoredForces` of a question, solved where they are not stored; moored : path of its mooring study, or None"""
-    from bem.database import DatabaseError, open_database
-    from bem.second_order.stored import GROUPS, read_forces
+    from hakobune.bem.database import DatabaseError, open_database
+    from hakobune.bem.second_order.stored import GROUPS, read_forces
 
     from .running import solve
 
@@ -105,7 +105,7 @@ def _answer(db, question, moored, fresh):
 
 def _stiffness(study, db):
     """(6, 6) of the lines of a mooring study about the rotation centre, where they hold the body in its steady loads"""
-    from mooring.studies.multi_point import multi_point
+    from hakobune.mooring.studies.multi_point import multi_point
 
     from ..moor.study import read_study
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.second_order.kinds import SUM
+from hakobune.bem.second_order.kinds import SUM
 
 from ..common.picture import save
 from .report import ALL, MODES, NAMES, levels, newman, parts_of_sums

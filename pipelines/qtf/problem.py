@@ -32,8 +32,8 @@ def bodies(db, method, highest, of_force):
 
     raises : ValueError for the contour method on another body
     """
-    from bem.second_order.quadratic_forces import panel_errors, resolution_errors
-    from mooring.response.bound_wave_drift import problem_of
+    from hakobune.bem.second_order.quadratic_forces import panel_errors, resolution_errors
+    from hakobune.mooring.response.bound_wave_drift import problem_of
 
     from ..solve.hull import coarse_hull_of
 
@@ -59,16 +59,16 @@ def bodies(db, method, highest, of_force):
 
 def _with_lid(problem, highest):
     """The problem with a lid, where waves up to `highest` rad/s need one that the database has not"""
-    from bem.panels.irregular_frequencies import lid_needed_from
-    from meshing.lid import lid
+    from hakobune.bem.panels.irregular_frequencies import lid_needed_from
+    from hakobune.meshing.lid import lid
 
     needs = problem.lid is None and highest**2 / problem.gravity > lid_needed_from(problem.mesh)
     return replace(problem, lid=lid(problem.mesh)) if needs else problem
 
 
 def _fits_contour(db, highest):
-    from bem.contour.short_waves import unresolved
-    from bem.waves import wavenumber
+    from hakobune.bem.contour.short_waves import unresolved
+    from hakobune.bem.waves import wavenumber
 
     from ..scene.methods import METHODS as SOLVERS
 
@@ -81,7 +81,7 @@ def _fits_contour(db, highest):
 
 
 def _cylinder(db, panels, tolerance):
-    from bem.methods.shape_problem import ShapeProblem
+    from hakobune.bem.methods.shape_problem import ShapeProblem
 
     shared = "depth density gravity rotation_center inertia_matrix hydrostatic_stiffness viscous"
     return ShapeProblem(

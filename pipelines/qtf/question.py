@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bem.second_order.kinds import DIFFERENCE, Kind
-from bem.second_order.stored import Held
+from hakobune.bem.second_order.kinds import DIFFERENCE, Kind
+from hakobune.bem.second_order.stored import Held
 
 from ..scene.scene import numbers
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.second_order.kinds import SUM
-from mooring.criteria.failing import fails
+from hakobune.bem.second_order.kinds import SUM
+from hakobune.mooring.criteria.failing import fails
 
 APART = 0.05  # of the largest mean drift, that pressure and far field may differ by
 NAMES = ("surge", "sway", "yaw")

@@ -9,10 +9,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from bem.database import DatabaseError, writing
-from bem.database.file import check_place
-from bem.second_order.kinds import DIFFERENCE
-from bem.second_order.quadratic_forces import (
+from hakobune.bem.database import DatabaseError, writing
+from hakobune.bem.database.file import check_place
+from hakobune.bem.second_order.kinds import DIFFERENCE
+from hakobune.bem.second_order.quadratic_forces import (
     BLOCK,
     QuadraticForces,
     QuadraticRun,
@@ -20,7 +20,7 @@ from bem.second_order.quadratic_forces import (
     share_of,
     surface_share,
 )
-from bem.second_order.stored import StoredForces, read_forces, write_forces
+from hakobune.bem.second_order.stored import StoredForces, read_forces, write_forces
 
 from ..common.progress import duration
 from .problem import bodies

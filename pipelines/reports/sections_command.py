@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-from meshing.seals import write_sealed
+from hakobune.meshing.seals import write_sealed
 
 from ..common.bounds import Pace, check_count, check_memory
 from ..scene.flags import _flag
@@ -39,7 +39,7 @@ def sections(
 
     Without flags the report's twenty shapes and ten frequencies.
     """
-    from bem.sections.tables import BEAM_DRAFT, DEPTH_DRAFT, XI, tables
+    from hakobune.bem.sections.tables import BEAM_DRAFT, DEPTH_DRAFT, XI, tables
 
     from ..common.outputs import check_output
 
@@ -92,7 +92,7 @@ def _check_above(flag, values, low, allowed, largest=sys.float_info.max):
 
 def is_table(path):
     """Whether a file was written here"""
-    from bem.database.results import has_schema
+    from hakobune.bem.database.results import has_schema
 
     from ..common.outputs import opening
 
@@ -103,7 +103,7 @@ def is_table(path):
 
 def csv_text(rows, tolerance):
     """The table as text: what it is in # lines, then one line per section."""
-    from bem.sections.tables import COLUMNS, table_name
+    from hakobune.bem.sections.tables import COLUMNS, table_name
 
     text = io.StringIO()
     text.writelines(f"# {note}\n" for note in (*NOTES, f"Relative tolerance {tolerance:g}"))
@@ -121,8 +121,8 @@ def _write_csv(output, rows, grid, tolerance):
 def _write_hdf5(output, rows, grid, tolerance):
     import numpy as np
 
-    from bem.database.file import beside
-    from bem.sections.tables import COLUMNS, SHAPE_COLUMNS
+    from hakobune.bem.database.file import beside
+    from hakobune.bem.sections.tables import COLUMNS, SHAPE_COLUMNS
 
     beam_draft, depth_draft, xi = grid
     axes = {"H_over_d": depth_draft, "B_over_d": beam_draft, "xi_B": xi}

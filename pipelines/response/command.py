@@ -27,8 +27,8 @@ def response(
 
     The study (TOML) says which sea or scatter diagram, and which points of the body.
     """
-    from bem.database import open_database
-    from bem.database.resonances import resonances
+    from hakobune.bem.database import open_database
+    from hakobune.bem.database.resonances import resonances
 
     from ..common.quantities import StudyError
     from ..common.resonances import resonance_lines, underdamped
@@ -82,11 +82,11 @@ def gap_of(db):
 
 def _in_sea(read, body, db, points, study):
     """SeaState, and the body with its viscous damping in it"""
-    from mooring.on_current.body import on_current
-    from mooring.on_current.waves import carrier_of
-    from mooring.response.pair_levels import beside_newman
-    from mooring.response.sea_state import sea_state
-    from mooring.response.viscous import in_sea
+    from hakobune.mooring.on_current.body import on_current
+    from hakobune.mooring.on_current.waves import carrier_of
+    from hakobune.mooring.response.pair_levels import beside_newman
+    from hakobune.mooring.response.sea_state import sea_state
+    from hakobune.mooring.response.viscous import in_sea
 
     from ..common.quantities import level_of, positive
     from .study import sea_of, viscous_laws, viscous_words
@@ -124,7 +124,7 @@ def _in_climate(read, body, db, points, study):
             "viscous damping of the database's scene is left out in a climate, whose seas would have one each: motions "
             "near resonance are too large; give body.damping_ratio", stacklevel=2
         )  # fmt: skip
-    from mooring.response.climate import climate
+    from hakobune.mooring.response.climate import climate
 
     from .effort import check_effort
     from .study import climate_of

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.criteria.failing import failing
+from hakobune.mooring.criteria.failing import failing
 
 from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
@@ -50,14 +50,14 @@ class Moored(NamedTuple):
 
 def moored(path, read, db, sea, duration, points):
     """`Moored` of the mooring study at `path` and a ResponseStudy.  Raises ValueError, one line."""
-    from mooring.on_current.body import on_current
-    from mooring.on_current.waves import carrier_of
-    from mooring.response.viscous import in_sea
-    from mooring.studies.conditions import Waves
-    from mooring.studies.long_period import long_period
-    from mooring.studies.multi_point import multi_point
-    from mooring.studies.slow_motion import Loads, slow_motion
-    from mooring.studies.slow_spectrum import PLANE
+    from hakobune.mooring.on_current.body import on_current
+    from hakobune.mooring.on_current.waves import carrier_of
+    from hakobune.mooring.response.viscous import in_sea
+    from hakobune.mooring.studies.conditions import Waves
+    from hakobune.mooring.studies.long_period import long_period
+    from hakobune.mooring.studies.multi_point import multi_point
+    from hakobune.mooring.studies.slow_motion import Loads, slow_motion
+    from hakobune.mooring.studies.slow_spectrum import PLANE
 
     from ..moor.study import read_study
     from .study import viscous_laws, viscous_words
@@ -100,7 +100,7 @@ def moored(path, read, db, sea, duration, points):
 
 def _of_bound_waves(spectrum, db):
     """The force of the bound long waves is not in Newman's rule; where kh at the peak is below 1 it may lead"""
-    from bem.waves import wavenumber
+    from hakobune.bem.waves import wavenumber
 
     kh = float(wavenumber(spectrum.peak_omega, db.water_depth, db.gravity)) * db.water_depth
     if kh < 1:

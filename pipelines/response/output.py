@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.database.results import has_schema
-from meshing.seals import write_sealed
+from hakobune.bem.database.results import has_schema
+from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import opening
 
@@ -27,7 +27,7 @@ def write_h5(path, result, rows, text, database, warned, more):
     """Write a SeaState or a Climate with the table of Rows; more : {name: (value, unit)} beside them."""
     import h5py
 
-    from bem.database.file import beside
+    from hakobune.bem.database.file import beside
 
     with beside(path) as file:
         file.attrs["schema"] = SCHEMA

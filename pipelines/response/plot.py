@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.response.long_term import YEAR
+from hakobune.mooring.response.long_term import YEAR
 
 from ..common.picture import save
 from ..common.units import KN

@@ -6,13 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem import DOFS
-from mooring.criteria.failing import fails
-from mooring.response.findings import large_rotations
-from mooring.response.long_term import YEAR
-from mooring.response.points import KeelPoint, Point, keel_name, relative_name
-from mooring.response.return_period import probability_not_exceeded
-from mooring.response.sea_state import TINY
+from hakobune.bem import DOFS
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.response.findings import large_rotations
+from hakobune.mooring.response.long_term import YEAR
+from hakobune.mooring.response.points import KeelPoint, Point, keel_name, relative_name
+from hakobune.mooring.response.return_period import probability_not_exceeded
+from hakobune.mooring.response.sea_state import TINY
 
 from ..common.units import KN
 from ..printing.verdict import tell

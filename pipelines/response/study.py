@@ -41,8 +41,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from bem import DOFS
-from bem.viscous_table import Laws
+from hakobune.bem import DOFS
+from hakobune.bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive, speed, waves_on
 from ..common.typed import typed
@@ -184,7 +184,7 @@ class ResponseStudy(Table):
 
     def stream(self):
         """`mooring.studies.conditions.Current` of the study, None for none.  Raises StudyError."""
-        from mooring.studies.conditions import Current
+        from hakobune.mooring.studies.conditions import Current
 
         if self.current is None:
             return None
@@ -193,7 +193,7 @@ class ResponseStudy(Table):
 
     def places(self, db):
         """Points of the study, those of the bottom after the others; db : database"""
-        from mooring.response.points import Point
+        from hakobune.mooring.response.points import Point
 
         twice = [name for name, count in Counter(point.name for point in self.points).items() if count > 1]
         if twice:
@@ -209,8 +209,8 @@ class ResponseStudy(Table):
 
 def viscous_laws(study, db):
     """{degree of freedom: law} of a ResponseStudy, those of the database's scene where it gives none"""
-    from bem.viscous_table import laws_of
-    from mooring.response import viscous
+    from hakobune.bem.viscous_table import laws_of
+    from hakobune.mooring.response import viscous
 
     if study.body.viscous is None:
         return viscous.laws_of(db.reader)
@@ -228,7 +228,7 @@ def viscous_words(body, laws, damping):
 
 def keel_points(table, db):
     """`KeelPoint`s of a KeelTable.  Raises StudyError where there is no water under one at rest."""
-    from mooring.response.points import KeelPoint, corners_of_bottom
+    from hakobune.mooring.response.points import KeelPoint, corners_of_bottom
 
     if not math.isfinite(db.water_depth):
         raise StudyError("[keel] is given and the water of the database has no bed; solve it in finite depth")
@@ -270,7 +270,7 @@ def sea_of(table, beside, depth):
 
     Raises ValueError.
     """
-    from mooring.seas.systems import Systems
+    from hakobune.mooring.seas.systems import Systems
 
     if not table.systems:
         return _system("sea", table, Path(beside).parent, depth)
@@ -291,9 +291,9 @@ def _system(where, table, folder, depth):
 
 def _of_file(where, table, folder):
     """The Sea of a file of `spectra_files`, or of a table of densities; a direction of the study goes before its own"""
-    from mooring.environment.sea import Sea
-    from mooring.environment.spectra import read_spectrum
-    from mooring.seas.spectra_files import TabulatedSpreading, read_sea
+    from hakobune.mooring.environment.sea import Sea
+    from hakobune.mooring.environment.spectra import read_spectrum
+    from hakobune.mooring.seas.spectra_files import TabulatedSpreading, read_sea
 
     path = folder / table.file
     if path.suffix == ".csv":
@@ -324,7 +324,7 @@ def damping_of(where, ratios, body):
 
 def climate_of(table, beside, depth):
     """Arguments of `mooring.response.climate.climate` after the body; `beside` is the path of the study, depth m."""
-    from mooring.environment.scatter import read_scatter
+    from hakobune.mooring.environment.scatter import read_scatter
 
     positive("climate.years", table.years)
     named = [(f"climate.directions[{i}]", entry) for i, entry in enumerate(table.directions)]

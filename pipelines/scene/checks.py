@@ -88,7 +88,7 @@ def _check_body(scene):
 
 
 def _check_ship(body):
-    from meshing.ship import ship
+    from hakobune.meshing.ship import ship
 
     try:
         ship(body.length, body.beam, body.draft, body.block, bow=body.bow, stern=body.stern, counts=(8, 2, 3))

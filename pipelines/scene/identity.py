@@ -85,7 +85,7 @@ def _flow(fixed):
 
 def _stored_content(scene, header):
     """`content` of the mesh file a database was made from; "unknown" if it is not stored and panels are others now"""
-    from meshing.files import read_mesh
+    from hakobune.meshing.files import read_mesh
 
     if MESH_FILE in header.attributes or scene.body.file is None:
         return header.attributes.get(MESH_FILE, "unknown")

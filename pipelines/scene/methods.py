@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from bem.contour.raised_bed import raised_bed
-from bem.contour.short_waves import MOST_WAVES, unresolved, waves_along
-from bem.database.schema import LIMITS, QUANTITIES
-from bem.problem import check_gap
-from bem.waves import wavenumber
+from hakobune.bem.contour.raised_bed import raised_bed
+from hakobune.bem.contour.short_waves import MOST_WAVES, unresolved, waves_along
+from hakobune.bem.database.schema import LIMITS, QUANTITIES
+from hakobune.bem.problem import check_gap
+from hakobune.bem.waves import wavenumber
 
 FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force")
 FAR_FIELD_GROUPS = ("kochin", "drift")  # of `products`

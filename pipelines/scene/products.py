@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bem.database.schema import NEEDS_MOTION, ONLY_BY_NAME, QUANTITIES
+from hakobune.bem.database.schema import NEEDS_MOTION, ONLY_BY_NAME, QUANTITIES
 
 GROUPS = {
     "radiation": ("added_mass", "radiation_damping"),

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.viscous_table import ViscousTable
-from bem.waves import wavenumber
+from hakobune.bem.viscous_table import ViscousTable
+from hakobune.bem.waves import wavenumber
 
 from ..common.typed import of_another, read_toml, typed
 from . import products

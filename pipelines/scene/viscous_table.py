@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from bem.viscous_table import viscous_of_table
+from hakobune.bem.viscous_table import viscous_of_table
 
 
 def viscous_of(scene):

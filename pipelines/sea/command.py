@@ -11,8 +11,8 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from meshing.text_files import LARGEST
-from mooring.criteria.failing import fails
+from hakobune.meshing.text_files import LARGEST
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import check_memory, check_seconds, told, whole_number
 from .flags import ReadingFlags, RecordFlags, SpectrumFlags
@@ -91,10 +91,10 @@ def _check_places(file, table, record, output, plot):
 
 
 def _analysed(file, spectrum, record, reading):
-    from mooring.environment.crossings import zero_crossings
-    from mooring.environment.spectrum_estimate import estimate
-    from mooring.environment.wave_records import read_record
-    from mooring.seas.record_faults import faults
+    from hakobune.mooring.environment.crossings import zero_crossings
+    from hakobune.mooring.environment.spectrum_estimate import estimate
+    from hakobune.mooring.environment.wave_records import read_record
+    from hakobune.mooring.seas.record_faults import faults
 
     _refuse("a record file is given", spectrum, SpectrumFlags())
     _refuse("a record file is given", record, RecordFlags(step=record.step))
@@ -114,7 +114,7 @@ def _made(flags, record, reading):
     _refuse("no record file is given", reading, ReadingFlags())
     spectrum = _spectrum(flags, record.depth)
     if record.depth is not None and math.isfinite(record.depth):
-        from mooring.seas.breaking import too_high
+        from hakobune.mooring.seas.breaking import too_high
 
         for line in too_high(spectrum, record.depth):
             warnings.warn(line, stacklevel=2)
@@ -122,8 +122,8 @@ def _made(flags, record, reading):
     if record.record is None:
         _refuse("no --record is given", record, RecordFlags(depth=record.depth))
         return Findings(title, spectrum)
-    from mooring.environment.crossings import zero_crossings
-    from mooring.environment.spectrum_estimate import estimate
+    from hakobune.mooring.environment.crossings import zero_crossings
+    from hakobune.mooring.environment.spectrum_estimate import estimate
 
     made = _record(spectrum, record)
     waves = zero_crossings(made.elevation, made.step)
@@ -133,7 +133,7 @@ def _made(flags, record, reading):
 
 def _of_band(spectrum):
     """What the components of a record leave of T02, which a tail ω⁻⁵ gives to waves that have hardly any energy"""
-    from mooring.environment.sea import BAND
+    from hakobune.mooring.environment.sea import BAND
 
     low, high = spectrum.quantile(BAND)
     held = 2 * math.pi * math.sqrt(spectrum.moment(0, low, high) / spectrum.moment(2, low, high))
@@ -151,8 +151,8 @@ def _refuse(state, flags, quiet):
 
 
 def _spectrum(flags, depth):
-    from mooring.environment import spectra
-    from mooring.seas.families import PEAKED, families
+    from hakobune.mooring.environment import spectra
+    from hakobune.mooring.seas.families import PEAKED, families
 
     if flags.table is not None:
         _refuse("--table is given", flags, SpectrumFlags(table=flags.table))
@@ -173,7 +173,7 @@ def _spectrum(flags, depth):
 
 
 def _by_fetch(flags, gamma, depth):
-    from mooring.environment.spectra import jonswap_fetch
+    from hakobune.mooring.environment.spectra import jonswap_fetch
 
     if flags.wind_speed is None or flags.fetch is None:
         missing = "--wind-speed" if flags.wind_speed is None else "--fetch"
@@ -186,7 +186,7 @@ def _by_fetch(flags, gamma, depth):
     )
     _refuse("--wind-speed and --fetch are given", flags, known)
     if flags.spectrum == "tma":
-        from mooring.seas.shallow import tma_fetch
+        from hakobune.mooring.seas.shallow import tma_fetch
 
         if depth is None or not math.isfinite(depth):
             raise ValueError("--spectrum tma needs a finite --depth, m")
@@ -198,8 +198,8 @@ def _record(spectrum, flags):
     """Record of one realisation"""
     import numpy as np
 
-    from mooring.environment.sea import Sea
-    from mooring.environment.wave_records import Record, elevation
+    from hakobune.mooring.environment.sea import Sea
+    from hakobune.mooring.environment.wave_records import Record, elevation
 
     from ..common.weather.seas import spreading
 
@@ -279,7 +279,7 @@ def _point(text):
 
 
 def _write(found, flags):
-    from mooring.environment.wave_records import write_record
+    from hakobune.mooring.environment.wave_records import write_record
 
     spectrum = found.spectrum
     comment = f"{spectrum.name} spectrum, 4 sqrt(m0) {spectrum.significant_height:.6g} m, Tp {spectrum.Tp:.6g} s"

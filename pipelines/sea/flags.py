@@ -34,7 +34,7 @@ class SpectrumFlags:
     @property
     def periods(self):
         """{kind: s or None}"""
-        from mooring.environment.periods import KINDS
+        from hakobune.mooring.environment.periods import KINDS
 
         return {kind: getattr(self, kind) for kind in KINDS}
 

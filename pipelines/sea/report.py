@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from meshing.seals import write_sealed
-from mooring.environment.crossings import expected_maximum_height, rayleigh_height
-from mooring.environment.periods import KINDS, WORDS
-from mooring.environment.spectrum import Tabulated
+from hakobune.meshing.seals import write_sealed
+from hakobune.mooring.environment.crossings import expected_maximum_height, rayleigh_height
+from hakobune.mooring.environment.periods import KINDS, WORDS
+from hakobune.mooring.environment.spectrum import Tabulated
 
 from ..common.outputs import opening
 from ..printing.verdict import tell

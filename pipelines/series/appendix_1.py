@@ -32,9 +32,9 @@ from typing import NamedTuple
 import numpy as np
 import tomli_w
 
-from bem.database import open_database
-from meshing.text_files import read_text
-from meshing.whole_files import write_whole
+from hakobune.bem.database import open_database
+from hakobune.meshing.text_files import read_text
+from hakobune.meshing.whole_files import write_whole
 
 from ..common.outputs import check_folder
 from ..common.quantities import StudyError
@@ -218,7 +218,7 @@ def at_rest(model, line, db):
 
 def bodies(db):
     """{kind of line: `Moored` M3B on it, at the size of the prototype}; one memory of the water for all"""
-    from mooring.motion.simulation import moored
+    from hakobune.mooring.motion.simulation import moored
 
     from ..moor.study import make_study
 
@@ -234,8 +234,8 @@ def bodies(db):
 
 def computed(row, variant, body, seeds):
     """`Outcome` of a row in a variant; body : its `Moored`; seeds : how many runs"""
-    from mooring.motion.simulation import simulate
-    from mooring.motion.statistics import parts
+    from hakobune.mooring.motion.simulation import simulate
+    from hakobune.mooring.motion.statistics import parts
 
     from ..moor.study import make_study
     from ..simulate.study import plan_of

@@ -24,14 +24,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database import open_database
-from bem.waves import wavenumber
-from meshing.whole_files import write_whole
-from mooring.environment.spectra import issc
-from mooring.lines.catalogue import line_type
-from mooring.response.linear import frequencies
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.scope import highest_third
+from hakobune.bem.database import open_database
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.whole_files import write_whole
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.lines.catalogue import line_type
+from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.scope import highest_third
 
 from ..common.outputs import check_folder, check_output
 from ..common.quantities import StudyError

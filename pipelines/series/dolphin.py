@@ -16,14 +16,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database import open_database
-from bem.wave_field.before_wall import least_gap
-from meshing.whole_files import write_whole
-from mooring.dolphins.design_spectrum import DolphinError, Dolphins, beam_of, limit_height, strains
-from mooring.environment.spectra import issc
-from mooring.fenders.families import fender_of_family
-from mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
-from mooring.studies.steady_loads import steady_loads, with_coefficients
+from hakobune.bem.database import open_database
+from hakobune.bem.wave_field.before_wall import least_gap
+from hakobune.meshing.whole_files import write_whole
+from hakobune.mooring.dolphins.design_spectrum import DolphinError, Dolphins, beam_of, limit_height, strains
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.fenders.families import fender_of_family
+from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
+from hakobune.mooring.studies.steady_loads import steady_loads, with_coefficients
 
 from ..common.outputs import check_folder
 from ..common.picture import save

@@ -31,18 +31,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database import open_database
-from meshing.text_files import read_text
-from mooring.dolphins.design_spectrum import LARGEST, TOTAL
-from mooring.environment.gusts import davenport
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import bretschneider, mitsuyasu_bretschneider
-from mooring.fenders.families import fender_of_family
-from mooring.motion.contacts import QuayFender, berth_of
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.weather import Settings, Weather
-from mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
-from mooring.studies.steady_loads import with_coefficients
+from hakobune.bem.database import open_database
+from hakobune.meshing.text_files import read_text
+from hakobune.mooring.dolphins.design_spectrum import LARGEST, TOTAL
+from hakobune.mooring.environment.gusts import davenport
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import bretschneider, mitsuyasu_bretschneider
+from hakobune.mooring.fenders.families import fender_of_family
+from hakobune.mooring.motion.contacts import QuayFender, berth_of
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
+from hakobune.mooring.studies.steady_loads import with_coefficients
 
 from ..common.quantities import StudyError
 from ..common.units import KNOT

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from meshing.whole_files import write_whole
-from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+from hakobune.meshing.whole_files import write_whole
+from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 from ..common.outputs import check_folder
 from ..common.picture import save

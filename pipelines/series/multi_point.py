@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 import tomli_w
 
-from meshing.whole_files import write_whole
-from mooring.criteria.failing import fails
+from hakobune.meshing.whole_files import write_whole
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import check_folder
 from ..common.quantities import StudyError
@@ -176,8 +176,8 @@ def _solved(case, path, fresh):
 
 def _slow_motion(raw, database):
     """Period, σ by the quick rule and by the spectrum of surge, sway and yaw, (3,) each"""
-    from bem.database import open_database
-    from mooring.studies.long_period import long_period
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.studies.long_period import long_period
 
     from ..common.weather.gusts import gusts_of
     from ..moor.command import studied

@@ -22,11 +22,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database import open_database
-from meshing.text_files import read_text
-from mooring.motion.line_loads import body_lines, line_work, tables_of, tensions_along
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.statistics import record_statistics
+from hakobune.bem.database import open_database
+from hakobune.meshing.text_files import read_text
+from hakobune.mooring.motion.line_loads import body_lines, line_work, tables_of, tensions_along
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.statistics import record_statistics
 
 from ..common.quantities import StudyError
 from ..common.units import TONF

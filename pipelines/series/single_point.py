@@ -11,11 +11,11 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 from scipy.optimize import brentq
 
-from bem.database import open_database
-from meshing.whole_files import write_whole
-from mooring.criteria.failing import fails
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.scope import length_without_uplift, peak, significant
+from hakobune.bem.database import open_database
+from hakobune.meshing.whole_files import write_whole
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.scope import length_without_uplift, peak, significant
 
 from ..common.outputs import check_folder, check_output, opening
 from ..common.quantities import StudyError

@@ -16,7 +16,7 @@ import io
 from pathlib import Path
 from typing import NamedTuple
 
-from meshing.text_files import read_text
+from hakobune.meshing.text_files import read_text
 
 from ..common.quantities import StudyError
 from ..scene.scene import make_scene

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from .file import SUMMARY
 
@@ -79,9 +79,9 @@ def by_design_spectrum(study, db, body, hull, fenders):
     study : `Study`; body : `Reader`, before a quay where there is one
     fenders : sequence of `QuayFender`, of which those count that the steady loads across push to
     """
-    from mooring.dolphins.design_spectrum import STATIC, TOTAL, Dolphins, beam_of, limit_height, strains
-    from mooring.response.viscous import in_sea
-    from mooring.studies.steady_loads import steady_loads, with_coefficients
+    from hakobune.mooring.dolphins.design_spectrum import STATIC, TOTAL, Dolphins, beam_of, limit_height, strains
+    from hakobune.mooring.response.viscous import in_sea
+    from hakobune.mooring.studies.steady_loads import steady_loads, with_coefficients
 
     from ..common.weather.seas import family_of, shape_of
 
@@ -129,7 +129,7 @@ def windows(motion, step, length):
     Amplitudes are halves of H₁/₃ of the waves between zero crossings about the window's mean, yaw in degrees; nan of
     fewer than FEWEST waves.  A last window that is not whole is left out.
     """
-    from mooring.environment.crossings import zero_crossings
+    from hakobune.mooring.environment.crossings import zero_crossings
 
     count, rows = round(length / step), []
     for i in range((len(motion) - 1) // count):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.database.integrity import DatabaseError, VersionError
-from mooring.criteria.failing import fails
+from hakobune.bem.database.integrity import DatabaseError, VersionError
+from hakobune.mooring.criteria.failing import fails
 
 from .file import opened, summary_is_whole, whole_rows
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
@@ -78,7 +78,7 @@ def _methods(file, study, database, division):
 
 
 def _show(console, file, study, database, findings):
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     beside, more = beside_of(study, database)
     if "natural_period" in file.attrs:
@@ -108,8 +108,8 @@ def _of_slow_motion(file, beside, study, database):
     """Findings on slow motion beside its linear spectral answer, where there is one"""
     if beside is None or beside.conditions.sea is None or beside.conditions.method == "regular_wave":
         return ()
-    from bem.database import open_database
-    from mooring.studies.long_period import long_period
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.studies.long_period import long_period
 
     read, db = read_study(study)[0], open_database(database)
     try:
@@ -121,8 +121,8 @@ def _of_slow_motion(file, beside, study, database):
 
 def beside_of(study, database):
     """MultiPoint of the same study by the simplified method, or None and the reason."""
-    from bem.database import open_database
-    from mooring.studies.multi_point import multi_point
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.studies.multi_point import multi_point
 
     db, read = open_database(database), read_study(study)[0]
     if read.at_berth:

@@ -15,15 +15,15 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-import bem
-from bem import DOFS
-from bem.database.file import beside
-from bem.database.integrity import DatabaseError, crc
-from bem.database.results import check_seal, check_version, named, no_file_of
-from meshing.seals import kind_filled_in
-from meshing.whole_files import keep_room
-from mooring.motion.extremes import Extreme
-from mooring.motion.statistics import RecordStatistics
+from hakobune import bem
+from hakobune.bem import DOFS
+from hakobune.bem.database.file import beside
+from hakobune.bem.database.integrity import DatabaseError, crc
+from hakobune.bem.database.results import check_seal, check_version, named, no_file_of
+from hakobune.meshing.seals import kind_filled_in
+from hakobune.meshing.whole_files import keep_room
+from hakobune.mooring.motion.extremes import Extreme
+from hakobune.mooring.motion.statistics import RecordStatistics
 
 SCHEMA = "hakobune simulation 1"
 STATISTICS = RecordStatistics._fields

@@ -61,7 +61,7 @@ def _constant(period):
 
 def _row(body, plan, changed, seed):
     """Cells of significant amplitudes and periods; nan of too few waves is a dash"""
-    from mooring.motion.simulation import simulate, with_memory
+    from hakobune.mooring.motion.simulation import simulate, with_memory
 
     settings = replace(plan.settings, **changed)
     if settings.memory != "constant" and not body.memory.states:  # of a study before a quay
@@ -76,8 +76,8 @@ def _row(body, plan, changed, seed):
 
 def _divided(study, body, path):
     """`Moored` with the water of a database by the contour method.  Raises StudyError."""
-    from bem.database import open_database
-    from mooring.motion.simulation import moored
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.motion.simulation import moored
 
     db = open_database(path)
     method = db.attributes["method"]

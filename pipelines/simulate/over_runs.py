@@ -6,10 +6,10 @@ import tomllib
 
 import numpy as np
 
-from mooring.criteria.failing import fails
-from mooring.criteria.overuse import HELP
-from mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
-from mooring.response.findings import LINES_NAMED, some
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.criteria.overuse import HELP
+from hakobune.mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
+from hakobune.mooring.response.findings import LINES_NAMED, some
 
 from ..moor.study import make_study
 from .file import STATISTICS, told, whole_rows

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.motion.statistics import FEW, frequencies_in, slow_part
+from hakobune.mooring.motion.statistics import FEW, frequencies_in, slow_part
 
 from ..common.picture import save
 from ..common.units import KN
@@ -197,7 +197,7 @@ def _against_offset(curve, file, worst, motion, pull, step):
 
 def _extremes(file, kept, path):
     """Share of maxima above a level, of motions in standard deviations and of tensions"""
-    from mooring.environment.crossings import local_maxima
+    from hakobune.mooring.environment.crossings import local_maxima
 
     figure, ((left, right),) = _figure(1, 2, (13, 6))
     least = 1.0

@@ -6,8 +6,8 @@ import json
 
 import numpy as np
 
-from bem import DOFS
-from mooring.motion.extremes import CONFIDENCE
+from hakobune.bem import DOFS
+from hakobune.mooring.motion.extremes import CONFIDENCE
 
 from ..common.units import KN
 from ..printing.verdict import tell

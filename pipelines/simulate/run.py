@@ -11,9 +11,9 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from bem.database.integrity import DatabaseError
-from mooring.motion.extremes import median_extreme
-from mooring.motion.statistics import over_runs
+from hakobune.bem.database.integrity import DatabaseError
+from hakobune.mooring.motion.extremes import median_extreme
+from hakobune.mooring.motion.statistics import over_runs
 
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
@@ -67,7 +67,7 @@ def simulate(
     windows : s, that a record is to be told in, for which it has to be stored
     raises : ValueError, one line, before anything is written
     """
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     output = Path(output)
     study, text = read_study(study_path)
@@ -223,7 +223,7 @@ def _say_before(console, plan, seeds, executor):
 
 
 def _header(task, db, study, plan, identity, ready):
-    from mooring.motion.line_loads import body_lines
+    from hakobune.mooring.motion.line_loads import body_lines
 
     body = prepared(task)[0]
     ropes, hull = body.berth.ropes, body.hull

@@ -20,10 +20,10 @@ from pathlib import Path
 
 import numpy as np
 
-from bem import DOFS
-from mooring.motion.weather import Settings, Weather
-from mooring.on_current.waves import carrier_of, check_blocked, in_water
-from mooring.response.seas import energy_outside
+from hakobune.bem import DOFS
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.on_current.waves import carrier_of, check_blocked, in_water
+from hakobune.mooring.response.seas import energy_outside
 
 from ..common.quantities import StudyError, direction, positive
 from ..common.weather.gusts import gusts_of
@@ -123,7 +123,7 @@ def force_files(study, folder):
 
 def _record(study, table, settings, omega, folder):
     """`Components` of the record of a study, None without its folder, and findings.  Raises StudyError."""
-    from mooring.environment.wave_records import components_of, read_record
+    from hakobune.mooring.environment.wave_records import components_of, read_record
 
     where, wanted = "simulation.record", settings.ramp + settings.duration
     if study.waves is not None or table.sea:
@@ -188,7 +188,7 @@ def _by_motion(key, values):
 
 def _forces(table, folder):
     """`GivenForce` of each file, and findings"""
-    from mooring.motion.given_forces import read_force
+    from hakobune.mooring.motion.given_forces import read_force
 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

@@ -10,8 +10,8 @@ from functools import partial
 
 import numpy as np
 
-from bem import DOFS
-from mooring.motion.statistics import record_statistics, stillness, without_rounding
+from hakobune.bem import DOFS
+from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.fender_tables import with_tables_in
 from ..common.quantities import StudyError, level_of
@@ -52,11 +52,11 @@ def prepared(task):
     """`Moored` body, Plan and the Study of a Task; kept for the next seed of the same"""
     key = task.study, task.folder, task.database, task.duration
     if key not in _prepared:
-        from bem.database import open_database
-        from bem.time_domain.memory import no_memory
-        from mooring.motion.moving_lines.prepare import moving_of
-        from mooring.motion.simulation import moored
-        from mooring.response.viscous import in_time
+        from hakobune.bem.database import open_database
+        from hakobune.bem.time_domain.memory import no_memory
+        from hakobune.mooring.motion.moving_lines.prepare import moving_of
+        from hakobune.mooring.motion.simulation import moored
+        from hakobune.mooring.response.viscous import in_time
 
         raw, db = with_tables_in(tomllib.loads(task.study), task.folder), open_database(task.database)
         study = make_study(raw)
@@ -99,7 +99,7 @@ def prepared(task):
 
 def _lines_chosen(task, body, plan):
     """The Choice of lines that move: that of a Task, or by a trial where the study wants one"""
-    from mooring.motion.simulation import Choice, able_to_move, with_lines_chosen
+    from hakobune.mooring.motion.simulation import Choice, able_to_move, with_lines_chosen
 
     settings = plan.settings
     if task.moving is not None:
@@ -112,7 +112,7 @@ def _lines_chosen(task, body, plan):
 
 def _remembering(body, db, asked):
     """A `Moored` body with memory before a quay.  Raises StudyError where only coefficients of a frequency are."""
-    from mooring.motion.simulation import with_memory
+    from hakobune.mooring.motion.simulation import with_memory
 
     why = "water between hull and quay rings too sharply for a few states"
     if db.wall is not None:
@@ -130,8 +130,8 @@ def _with_pairs(plan, study, db, reader):
 
     By default ("auto") it is what the database allows, beside Newman's rule alone.
     """
-    from mooring.response.bound_wave_drift import left_out
-    from mooring.response.pair_levels import beside_newman
+    from hakobune.mooring.response.bound_wave_drift import left_out
+    from hakobune.mooring.response.pair_levels import beside_newman
 
     weather, drift = plan.weather, plan.settings.slow_drift
     level = level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
@@ -166,7 +166,7 @@ def _way(study, db, level):
 
 def simulate_seed(task, seed, kept, progress=None):
     """Row of a seed, {name: value}, with its records if they are `kept`.  Raises ValueError."""
-    from mooring.motion.simulation import simulate
+    from hakobune.mooring.motion.simulation import simulate
 
     body, plan, _, _ = prepared(task)
     with warnings.catch_warnings(record=True):

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.database.results import has_schema
-from mooring.single_point.equilibria import equilibria
+from hakobune.bem.database.results import has_schema
+from hakobune.mooring.single_point.equilibria import equilibria
 
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
@@ -26,7 +26,7 @@ CYCLE = {  # of the datasets of a limit cycle
 
 def single_point(study_path, database, output, picture):
     """Exit status.  Raises ValueError, one line, before anything is written."""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ..printing.console import new_console
 
@@ -114,7 +114,7 @@ def write_result(path, text, found, run=None, cycle=None, sizes=None):
     """Write the equilibria whole into a file (HDF5), one row each, a Run and a LimitCycle; units as attributes."""
     import h5py
 
-    from bem.database.file import beside
+    from hakobune.bem.database.file import beside
 
     columns = {
         "heading": ("rad", [one.heading for one in found]),

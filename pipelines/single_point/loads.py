@@ -6,16 +6,16 @@ import math
 
 import numpy as np
 
-from mooring.loads.box_drag import about
-from mooring.loads.on_hull import current_on, turning_drag, wind_on
-from mooring.loads.ship_derivatives import by_yaw_rate, clarke
-from mooring.loads.turning import OutsideTests, turning_coefficients
-from mooring.motion.wave_loads import wave_forces
-from mooring.on_current.waves import carrier_of, check_blocked
-from mooring.response.findings import UNSURE
-from mooring.response.linear import frequencies
-from mooring.response.viscous import in_sea
-from mooring.single_point.loads import (
+from hakobune.mooring.loads.box_drag import about
+from hakobune.mooring.loads.on_hull import current_on, turning_drag, wind_on
+from hakobune.mooring.loads.ship_derivatives import by_yaw_rate, clarke
+from hakobune.mooring.loads.turning import OutsideTests, turning_coefficients
+from hakobune.mooring.motion.wave_loads import wave_forces
+from hakobune.mooring.on_current.waves import carrier_of, check_blocked
+from hakobune.mooring.response.findings import UNSURE
+from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.response.viscous import in_sea
+from hakobune.mooring.single_point.loads import (
     DriftLoad,
     Loads,
     WaterLoad,
@@ -24,9 +24,9 @@ from mooring.single_point.loads import (
     still_table,
     turning_table,
 )
-from mooring.single_point.rings import angles
-from mooring.single_point.stored import mean_drift
-from mooring.studies.conditions import ExposedBox
+from hakobune.mooring.single_point.rings import angles
+from hakobune.mooring.single_point.stored import mean_drift
+from hakobune.mooring.studies.conditions import ExposedBox
 
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF

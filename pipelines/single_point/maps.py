@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.equilibria import equilibria
 
 from ..common.bounds import Pace
 from ..common.picture import save

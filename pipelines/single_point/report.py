@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.criteria.overuse import overused
-from mooring.lines.system.parts import UniformLine
-from mooring.loads.turning import FITTED
-from mooring.single_point.body import SinglePointError
-from mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
-from mooring.single_point.limit_cycle import limit_cycle
-from mooring.single_point.scope import length_without_uplift
-from mooring.single_point.yaw_criteria import yaw_stability
+from hakobune.mooring.criteria.overuse import overused
+from hakobune.mooring.lines.system.parts import UniformLine
+from hakobune.mooring.loads.turning import FITTED
+from hakobune.mooring.single_point.body import SinglePointError
+from hakobune.mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
+from hakobune.mooring.single_point.limit_cycle import limit_cycle
+from hakobune.mooring.single_point.scope import length_without_uplift
+from hakobune.mooring.single_point.yaw_criteria import yaw_stability
 
 from ..common.quantities import force
 from ..common.units import KN

@@ -12,13 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.environment.gusts import MissingVariance, gust_record
-from mooring.lines.ropes import RopePart
-from mooring.motion.buoy import BuoyBody
-from mooring.on_current.waves import in_water
-from mooring.response.viscous import in_sea
-from mooring.single_point.equilibria import Equilibrium
-from mooring.single_point.history import (
+from hakobune.mooring.environment.gusts import MissingVariance, gust_record
+from hakobune.mooring.lines.ropes import RopePart
+from hakobune.mooring.motion.buoy import BuoyBody
+from hakobune.mooring.on_current.waves import in_water
+from hakobune.mooring.response.viscous import in_sea
+from hakobune.mooring.single_point.equilibria import Equilibrium
+from hakobune.mooring.single_point.history import (
     Cycle,
     Record,
     cycle,
@@ -27,11 +27,11 @@ from mooring.single_point.history import (
     watch_circle,
     wave_deviations,
 )
-from mooring.single_point.one_equation import body_at, run_in_one
-from mooring.single_point.scope import significant
-from mooring.single_point.slewing import slew, turned_state
-from mooring.single_point.two_scale import Steps, two_scale, wave_body
-from mooring.single_point.waves import GROWS, mean_frequency, slow_part, split_frequency
+from hakobune.mooring.single_point.one_equation import body_at, run_in_one
+from hakobune.mooring.single_point.scope import significant
+from hakobune.mooring.single_point.slewing import slew, turned_state
+from hakobune.mooring.single_point.two_scale import Steps, two_scale, wave_body
+from hakobune.mooring.single_point.waves import GROWS, mean_frequency, slow_part, split_frequency
 
 from ..common.quantities import StudyError, direction, force, positive
 from ..common.units import KN

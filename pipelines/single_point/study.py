@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.lines.system.graph import System
-from mooring.lines.system.moored_body import leg_at_tension, moored_body
-from mooring.lines.system.parts import MooredBody, UniformLine
-from mooring.single_point.body import SinglePoint, SinglePointError
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.moored_body import leg_at_tension, moored_body
+from hakobune.mooring.lines.system.parts import MooredBody, UniformLine
+from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
 
 from ..common.line_tables import line_of
 from ..common.quantities import StudyError, force, positive, water_depth

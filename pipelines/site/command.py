@@ -23,7 +23,7 @@ def site(
     check_output(output, "values of a site", written_by_site, (".toml",), [site])
     study, text = read_site(site)
     values = site_values(study, site.parent)
-    from meshing.whole_files import write_whole
+    from hakobune.meshing.whole_files import write_whole
 
     write_whole(output, values_text(study, values))
     write_whole(output.with_suffix(".html"), page(study, values, text))

@@ -6,8 +6,8 @@ from importlib.resources import files
 
 import numpy as np
 
-from mooring.environment.wind_profile import speed_at
-from mooring.site.extremes import plotting_positions
+from hakobune.mooring.environment.wind_profile import speed_at
+from hakobune.mooring.site.extremes import plotting_positions
 
 from ..common.picture import data_address
 

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.environment.allowed import positive, within
-from mooring.environment.current_profile import power_law, wind_drift
+from hakobune.mooring.environment.allowed import positive, within
+from hakobune.mooring.environment.current_profile import power_law, wind_drift
 
 from ..common.quantities import StudyError
 
@@ -31,8 +31,8 @@ class Climate(NamedTuple):
 
 def climate_of(table, years, folder, findings):
     """Climate of a SiteClimateTable; what a reader has to know is added to `findings`.  Raises StudyError."""
-    from mooring.environment.scatter import read_scatter
-    from mooring.site.contours import joint_law
+    from hakobune.mooring.environment.scatter import read_scatter
+    from hakobune.mooring.site.contours import joint_law
 
     scatter = read_scatter(Path(folder) / table.scatter)
     try:

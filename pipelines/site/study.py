@@ -15,13 +15,13 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from mooring.environment.allowed import positive
-from mooring.environment.current_profile import CurrentProfile
-from mooring.environment.tables import column_of, read_table
-from mooring.environment.wind_profile import mean_over, speed_at
-from mooring.response.return_period import probability_not_exceeded, return_period
-from mooring.site.extremes import ENOUGH, ExtremeFit, fit_extremes
-from mooring.site.seismic import seismic_coefficient
+from hakobune.mooring.environment.allowed import positive
+from hakobune.mooring.environment.current_profile import CurrentProfile
+from hakobune.mooring.environment.tables import column_of, read_table
+from hakobune.mooring.environment.wind_profile import mean_over, speed_at
+from hakobune.mooring.response.return_period import probability_not_exceeded, return_period
+from hakobune.mooring.site.extremes import ENOUGH, ExtremeFit, fit_extremes
+from hakobune.mooring.site.seismic import seismic_coefficient
 
 from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed

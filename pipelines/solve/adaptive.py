@@ -15,12 +15,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from bem.database import open_database
-from bem.database.between_frequencies import FORCES, RADIATION, between
-from bem.database.interpolant import Abscissa, abscissa, chosen
-from bem.database.resonances import resonances
-from bem.kernels.threads import blas_threads
-from mooring.criteria.failing import fails
+from hakobune.bem.database import open_database
+from hakobune.bem.database.between_frequencies import FORCES, RADIATION, between
+from hakobune.bem.database.interpolant import Abscissa, abscissa, chosen
+from hakobune.bem.database.resonances import resonances
+from hakobune.bem.kernels.threads import blas_threads
+from hakobune.mooring.criteria.failing import fails
 
 FIRST = 12  # frequencies before an error is estimated
 MOST = 120  # frequencies in a band; more means that the solver's own error is above the tolerance

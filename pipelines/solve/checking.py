@@ -7,14 +7,14 @@ from functools import partial
 
 import numpy as np
 
-from bem.database import open_database
-from bem.database.file import opened
-from bem.database.integrity import DamagedError, repair
-from bem.database.schema import LIMITS
-from bem.stored_laws import broken_laws
-from meshing.quality import Finding, findings
-from meshing.whole_files import keep_room
-from mooring.criteria.failing import fails
+from hakobune.bem.database import open_database
+from hakobune.bem.database.file import opened
+from hakobune.bem.database.integrity import DamagedError, repair
+from hakobune.bem.database.schema import LIMITS
+from hakobune.bem.stored_laws import broken_laws
+from hakobune.meshing.quality import Finding, findings
+from hakobune.meshing.whole_files import keep_room
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.typed import typed
 from ..printing.verdict import tell

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.database.file import Header
-from bem.kochin import angles
-from meshing.hydrostatics import hydrostatics, inertia_matrix
+from hakobune.bem.database.file import Header
+from hakobune.bem.kochin import angles
+from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 
 from ..scene.identity import MESH_FILE, content, fixed_part, scene_hash
 from ..scene.text import to_toml

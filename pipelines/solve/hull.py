@@ -6,13 +6,13 @@ import math
 import tomllib
 from dataclasses import dataclass
 
-from bem.contour.short_waves import MOST_UNRESOLVED, MOST_WAVES, too_many, unresolved, waves_along
-from bem.waves import wavenumber
-from meshing.files import read_mesh
-from meshing.lid import lid
-from meshing.mirror import folded
-from meshing.panels import PanelMesh
-from meshing.quality import findings, lid_findings
+from hakobune.bem.contour.short_waves import MOST_UNRESOLVED, MOST_WAVES, too_many, unresolved, waves_along
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.files import read_mesh
+from hakobune.meshing.lid import lid
+from hakobune.meshing.mirror import folded
+from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.quality import findings, lid_findings
 
 from ..common.typed import typed
 from ..scene.methods import METHODS

@@ -8,11 +8,11 @@ from functools import partial
 
 import numpy as np
 
-from bem.database.schema import ESTIMATES, QUANTITIES
-from bem.kernels.progress import FINER
-from bem.methods.panel_problem import WORTH_COMPRESSING, PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.waves import wavenumber
+from hakobune.bem.database.schema import ESTIMATES, QUANTITIES
+from hakobune.bem.kernels.progress import FINER
+from hakobune.bem.methods.panel_problem import WORTH_COMPRESSING, PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.waves import wavenumber
 
 from ..common.bounds import WORTH_TELLING, check_memory, check_seconds, told
 from ..common.progress import duration
@@ -66,7 +66,7 @@ def announced(problem, limits, console, processes=1, omegas=()):
     panels = problem.panels if isinstance(problem, ShapeProblem) else problem
     if not isinstance(panels, PanelProblem) or PER_PANEL * len(panels.mesh) < NODES_WORTH_TELLING:
         return None
-    from bem.panels.band.cost import cost, memory_alone
+    from hakobune.bem.panels.band.cost import cost, memory_alone
 
     prepared = panels.prepared()
     needed = cost(prepared.geometry, panels.band, panels.gravity) if panels.band else None
@@ -81,7 +81,7 @@ def announced(problem, limits, console, processes=1, omegas=()):
 
 def _announce_contour(problem, omegas, console, processes):
     """Say what the contour method will take where it is long; raises SceneError."""
-    from bem.contour.cost import cost
+    from hakobune.bem.contour.cost import cost
 
     depth = problem.depth if problem.bed is None else problem.bed
     needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), depth, problem.gravity)))
@@ -153,7 +153,7 @@ def _times(needed, limits):
 
 
 def _seconds_alone(prepared, omegas):
-    from bem.panels.band.cost import seconds_alone
+    from hakobune.bem.panels.band.cost import seconds_alone
 
     return seconds_alone(prepared, max(omegas, default=np.nan))
 

@@ -11,9 +11,9 @@ import math
 
 import numpy as np
 
-from bem.checks import ERROR_ORDER
-from meshing.shapes import box, box_counts, buoy, buoy_counts
-from meshing.ship import counts_of_ship, ship, ship_counts
+from hakobune.bem.checks import ERROR_ORDER
+from hakobune.meshing.shapes import box, box_counts, buoy, buoy_counts
+from hakobune.meshing.ship import counts_of_ship, ship, ship_counts
 
 MAKERS = {"box": (box, box_counts), "buoy": (buoy, buoy_counts), "ship": (ship, ship_counts)}
 LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 3, 3)}  # a buoy of twelve sides has a yaw of its own

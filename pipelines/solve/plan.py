@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import msgspec
 import numpy as np
 
-from bem.database import open_database, pending
-from bem.database.file import Header
-from bem.database.schema import NEEDS_MOTION
-from bem.problem import Problem
-from bem.waves import wavenumber
+from hakobune.bem.database import open_database, pending
+from hakobune.bem.database.file import Header
+from hakobune.bem.database.schema import NEEDS_MOTION
+from hakobune.bem.problem import Problem
+from hakobune.bem.waves import wavenumber
 
 from ..printing.timing import phase
 from ..scene.identity import check_same, fixed_part, scene_hash

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.panels.irregular_frequencies import lid_needed_from
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
 from ..scene.viscous_table import viscous_of

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from bem.contour.raised_bed import effect_of_bed
-from bem.contour.short_waves import MOST_WAVES
-from bem.database.schema import NEEDS_MOTION
+from hakobune.bem.contour.raised_bed import effect_of_bed
+from hakobune.bem.contour.short_waves import MOST_WAVES
+from hakobune.bem.database.schema import NEEDS_MOTION
 
 from ..scene.methods import names_given
 from ..scene.products import expand

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.database.between_frequencies import BetweenError
-from bem.database.natural_periods import natural_periods
-from bem.database.resonances import resonances
-from bem.stored_laws import damping_errors
-from mooring.criteria.failing import fails
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.bem.database.natural_periods import natural_periods
+from hakobune.bem.database.resonances import resonances
+from hakobune.bem.stored_laws import damping_errors
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.resonances import resonance_lines
 from ..printing.verdict import tell

@@ -5,12 +5,12 @@ from __future__ import annotations
 import hashlib
 from pathlib import Path
 
-from bem.database import DatabaseError
-from bem.database.integrity import VersionError
-from bem.database.results import OURS, check_any_version, file_of, schema_of
-from meshing.seals import REMEDY, is_sealed, kind_filled_in, text_sealed
-from meshing.text_files import read_text
-from mooring.criteria.failing import fails
+from hakobune.bem.database import DatabaseError
+from hakobune.bem.database.integrity import VersionError
+from hakobune.bem.database.results import OURS, check_any_version, file_of, schema_of
+from hakobune.meshing.seals import REMEDY, is_sealed, kind_filled_in, text_sealed
+from hakobune.meshing.text_files import read_text
+from hakobune.mooring.criteria.failing import fails
 
 from ..sweep.file import SCHEMA as SWEEP
 from ..sweep.file import case_count, pending

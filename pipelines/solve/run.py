@@ -9,12 +9,22 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from bem import ESTIMATE, INTERPOLATED
-from bem.database import Storing, append, append_limit, create, extend, open_database, pending, row_values, writing
-from bem.database.file import check_place, check_replaceable
-from bem.database.schema import LIMITS, NEEDS_MOTION
-from bem.free_body import free_body, needed
-from bem.kernels.progress import progress_callback
+from hakobune.bem import ESTIMATE, INTERPOLATED
+from hakobune.bem.database import (
+    Storing,
+    append,
+    append_limit,
+    create,
+    extend,
+    open_database,
+    pending,
+    row_values,
+    writing,
+)
+from hakobune.bem.database.file import check_place, check_replaceable
+from hakobune.bem.database.schema import LIMITS, NEEDS_MOTION
+from hakobune.bem.free_body import free_body, needed
+from hakobune.bem.kernels.progress import progress_callback
 
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_ending

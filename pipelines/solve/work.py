@@ -21,7 +21,7 @@ def solve_one(problem, omega, headings, want, theta):
 
     omega : rad/s; headings : (m,) rad; want : names; theta : (t,) rad, or None
     """
-    from bem.frequency import solve_frequency
+    from hakobune.bem.frequency import solve_frequency
 
     prepared = _prepare(problem)
     with phase("solve"):
@@ -36,7 +36,7 @@ def limit_one(problem, name):
 
 
 def _prepare(problem):
-    from bem.methods.panel_problem import prepare
+    from hakobune.bem.methods.panel_problem import prepare
 
     for known, prepared in _prepared.values():
         if known is problem:  # in the process that made it nothing need be compared

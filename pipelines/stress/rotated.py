@@ -14,10 +14,10 @@ import math
 
 import numpy as np
 
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 from .laws import allowed
 from .scenes import GRAVITY

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from meshing.seals import write_sealed
+from hakobune.meshing.seals import write_sealed
 
 from ..common.bounds import told
 from ..common.interrupt import ctrl_c

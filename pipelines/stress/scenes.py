@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bem.waves import wavenumber
+from hakobune.bem.waves import wavenumber
 
 GRAVITY = 9.80665
 DRAFTS, GAPS, WIDTHS, SLENDERNESS = (1, 20), (0.005, 200), (0.2, 100), (1, 20)

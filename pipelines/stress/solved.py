@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem import DOFS
-from bem.database.schema import LIMITS
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import prepare
+from hakobune.bem import DOFS
+from hakobune.bem.database.schema import LIMITS
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import prepare
 
 from ..scene.methods import METHODS
 from ..scene.scene import make_scene

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import DATABASE, check_output
 from ..executors.choice import executor_of

@@ -11,9 +11,9 @@ from __future__ import annotations
 import h5py
 import numpy as np
 
-from bem import __version__
-from bem.database.results import named
-from bem.database.schema import DOFS, DRIFT_DOFS
+from hakobune.bem import __version__
+from hakobune.bem.database.results import named
+from hakobune.bem.database.schema import DOFS, DRIFT_DOFS
 
 SCHEMA = "hakobune sweep 1"
 PENDING = -1

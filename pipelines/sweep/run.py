@@ -11,8 +11,8 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
-from bem.database.results import check_version
-from mooring.criteria.failing import FAILS, failing
+from hakobune.bem.database.results import check_version
+from hakobune.mooring.criteria.failing import FAILS, failing
 
 from . import file
 from .solved import solved

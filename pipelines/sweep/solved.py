@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from mooring.criteria.failing import FAILS, failing
+from hakobune.mooring.criteria.failing import FAILS, failing
 
 from ..printing.verdict import status_of
 
@@ -19,7 +19,7 @@ def solved(raw, scene_file):
     Axes and units are those of a database, with the number of a frequency and of a heading in the place of their
     values, which are arrays too.
     """
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ..scene.scene import make_scene
     from ..solve.report import failures, gives_panels
@@ -44,7 +44,7 @@ def _arrays(path):
     """What a file holds that this process has written and closed this moment, so that no checksum is tried"""
     import h5py
 
-    from bem.database.schema import BODY, COORDINATES, QUANTITIES
+    from hakobune.bem.database.schema import BODY, COORDINATES, QUANTITIES
 
     found = {}
     with h5py.File(path) as file:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from meshing.files import WRITABLE, read_mesh, write_mesh
-from meshing.mirror import folded
-from meshing.panels import SYMMETRIES
-from meshing.quality import findings
-from mooring.criteria.failing import fails
+from hakobune.meshing.files import WRITABLE, read_mesh, write_mesh
+from hakobune.meshing.mirror import folded
+from hakobune.meshing.panels import SYMMETRIES
+from hakobune.meshing.quality import findings
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import check_ending
 from ..printing.verdict import tell
@@ -22,7 +22,7 @@ def change(place, output, scale="1", turn=0.0, move="0,0,0", flip=False, mirror=
     scale : a factor or three; turn : rad about z; move : m, x,y,z; mirror : x, y or xy, planes whose images are
     added; clip : only what lies below z = 0; fold : keep a half or quarter where images make the hull whole
     """
-    from bem.database.file import check_place
+    from hakobune.bem.database.file import check_place
 
     if mirror not in SYMMETRIES:
         raise ValueError(f"--mirror is {mirror!r}; allowed: x, y, xy")

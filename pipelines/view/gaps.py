@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database.schema import QUANTITIES
+from hakobune.bem.database.schema import QUANTITIES
 
 
 class Gaps(NamedTuple):

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from meshing.panels import PanelMesh
-from meshing.quality import findings
-from mooring.criteria.failing import fails
+from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.quality import findings
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import told
 from ..common.picture import VIEWS, check_display, check_picture, font_file
@@ -76,14 +76,14 @@ def look(path, screenshot=None, field=None, omega=None, heading=None, page=None)
 
 
 def _write_page(picture, page):
-    from meshing.view import write_page
+    from hakobune.meshing.view import write_page
 
     _quiet()
     write_page(drawn(picture), page)
 
 
 def _show(picture, screenshot):
-    from meshing.view import show
+    from hakobune.meshing.view import show
 
     _quiet()
     show(drawn(picture, off_screen=screenshot is not None), picture.mesh.name or "panel mesh", screenshot)
@@ -97,7 +97,7 @@ def _quiet():
 
 def drawn(picture, off_screen=True):
     """A pyvista Plotter with a Picture whole in it"""
-    from meshing.view import scene
+    from hakobune.meshing.view import scene
 
     from .camera import fit
 
@@ -118,12 +118,12 @@ def drawn(picture, off_screen=True):
 def _opened(path):
     """The database, Scene or PanelMesh of a file"""
     if path.suffix in DATABASES:
-        from bem.database import open_database
+        from hakobune.bem.database import open_database
 
         return open_database(path)
     if path.suffix == ".toml":
         return make_scene(read_scene(path))
-    from meshing.files import read_mesh
+    from hakobune.meshing.files import read_mesh
 
     return read_mesh(path)
 

@@ -10,11 +10,11 @@ from functools import cached_property
 
 import numpy as np
 
-from bem import DOFS
-from bem.database import DatabaseError
-from bem.database.between_frequencies import DRIFT, FEWEST, BetweenError
-from bem.database.resonances import about, resonances
-from bem.database.schema import DRIFT_DOFS, QUANTITIES
+from hakobune.bem import DOFS
+from hakobune.bem.database import DatabaseError
+from hakobune.bem.database.between_frequencies import DRIFT, FEWEST, BetweenError
+from hakobune.bem.database.resonances import about, resonances
+from hakobune.bem.database.schema import DRIFT_DOFS, QUANTITIES
 
 from ..common.picture import save
 from .gaps import gaps_of

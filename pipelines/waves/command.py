@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import told
 from ..printing.verdict import tell
@@ -29,14 +29,14 @@ class Map(NamedTuple):
 
 def waves(database, period, omega, heading, fixed, width, at, output):
     """Tell, and draw to `output` or write its points, the waves around a database's body; 0.  Raises ValueError."""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ..common.outputs import check_ending
     from ..common.picture import PLOTS
     from ..printing.console import new_console
 
     if output is not None:
-        from bem.database.file import check_place
+        from hakobune.bem.database.file import check_place
 
         check_ending(output, (*PLOTS, ".csv"))
         check_place(output)
@@ -73,15 +73,15 @@ def around_body(db, omega, beta, fixed, amplitude=None):
 
     amplitude : m, of the waves that its viscous damping is of, None for those of its scene
     """
-    from bem.database.between_frequencies import KOCHIN
-    from bem.wave_field.around import waves_around
+    from hakobune.bem.database.between_frequencies import KOCHIN
+    from hakobune.bem.wave_field.around import waves_around
 
     if not math.isfinite(beta):
         raise ValueError("--heading is not a number; allowed: degrees")
     db.require(*KOCHIN)
     reader = db.reader
     if amplitude is not None and reader.viscous is not None:
-        from mooring.response.viscous import in_regular_waves
+        from hakobune.mooring.response.viscous import in_regular_waves
 
         reader, _ = in_regular_waves(reader, omega, amplitude, beta)
     return waves_around(reader, omega, beta, fixed)
@@ -175,7 +175,7 @@ def _write(output, found, name):
 
         draw(output, name, found)
         return
-    from meshing.whole_files import write_whole
+    from hakobune.meshing.whole_files import write_whole
 
     x, y = (grid.ravel() for grid in np.meshgrid(found.x, found.y))
     value = found.elevation.ravel()

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from bem.checks import (
+from hakobune.bem.checks import (
     ERROR_ORDER,
     at_least_haskind,
     damping_scale,

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from bem import DOFS
-from bem.motions import response
-from bem.viscous import (
+from hakobune.bem import DOFS
+from hakobune.bem.motions import response
+from hakobune.bem.viscous import (
     EQUIVALENT_AMPLITUDE,
     Quadratic,
     Tabulated,
@@ -15,7 +15,7 @@ from bem.viscous import (
     report_scale,
     yamashita_roll,
 )
-from bem.viscous_table import viscous_of_text
+from hakobune.bem.viscous_table import viscous_of_text
 
 ROLL = DOFS.index("Roll")
 INERTIA = np.diag([1e6, 1e6, 1e6, 2e8, 2e8, 2e8])

@@ -28,8 +28,8 @@ import numpy as np
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 
-from mooring.lines.catenary.state import BeyondReachError, LineError
-from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+from hakobune.mooring.lines.catenary.state import BeyondReachError, LineError
+from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 LONGEST, REFUSED = 0.1, 2e-3  # s that a line may take, and share of the lines that may be refused
 

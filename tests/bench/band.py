@@ -14,14 +14,14 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 import numpy as np
 
-from bem.database import open_database
-from bem.database.between_frequencies import between
-from bem.methods.panel_problem import prepare
-from bem.time_domain.memory import memory_of_database
-from bem.time_domain.retardation import from_database, retardation
-from pipelines.scene.scene import make_scene
-from pipelines.solve.problem import problem_of
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.bem.database.between_frequencies import between
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.bem.time_domain.memory import memory_of_database
+from hakobune.bem.time_domain.retardation import from_database, retardation
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.problem import problem_of
+from hakobune.pipelines.solve.run import solve
 
 TOLERANCE, TIMES = 0.005, np.arange(0, 300.01, 0.1)
 NAMES = ("added_mass", "radiation_damping", "excitation_force")

@@ -16,11 +16,11 @@ from pathlib import Path
 import numpy as np
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
-from bem.database import open_database
-from mooring.berthing.energy import offset_of
-from mooring.berthing.memory import berth, ship_of_database
-from mooring.fenders.fender import fender_of_points
-from pipelines import cli
+from hakobune.bem.database import open_database
+from hakobune.mooring.berthing.energy import offset_of
+from hakobune.mooring.berthing.memory import berth, ship_of_database
+from hakobune.mooring.fenders.fender import fender_of_points
+from hakobune.pipelines import cli
 
 TABLE = Path(__file__).parents[1] / "published" / "berthing_model.csv"
 LENGTH, BEAM, DEPTH, SPEED, SHARE = 7.289, 1.32, 0.65, 0.014, 0.7

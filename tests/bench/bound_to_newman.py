@@ -17,13 +17,13 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.database import open_database
-from bem.waves import wavenumber
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.response.bound_wave_drift import bound_to_newman, of_sea
-from mooring.response.sea_state import sea_state
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.response.bound_wave_drift import bound_to_newman, of_sea
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.pipelines.cli import main
 
 KH = np.geomspace(0.3, 2.0, 9)
 G = 9.80665

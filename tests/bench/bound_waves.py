@@ -21,16 +21,16 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 from exact.maccamy_fuchs import drift
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.second_order.bound_waves import bound_waves
-from bem.second_order.quadratic_forces import quadratic_forces
-from bem.second_order.stored import BetweenPairs
-from meshing.shapes import box, buoy
-from mooring.environment.spectra import jonswap
-from mooring.response.bound_wave_drift import bound_wave_forces
-from mooring.response.pair_levels import PairForces
-from mooring.response.slow_drift import force_spectrum, force_spectrum_with
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.second_order.quadratic_forces import quadratic_forces
+from hakobune.bem.second_order.stored import BetweenPairs
+from hakobune.meshing.shapes import box, buoy
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.response.bound_wave_drift import bound_wave_forces
+from hakobune.mooring.response.pair_levels import PairForces
+from hakobune.mooring.response.slow_drift import force_spectrum, force_spectrum_with
 
 RADIUS, DEPTH, RHO, G = 10.0, 20.0, 1025.0, 9.80665
 GAPS = 0.4, 0.2, 0.1, 0.05

@@ -16,20 +16,20 @@ sys.path.insert(0, str(ROOT))
 
 from scipy.optimize import minimize_scalar
 
-from bem.frequency import solve_frequency
-from bem.methods.shape_problem import ShapeProblem
-from bem.sections.any_section import any_section, shape
-from bem.sections.coefficients import section
-from bem.sections.keel_loss import keel_flow
-from bem.sections.outline import circle, closed, rectangle
-from mooring.breakwater.anchors import greatest_tension, pretension_needed, tide_tension
-from mooring.breakwater.body import TautBody
-from mooring.breakwater.exact import taut_exact
-from mooring.breakwater.holdings import exact_response, response_with_loss
-from mooring.breakwater.long_waves import equal_area, fixed_body, line_tensions
-from mooring.breakwater.loss import Keel, fitted
-from mooring.breakwater.snap import frequencies, snap
-from mooring.breakwater.taut import TautRectangle
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.sections.any_section import any_section, shape
+from hakobune.bem.sections.coefficients import section
+from hakobune.bem.sections.keel_loss import keel_flow
+from hakobune.bem.sections.outline import circle, closed, rectangle
+from hakobune.mooring.breakwater.anchors import greatest_tension, pretension_needed, tide_tension
+from hakobune.mooring.breakwater.body import TautBody
+from hakobune.mooring.breakwater.exact import taut_exact
+from hakobune.mooring.breakwater.holdings import exact_response, response_with_loss
+from hakobune.mooring.breakwater.long_waves import equal_area, fixed_body, line_tensions
+from hakobune.mooring.breakwater.loss import Keel, fitted
+from hakobune.mooring.breakwater.snap import frequencies, snap
+from hakobune.mooring.breakwater.taut import TautRectangle
 
 WATER = {"density": 1000.0, "gravity": 9.8}
 BODY = {"half": 0.3, "draft": 0.3, "free_draft": 0.202, "depth": 0.6, "z0": -0.095, "inertia": 0.86 * 9.8,

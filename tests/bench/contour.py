@@ -20,11 +20,11 @@ import numpy as np
 from exact.truncated_cylinder import TruncatedCylinder
 from identities.test_contour_exact import HEADINGS, RHO, G, Solved, frequency
 
-from bem.contour.one_frequency import ContourFrequency
-from bem.contour.solver import prepare_box, prepare_cylinder
-from bem.kernels.threads import blas_threads
-from bem.kochin import angles
-from bem.waves import wavenumber
+from hakobune.bem.contour.one_frequency import ContourFrequency
+from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
+from hakobune.bem.kernels.threads import blas_threads
+from hakobune.bem.kochin import angles
+from hakobune.bem.waves import wavenumber
 
 KH = (0.05, 0.2, 1.0, 3.0, 8.0, 20.0)
 CYLINDERS = ((10, 10, 10.2), (10, 10, 12), (10, 10, 30), (10, 10, 100), (50, 10, 12), (2, 10, 20))

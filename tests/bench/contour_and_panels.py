@@ -14,11 +14,11 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.checks import excitation_scale, radiation_scale
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem.checks import excitation_scale, radiation_scale
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 BEAM, DRAFT, GRAVITY = 50.0, 10.0, 9.80665
 WANT = {"added_mass", "radiation_damping", "excitation_force"}

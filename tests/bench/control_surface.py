@@ -18,11 +18,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from bem import DOFS
-from bem.panels.pressure_drift.hull_flow import unit_displacements, wave_flow
-from bem.second_order.first_order_waves import PanelWaves
-from bem.second_order.surface_near import SurfaceInfluence
-from bem.waves import incident_wave
+from hakobune.bem import DOFS
+from hakobune.bem.panels.pressure_drift.hull_flow import unit_displacements, wave_flow
+from hakobune.bem.second_order.first_order_waves import PanelWaves
+from hakobune.bem.second_order.surface_near import SurfaceInfluence
+from hakobune.bem.waves import incident_wave
 
 MODES = [0, 1, 5]
 THICKNESS = 0.35  # of the clearance of body and circle, over which potentials are known on both sides of it
@@ -131,7 +131,7 @@ def by_momentum(problem, omega, heading, moving):
     problem : `PanelProblem` of a body whose middle is the origin, about which moments are; heading : rad
     omega : (n,) rad/s, rising
     """
-    from bem.second_order.quadratic_forces import _by_far_field
+    from hakobune.bem.second_order.quadratic_forces import _by_far_field
 
     omega = np.asarray(omega, float)
     waves = PanelWaves(problem, omega, [heading], moving, np.array([0.0, omega[1] - omega[0]]), True)

@@ -14,9 +14,9 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 from identities.test_solver_exact import KH, WANT, cylinder_errors, frequencies, prepared
 
-from bem.frequency import solve_frequency
-from bem.kernels.threads import thread_count
-from meshing.shapes import buoy
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.kernels.threads import thread_count
+from hakobune.meshing.shapes import buoy
 
 COUNTS = ((3, 2, 3), (4, 3, 4), (5, 5, 7), (7, 7, 10), (11, 9, 13))
 

@@ -23,9 +23,9 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parent)]
 import numpy as np
 import tolerance
 
-from bem import DOFS
-from bem.checks import damping_scale
-from bem.frequency import TRUSTED
+from hakobune.bem import DOFS
+from hakobune.bem.checks import damping_scale
+from hakobune.bem.frequency import TRUSTED
 
 PERIODS = (100, 300, 1000, 3000, 10_000)
 

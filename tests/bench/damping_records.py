@@ -18,8 +18,8 @@ from scipy.stats import norm
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from mooring.identification.decay import decay
-from mooring.identification.forced import forced
+from hakobune.mooring.identification.decay import decay
+from hakobune.mooring.identification.forced import forced
 from tests.mooring.identification import test_identification as made
 
 ASKED = {0.0: 1e-6, 0.01: 0.02, 0.05: 0.10}

@@ -17,8 +17,8 @@ from pathlib import Path
 import numpy as np
 import tomli_w
 
-from pipelines.cli import main
-from pipelines.simulate.file import STATISTICS, opened, told, whole_rows
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.simulate.file import STATISTICS, opened, told, whole_rows
 
 SCENES = Path(__file__).parents[2] / "pipelines" / "scenes"
 DRAG = {"angles_deg": [0, 30, 60, 90], "x": [0.8, 0.7, 0.4, 0.0], "y": [0.0, 0.6, 1.04, 1.2],

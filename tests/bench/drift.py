@@ -23,12 +23,12 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 import numpy as np
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem import DOFS
-from bem.methods.near_field import near_field_drift, near_field_error
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem import DOFS
+from hakobune.bem.methods.near_field import near_field_drift, near_field_error
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
 SIZES = LENGTH, BEAM, DRAFT = 100.0, 50.0, 10.0

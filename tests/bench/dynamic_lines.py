@@ -16,9 +16,9 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
-from mooring.lines.dynamics.start import start
-from mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.start import start
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
 
 DIAMETER, MASS, GRAVITY = 0.1368, 114.94, 9.80665
 AMPLITUDE, PERIOD, DURATION = 2.0, 10.0, 60.0

@@ -19,9 +19,9 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 import numpy as np
 from bench.tolerance import WANT, drawn, prepared, reference
 
-from bem import DOFS
-from bem.checks import damping_error, largest_error
-from bem.panels.extrapolated import LEFT, OF_WAVES, TRUSTED
+from hakobune.bem import DOFS
+from hakobune.bem.checks import damping_error, largest_error
+from hakobune.bem.panels.extrapolated import LEFT, OF_WAVES, TRUSTED
 
 COARSER = (1.0, 1.7)  # times the tolerance that sets the number of panels
 CHOICES = [(left, of_waves) for left in (0.08, 0.1, 0.12, 0.15, 0.2) for of_waves in (0.0, 2.0, 4.0, 6.0)]

@@ -28,8 +28,8 @@ import tomli_w
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT)]
 
-from mooring.motion.extremes import median_extreme, share_beyond
-from mooring.site.extremes import fit_extremes
+from hakobune.mooring.motion.extremes import median_extreme, share_beyond
+from hakobune.mooring.site.extremes import fit_extremes
 
 SCENES = ROOT / "pipelines" / "scenes"
 TRIAL, PEAKS, OVER, DRAWS = 20, 20, 10, 200  # seeds, kept peaks of a run, of them over the threshold, bootstrap
@@ -52,8 +52,8 @@ def study(scene):
 
 def made(scene, folder, first, count):
     """Names of the quantities, and peaks (seeds, quantities, largest and −smallest, PEAKS) of all seeds"""
-    from pipelines.cli import main
-    from pipelines.simulate.work import Task, prepared, simulate_seed
+    from hakobune.pipelines.cli import main
+    from hakobune.pipelines.simulate.work import Task, prepared, simulate_seed
 
     database, task, found = folder / "box.h5", None, []
     if not database.exists():

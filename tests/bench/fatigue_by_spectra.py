@@ -24,9 +24,9 @@ import tomli_w
 from moored_in_time import databases
 from scipy import stats
 
-from mooring.criteria.fatigue import Curve, dirlik, miner, narrow_band, rainflow_cycles
-from pipelines.executors.choice import Here
-from pipelines.simulate.run import simulate
+from hakobune.mooring.criteria.fatigue import Curve, dirlik, miner, narrow_band, rainflow_cycles
+from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.simulate.run import simulate
 
 STATIC = {"dynamic_lines": "none", "qtf": "newman"}
 TAUT = {"catalogue": "polyester 200 mm"}

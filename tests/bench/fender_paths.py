@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
-from mooring.fenders.fender import fender_of_points
-from mooring.fenders.hysteresis import advanced, reaction_at
+from hakobune.mooring.fenders.fender import fender_of_points
+from hakobune.mooring.fenders.hysteresis import advanced, reaction_at
 
 GRID = 0.01  # m
 FENDER = fender_of_points(

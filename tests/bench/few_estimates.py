@@ -17,12 +17,12 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 import numpy as np
 from bench.random_bodies import asked, between
 
-from bem import DOFS
-from bem.database.schema import ESTIMATES
-from bem.methods.few_estimates import MARGIN
-from bem.methods.panel_problem import prepare
-from pipelines.scene.scene import make_scene
-from pipelines.solve.plan import planned
+from hakobune.bem import DOFS
+from hakobune.bem.database.schema import ESTIMATES
+from hakobune.bem.methods.few_estimates import MARGIN
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.plan import planned
 
 HEADINGS = np.radians([0.0, 35.0])
 NEGLIGIBLE = 1e-3  # of the tolerance, relative to the largest of a quantity over the band

@@ -21,13 +21,13 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.database import interpolant, open_database
-from bem.database.between_frequencies import between
-from bem.methods.panel_problem import prepare
-from pipelines.scene.scene import make_scene
-from pipelines.solve.adaptive import WIDTH
-from pipelines.solve.problem import problem_of
-from pipelines.solve.run import solve
+from hakobune.bem.database import interpolant, open_database
+from hakobune.bem.database.between_frequencies import between
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.adaptive import WIDTH
+from hakobune.pipelines.solve.problem import problem_of
+from hakobune.pipelines.solve.run import solve
 
 TOLERANCE, BAND = 0.005, (0.1, 2.0)
 NAMES = ("added_mass", "radiation_damping", "excitation_force")

@@ -16,13 +16,13 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem import DOFS
-from bem.checks import largest_error
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.methods.shape_problem import ShapeProblem
-from bem.panels.irregular_frequencies import SHARE, lowest_irregular
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem import DOFS
+from hakobune.bem.checks import largest_error
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.panels.irregular_frequencies import SHARE, lowest_irregular
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 GRAVITY, PANELS, MORE = 9.80665, 250, 1.25
 SHARES = np.round(np.arange(0.3, 1.0, 0.05), 2)

@@ -18,13 +18,13 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 import numpy as np
 from bench.random_bodies import asked, between
 
-from bem import DOFS
-from bem.checks import ERROR_ORDER, largest_error
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.methods.shape_problem import ShapeProblem
-from meshing.lid import lid
-from meshing.shapes import box, buoy
-from pipelines.solve.panel_counts import panels_for
+from hakobune.bem import DOFS
+from hakobune.bem.checks import ERROR_ORDER, largest_error
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
+from hakobune.pipelines.solve.panel_counts import panels_for
 
 GRAVITY, BEAM, TOLERANCE = 9.80665, 50.0, 0.01
 PANELS = np.array([100, 200, 400, 800])

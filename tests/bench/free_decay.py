@@ -26,11 +26,11 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "bench")]
 import numpy as np
 from moored_in_time import databases
 
-from bem.time_domain.memory import memory_of_database
-from bem.time_domain.retardation import fourier_weights
-from bem.time_domain.whole_axis import ends_of, whole_axis
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.weather import Settings, Weather
+from hakobune.bem.time_domain.memory import memory_of_database
+from hakobune.bem.time_domain.retardation import fourier_weights
+from hakobune.bem.time_domain.whole_axis import ends_of, whole_axis
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
 
 SPRING = {"box": np.diag([5e6, 8e6, 0, 0, 0, 2e10]), "buoy": np.diag([2e5, 2e5, 0, 0, 0, 0.0])}
 DAMPING = {"box": np.diag([2e6, 2e6, 0, 5e8, 5e8, 1e9]), "buoy": np.diag([1e5, 1e5, 0, 1e7, 1e7, 0.0])}

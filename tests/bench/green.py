@@ -16,8 +16,8 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1]), 
 import numpy as np
 from published.green_reference import by_frequency, by_table, errors, reference, wave_errors
 
-from bem.green.finite_depth import green
-from bem.green.tables import wave_table, whole_table
+from hakobune.bem.green.finite_depth import green
+from hakobune.bem.green.tables import wave_table, whole_table
 
 G, DEPTH, LENGTH, BEAM, DRAFT = 9.80665, 20.0, 100.0, 50.0, 10.0
 REACH = float(np.hypot(LENGTH, BEAM))
@@ -29,7 +29,7 @@ def frequency(kh, depth=DEPTH):
     return float(np.sqrt(G * kh / depth * np.tanh(kh)))
 
 
-PACKAGES = ["oldbem.green", "bem.green"] if len(sys.argv) > 1 else ["bem.green"]
+PACKAGES = ["oldbem.green", "hakobune.bem.green"] if len(sys.argv) > 1 else ["hakobune.bem.green"]
 
 
 def least(*actions, times=30):

@@ -21,7 +21,7 @@ import numpy as np
 
 ROOT = Path(__file__).parents[2]
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --gyration 15,28,30 --fresh --output job.h5"
-HAKOBUNE = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())"]
+HAKOBUNE = [sys.executable, "-c", "import sys; from hakobune.pipelines.start import main; sys.exit(main())"]
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 

@@ -23,14 +23,14 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.database import open_database
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.environment.spreading import CosinePower, WrappedNormal
-from mooring.response.linear import frequencies
-from mooring.response.sea_state import sea_state
-from mooring.response.slow_drift import force_spectrum, held_beyond, signed_means
-from mooring.response.wave_drift_damping import drift_and_damping, mean_damping
+from hakobune.bem.database import open_database
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower, WrappedNormal
+from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.mooring.response.slow_drift import force_spectrum, held_beyond, signed_means
+from hakobune.mooring.response.wave_drift_damping import drift_and_damping, mean_damping
 
 CIRCLE = np.radians(np.arange(360.0))
 SPREADINGS = {

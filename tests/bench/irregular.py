@@ -19,13 +19,13 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.methods.shape_problem import ShapeProblem
-from meshing.lid import lid
-from meshing.shapes import box
-from pipelines.stress.scenes import irregular
-from pipelines.stress.solved import scaled
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.stress.scenes import irregular
+from hakobune.pipelines.stress.solved import scaled
 
 SCENES = {(100.0, 50.0, 10.0): (12.0, 20.0, 100.0, np.inf), (200.0, 100.0, 20.0): (22.0, 30.0, 100.0, np.inf)}  # depths
 WANT = {"added_mass", "radiation_damping", "diffraction_force", "excitation_force"}

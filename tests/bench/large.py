@@ -26,13 +26,13 @@ OMEGA, DRAFT, DEPTH = 0.6, 10.0, 20.0
 
 def one(kind, panels, length, beam, mirrors):
     """Seconds and memory of a frequency, printed as JSON"""
-    from bem import DOFS
-    from bem.methods.panel_problem import PanelProblem
-    from bem.panels.compressed.one_frequency import CompressedRun
-    from bem.panels.one_frequency import PanelRun
-    from meshing.lid import lid
-    from meshing.shapes import box
-    from pipelines.bench.peers.repeated import peak_memory
+    from hakobune.bem import DOFS
+    from hakobune.bem.methods.panel_problem import PanelProblem
+    from hakobune.bem.panels.compressed.one_frequency import CompressedRun
+    from hakobune.bem.panels.one_frequency import PanelRun
+    from hakobune.meshing.lid import lid
+    from hakobune.meshing.shapes import box
+    from hakobune.pipelines.bench.peers.repeated import peak_memory
 
     runs = {"compressed": CompressedRun, "full": PanelRun}
     want = {"added_mass", "radiation_damping", "excitation_force"}
@@ -122,10 +122,10 @@ def command(panels, length, beam):
     """The command at two frequencies, beside what it says before it starts"""
     from rich.console import Console
 
-    from pipelines.bench.peers.repeated import peak_memory
-    from pipelines.common.progress import duration
-    from pipelines.scene.scene import make_scene
-    from pipelines.solve.run import solve
+    from hakobune.pipelines.bench.peers.repeated import peak_memory
+    from hakobune.pipelines.common.progress import duration
+    from hakobune.pipelines.scene.scene import make_scene
+    from hakobune.pipelines.solve.run import solve
 
     scene = make_scene(
         {

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from dynamic_lines import chain
 
-from mooring.lines.dynamics.simulation import ElasticBed, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.simulation import ElasticBed, FairleadMotion, simulate
 
 AMPLITUDES, PERIODS = (0.5, 1.0, 2.0, 4.0), (5.0, 7.0, 10.0, 14.0, 20.0, 30.0, 45.0, 70.0, 100.0)
 CYCLES, FINE = 4, 1e-6

@@ -16,7 +16,7 @@ import numpy as np
 
 sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parent)]
 
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
 
 ELEMENTS, CYCLES, GRAVITY = 30, 3, 9.80665
 # kg/m over d², of the displaced diameter over d, EA over d² in Pa, drag of its own diameter

@@ -17,9 +17,9 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parent)]
 
 from line_peaks import CYCLES, random_line
 
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.dynamics.regime import regime_of
-from mooring.lines.dynamics.simulation import simulate
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.dynamics.regime import regime_of
+from hakobune.mooring.lines.dynamics.simulation import simulate
 
 OFF = 0.1  # of the largest tension
 POSITIONS = 32

@@ -13,7 +13,7 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parent)]
 
 from dynamic_lines import chain
 
-from mooring.lines.dynamics.simulation import FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.simulation import FairleadMotion, simulate
 
 CYCLES = 3
 

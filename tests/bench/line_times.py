@@ -18,16 +18,16 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parent)]
 
 from systems import eight_lines
 
-from bem.kernels.jit import kernel
-from mooring.lines.catenary.moving_end import pull, workspace
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.catenary.uniform import solve_uniform
-from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
-from mooring.lines.system.composite import of_line
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, CompositeLine, FreePoint, LineType, UniformLine
-from mooring.motion.force_tables import packed, packed_pull, tabulate
+from hakobune.bem.kernels.jit import kernel
+from hakobune.mooring.lines.catenary.moving_end import pull, workspace
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.catenary.uniform import solve_uniform
+from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+from hakobune.mooring.lines.system.composite import of_line
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import Anchor, CompositeLine, FreePoint, LineType, UniformLine
+from hakobune.mooring.motion.force_tables import packed, packed_pull, tabulate
 
 LINE = (560.0, 95.0, 595.0, 1000.0, 5e8)
 

@@ -10,8 +10,8 @@ import numpy as np
 from scipy.sparse import coo_matrix, identity
 from scipy.sparse.linalg import splu
 
-from mooring.lines.system.parts import FreePoint
-from mooring.lines.system.shapes import line_shapes
+from hakobune.mooring.lines.system.parts import FreePoint
+from hakobune.mooring.lines.system.shapes import line_shapes
 
 STEPS, SMALL = 400, 1e-8  # of Newton; of the whole weight
 

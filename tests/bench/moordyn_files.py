@@ -29,12 +29,12 @@ from pathlib import Path
 import numpy as np
 from lumped_rest import end_tensions
 
-from mooring.formats.moordyn import read_moordyn, write_moordyn
-from mooring.formats.moordyn_loose import rests_of_moordyn
-from mooring.formats.moordyn_system import still_water, system_of_moordyn
-from mooring.formats.moordyn_writing import BED, moordyn_of_system
-from mooring.lines.system.equilibrium import held_at, rest
-from mooring.lines.system.parts import FreePoint, LineDynamics
+from hakobune.mooring.formats.moordyn import read_moordyn, write_moordyn
+from hakobune.mooring.formats.moordyn_loose import rests_of_moordyn
+from hakobune.mooring.formats.moordyn_system import still_water, system_of_moordyn
+from hakobune.mooring.formats.moordyn_writing import BED, moordyn_of_system
+from hakobune.mooring.lines.system.equilibrium import held_at, rest
+from hakobune.mooring.lines.system.parts import FreePoint, LineDynamics
 
 HEADING = re.compile(r"^\s*-{3}.*(LINE TYPES|LINE DICTIONARY|LINES|RODS)\b", re.IGNORECASE | re.MULTILINE)
 STATIC = {"dtIC": "2.0", "TmaxIC": "120", "threshIC": "1e-4", "ICgenDynamic": "0"}

@@ -26,18 +26,18 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.database import open_database
-from mooring.environment.gusts import davenport
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.environment.spreading import CosinePower
-from mooring.lines.catenary.state import LineError
-from mooring.lines.system.moored_body import Leg, leg_at_tension, moored_body
-from mooring.lines.system.parts import LineSystemError, LineType, UniformLine
-from mooring.motion.simulation import SimulationError, moored, simulate
-from mooring.motion.weather import Settings, Weather
-from mooring.studies.conditions import Current, ExposedBox, Wind
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.mooring.environment.gusts import davenport
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.lines.catenary.state import LineError
+from hakobune.mooring.lines.system.moored_body import Leg, leg_at_tension, moored_body
+from hakobune.mooring.lines.system.parts import LineSystemError, LineType, UniformLine
+from hakobune.mooring.motion.simulation import SimulationError, moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.studies.conditions import Current, ExposedBox, Wind
+from hakobune.pipelines.cli import main
 
 BODIES = {
     "box 12 m": "box --length 100 --beam 50 --draft 10 --depth 12 --gyration 15.55,29.44,32.28 --omega 0.12:2:50",

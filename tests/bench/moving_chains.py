@@ -24,16 +24,16 @@ import numpy as np
 from moored_in_time import databases
 from scipy.interpolate import CubicSpline
 
-from mooring.environment.gusts import davenport
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.formats.moordyn import write_moordyn
-from mooring.formats.moordyn_writing import moordyn_of_system
-from mooring.lines.system.bodies import rotation
-from mooring.motion.moving_lines.prepare import FIRM, ends_of
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.weather import Settings, Weather
-from pipelines.moor.study import read_study
+from hakobune.mooring.environment.gusts import davenport
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.formats.moordyn import write_moordyn
+from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
+from hakobune.mooring.lines.system.bodies import rotation
+from hakobune.mooring.motion.moving_lines.prepare import FIRM, ends_of
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.pipelines.moor.study import read_study
 
 EVERY = 0.05  # s, from one place given to MoorDyn to the next
 PEER = """

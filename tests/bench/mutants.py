@@ -33,7 +33,7 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 from near import PACKAGES, ROOT, nearest
 
-from bem.kernels.jit import cache_folder, sources
+from hakobune.bem.kernels.jit import cache_folder, sources
 
 TWINS = (
     "sin cos",

@@ -21,12 +21,12 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from bem.methods.panel_problem import PanelProblem
-from bem.second_order.quadratic_forces import ORDER, QuadraticRun, panel_errors, quadratic_forces
-from meshing.hydrostatics import hydrostatics, inertia_matrix
-from meshing.lid import lid
-from pipelines.qtf.problem import FEWEST
-from pipelines.solve.panel_counts import coarse_counts, counts_of, meshed
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.second_order.quadratic_forces import ORDER, QuadraticRun, panel_errors, quadratic_forces
+from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
+from hakobune.meshing.lid import lid
+from hakobune.pipelines.qtf.problem import FEWEST
+from hakobune.pipelines.solve.panel_counts import coarse_counts, counts_of, meshed
 
 G = 9.80665
 SMALL = 1e-3  # of the largest force: errors below it count as met

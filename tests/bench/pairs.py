@@ -22,11 +22,11 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 from bench.control_surface import by_momentum
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 
-from bem.methods.panel_problem import PanelProblem
-from bem.second_order.bound_waves import bound_waves
-from bem.second_order.quadratic_forces import quadratic_forces
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.second_order.quadratic_forces import quadratic_forces
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 RHO, G, VOLUME, RADIUS = 1025.0, 9.80665, 100 * 50 * 10.0, 10.0
 INERTIA = RHO * VOLUME * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])

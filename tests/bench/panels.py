@@ -15,16 +15,16 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import numpy as np
 from scipy.linalg import lu_factor
 
-from bem import DOFS
-from bem.green.tables import wave_table
-from bem.kernels.threads import thread_count
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.band.one_frequency import BandRun
-from bem.panels.one_frequency import PanelRun
-from bem.panels.wave_influence import wave_blocks
-from bem.waves import depth_values, wavenumber
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem import DOFS
+from hakobune.bem.green.tables import wave_table
+from hakobune.bem.kernels.threads import thread_count
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.band.one_frequency import BandRun
+from hakobune.bem.panels.one_frequency import PanelRun
+from hakobune.bem.panels.wave_influence import wave_blocks
+from hakobune.bem.waves import depth_values, wavenumber
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 BAND, DEPTH, GRAVITY = (0.1, 1.2), 20.0, 9.80665
 OMEGAS = 0.6, 1.1  # solved without and with the lid

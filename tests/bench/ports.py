@@ -18,14 +18,14 @@ from pathlib import Path
 import numpy as np
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
-import pipelines
-from bem.database import open_database
-from mooring.motion.simulation import moored, simulate
-from pipelines.moor.study import make_study
-from pipelines.scene.scene import make_scene
-from pipelines.simulate.berth import natural_periods, windows
-from pipelines.simulate.study import damping, plan_of, quadratic
-from pipelines.solve import run as solving
+from hakobune import pipelines
+from hakobune.bem.database import open_database
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.simulate.berth import natural_periods, windows
+from hakobune.pipelines.simulate.study import damping, plan_of, quadratic
+from hakobune.pipelines.solve import run as solving
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 N_PORT = {"measured": (1.46, 57.6), "initial": (2.49, 97.7), "hardened": (1.62, 55.3)}  # m, s

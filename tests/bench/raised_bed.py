@@ -17,14 +17,13 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-import bem.contour.solver
-from bem import DOFS
-from bem.checks import damping_scale, excitation_scale, radiation_scale
-from bem.contour.raised_bed import effect_of_bed, raised_bed
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem import DOFS
+from hakobune.bem.checks import damping_scale, excitation_scale, radiation_scale
+from hakobune.bem.contour.raised_bed import effect_of_bed, raised_bed
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 BODIES = [
     (100, 1), (100, 5), (40, 10), (10, 10), (10, 20), (10, 50), (10, 100),

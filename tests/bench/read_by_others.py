@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.database import open_database
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.pipelines.cli import main
 
 HERE = Path(__file__).parent
 BOX = "--length 100 --beam 50 --draft 10 --depth 20 --gyration 15.6,29.4,32.3 --omega 0.3:1.2:10 --heading 0:180:7"

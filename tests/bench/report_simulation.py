@@ -21,12 +21,12 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.database import open_database
-from mooring.motion.line_loads import body_lines, line_work, tensions_along
-from mooring.motion.statistics import record_statistics
-from pipelines.common.units import TONF
-from pipelines.moor.study import make_study
-from pipelines.simulate.file import SUMMARY, opened
+from hakobune.bem.database import open_database
+from hakobune.mooring.motion.line_loads import body_lines, line_work, tensions_along
+from hakobune.mooring.motion.statistics import record_statistics
+from hakobune.pipelines.common.units import TONF
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.simulate.file import SUMMARY, opened
 
 TABLE = Path(__file__).parents[1] / "published" / "simulation_statistics.csv"
 COLUMNS = {"T_zero_s": "T_zero", "T_pp_s": "T_peak", "eps": "epsilon", "mean": "mean", "sigma": "sigma",

@@ -13,8 +13,8 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.sections.coefficients import frequency_of, section
-from bem.sections.tables import tables
+from hakobune.bem.sections.coefficients import frequency_of, section
+from hakobune.bem.sections.tables import tables
 
 SHAPES = ((5, 1.2, 1.0), (20, 1.2, 1.0), (5, 3.0, 1.0), (20, 10.0, 1.0), (5, 10.0, 3.0), (10, np.inf, 1.0))
 

@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
-from bem import DOFS
-from bem.database import open_database
-from meshing.files import write_mesh
-from meshing.ship import ship
-from pipelines import cli
+from hakobune.bem import DOFS
+from hakobune.bem.database import open_database
+from hakobune.meshing.files import write_mesh
+from hakobune.meshing.ship import ship
+from hakobune.pipelines import cli
 
 SIZES = (280.0, 40.0, 14.0, 0.62)
 FIRST = (14, 3, 4)

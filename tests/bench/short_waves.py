@@ -17,9 +17,9 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 import numpy as np
 from bench.random_bodies import asked, between
 
-from bem.contour.one_frequency import ContourFrequency
-from bem.contour.short_wave_frequency import ShortWaveFrequency
-from bem.contour.solver import prepare_box
+from hakobune.bem.contour.one_frequency import ContourFrequency
+from hakobune.bem.contour.short_wave_frequency import ShortWaveFrequency
+from hakobune.bem.contour.solver import prepare_box
 
 GRAVITY, DENSITY, TOLERANCE = 9.80665, 1025.0, 0.01
 LENGTH, WAVES, SIDE, PHASE, GAP = 100.0, (30, 90), 9, (0.9, 9), (0.005, 10)

@@ -12,9 +12,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from bem.green.piecewise_polynomials import aligned, evaluate_piece
-from bem.kernels.jit import kernel
-from bem.kernels.simd import address
+from hakobune.bem.green.piecewise_polynomials import aligned, evaluate_piece
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import address
 
 PIECES, POINTS, REPEATS = 400, 100_000, 15
 

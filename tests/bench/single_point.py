@@ -19,11 +19,11 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "mooring" / "single_point")]
 
 from boxes import floater_A, random_head_on, random_loads
 
-from mooring.single_point.body import SinglePointError
-from mooring.single_point.criterion import roots
-from mooring.single_point.equilibria import equilibria, headings_of_rest
-from mooring.single_point.slewing import linearised, slew, turned_state
-from mooring.single_point.two_scale import RING, Steps, WaveBody, two_scale
+from hakobune.mooring.single_point.body import SinglePointError
+from hakobune.mooring.single_point.criterion import roots
+from hakobune.mooring.single_point.equilibria import equilibria, headings_of_rest
+from hakobune.mooring.single_point.slewing import linearised, slew, turned_state
+from hakobune.mooring.single_point.two_scale import RING, Steps, WaveBody, two_scale
 
 DENSE = 36_000
 SMALL = 1e-4  # m and 1/100 rad of the motion that is fitted

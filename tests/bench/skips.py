@@ -13,12 +13,12 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem import DOFS
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.one_frequency import PanelRun
-from meshing.lid import lid
-from meshing.shapes import box, box_counts
+from hakobune.bem import DOFS
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.one_frequency import PanelRun
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, box_counts
 
 DRIFT = {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"}
 FORCES = {"added_mass", "radiation_damping", "excitation_force", "rao"}

@@ -15,13 +15,13 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 import numpy as np
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem.contour.solver import prepare_box
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from meshing.lid import lid
-from meshing.shapes import box
-from pipelines.bench.cases import CASES, DENSITY, GRAVITY, HEADING
-from pipelines.bench.references import COLUMNS, FILE, Coefficients, compared
+from hakobune.bem.contour.solver import prepare_box
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.bench.cases import CASES, DENSITY, GRAVITY, HEADING
+from hakobune.pipelines.bench.references import COLUMNS, FILE, Coefficients, compared
 
 FINEST = 1e-7
 BETA = np.radians(HEADING)

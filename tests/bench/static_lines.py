@@ -16,9 +16,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.catenary.state import State
-from mooring.lines.multi_segment.line import Bed, LineError, PointLoad, Segment, StaticLine
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.catenary.state import State
+from hakobune.mooring.lines.multi_segment.line import Bed, LineError, PointLoad, Segment, StaticLine
 
 PEER = r"""
 import sys, time, warnings, io, contextlib

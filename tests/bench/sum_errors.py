@@ -15,13 +15,13 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 import numpy as np
 
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.second_order.kinds import SUM
-from bem.second_order.quadratic_forces import OF_SUMS, QuadraticRun, panel_errors
-from meshing.hydrostatics import hydrostatics, inertia_matrix
-from meshing.lid import lid
-from meshing.shapes import buoy
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.second_order.quadratic_forces import OF_SUMS, QuadraticRun, panel_errors
+from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import buoy
 
 RADIUS, PAIRS, MODES = 10.0, 5, {"surge": 0, "heave": 2, "pitch": 4}
 NEGLIGIBLE = 1e-3

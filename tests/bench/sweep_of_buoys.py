@@ -51,8 +51,8 @@ def main():
 def _one_by_one(folder, cases):
     import numpy as np
 
-    from pipelines.scene.scene import make_scene, read_scene
-    from pipelines.solve.run import solve
+    from hakobune.pipelines.scene.scene import make_scene, read_scene
+    from hakobune.pipelines.solve.run import solve
 
     raw = read_scene(folder / "buoy.toml")
     (folder / "each").mkdir()
@@ -62,7 +62,7 @@ def _one_by_one(folder, cases):
 
 
 def _sweep(folder, executor):
-    from pipelines import cli
+    from hakobune.pipelines import cli
 
     output = folder / f"{executor.partition(':')[0]}.h5"
     assert cli.main(["sweep", str(folder / "sweep.toml"), "--output", str(output), "--executor", executor]) == 0

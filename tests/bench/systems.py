@@ -16,10 +16,10 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from bem import DOFS
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Fairlead, LineType, MooredBody, UniformLine
+from hakobune.bem import DOFS
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import Anchor, Fairlead, LineType, MooredBody, UniformLine
 
 DEPTH, LENGTH, WEIGHT, EA = 100.0, 595.0, 1000.0, 5e8
 HEADINGS = [20, 60, 120, 160, 200, 240, 300, 340]

@@ -22,12 +22,12 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "bench")]
 import numpy as np
 from moored_in_time import databases
 
-from mooring.environment.gusts import davenport
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.weather import Settings, Weather
-from pipelines.moor.study import read_study
+from hakobune.mooring.environment.gusts import davenport
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.pipelines.moor.study import read_study
 
 
 def best_of_three(body, weather, settings):

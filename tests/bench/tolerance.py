@@ -27,13 +27,13 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem import DOFS
-from bem.checks import damping_scale, excitation_scale, largest_error, radiation_scale
-from bem.methods.panel_problem import prepare
-from bem.methods.shape_problem import ShapeProblem
-from bem.problem import Problem
-from pipelines.scene.scene import make_scene
-from pipelines.solve.plan import planned
+from hakobune.bem import DOFS
+from hakobune.bem.checks import damping_scale, excitation_scale, largest_error, radiation_scale
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.problem import Problem
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.plan import planned
 
 BEAM, GRAVITY = 50.0, 9.80665
 FLOOR = 1e-8

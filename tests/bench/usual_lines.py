@@ -9,8 +9,8 @@ no bed; from slack to half the breaking load, the fairlead below the water or on
 
 import numpy as np
 
-from mooring.lines.catalogue import line_type
-from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+from hakobune.mooring.lines.catalogue import line_type
+from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 CHAINS = ("R3 studless", "R4 studlink", "R5 studless", "grade 2", "grade 3", "ORQ")
 ROPES = ("wire 6x36 IWRC", "wire 6x19 FC", "spiral strand", "polyester", "nylon")

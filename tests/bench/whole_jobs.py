@@ -20,7 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 SCENES = ROOT / "pipelines" / "scenes"
 BOX = ["box", "--length", "100", "--beam", "50", "--draft", "10", "--depth", "20", "--gyration", "15,28,30"]
-READ = "from bem.database import open_database; open_database('stored.h5')['added_mass']"
+READ = "from hakobune.bem.database import open_database; open_database('stored.h5')['added_mass']"
 PEER = """
 import capytaine as cpt, numpy as np
 cpt.set_logging("ERROR")
@@ -90,7 +90,7 @@ def main():
     parser.add_argument("--cold", action="store_true")
     parser.add_argument("--peer", help="a python with capytaine")
     given = parser.parse_args()
-    hakobune = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())"]
+    hakobune = [sys.executable, "-c", "import sys; from hakobune.pipelines.start import main; sys.exit(main())"]
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONPYCACHEPREFIX": f"{folder}/bytecode"}
         environment.pop("PYTHONDONTWRITEBYTECODE", None)

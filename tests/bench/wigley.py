@@ -20,11 +20,11 @@ from pathlib import Path
 import numpy as np
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
-from bem import DOFS
-from bem.database import open_database
-from meshing.files import write_mesh
-from meshing.panels import structured
-from pipelines import cli
+from hakobune.bem import DOFS
+from hakobune.bem.database import open_database
+from hakobune.meshing.files import write_mesh
+from hakobune.meshing.panels import structured
+from hakobune.pipelines import cli
 
 LENGTH, DRAFT, GRAVITY, DENSITY = 3.0, 0.1875, 9.81, 1000.0
 BEAM = {"III": 0.3, "IV": 0.6}

@@ -40,7 +40,7 @@ UNITS = {"s": 1, "min": 60, "h": 3600, "days": 86400, "years": 3e7}
 READ = 10**6  # bytes of what is said; times are looked for in them
 LARGE = 10**9  # bytes, of a file that is not looked at afterwards
 MOST_LINES, MOST_LETTERS = 6, 6000  # of a message that refuses
-START = "import sys; from pipelines.start import main; sys.exit(main())"
+START = "import sys; from hakobune.pipelines.start import main; sys.exit(main())"
 COLUMNS = ("case", "status", "seconds", "processor_seconds", "megabytes", "wrong", "message")
 
 

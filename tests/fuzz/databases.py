@@ -23,7 +23,7 @@ import numpy as np
 
 sys.path[:0] = [str(Path(__file__).parents[2])]
 
-import pipelines
+from hakobune import pipelines
 
 SECONDS = 20.0
 TIME = """
@@ -41,10 +41,10 @@ qtf = "newman"
 
 def everything(path):
     """Whatever a reader may ask of a file, as a list of names and values"""
-    from bem.database.results import opened_result, schema_of
-    from meshing.seals import is_sealed, kind_filled_in
-    from meshing.text_files import read_text
-    from pipelines.simulate.file import is_run
+    from hakobune.bem.database.results import opened_result, schema_of
+    from hakobune.meshing.seals import is_sealed, kind_filled_in
+    from hakobune.meshing.text_files import read_text
+    from hakobune.pipelines.simulate.file import is_run
 
     path = Path(path)
     if path.suffix == ".csv":
@@ -56,7 +56,7 @@ def everything(path):
             found = [*file.attrs.items()]
             file.visititems(lambda name, item: found.append((name, item[()])) if hasattr(item, "shape") else None)
             return found
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     db = open_database(path)
     found = [(name, db[name]) for name in db.names]
@@ -68,7 +68,7 @@ def everything(path):
 
 def simulation(path):
     """What the reader of a simulation finds: its seeds that are whole, and the statistics over them if these are"""
-    from pipelines.simulate.file import opened, row_values, summary_is_whole, whole_rows
+    from hakobune.pipelines.simulate.file import opened, row_values, summary_is_whole, whole_rows
 
     with opened(path) as file:
         whole = whole_rows(file)
@@ -172,8 +172,8 @@ def campaign(files, flips, seed, tell=None):
 
 def make_files(folder, simulated=False):
     """Databases and the results of studies, to be damaged; simulated : with a simulation, which takes longer"""
-    from mooring.formats.results import write_channels
-    from pipelines.cli import main
+    from hakobune.mooring.formats.results import write_channels
+    from hakobune.pipelines.cli import main
 
     scenes, run = Path(pipelines.__file__).parent / "scenes", folder / "run.h5"
     commands = {

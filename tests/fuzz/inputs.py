@@ -13,7 +13,7 @@ from pathlib import Path
 
 import tomli_w
 
-import pipelines
+from hakobune import pipelines
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --gyration 15.6,29.4,32.3 --heading 0,45,90"
@@ -144,9 +144,9 @@ VALUES = (math.nan, math.inf, -math.inf, 0, -1.0, 1e-300, 1e300, 1e12, "text", "
 
 def good_inputs(folder):
     """Every file that COMMANDS read, in a folder; the database is solved, which takes some seconds."""
-    from meshing.files import write_mesh
-    from meshing.shapes import box
-    from pipelines.cli import main
+    from hakobune.meshing.files import write_mesh
+    from hakobune.meshing.shapes import box
+    from hakobune.pipelines.cli import main
 
     folder = Path(folder)
     here = Path.cwd()

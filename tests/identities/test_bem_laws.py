@@ -3,21 +3,21 @@
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.frequency import solve_frequency
-from bem.green.finite_depth import green_function
-from bem.green.tables import wave_table
-from bem.methods.near_field import near_field_drift
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.elements import elements
-from bem.panels.frequency_limits import added_mass_limit
-from bem.panels.incident_waves import class_waves
-from bem.panels.influence import Geometry, assembled
-from bem.panels.one_frequency import PanelRun
-from bem.waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
-from meshing.lid import lid
-from meshing.panels import PanelMesh, structured
-from meshing.shapes import box, buoy
+from hakobune.bem import DOFS
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.green.finite_depth import green_function
+from hakobune.bem.green.tables import wave_table
+from hakobune.bem.methods.near_field import near_field_drift
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.elements import elements
+from hakobune.bem.panels.frequency_limits import added_mass_limit
+from hakobune.bem.panels.incident_waves import class_waves
+from hakobune.bem.panels.influence import Geometry, assembled
+from hakobune.bem.panels.one_frequency import PanelRun
+from hakobune.bem.waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
+from hakobune.meshing.lid import lid
+from hakobune.meshing.panels import PanelMesh, structured
+from hakobune.meshing.shapes import box, buoy
 
 WANT = frozenset(
     {

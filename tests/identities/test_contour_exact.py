@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem.contour.solver import prepare_box, prepare_cylinder
-from bem.drift import energy_defect, mean_drift
-from bem.frequency import solve_frequency
-from bem.kochin import angles
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.waves import group_factor, wavenumber
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
+from hakobune.bem.drift import energy_defect, mean_drift
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.kochin import angles
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.waves import group_factor, wavenumber
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 RHO, G = 1025.0, 9.80665
 HEADINGS = np.array([0.0, 0.6, np.pi / 2])

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pipelines
-from bem.database import open_database
-from bem.database.natural_periods import natural_periods
-from pipelines.cli import main
+from hakobune import pipelines
+from hakobune.bem.database import open_database
+from hakobune.bem.database.natural_periods import natural_periods
+from hakobune.pipelines.cli import main
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 TABLE = Path(__file__).parents[1] / "published" / "model_particulars.csv"

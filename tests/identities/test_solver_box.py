@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 G, RHO = 9.80665, 1025.0
 XI_B = np.array([0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 2.75])

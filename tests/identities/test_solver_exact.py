@@ -10,11 +10,11 @@ from exact import maccamy_fuchs
 from exact.hemisphere import hemisphere
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from meshing.lid import lid
-from meshing.panels import PanelMesh, joined, structured
-from meshing.shapes import buoy
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.meshing.lid import lid
+from hakobune.meshing.panels import PanelMesh, joined, structured
+from hakobune.meshing.shapes import buoy
 
 G = 9.80665
 WANT = frozenset({"added_mass", "radiation_damping", "excitation_force", "diffraction_force", "drift_force_fixed"})

@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
-from meshing.files import READABLE, WRITABLE, read_mesh, write_mesh
-from meshing.lid import lid
-from meshing.panels import structured
-from meshing.quality import findings
-from meshing.shapes import box, buoy
+from hakobune.meshing.files import READABLE, WRITABLE, read_mesh, write_mesh
+from hakobune.meshing.lid import lid
+from hakobune.meshing.panels import structured
+from hakobune.meshing.quality import findings
+from hakobune.meshing.shapes import box, buoy
 
 KEPT = {".gdf": "xy", ".pnl": "xy", ".nemoh": "y", ".dat": "y", ".msh": "", ".vtu": ""}
 

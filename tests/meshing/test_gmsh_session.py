@@ -5,9 +5,9 @@ import threading
 import numpy as np
 import pytest
 
-from meshing import gmsh_session
-from meshing.gmsh_session import filled, graded_patches, session
-from meshing.shapes import box
+from hakobune.meshing import gmsh_session
+from hakobune.meshing.gmsh_session import filled, graded_patches, session
+from hakobune.meshing.shapes import box
 
 SQUARE = np.array([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0.0]])
 

@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from meshing.hydrostatics import hydrostatics, inertia_matrix
-from meshing.panels import SYMMETRIES, joined, structured
-from meshing.shapes import box, buoy
+from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
+from hakobune.meshing.panels import SYMMETRIES, joined, structured
+from hakobune.meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from meshing.mirror import folded
-from meshing.panels import PanelMesh
-from meshing.shapes import box, buoy
+from hakobune.meshing.mirror import folded
+from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.shapes import box, buoy
 
 
 def triangles(mesh):

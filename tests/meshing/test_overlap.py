@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from meshing.panels import joined
-from meshing.quality import findings
-from meshing.quality.overlap import connected, overlaps
-from meshing.shapes import box, buoy
+from hakobune.meshing.panels import joined
+from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.overlap import connected, overlaps
+from hakobune.meshing.shapes import box, buoy
 
 PONTOON = box(40, 10, 5, panels=120).whole()
 

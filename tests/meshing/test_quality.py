@@ -3,10 +3,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from meshing.lid import lid
-from meshing.panels import SYMMETRIES, joined, structured
-from meshing.quality import findings
-from meshing.shapes import box, buoy
+from hakobune.meshing.lid import lid
+from hakobune.meshing.panels import SYMMETRIES, joined, structured
+from hakobune.meshing.quality import findings
+from hakobune.meshing.shapes import box, buoy
 
 HULL = box(100, 50, 10, counts=(10, 5, 5))
 

@@ -3,8 +3,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from meshing.files import read_mesh
-from meshing.quality import findings
+from hakobune.meshing.files import read_mesh
+from hakobune.meshing.quality import findings
 
 FOLDER = Path(__file__).parents[2] / "meshes"
 

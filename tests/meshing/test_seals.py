@@ -6,11 +6,11 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.database.file import beside
-from bem.database.integrity import DatabaseError
-from bem.database.results import opened_result, schema_of
-from meshing.seals import MARK, damage, is_sealed, write_sealed
-from meshing.text_files import read_text
+from hakobune.bem.database.file import beside
+from hakobune.bem.database.integrity import DatabaseError
+from hakobune.bem.database.results import opened_result, schema_of
+from hakobune.meshing.seals import MARK, damage, is_sealed, write_sealed
+from hakobune.meshing.text_files import read_text
 
 SCHEMA = "hakobune made-up study 1"
 TEXT = "# a table\n# of two columns\nx,y\n" + "".join(f"{i},{i**2}\n" for i in range(20))

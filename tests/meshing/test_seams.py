@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from meshing.files import read_mesh, write_mesh
-from meshing.hydrostatics import hydrostatics
-from meshing.panels import PanelMesh, joined, structured
-from meshing.quality import findings
-from meshing.shapes import box, buoy
+from hakobune.meshing.files import read_mesh, write_mesh
+from hakobune.meshing.hydrostatics import hydrostatics
+from hakobune.meshing.panels import PanelMesh, joined, structured
+from hakobune.meshing.quality import findings
+from hakobune.meshing.shapes import box, buoy
 
 
 def plate(corners, n, m):

@@ -3,9 +3,9 @@ import itertools
 import numpy as np
 import pytest
 
-from meshing.panels import SYMMETRIES
-from meshing.quality import findings
-from meshing.shapes import box, box_counts, buoy, buoy_counts
+from hakobune.meshing.panels import SYMMETRIES
+from hakobune.meshing.quality import findings
+from hakobune.meshing.shapes import box, box_counts, buoy, buoy_counts
 
 
 def shapes():

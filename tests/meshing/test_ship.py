@@ -6,15 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from meshing.files import write_mesh
-from meshing.hydrostatics import hydrostatics
-from meshing.panels import structured
-from meshing.ship import CORNER, counts_of_ship, ship
-from pipelines import cli
-from pipelines.keys.kinds import SCENES
-from pipelines.scene.scene import SceneError, make_scene
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.meshing.files import write_mesh
+from hakobune.meshing.hydrostatics import hydrostatics
+from hakobune.meshing.panels import structured
+from hakobune.meshing.ship import CORNER, counts_of_ship, ship
+from hakobune.pipelines import cli
+from hakobune.pipelines.keys.kinds import SCENES
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.run import solve
 
 TANKER, CONTAINER, FERRY = (300.0, 50.0, 18.0, 0.83), (280.0, 40.0, 14.0, 0.62), (120.0, 20.0, 5.34, 0.55)
 
@@ -78,7 +78,7 @@ def test_what_cannot_be_a_ship_is_one_line(change, says):
 
 
 def test_a_ship_is_solved_from_its_dimensions(tmp_path):
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     path = tmp_path / "ship.h5"
     words = "ship --length 120 --beam 20 --draft 5.34 --block 0.55 --depth inf --omega 0.1 --panels 160"

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from meshing.text_files import numbers_of, read_text
+from hakobune.meshing.text_files import numbers_of, read_text
 
 
 def test_a_byte_order_mark_and_windows_line_ends_are_not_text(tmp_path):

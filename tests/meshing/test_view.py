@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from meshing.lid import lid
-from meshing.shapes import box, buoy
-from meshing.view import scene, show
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
+from hakobune.meshing.view import scene, show
 
 pytest.importorskip("pyvista")
 

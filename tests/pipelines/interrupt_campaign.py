@@ -14,7 +14,7 @@ import tempfile
 import time
 from pathlib import Path
 
-START = "import sys; from pipelines.start import main; sys.exit(main())"
+START = "import sys; from hakobune.pipelines.start import main; sys.exit(main())"
 BOX = "box --length 20 --beam 10 --draft 2 --depth 8 --omega 0.5:1.5:4 --heading 0 --output"
 FIRST = 0.15  # s, before which Python itself may not have begun
 

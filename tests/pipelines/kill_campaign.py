@@ -83,7 +83,7 @@ def _datasets(file):
 
 
 def _start(words, path):
-    command = [sys.executable, "-m", "pipelines.cli", *words, "--output", str(path)]
+    command = [sys.executable, "-m", "hakobune.pipelines.cli", *words, "--output", str(path)]
     return subprocess.Popen(
         command, env={**os.environ, **ONE_THREAD}, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
     )
@@ -110,7 +110,7 @@ def _kill(path, delay):
 
 
 def _assert_readable(path):
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     if path.exists():
         open_database(path)

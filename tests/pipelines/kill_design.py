@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[2]
 def run(project, folder, delay=None, latest=0.0):
     """Seconds of the command, and whether it was killed `delay` s after it stored a new file of a load case, or
     `latest` + `delay` s after its start"""
-    words = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())"]
+    words = [sys.executable, "-c", "import sys; from hakobune.pipelines.start import main; sys.exit(main())"]
     begun, surroundings = time.perf_counter(), {**os.environ, "PYTHONPATH": str(ROOT)}
     arguments, before = ["design", str(project), "--output", str(folder), "--no-advice"], cases(folder)
     process = subprocess.Popen([*words, *arguments], env=surroundings, stdout=subprocess.DEVNULL)

@@ -24,7 +24,7 @@ def command(given, output, share=1.0):
     """Words of the simulation into a file, of a share of its duration"""
     words = ["simulate", given.study, "--database", given.database, "--output", output, "--seeds", given.seeds]
     words += ["--duration", share * given.duration]
-    return [sys.executable, "-m", "pipelines.cli", *map(str, words)]
+    return [sys.executable, "-m", "hakobune.pipelines.cli", *map(str, words)]
 
 
 def killed(given, output, wait):

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from kill_campaign import campaign
 
-import pipelines
-from bem.database import open_database
-from bem.database.integrity import row_crcs
-from pipelines.cli import app, main
+from hakobune import pipelines
+from hakobune.bem.database import open_database
+from hakobune.bem.database.integrity import row_crcs
+from hakobune.pipelines.cli import app, main
 
 STUDIES = ("site", "sweep", "moor", "response", "line", "simulate", "design", "berth", "breakwater", "single_point")
 STUDIES += ("earthquake", "members")
@@ -32,7 +32,7 @@ MANY = 100  # frequencies, more than are solved before a signal arrives
 
 
 def command(*arguments):
-    return [sys.executable, "-m", "pipelines.cli", *map(str, arguments)]
+    return [sys.executable, "-m", "hakobune.pipelines.cli", *map(str, arguments)]
 
 
 @pytest.fixture(scope="module")
@@ -154,7 +154,7 @@ def test_check_of_a_file_of_another_program_names_it(tmp_path, monkeypatch, caps
 
 
 def test_a_mesh_alone_needs_no_water_and_no_waves(tmp_path, capsys):
-    from meshing.files import read_mesh
+    from hakobune.meshing.files import read_mesh
 
     path = tmp_path / "box.gdf"
     flags = ["--length", "100", "--beam", "50", "--draft", "10", "--panels", "100", "--mesh-only", "--output"]
@@ -166,7 +166,7 @@ def test_a_mesh_alone_needs_no_water_and_no_waves(tmp_path, capsys):
 
 
 def test_a_body_from_a_mesh_file_gives_the_numbers_of_the_same_box(whole, tmp_path):
-    from meshing.files import write_mesh
+    from hakobune.meshing.files import write_mesh
 
     hull, path = tmp_path / "hull.gdf", tmp_path / "hull.h5"
     write_mesh(open_database(whole).mesh, hull)
@@ -199,7 +199,7 @@ def test_every_scene_that_is_shipped_runs(scene, tmp_path):
 
 @pytest.mark.parametrize("asked", [["keys"], ["fender", "--family", "cell", "--height", "2"]])  # words, a table
 def test_a_reader_of_the_output_that_goes_away_ends_the_command_without_a_word(asked):
-    words = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())", *asked]
+    words = [sys.executable, "-c", "import sys; from hakobune.pipelines.start import main; sys.exit(main())", *asked]
     run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     run.stdout.close()
     assert (run.stderr.read(), run.wait()) == (b"", 128 + signal.SIGPIPE)

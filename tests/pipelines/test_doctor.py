@@ -2,7 +2,7 @@
 
 from importlib import metadata
 
-from pipelines import cli, doctor
+from hakobune.pipelines import cli, doctor
 
 
 def test_the_doctor_finds_what_is_installed_and_names_what_is_not(capsys, monkeypatch):

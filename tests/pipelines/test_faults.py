@@ -11,10 +11,10 @@ from pathlib import Path
 import h5py
 import pytest
 
-import pipelines
-from meshing.files import write_mesh
-from meshing.shapes import box
-from pipelines.cli import main
+from hakobune import pipelines
+from hakobune.meshing.files import write_mesh
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.cli import main
 
 STUDY = (Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml").read_text()
 BOX = "box --length 100 --beam 50 --draft 10"
@@ -251,7 +251,7 @@ def test_a_folder_without_permission_is_named(things, fails, tmp_path):
 def test_a_database_in_use_is_neither_extended_nor_replaced(things, fails, tmp_path):
     path = tmp_path / "used.h5"
     shutil.copy(things / "full.h5", path)
-    hold = f"from bem.database import writing\nwith writing({str(path)!r}): print('open', flush=True), input()"
+    hold = f"from hakobune.bem.database import writing\nwith writing({str(path)!r}): print('open', flush=True), input()"
     with subprocess.Popen([sys.executable, "-c", hold], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
         assert other.stdout.readline() == b"open\n"
         for more in ("", "--fresh"):

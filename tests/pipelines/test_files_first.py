@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from pipelines import cli
-from pipelines.keys.kinds import SCENES
+from hakobune.pipelines import cli
+from hakobune.pipelines.keys.kinds import SCENES
 
 
 class Left(io.StringIO):

@@ -6,12 +6,12 @@ import sys
 
 import pytest
 
-from pipelines import cli, start
+from hakobune.pipelines import cli, start
 
 
 def test_scipy_loads_no_package_of_numpy_that_nothing_uses_and_each_is_there_when_it_is_used():
     lines = (
-        "import sys; from pipelines.start import _spare_numpy; _spare_numpy()",
+        "import sys; from hakobune.pipelines.start import _spare_numpy; _spare_numpy()",
         "import scipy.special, scipy.linalg, numpy",
         "assert not {'numpy.f2py', 'numpy.testing'} & set(sys.modules)",
         "numpy.testing.assert_equal(1, 1)",

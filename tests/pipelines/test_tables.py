@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from pipelines import cli
+from hakobune.pipelines import cli
 
 FENDER = ["fender", "--family", "cell", "--height", "2"]
 

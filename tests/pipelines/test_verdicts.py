@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 import tomli_w
 
-import pipelines
-from bem.database.integrity import row_crcs
-from mooring.criteria.failing import FAILS, failing, fails
-from mooring.criteria.overuse import overused
-from pipelines.cli import app, main
+from hakobune import pipelines
+from hakobune.bem.database.integrity import row_crcs
+from hakobune.mooring.criteria.failing import FAILS, failing, fails
+from hakobune.mooring.criteria.overuse import overused
+from hakobune.pipelines.cli import app, main
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 GUIDE = Path(__file__).parents[2] / "docs" / "commands.md"
@@ -110,9 +110,9 @@ extra_draft = {more}
 @pytest.fixture(scope="module")
 def solved(tmp_path_factory):
     """A database, one whose second frequency could not be solved, and a hull in a mesh file"""
-    from meshing.files import write_mesh
-    from meshing.shapes import box
-    from pipelines.solve import run
+    from hakobune.meshing.files import write_mesh
+    from hakobune.meshing.shapes import box
+    from hakobune.pipelines.solve import run
 
     place = tmp_path_factory.mktemp("solved")
     with pytest.MonkeyPatch.context() as patch:
@@ -369,7 +369,7 @@ def test_what_is_sound_ends_with_0_and_what_fails_with_1_and_its_line(command, p
 
 # commands whose work is long: the part that gives the numbers is put aside, what it gives is sound or not
 def unsolved(patch):
-    from pipelines.solve import run
+    from hakobune.pipelines.solve import run
 
     patch.setattr(run, "solve_one", refusing(run.solve_one))
 
@@ -378,49 +378,51 @@ def of_database(missed):
     """Change of what `waves` and `animate` may miss, and no film"""
 
     def change(patch):
-        patch.setattr("pipelines.waves.command.MISSED", missed)
-        patch.setattr("pipelines.films.of_database.write_film", lambda *_: None)
-        patch.setattr("pipelines.films.of_database._frames", lambda *_: [])
+        patch.setattr("hakobune.pipelines.waves.command.MISSED", missed)
+        patch.setattr("hakobune.pipelines.films.of_database.write_film", lambda *_: None)
+        patch.setattr("hakobune.pipelines.films.of_database._frames", lambda *_: [])
 
     return change
 
 
 def pairs(gap):
     def change(patch):
-        patch.setattr("pipelines.qtf.report.diagonal_gap", lambda forces: gap)
-        patch.setattr("pipelines.qtf.report.told", lambda *_: ())
-        patch.setattr("pipelines.qtf.command._answer", lambda *_: SimpleNamespace(forces=SimpleNamespace(kind=None)))
+        patch.setattr("hakobune.pipelines.qtf.report.diagonal_gap", lambda forces: gap)
+        patch.setattr("hakobune.pipelines.qtf.report.told", lambda *_: ())
+        patch.setattr(
+            "hakobune.pipelines.qtf.command._answer", lambda *_: SimpleNamespace(forces=SimpleNamespace(kind=None))
+        )
 
     return change
 
 
 def designed(*warnings):
     """A project of one case whose study says this, judged by no criterion"""
-    from pipelines.design.verdict import FAILS as FAILING
-    from pipelines.design.verdict import PASSES, Verdict, broken_in
+    from hakobune.pipelines.design.verdict import FAILS as FAILING
+    from hakobune.pipelines.design.verdict import PASSES, Verdict, broken_in
 
     gale, numbers = SimpleNamespace(name="gale", factor=1.0), SimpleNamespace(warnings=warnings)
     case = SimpleNamespace(case=gale, numbers=numbers, fault="")
     broken = tuple(broken_in([case]))
     verdict = Verdict([case], broken, (), None, FAILING if broken else PASSES, ())
-    return lambda patch: patch.setattr("pipelines.design.command.made", lambda *_: (verdict, (), None))
+    return lambda patch: patch.setattr("hakobune.pipelines.design.command.made", lambda *_: (verdict, (), None))
 
 
 def scenes_of(*verdicts):
-    from pipelines.stress.campaign import Row
+    from hakobune.pipelines.stress.campaign import Row
 
     rows = [Row(i, "box", 5.0, 2.0, 2.0, 1.0, 1.0, verdict=verdict) for i, verdict in enumerate(verdicts)]
-    return lambda patch: patch.setattr("pipelines.stress.run.run", lambda *_: (rows, False))
+    return lambda patch: patch.setattr("hakobune.pipelines.stress.run.run", lambda *_: (rows, False))
 
 
 def jobs(*notes):
     rows = [SimpleNamespace(note=note) for note in notes]
-    return lambda patch: patch.setattr("pipelines.bench.run.bench", lambda *_, **__: rows)
+    return lambda patch: patch.setattr("hakobune.pipelines.bench.run.bench", lambda *_, **__: rows)
 
 
 def floater(tension):
     """A case of the report's series with this static tension"""
-    from pipelines.series import single_point
+    from hakobune.pipelines.series import single_point
 
     def change(patch):
         patch.setattr(single_point, "solved", lambda cases, *_: {case.database: None for case in cases})
@@ -438,9 +440,9 @@ def floater(tension):
 def compared(*failures):
     def change(patch):
         found = SimpleNamespace(failures=failures, results={})
-        patch.setattr("pipelines.reports.comparisons.sets.solved", lambda *_: found)
+        patch.setattr("hakobune.pipelines.reports.comparisons.sets.solved", lambda *_: found)
         for name in ("summary", "write"):
-            patch.setattr(f"pipelines.reports.comparisons.series.Sections.{name}", lambda *_: ())
+            patch.setattr(f"hakobune.pipelines.reports.comparisons.series.Sections.{name}", lambda *_: ())
 
     return change
 
@@ -451,7 +453,7 @@ def nothing(_):
 
 PATCHED = {
     "buoy": ("buoy --radius 10 --draft 5 --depth 20 --omega 0.5,0.6 --only radiation --output buoy.h5", nothing,
-             lambda patch: patch.setattr("pipelines.solve.report.missed_tolerance", lambda db: "error 0.02"),
+             lambda patch: patch.setattr("hakobune.pipelines.solve.report.missed_tolerance", lambda db: "error 0.02"),
              "error 0.02"),
     "ship": ("ship --length 40 --beam 8 --draft 2 --block 0.7 --depth 20 --panels 60 --omega 0.235,0.5 "
              "--only radiation --output ship.h5 --fresh", nothing, unsolved, r"ω = 0.235 rad/s is not solved: Fl"),
@@ -470,7 +472,7 @@ PATCHED = {
                r"scene 1: energy is 3 times"),
     "bench": ("bench --quick", jobs("", ""), jobs("", "no answer"), r"1 of 2 jobs have no answer"),
     "doctor": ("doctor", nothing,
-               lambda patch: patch.setattr("pipelines.doctor.NEEDED", ("numpy", "no-such-library")),
+               lambda patch: patch.setattr("hakobune.pipelines.doctor.NEEDED", ("numpy", "no-such-library")),
                r"no-such-library is missing: pip install no-such-library"),
     "compare": ("compare sections --xi 1 --output sets", compared(), compared("LB4: ω = 0.6: no answer"),
                 r"LB4: ω = 0.6: no answer"),
@@ -499,13 +501,13 @@ def test_the_table_of_the_guide_and_these_tests_have_every_command():
 
 
 def test_what_is_refused_or_not_done_ends_with_2(place, capsys, monkeypatch):
-    from meshing.whole_files import NotWritten
+    from hakobune.meshing.whole_files import NotWritten
 
     def full(*_, **__):
         raise NotWritten("the disk is full")
 
     assert main(["moor", "none.toml", "--database", "box.h5"]) == 2
-    monkeypatch.setattr("pipelines.view.changing.write_mesh", full)
+    monkeypatch.setattr("hakobune.pipelines.view.changing.write_mesh", full)
     assert main(["mesh", "hull.gdf", "--output", "out.gdf"]) == 2
     assert "hakobune mesh: the disk is full\n" in said(capsys)
 

@@ -9,12 +9,12 @@ import h5py
 import numpy as np
 import pytest
 
-import pipelines
-from bem.database.integrity import remark
-from bem.database.results import OURS, READS, named
-from meshing.seals import SIGNATURE
-from mooring.criteria.failing import FAILS
-from pipelines.cli import main
+from hakobune import pipelines
+from hakobune.bem.database.integrity import remark
+from hakobune.bem.database.results import OURS, READS, named
+from hakobune.meshing.seals import SIGNATURE
+from hakobune.mooring.criteria.failing import FAILS
+from hakobune.pipelines.cli import main
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 BOX = (
@@ -28,14 +28,14 @@ SHOWS = "look {} --screenshot shown.png", "plot {} --output shown.png", "export 
 WAVES = "animate {} --omega 0.5 --heading 60 --output film.gif", "waves {} --omega 0.5 --heading 60"
 READERS = *SHOWS, *WAVES, "qtf {}", RESPONSE.replace("response.h5", "new.h5"), "moor moor.toml --database {}"
 OF_KINDS = {  # modules that say which version of a kind of results they read
-    "simulation": "pipelines.simulate.file",
-    "mooring study": "pipelines.moor.command",
-    "response study": "pipelines.response.output",
-    "sweep": "pipelines.sweep.file",
-    "single point": "pipelines.single_point.command",
-    "breakwater study": "pipelines.breakwater.files",
-    "sections": "pipelines.reports.sections_command",
-    "channels": "mooring.formats.results",
+    "simulation": "hakobune.pipelines.simulate.file",
+    "mooring study": "hakobune.pipelines.moor.command",
+    "response study": "hakobune.pipelines.response.output",
+    "sweep": "hakobune.pipelines.sweep.file",
+    "single point": "hakobune.pipelines.single_point.command",
+    "breakwater study": "hakobune.pipelines.breakwater.files",
+    "sections": "hakobune.pipelines.reports.sections_command",
+    "channels": "hakobune.mooring.formats.results",
 }
 
 

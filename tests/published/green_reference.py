@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.green.finite_depth import table_pairs
-from bem.green.tables import wave_table
-from bem.waves import wavenumber
+from hakobune.bem.green.finite_depth import table_pairs
+from hakobune.bem.green.tables import wave_table
+from hakobune.bem.waves import wavenumber
 
 
 def reference():

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .flat_bed import ROW, solve_line
 from .free_piece import free_piece

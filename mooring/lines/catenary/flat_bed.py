@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .free_piece import asinh_excess
 from .state import BELOW_BED, BEYOND_REACH, GROUNDED, SLACK, SUSPENDED

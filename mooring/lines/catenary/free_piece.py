@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 ROUNDING = 8 * 2.220446049250313e-16
 

@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .flat_bed import ROW, bed_stretch, free_length, grounded_tension, leaves_bed, solve_line
 from .state import BEYOND_REACH, GROUNDED, SLACK, SUSPENDED

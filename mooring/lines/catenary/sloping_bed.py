@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .flat_bed import free_length as flat_free_length
 from .free_piece import ROUNDING, asinh_excess, free_piece

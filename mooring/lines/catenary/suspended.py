@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .free_piece import ROUNDING, asinh_excess
 

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .free_piece import free_piece
 from .sloping_bed import (

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.waves import wavenumber
+from hakobune.bem.waves import wavenumber
 
 from .lumped.system import Motion, Water
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .free_span import free_step, free_table_row, level_in_sea, tangent_beyond
 from .friction import bend_at_vertex, leave_bed, place_on_vertex, slides_down

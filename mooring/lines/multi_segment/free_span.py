@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .line_data import EMERGED, FLOATING, LENGTH, SUBMERGED, H, S, V, X, Z, slides_on, strain_row
 

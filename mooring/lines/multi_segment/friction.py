@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .line_data import HIGH, LENGTH, LOW, PHI, H, S, T, V, X, Z, mix, slides_on
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 # numpy integers: numba compiles a kernel anew for every Python integer that it meets as a constant argument
 H, V, X, Z, S, T, PHI, LENGTH, END, LOW, HIGH = np.arange(11)

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .equations import empty_equations, equations
 from .line_data import FLOATING, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, TAUT, H, S, V

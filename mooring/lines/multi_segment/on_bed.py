@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ..catenary.state import HEAP
 from .friction import bed_step, friction_rate, kept_tension, pass_weight_on_bed, slides_down

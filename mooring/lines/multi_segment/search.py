@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ..catenary.state import BEYOND_REACH, SLACK
 from .line_data import HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, PIECE_COLUMNS, TAUT, varied, workspace_for

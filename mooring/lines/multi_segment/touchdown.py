@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .free_span import free_step, free_table_row, length_to, level_in_sea, smoothed_weight
 from .friction import bend_at_vertex, leave_bed

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .friction import bend_at_vertex, leave_bed, place_on_vertex, slides_down
 from .line_data import NOTHING, PHI, H, S, T, X, Z, add_step, add_unknown, copy_state, start_traverse

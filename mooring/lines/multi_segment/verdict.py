@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .free_span import free_step, length_to, level_in_sea
 from .friction import bed_step

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ..catenary.flat_bed import ROW, exchange, mirror, solve_line
 from ..catenary.state import BEYOND_REACH

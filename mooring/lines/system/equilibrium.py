@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bem import DOFS
+from hakobune.bem import DOFS
 
 from ..catenary.state import State
 from .bodies import angles, rotated

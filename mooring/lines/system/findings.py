@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 
-from bem import DOFS
+from hakobune.bem import DOFS
 
 from ..catenary.state import State
 from .checks import ON_BED

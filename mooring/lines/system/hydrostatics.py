@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 
 @kernel()

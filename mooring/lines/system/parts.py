@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from bem import DOFS
+from hakobune.bem import DOFS
 
 from ..multi_segment.bed import Bed
 from ..multi_segment.segments import PointLoad, Segment

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 FOUND, INDEFINITE = 0, 1
 LONGER = 1.02  # times the length asked for, at most

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.bending import part
 from ...lines.dynamics.lumped.system import State, System, Water

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 TERMS = 4  # of the polynomial by which a line pulls during a step of the body
 

@@ -20,8 +20,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import WIDTH
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH
 
 from ...lines.dynamics.lumped.surroundings import OF_PLACE, SAMPLES
 from ...lines.dynamics.lumped.system import Water

@@ -15,8 +15,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.kernels.borrowed import borrowed
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.borrowed import borrowed
+from hakobune.bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
 from ...lines.dynamics.lumped.forces import node_forces

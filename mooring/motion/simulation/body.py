@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.time_domain.fast_states import slow_memory
-from bem.time_domain.memory import MemoryArrays
+from hakobune.bem.time_domain.fast_states import slow_memory
+from hakobune.bem.time_domain.memory import MemoryArrays
 
 from .. import slow_damping
 from ..equation import Body

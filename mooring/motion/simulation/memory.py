@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.time_domain.memory import memory_of_database
+from hakobune.bem.time_domain.memory import memory_of_database
 
 TOLERANCES = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2)
 COUPLED, ONE_PLANE = 1e-6, 12  # share of added mass, and how many entries beside the diagonal a body with one plane of

@@ -7,9 +7,9 @@ from functools import cached_property
 
 import numpy as np
 
-from bem import DOFS
-from bem.database.reader import Reader
-from bem.viscous import Quadratic
+from hakobune.bem import DOFS
+from hakobune.bem.database.reader import Reader
+from hakobune.bem.viscous import Quadratic
 
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem import DOFS
+from hakobune.bem import DOFS
 
 from ...lines.system.findings import beyond_tables
 from .. import integrator

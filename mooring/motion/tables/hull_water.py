@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 from .interpolation import on_ring, ring_table
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 EDGE = 3  # samples beyond the ends that a quintic through six samples may need
 

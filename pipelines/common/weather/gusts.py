@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mooring.environment import gusts
+from hakobune.mooring.environment import gusts
 
 from ..quantities import StudyError, speed
 

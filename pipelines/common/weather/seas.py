@@ -98,7 +98,7 @@ def mean_period(where, table, depth):
 
 def sea_with_swell(where, waves, depth):
     """The Sea of a WavesTable, or Systems with its swell, in `depth` m.  Raises StudyError."""
-    from mooring.seas.systems import Systems
+    from hakobune.mooring.seas.systems import Systems
 
     own = waves.sea(where, depth)
     more = [one.sea(f"{where}.swell[{i}]", depth) for i, one in enumerate(waves.swell)]
@@ -107,7 +107,7 @@ def sea_with_swell(where, waves, depth):
 
 def family_of(where, table, depth):
     """Function of `mooring.seas.families` that the table names; depth : m.  Raises StudyError."""
-    from mooring.seas.families import PEAKED, families
+    from hakobune.mooring.seas.families import PEAKED, families
 
     known = families(depth)
     if table.spectrum not in known:
@@ -122,7 +122,7 @@ def sea_of(where, waves, towards, depth):
 
     Raises StudyError.
     """
-    from mooring.environment.sea import Sea
+    from hakobune.mooring.environment.sea import Sea
 
     spectrum = spectrum_of(where, waves, depth)
     return Sea(spectrum, towards, spreading_of(where, waves, spectrum))
@@ -143,7 +143,7 @@ def spreading_of(where, table, spectrum):
 
 def spreading(text, spectrum):
     """The Spreading in words as `SPREADINGS`, None for None.  Raises ValueError."""
-    from mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
+    from hakobune.mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
 
     if text is None:
         return None

@@ -109,7 +109,7 @@ class WindTable(StreamTable):
 
 def wind_of(table):
     """`mooring.studies.conditions.Wind` of a WindTable, None for None.  Raises StudyError."""
-    from mooring.studies.conditions import Wind
+    from hakobune.mooring.studies.conditions import Wind
 
     if table is None:
         return None
@@ -119,7 +119,7 @@ def wind_of(table):
 
 def current_of(table):
     """`mooring.studies.conditions.Current` of a CurrentTable, None for None.  Raises StudyError."""
-    from mooring.studies.conditions import Current
+    from hakobune.mooring.studies.conditions import Current
 
     if table is None:
         return None
@@ -130,7 +130,7 @@ def current_of(table):
 
 def wind_table(table):
     """Coefficients of a WindTable as `coefficients_of`, or of its ship.  Raises StudyError."""
-    from mooring.loads.ship_wind import ships
+    from hakobune.mooring.loads.ship_wind import ships
 
     if table.ship is None:
         return coefficients_of("wind", table)
@@ -151,7 +151,7 @@ def coefficients_of(where, table):
     """
     import numpy as np
 
-    from mooring.loads.box_drag import drag_table
+    from hakobune.mooring.loads.box_drag import drag_table
 
     if table.file is not None:
         raise StudyError(f"{where}.file is given to tables without a file; allowed: in a study file")
@@ -176,7 +176,7 @@ def coefficients_of(where, table):
 
 def _of_hull(where, c, angles, hull):
     """HullCoefficients of numbers; hull : `ExposedBox` of areas that are not given, None to check the others"""
-    from mooring.loads.coefficients import hull_coefficients
+    from hakobune.mooring.loads.coefficients import hull_coefficients
 
     sizes = {key: getattr(c, key) for key in (*AREAS, "height") if getattr(c, key) is not None}
     if hull is None:
@@ -192,14 +192,14 @@ def _areas(where, hull):
     """m² that the stream meets from ahead and from abeam"""
     if where == "current":
         return hull.beam * hull.draft, hull.length * hull.draft
-    from mooring.loads.on_hull import silhouettes
+    from hakobune.mooring.loads.on_hull import silhouettes
 
     return tuple(area for area, _ in silhouettes(hull))
 
 
 def _of_ship(ship, hull):
-    from mooring.loads.on_hull import silhouettes
-    from mooring.loads.ship_wind import blendermann
+    from hakobune.mooring.loads.on_hull import silhouettes
+    from hakobune.mooring.loads.ship_wind import blendermann
 
     (front, _), (side, height) = silhouettes(hull)
     return blendermann(ship, hull.length, front, side, height)
@@ -252,7 +252,7 @@ def _with_numbers(where, table, folder):
     """A raw table with the coefficients of its file in the place of its name"""
     import numpy as np
 
-    from mooring.loads.coefficients import read_hull_coefficients
+    from hakobune.mooring.loads.coefficients import read_hull_coefficients
 
     other = [way for way in ("coefficients", "ship", "turning") if way in table]
     if other:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.fenders.fender import FenderError
+from hakobune.mooring.fenders.fender import FenderError
 
 from .in_time import make_study_of
 from .mooring import types_of
@@ -21,8 +21,8 @@ STEADY = 600.0  # s
 
 def berth_numbers(study, database, path, runs):
     """`Numbers` of a load case by the file of its runs; runs : of `in_time.simulated`"""
-    from bem.database import open_database
-    from mooring.motion.contacts import courses
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.motion.contacts import courses
 
     from ...moor.quay import body_of
     from ...simulate.berth import by_design_spectrum, lines_on_fenders, lines_on_periods
@@ -64,7 +64,7 @@ def berth_numbers(study, database, path, runs):
 
 def _at_rest(made, db, hull, start):
     """SystemEquilibrium of the lines with the body where it rests at the berth, None without lines"""
-    from mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
 
     system = made.system(hull, db.rotation_center, db.density, db.gravity)
     if system is None:

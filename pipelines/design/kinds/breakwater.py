@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import tomli_w
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from ...breakwater.study import make_breakwater, read_breakwater
 from ...common.quantities import StudyError

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.criteria.strength import larger_sizes
+from hakobune.mooring.criteria.strength import larger_sizes
 
 SIZES = 16  # that may be tried
 STRONGER = tuple(round(1 + 0.1 * i, 1) for i in range(1, 11))  # of the breaking load of ropes

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mooring.criteria.fatigue import Cycles, rainflow_cycles
+from hakobune.mooring.criteria.fatigue import Cycles, rainflow_cycles
 
 from .stored import kept, key_of
 
@@ -93,7 +93,7 @@ def cycles_of(tension, step):
 
 
 def _run(study, database, path):
-    from bem.database.integrity import DatabaseError
+    from hakobune.bem.database.integrity import DatabaseError
 
     from ...executors.choice import Here
     from ...simulate.run import simulate
@@ -106,7 +106,7 @@ def _run(study, database, path):
 
 def _largest_motions(file):
     """(6,) m, rad: largest motions of all runs from their means, whichever side is larger"""
-    from bem import DOFS
+    from hakobune.bem import DOFS
 
     from ...simulate.file import SUMMARY
 
@@ -124,7 +124,7 @@ def _moved(study, database, motion, tension, factor):
 
     motion : (runs, t, 6); tension : (runs, t, n)
     """
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     db, made = open_database(database), make_study_of(study)
     hull = made.hull_of(db.dimensions)
@@ -149,7 +149,7 @@ def make_study_of(path):
 
 def _held_line(system, line, place):
     """N: tension, pull along and up at the anchor of a line, with the body displaced to `place` (6,)"""
-    from mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
 
     (body,) = system.bodies
     pose = tuple(float(a + b) for a, b in zip(body.position, place, strict=True))
@@ -159,8 +159,8 @@ def _held_line(system, line, place):
 
 def _held_rope(berth, db, rope, place):
     """As `_held_line`, of a rope, which is straight"""
-    from mooring.lines.system.bodies import rotation
-    from mooring.motion.contacts import contact_forces
+    from hakobune.mooring.lines.system.bodies import rotation
+    from hakobune.mooring.motion.contacts import contact_forces
 
     tension = contact_forces(berth, place)[len(berth.fenders) + rope]
     one, center = berth.ropes[rope], np.asarray(db.rotation_center, float)

@@ -15,10 +15,10 @@ from pathlib import Path
 import numpy as np
 import tomli_w
 
-from bem import DOFS
-from meshing.whole_files import write_whole
-from mooring.lines.system.hawser import Hawser
-from mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
+from hakobune.bem import DOFS
+from hakobune.meshing.whole_files import write_whole
+from hakobune.mooring.lines.system.hawser import Hawser
+from hakobune.mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
 
 from ...common.quantities import StudyError
 from ...common.weather.streams import OF_HULL, STREAMS, with_hull
@@ -184,7 +184,7 @@ def write_study(path, text):
 
 def draw(study, database, numbers, path):
     """Plan of the body on its lines, or of its berth"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     db, made = open_database(database), make_study(study)
     if made.at_berth:
@@ -212,7 +212,7 @@ def types_of(table):
 
 
 def _solved(study, database, path):
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ...moor.command import studied, write_result
 
@@ -228,7 +228,7 @@ def _solved(study, database, path):
 
 def _stored(path, study, text, database):
     """Numbers of the result in a file that is of this study and database, else None"""
-    from bem.database.results import DatabaseError, opened_result
+    from hakobune.bem.database.results import DatabaseError, opened_result
 
     from ...moor.command import SCHEMA
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, PRETENSION, SHARE
+from hakobune.mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, PRETENSION, SHARE
 
 TOTAL, SLOW = "fender strain, total", "fender strain, steady"
 OF_ALLOWABLE, OF_ENERGY = "fender strain / allowable strain", "fender energy / rated energy"

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import tomli_w
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from ...common.quantities import StudyError, force
 from ...common.weather.streams import OF_HULL, with_hull
@@ -131,8 +131,8 @@ def draw(study, database, numbers, path):
 
 
 def _made(raw, database):
-    from bem.database import open_database
-    from mooring.single_point.equilibria import equilibria
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.single_point.equilibria import equilibria
 
     from ...single_point.study import check_buoy, make
 
@@ -146,7 +146,7 @@ def _made(raw, database):
 
 def _found(raw, database, path):
     """`Numbers`, and beside them the files of the door"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     from ...single_point import running
     from ...single_point.command import write_result
@@ -203,7 +203,7 @@ def _numbers(study, best, stable, ran, hawsers, line_names, warnings):
 
 def _alone(best):
     """(n,) N: tensions with nothing that pulls on the buoy"""
-    from mooring.lines.system.equilibrium import rest
+    from hakobune.mooring.lines.system.equilibrium import rest
 
     return rest(best.point.system).lines.tension_b
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.whole_files import write_whole
+from hakobune.meshing.whole_files import write_whole
 
 from .numbers import Numbers
 from .versions import code, versions

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.database import open_database
+from hakobune.bem.database import open_database
 
 from ...common.progress import duration
 from ...scene.scene import make_scene, read_scene

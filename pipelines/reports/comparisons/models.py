@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.database.natural_periods import natural_periods
+from hakobune.bem.database.natural_periods import natural_periods
 
 from ...scene.methods import METHODS
 from .cases import MODEL_CHI, MODELS, model_case

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mooring.criteria.failing import fails
+from hakobune.mooring.criteria.failing import fails
 
 from ...common.bounds import told
 from ...common.outputs import check_folder, check_output

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
-from meshing.seals import write_sealed
+from hakobune.meshing.seals import write_sealed
 
 from ...common.outputs import opening
 from .report_units import PAIRS, lag

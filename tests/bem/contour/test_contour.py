@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.checks import check
-from bem.contour.solver import prepare_box, prepare_cylinder
-from bem.methods.shape_problem import ShapeProblem
+from hakobune.bem import DOFS
+from hakobune.bem.checks import check
+from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
+from hakobune.bem.methods.shape_problem import ShapeProblem
 
 
 @pytest.mark.parametrize(

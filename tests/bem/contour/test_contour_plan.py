@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from scipy.special import hankel1, k0, k1
 
-from bem.contour.modal_sums import ChebyshevNodes, contracted
-from bem.contour.plan.circle import Circle
-from bem.contour.plan.layers import decaying, laplace, radiating
-from bem.contour.plan.maps import CLASSES, area_moment
-from bem.contour.plan.panels import is_far, near_points, quarter_panels
-from bem.contour.plan.plane_waves import plane_wave_values, plane_waves
-from bem.contour.plan.rectangle import Rectangle
+from hakobune.bem.contour.modal_sums import ChebyshevNodes, contracted
+from hakobune.bem.contour.plan.circle import Circle
+from hakobune.bem.contour.plan.layers import decaying, laplace, radiating
+from hakobune.bem.contour.plan.maps import CLASSES, area_moment
+from hakobune.bem.contour.plan.panels import is_far, near_points, quarter_panels
+from hakobune.bem.contour.plan.plane_waves import plane_wave_values, plane_waves
+from hakobune.bem.contour.plan.rectangle import Rectangle
 
 LENGTH, BEAM = 100.0, 50.0
 DEGREE = (12, 16)

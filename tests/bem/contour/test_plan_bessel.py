@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import special
 
-from bem.contour.plan.bessel import WIDTH, decaying_pair, radiating_pair
+from hakobune.bem.contour.plan.bessel import WIDTH, decaying_pair, radiating_pair
 
 RANGES = [(1e-12, 1e-3), (1e-3, 2.0), (2.0, 8.0), (8.0, 35.0)]
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.checks import check, damping_scale, excitation_scale, radiation_scale
-from bem.contour.raised_bed import EFFECT, HIGHEST, LEAST_GAP, effect_of_bed, raised_bed
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.waves import group_factor, wavenumber
-from meshing.shapes import box
+from hakobune.bem import DOFS
+from hakobune.bem.checks import check, damping_scale, excitation_scale, radiation_scale
+from hakobune.bem.contour.raised_bed import EFFECT, HIGHEST, LEAST_GAP, effect_of_bed, raised_bed
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.waves import group_factor, wavenumber
+from hakobune.meshing.shapes import box
 
 GRAVITY = 9.80665
 WANT = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}

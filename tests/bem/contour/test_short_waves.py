@@ -5,17 +5,17 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import h1vp
 
-from bem import DOFS
-from bem.checks import check, excitation_scale, radiation_scale
-from bem.contour.one_frequency import ContourFrequency
-from bem.contour.plan.maps import CLASSES
-from bem.contour.plan.rectangle import Rectangle
-from bem.contour.plan.wedge_diffraction import OPEN, asymptotic_map, edge_integral, edge_wave, wall_integral
-from bem.contour.short_wave_frequency import ShortWaveFrequency
-from bem.contour.short_waves import MOST_WAVES, share_below, unresolved, waves_along
-from bem.contour.solver import prepare_box, prepare_cylinder
-from bem.methods.shape_problem import ShapeProblem
-from bem.waves import depth_factor
+from hakobune.bem import DOFS
+from hakobune.bem.checks import check, excitation_scale, radiation_scale
+from hakobune.bem.contour.one_frequency import ContourFrequency
+from hakobune.bem.contour.plan.maps import CLASSES
+from hakobune.bem.contour.plan.rectangle import Rectangle
+from hakobune.bem.contour.plan.wedge_diffraction import OPEN, asymptotic_map, edge_integral, edge_wave, wall_integral
+from hakobune.bem.contour.short_wave_frequency import ShortWaveFrequency
+from hakobune.bem.contour.short_waves import MOST_WAVES, share_below, unresolved, waves_along
+from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.waves import depth_factor
 
 DENSITY, GRAVITY = 1025.0, 9.80665
 HEADINGS = np.radians([0.0, 2.0, 30.0, 45.0, 90.0, 200.0])

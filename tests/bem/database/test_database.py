@@ -10,12 +10,22 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.database import DatabaseError, Header, append, append_limit, create, extend, open_database, pending, writing
-from bem.database.file import BLOCK, beside, check_replaceable
-from bem.database.results import has_schema, opened_result
-from bem.database.schema import CHECKS, DRIFT_DOFS, ERROR, ESTIMATES, QUANTITIES
-from bem.waves import wavenumber
-from meshing.panels import PanelMesh
+from hakobune.bem.database import (
+    DatabaseError,
+    Header,
+    append,
+    append_limit,
+    create,
+    extend,
+    open_database,
+    pending,
+    writing,
+)
+from hakobune.bem.database.file import BLOCK, beside, check_replaceable
+from hakobune.bem.database.results import has_schema, opened_result
+from hakobune.bem.database.schema import CHECKS, DRIFT_DOFS, ERROR, ESTIMATES, QUANTITIES
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.panels import PanelMesh
 
 THETA = np.linspace(0, 2 * np.pi, 8, endpoint=False)
 OMEGAS = (0.4, 0.8, 1.2)
@@ -358,7 +368,7 @@ def test_nothing_is_left_behind_when_making_a_file_fails(tmp_path):
 
 
 def test_two_writers_exclude_each_other(path):
-    code = f"from bem.database import writing\nwith writing({str(path)!r}): pass"
+    code = f"from hakobune.bem.database import writing\nwith writing({str(path)!r}): pass"
     with writing(path):
         other = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert other.returncode and "another process has it open" in other.stderr.splitlines()[-1]

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from test_database import HEADINGS, NAMES, OMEGAS, fill, header, made_before_checksums, unsealed
 
-from bem.database import DatabaseError, create, extend, open_database, pending, writing
-from bem.database.file import LATER
-from bem.database.integrity import repair
+from hakobune.bem.database import DatabaseError, create, extend, open_database, pending, writing
+from hakobune.bem.database.file import LATER
+from hakobune.bem.database.integrity import repair
 
 
 @pytest.fixture

@@ -5,9 +5,9 @@ from decimal import Decimal, localcontext
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.database.between_frequencies import Between, BetweenError
-from bem.database.interpolant import (
+from hakobune.bem.database import open_database
+from hakobune.bem.database.between_frequencies import Between, BetweenError
+from hakobune.bem.database.interpolant import (
     FAMILY,
     NUGGET,
     Abscissa,
@@ -20,11 +20,11 @@ from bem.database.interpolant import (
     chosen,
     windows,
 )
-from bem.methods.panel_problem import prepare
-from bem.waves import wavenumber
-from pipelines.scene.scene import make_scene
-from pipelines.solve.problem import problem_of
-from pipelines.solve.run import solve
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.bem.waves import wavenumber
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.problem import problem_of
+from hakobune.pipelines.solve.run import solve
 
 LENGTH, GRAVITY = 100.0, 9.80665
 

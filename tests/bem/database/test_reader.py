@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import between_headings, open_database
-from bem.database.between_frequencies import BetweenError
-from bem.waves import wavenumber
-from pipelines.cli import main
-from pipelines.scene.scene import make_scene
-from pipelines.solve.run import solve
+from hakobune.bem.database import between_headings, open_database
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.bem.waves import wavenumber
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28"
 
@@ -154,10 +154,10 @@ def test_added_mass_tends_to_its_limits_beyond_the_band(coarse):
 
 def test_studies_read_the_same_numbers(coarse):
     """Multi-point mooring and irregular response, on and between stored waves, and periods with and without lines"""
-    from bem.database.natural_periods import natural_periods
-    from mooring.response.points import transfer_functions
-    from mooring.studies.conditions import Conditions, Waves
-    from mooring.studies.wave_effects import wave_effects
+    from hakobune.bem.database.natural_periods import natural_periods
+    from hakobune.mooring.response.points import transfer_functions
+    from hakobune.mooring.studies.conditions import Conditions, Waves
+    from hakobune.mooring.studies.wave_effects import wave_effects
 
     body = coarse.reader.floating()
     for omega, degrees in ((coarse.omega[3], 30.0), (0.61, 30.0), (0.61, 212.0)):

@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.database.resonances import about, resonances
-from bem.viscous import Quadratic, Viscous
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.response.sea_state import sea_state
-from pipelines.cli import main
-from pipelines.view.gaps import gaps_of
-from pipelines.view.plots import Curves
+from hakobune.bem.database import open_database
+from hakobune.bem.database.resonances import about, resonances
+from hakobune.bem.viscous import Quadratic, Viscous
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.view.gaps import gaps_of
+from hakobune.pipelines.view.plots import Curves
 
 BUOY = "buoy --radius 8 --draft 6 --depth 40 --gyration 4.5,4.5,4.5 --center-of-gravity 0,0,-1.5"
 PITCH = 4

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from test_database import HEADINGS, NAMES, OMEGAS, header, result
 
-from bem.database import Storing, append, create, pending, storing, writing
+from hakobune.bem.database import Storing, append, create, pending, storing, writing
 
 MORE = (0.2, *OMEGAS, 1.6)
 

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.formats import hams, orcaflex, wamit
-from bem.formats.afloat import Weight, on_hull
-from bem.formats.values import FormatError, omega_of, values_of, with_headings_once
-from meshing.files import write_mesh
-from pipelines import cli
-from pipelines.scene.scene import make_scene
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.bem.formats import hams, orcaflex, wamit
+from hakobune.bem.formats.afloat import Weight, on_hull
+from hakobune.bem.formats.values import FormatError, omega_of, values_of, with_headings_once
+from hakobune.meshing.files import write_mesh
+from hakobune.pipelines import cli
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
 
 RHO, G, DEPTH = 1025.0, 9.80665, 20.0
 WATER = {"water_depth": DEPTH, "density": RHO, "gravity": G}

@@ -9,11 +9,11 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.formats import bemio, capytaine, hams, nemoh, orcaflex, wamit
-from bem.formats.values import FormatError, about, values_of
-from pipelines.scene.scene import make_scene
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.bem.formats import bemio, capytaine, hams, nemoh, orcaflex, wamit
+from hakobune.bem.formats.values import FormatError, about, values_of
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
 
 DIGITS = 6e-7  # relative, of numbers printed with seven
 RHO, G, DEPTH = 1025.0, 9.80665, 20.0

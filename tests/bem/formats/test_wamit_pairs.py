@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from bem.formats.values import FormatError
-from bem.formats.wamit_pairs import read_pairs, write_pairs
-from bem.second_order.kinds import SUM
-from bem.second_order.quadratic_forces import QuadraticForces
+from hakobune.bem.formats.values import FormatError
+from hakobune.bem.formats.wamit_pairs import read_pairs, write_pairs
+from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.second_order.quadratic_forces import QuadraticForces
 
 WEIGHT = 1025 * 9.80665
 

@@ -5,13 +5,13 @@ import pytest
 from published.green_reference import by_frequency, by_table, errors, reference, wave_errors
 from scipy import special
 
-from bem.green.deep_water import bessel, universal
-from bem.green.finite_depth import BLOCK, decay, green, green_function, pair
-from bem.green.piecewise_polynomials import evaluate_piece, fit_pieces, sample_points
-from bem.green.tables import limit_table, wave_table
-from bem.kernels.jit import kernel
-from bem.kernels.simd import address
-from bem.waves import wavenumber
+from hakobune.bem.green.deep_water import bessel, universal
+from hakobune.bem.green.finite_depth import BLOCK, decay, green, green_function, pair
+from hakobune.bem.green.piecewise_polynomials import evaluate_piece, fit_pieces, sample_points
+from hakobune.bem.green.tables import limit_table, wave_table
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import address
+from hakobune.bem.waves import wavenumber
 
 G = 9.80665
 DEPTHS = [10.05, 12.0, 30.0, 200.0, np.inf]

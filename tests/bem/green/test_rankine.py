@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from bem.green.rankine import panel_moments
-from bem.panels.elements import elements, quadrature
-from meshing.panels import PanelMesh, joined, structured
+from hakobune.bem.green.rankine import panel_moments
+from hakobune.bem.panels.elements import elements, quadrature
+from hakobune.meshing.panels import PanelMesh, joined, structured
 
 QUAD = np.array([[-1.0, -0.5], [1.2, -0.6], [0.9, 0.7], [-1.1, 0.4]])
 TRIANGLE = np.array([[0.0, 0.0], [1.0, 0.1], [0.2, 0.9], [0.2, 0.9]])

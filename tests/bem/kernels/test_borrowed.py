@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.borrowed import borrowed
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.borrowed import borrowed
+from hakobune.bem.kernels.jit import kernel
 
 
 class Held(NamedTuple):

@@ -3,8 +3,12 @@
 import numpy as np
 import pytest
 
-from bem.kernels import interpolative_decomposition as interpolation
-from bem.kernels.interpolative_decomposition import Sketch, interpolative_decomposition, truncated_least_squares
+from hakobune.bem.kernels import interpolative_decomposition as interpolation
+from hakobune.bem.kernels.interpolative_decomposition import (
+    Sketch,
+    interpolative_decomposition,
+    truncated_least_squares,
+)
 
 
 def smooth_matrix(n=300, m=500):

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-import bem
-from bem.kernels import jit
+from hakobune import bem
+from hakobune.bem.kernels import jit
 
 ROOT = Path(bem.__file__).parents[1]
-CALLEE = """from bem.kernels.jit import kernel
+CALLEE = """from hakobune.bem.kernels.jit import kernel
 from {constants} import STEP
 
 
@@ -20,9 +20,9 @@ def step(x):
     return x + STEP
 """
 CALLER = """import sys
-from bem.kernels import jit
+from hakobune.bem.kernels import jit
 jit.ROOT = jit.Path(sys.argv[1])
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 from {callee} import step
 
 
@@ -97,9 +97,9 @@ def by_parsing(file):
 
 
 TWO_CALLERS = """import sys
-from bem.kernels import jit
+from hakobune.bem.kernels import jit
 jit.ROOT = jit.Path(sys.argv[1])
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 
 @kernel()

@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bem.green.finite_depth import green
+from hakobune.bem.green.finite_depth import green
 
 ROOT = Path(__file__).parents[3]
 PAIRS = (np.array([0.5, 5.0, 30.0, 400.0]), np.array([-1.0, -2.0, -0.1, -9.0]), np.array([-3.0, -2.5, -4.0, -1.0]))
 CODE = """
 import numpy as np
-from bem.green.finite_depth import green
+from hakobune.bem.green.finite_depth import green
 print(repr(np.array(green(*np.load({path!r}), 0.6, {depth})).tolist()))
 """
 

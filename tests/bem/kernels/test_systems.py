@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from bem.kernels.systems import solved_beside_few
+from hakobune.bem.kernels.systems import solved_beside_few
 
 
 def systems(singular):

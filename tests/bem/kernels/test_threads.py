@@ -5,15 +5,15 @@ import threading
 import numpy as np
 import pytest
 
-from bem.green.tables import wave_table
-from bem.kernels import threads
-from bem.kernels.threads import PAIRS_WORTH_THREADS, parallel_rows
-from bem.kochin import far_field_integrals
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.reciprocal_pairs import add_wave_part
-from bem.panels.wave_influence import wave_blocks
-from bem.waves import depth_values, wavenumber
-from meshing.shapes import box
+from hakobune.bem.green.tables import wave_table
+from hakobune.bem.kernels import threads
+from hakobune.bem.kernels.threads import PAIRS_WORTH_THREADS, parallel_rows
+from hakobune.bem.kochin import far_field_integrals
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.reciprocal_pairs import add_wave_part
+from hakobune.bem.panels.wave_influence import wave_blocks
+from hakobune.bem.waves import depth_values, wavenumber
+from hakobune.meshing.shapes import box
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[3]
 HOUSE = """import math
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 @kernel()
 def step(x, by):
@@ -23,7 +23,7 @@ def filled(out, by):
         total += step(out[i], by)
     return total, out.size > 2
 """
-CALLER = """from bem.kernels.jit import kernel
+CALLER = """from hakobune.bem.kernels.jit import kernel
 from short.kernels import filled as short_filled
 
 @kernel()
@@ -32,7 +32,7 @@ def filled(out, by):
 """
 RUN = """import json, sys
 import numpy as np
-from bem.kernels import jit, uncompiled
+from hakobune.bem.kernels import jit, uncompiled
 jit.ROOT = jit.Path({house!r})
 uncompiled.allow(({package!r},), {seconds}, {calls})
 sys.path.insert(0, {house!r})
@@ -106,7 +106,7 @@ def test_a_system_of_composite_lines_comes_to_rest_on_any_installation_without_a
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
 
     def lines(cache):
-        code = "import sys; from pipelines.start import main; sys.exit(main() or 'numba' in sys.modules)"
+        code = "import sys; from hakobune.pipelines.start import main; sys.exit(main() or 'numba' in sys.modules)"
         command = [sys.executable, "-c", code, "lines", scene]
         given = environment | cache
         return subprocess.run(command, env=given, capture_output=True, text=True, check=True).stdout

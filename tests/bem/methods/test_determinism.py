@@ -6,10 +6,10 @@ import sys
 
 import h5py
 
-from bem.kernels.threads import UNKNOWNS_WORTH_THREADS
-from meshing.shapes import box
-from pipelines.scene.scene import make_scene
-from pipelines.solve.large import PER_PANEL, shared_band
+from hakobune.bem.kernels.threads import UNKNOWNS_WORTH_THREADS
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.large import PER_PANEL, shared_band
 
 SCENE = "box --length 100 --beam 50 --draft 10 --depth 20 --heading 0,37,90 --gyration 15,29,32"
 RUNS = {
@@ -21,7 +21,7 @@ RUNS = {
 }
 MADE = """
 import sys
-from pipelines.cli import main
+from hakobune.pipelines.cli import main
 for command in sys.argv[1:]:
     assert main(command.split()) == 0
 """

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 from bench.tolerance import NEGLIGIBLE, RANGES, Ranges, campaign, right
 
-from bem import DOFS
-from bem.checks import at_least_haskind, damping_error, damping_scale, largest_error
-from bem.contour.accuracy import accuracy, finer
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.methods.shape_problem import ShapeProblem
-from meshing.hydrostatics import hydrostatics, inertia_matrix
-from meshing.lid import lid
-from meshing.shapes import box, buoy
-from pipelines.scene.scene import make_scene
-from pipelines.solve.plan import planned
+from hakobune.bem import DOFS
+from hakobune.bem.checks import at_least_haskind, damping_error, damping_scale, largest_error
+from hakobune.bem.contour.accuracy import accuracy, finer
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.plan import planned
 
 EVERYTHING = {"added_mass", "radiation_damping", "excitation_force"}
 SCENES, SEED = 20, 7

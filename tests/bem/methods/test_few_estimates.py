@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from bench.few_estimates import campaign
 
-from bem import DOFS, INTERPOLATED
-from bem.contour.solver import prepare_box
-from bem.database import open_database
-from bem.methods.few_estimates import FEWEST
-from bem.methods.panel_problem import prepare
-from pipelines.scene.scene import make_scene
-from pipelines.solve.plan import planned
-from pipelines.solve.run import solve
+from hakobune.bem import DOFS, INTERPOLATED
+from hakobune.bem.contour.solver import prepare_box
+from hakobune.bem.database import open_database
+from hakobune.bem.methods.few_estimates import FEWEST
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.plan import planned
+from hakobune.pipelines.solve.run import solve
 
 BOX = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [15.0, 28.0, 30.0]}
 WAVES = {"omegas": {"from": 0.3, "to": 0.5, "count": 25}}

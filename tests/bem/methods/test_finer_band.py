@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.checks import damping_error, largest_error
-from bem.methods.panel_problem import PROBES, prepare
-from bem.panels.band.one_frequency import BandRun
-from pipelines.scene.scene import make_scene
-from pipelines.solve.plan import planned
+from hakobune.bem import DOFS
+from hakobune.bem.checks import damping_error, largest_error
+from hakobune.bem.methods.panel_problem import PROBES, prepare
+from hakobune.bem.panels.band.one_frequency import BandRun
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.plan import planned
 
 RADIATION = {"added_mass", "radiation_damping"}
 BOX = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 30.0}

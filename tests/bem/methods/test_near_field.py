@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem import DOFS
-from bem.contour.side_flow import _at_keel, _edge_functions
-from bem.drift import energy_defect
-from bem.methods.near_field import near_field_drift, near_field_error
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.viscous import Quadratic, Viscous
-from bem.waves import wavenumber
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem import DOFS
+from hakobune.bem.contour.side_flow import _at_keel, _edge_functions
+from hakobune.bem.drift import energy_defect
+from hakobune.bem.methods.near_field import near_field_drift, near_field_error
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.viscous import Quadratic, Viscous
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 RHO, G = 1025.0, 9.80665
 LENGTH, BEAM, DRAFT = SIZES = (100.0, 50.0, 10.0)

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.frequency import solve_frequency
-from bem.methods.shape_problem import ShapeProblem
+from hakobune.bem import DOFS
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.shape_problem import ShapeProblem
 
 HEADINGS = np.radians([0.0, 40.0])
 EVERYTHING = {"added_mass", "radiation_damping", "Froude_Krylov_force", "diffraction_force", "excitation_force"}

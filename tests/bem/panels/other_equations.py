@@ -1,6 +1,6 @@
 """A prepared body with other band equations than its own."""
 
-from bem.methods.panel_problem import PreparedPanelProblem
+from hakobune.bem.methods.panel_problem import PreparedPanelProblem
 
 
 def with_equations(prepared, equations):

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.axisymmetric_frequency import AxisymmetricRun
-from bem.panels.influence import Geometry
-from bem.panels.one_frequency import PanelRun
-from meshing.lid import lid, polar_lid
-from meshing.panels import PanelMesh, structured
-from meshing.shapes import box, buoy
+from hakobune.bem import DOFS
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.axisymmetric_frequency import AxisymmetricRun
+from hakobune.bem.panels.influence import Geometry
+from hakobune.bem.panels.one_frequency import PanelRun
+from hakobune.meshing.lid import lid, polar_lid
+from hakobune.meshing.panels import PanelMesh, structured
+from hakobune.meshing.shapes import box, buoy
 
 HEADINGS = np.radians([0.0, 25.0, 250.0])
 WANT = {
@@ -72,7 +72,7 @@ def test_a_spar_off_the_origin_with_fourteen_sides(depth):
 
 @pytest.mark.parametrize("dofs", [["Heave"], ["Surge", "Pitch"], DOFS])
 def test_forces_need_the_harmonics_of_the_modes_alone(dofs, monkeypatch):
-    from bem.panels import axisymmetric
+    from hakobune.bem.panels import axisymmetric
 
     seen, solve = [], axisymmetric._harmonic_matrices
     monkeypatch.setattr(
@@ -156,7 +156,7 @@ def test_a_lid_that_is_not_axisymmetric_is_replaced_by_one_that_is():
 
 
 def test_harmonics_are_the_same_bits_with_any_number_of_threads(monkeypatch):
-    from bem.kernels import threads
+    from hakobune.bem.kernels import threads
 
     body, found = prepare(PanelProblem(buoy(10, 8, panels=476), depth=20.0)), []
     for count in (1, 3):

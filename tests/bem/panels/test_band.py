@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from other_equations import with_equations
 
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.band import one_frequency
-from bem.panels.band.equations import band_equations
-from bem.panels.band.one_frequency import BandRun
-from bem.panels.one_frequency import PanelRun
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.band import one_frequency
+from hakobune.bem.panels.band.equations import band_equations
+from hakobune.bem.panels.band.one_frequency import BandRun
+from hakobune.bem.panels.one_frequency import PanelRun
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 DOFS = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
 WANT = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}

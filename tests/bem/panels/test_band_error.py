@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 from other_equations import with_equations
 
-from bem.green.tables import wave_table
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.band import low_rank_waves, one_frequency
-from bem.panels.band.equations import band_equations
-from bem.panels.band.error_test import ErrorTest, Samples
-from bem.panels.band.low_rank_waves import Snapshots, wave_operator
-from bem.panels.band.one_frequency import BandRun
-from bem.panels.one_frequency import PanelRun
-from bem.panels.wave_influence import wave_blocks
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem.green.tables import wave_table
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.band import low_rank_waves, one_frequency
+from hakobune.bem.panels.band.equations import band_equations
+from hakobune.bem.panels.band.error_test import ErrorTest, Samples
+from hakobune.bem.panels.band.low_rank_waves import Snapshots, wave_operator
+from hakobune.bem.panels.band.one_frequency import BandRun
+from hakobune.bem.panels.one_frequency import PanelRun
+from hakobune.bem.panels.wave_influence import wave_blocks
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 DOFS = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
 WANT = {"added_mass", "radiation_damping", "excitation_force"}

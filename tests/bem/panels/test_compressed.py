@@ -5,16 +5,16 @@ from functools import cache
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.methods import panel_problem
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.compressed import equations, far_blocks
-from bem.panels.compressed.clusters import Clusters
-from bem.panels.compressed.one_frequency import CompressedRun
-from bem.panels.compressed.operator import Tree
-from bem.panels.one_frequency import PanelRun
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem import DOFS
+from hakobune.bem.methods import panel_problem
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.compressed import equations, far_blocks
+from hakobune.bem.panels.compressed.clusters import Clusters
+from hakobune.bem.panels.compressed.one_frequency import CompressedRun
+from hakobune.bem.panels.compressed.operator import Tree
+from hakobune.bem.panels.one_frequency import PanelRun
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 WANT = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}
 HEADINGS = np.radians([0.0, 35.0])

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.checks import check, damping_error, largest_error
-from bem.methods.panel_problem import prepare
-from bem.methods.shape_problem import ShapeProblem
-from bem.panels.extrapolated import LEFT, TRUSTED, ExtrapolatedRun, left_over
-from pipelines.scene.scene import make_scene
-from pipelines.solve.plan import planned
+from hakobune.bem import DOFS
+from hakobune.bem.checks import check, damping_error, largest_error
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.panels.extrapolated import LEFT, TRUSTED, ExtrapolatedRun, left_over
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.plan import planned
 
 BOX = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [15, 28, 30]}
 WANT = ("added_mass", "radiation_damping", "excitation_force", "rao", "drift_force", "drift_force_fixed")

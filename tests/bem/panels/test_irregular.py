@@ -5,12 +5,12 @@ import pytest
 from bench.irregular import contour, jump, panels
 from scipy.special import jn_zeros
 
-from bem import DOFS
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.irregular_frequencies import SHARE, lid_needed_from, lowest_irregular
-from meshing.lid import lid
-from meshing.shapes import box, buoy
-from pipelines.stress.scenes import irregular
+from hakobune.bem import DOFS
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.panels.irregular_frequencies import SHARE, lid_needed_from, lowest_irregular
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
+from hakobune.pipelines.stress.scenes import irregular
 
 BOX = 100.0, 50.0, 10.0
 DEFAULT = 0.01  # relative error that a run asks for by default

@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.methods.panel_problem import PanelProblem
-from bem.panels.elements import elements
-from bem.panels.pressure_drift.edge_flow import EdgeFlow, nodal_errors
-from bem.panels.pressure_drift.edges import sharp_sides, stencils
-from bem.panels.pressure_drift.hull_flow import hull_surfaces, radiated_flow
-from bem.panels.pressure_drift.hull_interpolation import hull_quadrature, side_quadrature
-from meshing.panels import PanelMesh, structured
-from meshing.shapes import box, buoy
-from meshing.ship import ship
+from hakobune.bem import DOFS
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.panels.elements import elements
+from hakobune.bem.panels.pressure_drift.edge_flow import EdgeFlow, nodal_errors
+from hakobune.bem.panels.pressure_drift.edges import sharp_sides, stencils
+from hakobune.bem.panels.pressure_drift.hull_flow import hull_surfaces, radiated_flow
+from hakobune.bem.panels.pressure_drift.hull_interpolation import hull_quadrature, side_quadrature
+from hakobune.meshing.panels import PanelMesh, structured
+from hakobune.meshing.shapes import box, buoy
+from hakobune.meshing.ship import ship
 
 LENGTH, BEAM, DRAFT = SIZES = (100.0, 50.0, 10.0)
 

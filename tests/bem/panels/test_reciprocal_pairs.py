@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.green.finite_depth import green
-from bem.green.tables import limit_table, wave_table
-from bem.panels.influence import Geometry
-from bem.panels.reciprocal_pairs import add_wave_part
-from bem.panels.standing_waves import directions, standing_waves
-from bem.panels.wave_influence import wave_blocks
-from bem.waves import depth_values
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem.green.finite_depth import green
+from hakobune.bem.green.tables import limit_table, wave_table
+from hakobune.bem.panels.influence import Geometry
+from hakobune.bem.panels.reciprocal_pairs import add_wave_part
+from hakobune.bem.panels.standing_waves import directions, standing_waves
+from hakobune.bem.panels.wave_influence import wave_blocks
+from hakobune.bem.waves import depth_values
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 
 def bodies():

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 WANT = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}
 HEADINGS = np.radians([0.0, 40.0])

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from exact.bound_wave import amplitude
 
-from bem.second_order.bound_waves import bound_waves, set_down
-from bem.waves import wavenumber
+from hakobune.bem.second_order.bound_waves import bound_waves, set_down
+from hakobune.bem.waves import wavenumber
 
 G = 9.80665
 

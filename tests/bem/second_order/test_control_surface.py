@@ -7,10 +7,10 @@ import pytest
 from bench.control_surface import by_momentum
 from exact.second_order_cylinder import quadratic_force
 
-from bem.methods.panel_problem import PanelProblem
-from bem.second_order import surface_near
-from meshing.lid import lid
-from meshing.shapes import box, buoy
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.second_order import surface_near
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
 
 LENGTH, BEAM, DRAFT, DEPTH = 100.0, 50.0, 10.0, 20.0
 RHO, G, VOLUME = 1025.0, 9.80665, LENGTH * BEAM * DRAFT

@@ -5,12 +5,12 @@ import pytest
 from exact import maccamy_fuchs
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 
-from bem import DOFS
-from bem.methods.panel_problem import PanelProblem
-from bem.second_order.bound_waves import bound_waves
-from bem.second_order.long_wave_forces import LongWaveBody
-from bem.waves import wavenumber
-from meshing.shapes import box, buoy
+from hakobune.bem import DOFS
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.second_order.long_wave_forces import LongWaveBody
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
 RADIUS, DEPTH = 10.0, 20.0

@@ -7,18 +7,18 @@ import pytest
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 from scipy.special import hankel1
 
-from bem import DOFS
-from bem.contour.hull.flow import HullPoints, SharedFrequency, radiated_flow, wave_flow
-from bem.contour.hull.long_waves import long_wave_forces
-from bem.contour.pressure_drift import refined
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.second_order.bound_waves import bound_waves
-from bem.second_order.contour_waves import ContourWaves
-from bem.second_order.kinds import SUM
-from bem.second_order.quadratic_forces import quadratic_forces
-from bem.waves import wavenumber
-from meshing.shapes import box, buoy
+from hakobune.bem import DOFS
+from hakobune.bem.contour.hull.flow import HullPoints, SharedFrequency, radiated_flow, wave_flow
+from hakobune.bem.contour.hull.long_waves import long_wave_forces
+from hakobune.bem.contour.pressure_drift import refined
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.second_order.contour_waves import ContourWaves
+from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.second_order.quadratic_forces import quadratic_forces
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.shapes import box, buoy
 
 RHO, G, RADIUS, DRAFT, DEPTH = 1025.0, 9.80665, 10.0, 10.0, 30.0
 MASS = RHO * np.pi * RADIUS**2 * DRAFT

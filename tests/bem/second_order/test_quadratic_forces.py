@@ -9,18 +9,18 @@ import pytest
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 from scipy.spatial.transform import Rotation
 
-from bem import DOFS
-from bem.methods.panel_problem import PanelProblem
-from bem.panels.influence import Geometry
-from bem.panels.pressure_drift import hull_interpolation
-from bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, unit_displacements
-from bem.panels.pressure_drift.mean_drift import pressure_pairs
-from bem.second_order import surface_near
-from bem.second_order.body_forces import body_forces
-from bem.second_order.bound_waves import bound_waves
-from bem.second_order.first_order_waves import PanelWaves
-from bem.second_order.kinds import DIFFERENCE, SUM
-from bem.second_order.quadratic_forces import (
+from hakobune.bem import DOFS
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.panels.influence import Geometry
+from hakobune.bem.panels.pressure_drift import hull_interpolation
+from hakobune.bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, unit_displacements
+from hakobune.bem.panels.pressure_drift.mean_drift import pressure_pairs
+from hakobune.bem.second_order import surface_near
+from hakobune.bem.second_order.body_forces import body_forces
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.second_order.first_order_waves import PanelWaves
+from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+from hakobune.bem.second_order.quadratic_forces import (
     HORIZONTAL,
     ORDER,
     SIZES,
@@ -30,10 +30,10 @@ from bem.second_order.quadratic_forces import (
     panel_errors,
     quadratic_forces,
 )
-from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
-from meshing.lid import lid
-from meshing.panels import joined
-from meshing.shapes import box, buoy
+from hakobune.bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
+from hakobune.meshing.lid import lid
+from hakobune.meshing.panels import joined
+from hakobune.meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
 LENGTH, BEAM, DRAFT = 100.0, 50.0, 10.0

@@ -6,11 +6,11 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.database import DatabaseError, extend, open_database
-from bem.database.integrity import DamagedError
-from bem.second_order.quadratic_forces import PARTS, QuadraticForces
-from bem.second_order.stored import BetweenPairs, Held, StoredForces, read_forces, write_forces
-from pipelines.cli import main
+from hakobune.bem.database import DatabaseError, extend, open_database
+from hakobune.bem.database.integrity import DamagedError
+from hakobune.bem.second_order.quadratic_forces import PARTS, QuadraticForces
+from hakobune.bem.second_order.stored import BetweenPairs, Held, StoredForces, read_forces, write_forces
+from hakobune.pipelines.cli import main
 
 OMEGA, HEADINGS = np.linspace(0.5, 1.1, 13), np.array([0.3, 1.0])
 

@@ -7,12 +7,12 @@ import pytest
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 from exact.water_waves import wavenumber
 
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.second_order.bound_waves import bound_waves
-from bem.second_order.kinds import SUM
-from bem.second_order.quadratic_forces import quadratic_forces
-from meshing.shapes import box, buoy
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.second_order.quadratic_forces import quadratic_forces
+from hakobune.meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
 RADIUS, DEPTH = 10.0, 20.0

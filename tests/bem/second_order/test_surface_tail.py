@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy.special import h1vp, hankel1, jv, jve, jvp
 
-from bem.second_order.kinds import DIFFERENCE, SUM
-from bem.second_order.surface_far import bessel_orders
-from bem.second_order.surface_forces import PairsOfOne, Products, integrated
-from bem.second_order.surface_tail import Tails
-from bem.second_order.surface_waves import Field, Wave
-from bem.waves import wavenumber
+from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+from hakobune.bem.second_order.surface_far import bessel_orders
+from hakobune.bem.second_order.surface_forces import PairsOfOne, Products, integrated
+from hakobune.bem.second_order.surface_tail import Tails
+from hakobune.bem.second_order.surface_waves import Field, Wave
+from hakobune.bem.waves import wavenumber
 
 G, DEPTH, ORDERS = 9.80665, 20.0, 4
 OMEGA = np.array([0.5, 0.7, 0.9])

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from bem.frequency import solve_frequency
-from bem.methods.shape_problem import ShapeProblem
-from bem.sections.any_section import any_section, section_flow
-from bem.sections.coefficients import section
-from bem.sections.outline import circle, closed, rectangle
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.sections.any_section import any_section, section_flow
+from hakobune.bem.sections.coefficients import section
+from hakobune.bem.sections.outline import circle, closed, rectangle
 
 # a hull with a bilge of an arc on one side, a knuckle and a flaring side on the other
 SKEW = closed(np.array([-6 + 4j, -5, -3 - 3j, 3 - 3j, 5 - 1j, 5 + 4j]), (0, 0, 0, np.tan(np.pi / 8), 0, 0))

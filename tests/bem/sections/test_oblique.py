@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from bem.sections.coefficients import section
-from bem.waves import group_factor
+from hakobune.bem.sections.coefficients import section
+from hakobune.bem.waves import group_factor
 
 RHO, G = 1025.0, 9.80665
 SIZES = np.array([1.0, 1.0, 5.0])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from bem.sections.outline import Edge, Outline, OutlineError, circle, closed, rectangle
+from hakobune.bem.sections.outline import Edge, Outline, OutlineError, circle, closed, rectangle
 
 
 @pytest.mark.parametrize("draft", [0.3, 5.0, 9.1])

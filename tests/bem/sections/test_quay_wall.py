@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.sections.coefficients import section
-from bem.sections.quay import Floating, floating, force_before_wall, magnification, motions_before_wall
-from bem.waves import group_factor
-from meshing.lid import lid
-from meshing.shapes import box
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.sections.coefficients import section
+from hakobune.bem.sections.quay import Floating, floating, force_before_wall, magnification, motions_before_wall
+from hakobune.bem.waves import group_factor
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
 
 WANT = {"added_mass", "radiation_damping", "excitation_force"}
 OMEGA, DEPTH, HEADING = 0.6, 20.0, 0.7

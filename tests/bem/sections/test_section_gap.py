@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.special import eval_gegenbauer, gamma, jv, roots_gegenbauer
 
-from bem.depth_modes.bessel import scaled_bessel
-from bem.depth_modes.gap import ORDERS, Gap, evanescent_wavenumbers, mode_sum, tail_weights
+from hakobune.bem.depth_modes.bessel import scaled_bessel
+from hakobune.bem.depth_modes.gap import ORDERS, Gap, evanescent_wavenumbers, mode_sum, tail_weights
 
 
 def test_scaled_bessel_functions_agree_with_those_of_scipy():

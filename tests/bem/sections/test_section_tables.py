@@ -7,9 +7,9 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.sections.tables import COLUMNS, table_name, tables
-from pipelines.cli import main
-from pipelines.reports.sections_command import csv_text
+from hakobune.bem.sections.tables import COLUMNS, table_name, tables
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.reports.sections_command import csv_text
 
 
 def test_the_twenty_tables_come_in_the_order_of_the_report():

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from exact.rectangle import MODES, Rectangle
 
-from bem.froude_krylov import incident_force
-from bem.sections.coefficients import (
+from hakobune.bem.froude_krylov import incident_force
+from hakobune.bem.sections.coefficients import (
     HEAVE,
     ROLL,
     SWAY,
@@ -17,9 +17,9 @@ from bem.sections.coefficients import (
     section,
     section_flow,
 )
-from bem.sections.coefficients import diffraction as diffraction_by_haskind
-from bem.sections.frequency_limits import added_mass_limit
-from bem.waves import group_factor
+from hakobune.bem.sections.coefficients import diffraction as diffraction_by_haskind
+from hakobune.bem.sections.frequency_limits import added_mass_limit
+from hakobune.bem.waves import group_factor
 
 G, RHO = 9.80665, 1025.0
 TABLES = Path(__file__).parents[2] / "published" / "sections_2d.csv"

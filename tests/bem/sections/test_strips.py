@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.sections.coefficients import section
-from bem.sections.strips import Strips
-from bem.waves import incident_wave, wavenumber
-from meshing.lid import lid
-from meshing.shapes import box, box_counts
+from hakobune.bem import DOFS
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.sections.coefficients import section
+from hakobune.bem.sections.strips import Strips
+from hakobune.bem.waves import incident_wave, wavenumber
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, box_counts
 
 G, RHO = 9.80665, 1025.0
 HEADINGS = np.radians([0.0, 30.0, 90.0, 200.0, 270.0])

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from bem.time_domain.convolution import convolution, forgotten, history_weights
-from bem.time_domain.retardation import Retardation
+from hakobune.bem.time_domain.convolution import convolution, forgotten, history_weights
+from hakobune.bem.time_domain.retardation import Retardation
 
 LIMIT = np.zeros((6, 6))
 

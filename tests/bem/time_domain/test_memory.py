@@ -6,14 +6,14 @@ import warnings
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.database.reader import reader
-from bem.time_domain.convolution import convolution
-from bem.time_domain.memory import CLOSE, _check_deviation, memory_of_database
-from bem.time_domain.memory_kernels import memory_force, memory_rate
-from bem.time_domain.retardation import from_database
-from pipelines.scene.scene import make_scene
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.bem.database.reader import reader
+from hakobune.bem.time_domain.convolution import convolution
+from hakobune.bem.time_domain.memory import CLOSE, _check_deviation, memory_of_database
+from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
+from hakobune.bem.time_domain.retardation import from_database
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
 
 BAND = {"band": {"from": 0.1, "to": 2.0}}
 

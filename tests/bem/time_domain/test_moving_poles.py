@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from bem.time_domain.moving_poles import (
+from hakobune.bem.time_domain.moving_poles import (
     Moving,
     _across,
     _shifted,

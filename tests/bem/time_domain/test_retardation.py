@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from bem.time_domain.retardation import fourier_weights, retardation
-from bem.time_domain.whole_axis import kramers_kronig
+from hakobune.bem.time_domain.retardation import fourier_weights, retardation
+from hakobune.bem.time_domain.whole_axis import kramers_kronig
 
 ALPHA, INFINITY = 0.4, 5.0
 OMEGA = np.linspace(0.01, 3.0, 1500)

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from bem.time_domain.sensitivity import NEAR, SHARES, sensitivity
+from hakobune.bem.time_domain.sensitivity import NEAR, SHARES, sensitivity
 
 OMEGA = np.linspace(0.05, 2.0, 400)
 M, B = 4e6, 3e5

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.wave_field import before_wall as module
-from bem.wave_field.before_wall import WallError, before_wall, given_back, neglected
-from bem.waves import wavenumber
-from meshing.lid import lid
-from meshing.shapes import box
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.wave_field import before_wall as module
+from hakobune.bem.wave_field.before_wall import WallError, before_wall, given_back, neglected
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.cli import main
 
 WALL, DEPTH, OMEGA = 40.0, 20.0, 0.7
 WANT = {"added_mass", "radiation_damping", "excitation_force"}

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from scipy.special import h1vp, hankel1, jvp
 
-from bem.frequency import solve_frequency
-from bem.kochin import angles
-from bem.methods.shape_problem import ShapeProblem
-from bem.wave_field.around import at_waterline, beside_incident, waves_around
-from bem.wave_field.sources import Sources, directions, rectangle, waves
-from bem.wave_field.units import field, row
-from bem.waves import wavenumber
-from meshing.panels import PanelMesh
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.kochin import angles
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.wave_field.around import at_waterline, beside_incident, waves_around
+from hakobune.bem.wave_field.sources import Sources, directions, rectangle, waves
+from hakobune.bem.wave_field.units import field, row
+from hakobune.bem.waves import wavenumber
+from hakobune.meshing.panels import PanelMesh
 
 ORDERS = np.arange(-20, 21)
 
@@ -135,7 +135,7 @@ def test_waves_around_a_cylinder_are_those_of_the_closed_form_wherever_it_stands
 
 def test_the_plan_of_a_hull_does_not_load_scipy_spatial():
     code = (
-        "import sys; from meshing.shapes import box; from bem.wave_field.around import plan_of",
+        "import sys; from hakobune.meshing.shapes import box; from hakobune.bem.wave_field.around import plan_of",
         "assert plan_of(box(20, 10, 3, panels=60))[0].shape == (4, 2)",
         "assert 'scipy.spatial' not in sys.modules",
     )

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from bench.berthing_model import LEAST, measured_bands, virtual_masses_of
 
-from mooring.berthing import energy
-from mooring.berthing.field import GRAVITY, compared, contacts, effective_energies
-from mooring.berthing.memory import BerthingShip, berth, without_memory
-from mooring.berthing.speeds import Speeds, speeds_of_moments
-from mooring.berthing.two_springs import TwoSprings
-from mooring.fenders.dolphin import bilinear, in_series
-from mooring.fenders.families import fender_of_family
-from mooring.fenders.fender import fender_of_points
+from hakobune.mooring.berthing import energy
+from hakobune.mooring.berthing.field import GRAVITY, compared, contacts, effective_energies
+from hakobune.mooring.berthing.memory import BerthingShip, berth, without_memory
+from hakobune.mooring.berthing.speeds import Speeds, speeds_of_moments
+from hakobune.mooring.berthing.two_springs import TwoSprings
+from hakobune.mooring.fenders.dolphin import bilinear, in_series
+from hakobune.mooring.fenders.families import fender_of_family
+from hakobune.mooring.fenders.fender import fender_of_points
 
 PUBLISHED = Path(__file__).parents[2] / "published"
 TANKER = energy.Ship(337.5, 53.6, 19.7, 291_649e3, 337.5 / 4, 1029.5)

@@ -6,16 +6,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bem.sections.any_section import any_section
-from bem.sections.coefficients import section
-from bem.sections.outline import circle
-from mooring.breakwater.body import TautBody
-from mooring.breakwater.elastic import elastic_exact
-from mooring.breakwater.exact import fixed_exact, free_exact, taut_exact
-from mooring.breakwater.holdings import exact_response, mean_drift
-from mooring.breakwater.long_waves import line_tensions, long_wave
-from mooring.breakwater.loss import Keel, fitted, with_loss
-from mooring.breakwater.taut import TautRectangle
+from hakobune.bem.sections.any_section import any_section
+from hakobune.bem.sections.coefficients import section
+from hakobune.bem.sections.outline import circle
+from hakobune.mooring.breakwater.body import TautBody
+from hakobune.mooring.breakwater.elastic import elastic_exact
+from hakobune.mooring.breakwater.exact import fixed_exact, free_exact, taut_exact
+from hakobune.mooring.breakwater.holdings import exact_response, mean_drift
+from hakobune.mooring.breakwater.long_waves import line_tensions, long_wave
+from hakobune.mooring.breakwater.loss import Keel, fitted, with_loss
+from hakobune.mooring.breakwater.taut import TautRectangle
 
 # Kihara, Kitatani & Todoroki (1975), section 4.3, in SI; the attachment is taken at the corner, the lines reach the bed
 BODY = {

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from bem.sections.keel_loss import keel_flow
-from mooring.breakwater.exact import moved_to_origin
-from mooring.breakwater.holdings import exact_response, response_with_loss
-from mooring.breakwater.taut import TautRectangle
+from hakobune.bem.sections.keel_loss import keel_flow
+from hakobune.mooring.breakwater.exact import moved_to_origin
+from hakobune.mooring.breakwater.holdings import exact_response, response_with_loss
+from hakobune.mooring.breakwater.taut import TautRectangle
 
 RHO, G, DEPTH = 1025.0, 9.80665, 10.0
 BODY = TautRectangle(

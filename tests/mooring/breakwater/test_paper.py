@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from scipy.optimize import root
 
-from bem.waves import wavenumber
-from mooring.breakwater import anchors
-from mooring.breakwater.long_waves import equal_area, fixed_body, line_tensions, long_wave, moment_factor
-from mooring.breakwater.taut import TautRectangle, added_inertia, taut_long_wave
-from mooring.breakwater.transmission import transmitted_height
-from mooring.environment.spectra import bretschneider
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.breakwater import anchors
+from hakobune.mooring.breakwater.long_waves import equal_area, fixed_body, line_tensions, long_wave, moment_factor
+from hakobune.mooring.breakwater.taut import TautRectangle, added_inertia, taut_long_wave
+from hakobune.mooring.breakwater.transmission import transmitted_height
+from hakobune.mooring.environment.spectra import bretschneider
 
 G, DEPTH, DIAMETER, HEIGHT, FRICTION = 9.8, 10.0, 10.0, 3.0, 0.3
 TONNES = {"density": 1 / G, "gravity": G}  # weights of water in t/m³

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bem.sections.any_section import any_section
-from bem.sections.coefficients import section
-from bem.sections.outline import circle, rectangle
-from mooring.breakwater.anchors import goes_slack
-from mooring.breakwater.body import TautBody
-from mooring.breakwater.elastic import elastic_exact, stiffness_of
-from mooring.breakwater.exact import taut_exact
-from mooring.breakwater.snap import IN_PLANE, frequencies, one_metre, snap
+from hakobune.bem.sections.any_section import any_section
+from hakobune.bem.sections.coefficients import section
+from hakobune.bem.sections.outline import circle, rectangle
+from hakobune.mooring.breakwater.anchors import goes_slack
+from hakobune.mooring.breakwater.body import TautBody
+from hakobune.mooring.breakwater.elastic import elastic_exact, stiffness_of
+from hakobune.mooring.breakwater.exact import taut_exact
+from hakobune.mooring.breakwater.snap import IN_PLANE, frequencies, one_metre, snap
 
 WATER = {"density": 1000.0, "gravity": 9.8}
 PUBLISHED = Path(__file__).parents[2] / "published"

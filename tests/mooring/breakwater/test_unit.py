@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from bem.frequency import solve_frequency
-from bem.methods.shape_problem import ShapeProblem
-from bem.sections.coefficients import section
-from mooring.breakwater import unit
-from mooring.breakwater.elastic import stiffness_of
-from mooring.breakwater.exact import taut_exact
-from mooring.breakwater.taut import TautRectangle, added_inertia
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.sections.coefficients import section
+from hakobune.mooring.breakwater import unit
+from hakobune.mooring.breakwater.elastic import stiffness_of
+from hakobune.mooring.breakwater.exact import taut_exact
+from hakobune.mooring.breakwater.taut import TautRectangle, added_inertia
 
 BODY = TautRectangle(
     half=5.0, draft=5.0, free_draft=3.4, depth=10.0, z0=-1.6, inertia=6e5, angle=np.radians(60), attachment=5.0,

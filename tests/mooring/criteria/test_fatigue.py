@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.criteria.fatigue import Curve, Cycles, curves, dirlik, miner, narrow_band, rainflow_cycles
+from hakobune.mooring.criteria.fatigue import Curve, Cycles, curves, dirlik, miner, narrow_band, rainflow_cycles
 
 STRAIGHT = Curve("straight", "share", 3.0, 1000.0)
 

@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from mooring.criteria.strength import SOCIETIES, equipment_number, smallest
-from mooring.environment.wind_profile import speed_at
-from mooring.lines.catalogue import line_type
-from mooring.loads.members import C_D
-from mooring.loads.on_hull import current_on, turning_drag
-from mooring.response.return_period import return_period
-from mooring.studies.conditions import ExposedBox
+from hakobune.mooring.criteria.strength import SOCIETIES, equipment_number, smallest
+from hakobune.mooring.environment.wind_profile import speed_at
+from hakobune.mooring.lines.catalogue import line_type
+from hakobune.mooring.loads.members import C_D
+from hakobune.mooring.loads.on_hull import current_on, turning_drag
+from hakobune.mooring.response.return_period import return_period
+from hakobune.mooring.studies.conditions import ExposedBox
 
 TONF = 9806.65
 TABLES = Path(__file__).parents[2] / "published"
@@ -93,7 +93,7 @@ def test_every_society_with_a_formula_is_there():
 
 def test_resistance_to_turning_is_the_cross_flow_along_the_hull():
     """Part III, 5: 0.125 ρ C_y d {(L/2 − G)⁴ + (L/2 + G)⁴} at G = 0 is ∫ ½ρ C_y d |x| x² dx of a unit yaw rate"""
-    from mooring.loads.box_current import box_table
+    from hakobune.mooring.loads.box_current import box_table
 
     hull = ExposedBox(100.0, 50.0, 10.0, 10.0)
     C = float(box_table(100.0, 50.0, 10.0, 20.0).curve(np.pi / 2)[1])

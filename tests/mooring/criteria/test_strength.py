@@ -2,7 +2,7 @@
 
 import pytest
 
-from mooring.criteria.strength import equipment_number, smallest, worn_breaking_load
+from hakobune.mooring.criteria.strength import equipment_number, smallest, worn_breaking_load
 
 
 def test_the_smallest_size_carries_and_the_one_below_does_not():
@@ -14,7 +14,7 @@ def test_the_smallest_size_carries_and_the_one_below_does_not():
 
 
 def test_wear_takes_what_the_formula_of_breaking_loads_says():
-    from mooring.lines.catalogue import line_type
+    from hakobune.mooring.lines.catalogue import line_type
 
     new, left = (line_type(f"grade 3 {d} mm").breaking_load for d in (60, 54))
     assert worn_breaking_load(new, 60.0, 0.4, 15.0) == pytest.approx(left, rel=1e-12)

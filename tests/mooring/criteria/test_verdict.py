@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.criteria import verdict
-from mooring.criteria.rules import RuleError, of_rule, read_rules, rule_names
-from mooring.criteria.verdict import Case, Tensions, judge
+from hakobune.mooring.criteria import verdict
+from hakobune.mooring.criteria.rules import RuleError, of_rule, read_rules, rule_names
+from hakobune.mooring.criteria.verdict import Case, Tensions, judge
 
 RULES = read_rules()
 BREAK = 1.0e7

@@ -4,8 +4,16 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from mooring.dolphins.design_spectrum import LARGEST, Beam, DolphinError, Dolphins, limit_height, springs, strains
-from mooring.dolphins.earthquake import (
+from hakobune.mooring.dolphins.design_spectrum import (
+    LARGEST,
+    Beam,
+    DolphinError,
+    Dolphins,
+    limit_height,
+    springs,
+    strains,
+)
+from hakobune.mooring.dolphins.earthquake import (
     Fenders,
     Floater,
     Ground,
@@ -15,11 +23,11 @@ from mooring.dolphins.earthquake import (
     normalised_reaction,
     response_spectrum,
 )
-from mooring.dolphins.linearised import amplitudes, equivalent, exact_frequency, free_frequency
-from mooring.environment.spectra import issc
-from mooring.fenders.families import fender_of_family
-from mooring.fenders.fender import fender_of_points
-from mooring.fenders.hysteresis import followed
+from hakobune.mooring.dolphins.linearised import amplitudes, equivalent, exact_frequency, free_frequency
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.fenders.families import fender_of_family
+from hakobune.mooring.fenders.fender import fender_of_points
+from hakobune.mooring.fenders.hysteresis import followed
 
 K, CUBE, M = 2.0, 1.0, 3.0
 K1, K2, CORNER = 5.0, 1.0, 0.4

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from mooring.environment.crossings import expected_maximum_height, rayleigh_height, zero_crossings
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc, jonswap, tabulated
-from mooring.environment.wave_records import elevation
+from hakobune.mooring.environment.crossings import expected_maximum_height, rayleigh_height, zero_crossings
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc, jonswap, tabulated
+from hakobune.mooring.environment.wave_records import elevation
 
 
 def test_waves_of_a_sine_are_found_at_high_order():

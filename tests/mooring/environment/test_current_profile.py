@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.environment.current_profile import power_law, table, uniform, wind_drift
+from hakobune.mooring.environment.current_profile import power_law, table, uniform, wind_drift
 
 Z = np.linspace(-30.0, 0.0, 20001)
 

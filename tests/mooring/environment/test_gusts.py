@@ -6,8 +6,16 @@ import numpy as np
 import pytest
 from scipy.special import gamma
 
-from mooring.environment.gusts import MissingVariance, davenport, gust_components, gust_record, hino, kaimal, npd
-from mooring.environment.wind_profile import froya_intensity
+from hakobune.mooring.environment.gusts import (
+    MissingVariance,
+    davenport,
+    gust_components,
+    gust_record,
+    hino,
+    kaimal,
+    npd,
+)
+from hakobune.mooring.environment.wind_profile import froya_intensity
 
 ALL = [davenport(30.0, 0.003), davenport(50.0, 0.0015), hino(35.0, 0.003, 10.0, 1 / 7), hino(20.0, 0.0015, 50.0, 0.12)]
 ALL += [npd(25.0), npd(12.0, 60.0), kaimal(20.0, 30.0, 0.14), kaimal(11.0, 90.0, 0.16)]

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.environment.scatter import Scatter, read_scatter
-from mooring.environment.spectra import mitsuyasu_bretschneider
-from mooring.environment.tables import TableError
+from hakobune.mooring.environment.scatter import Scatter, read_scatter
+from hakobune.mooring.environment.spectra import mitsuyasu_bretschneider
+from hakobune.mooring.environment.tables import TableError
 
 TABLE = "# a harbour\nsignificant_period,4.5,5.5,6.5\n0.25,12,30,\n0.75,0,18,20\n"
 

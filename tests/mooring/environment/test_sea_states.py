@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from mooring.environment.sea import Sea, joined
-from mooring.environment.spectra import issc, jonswap
-from mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
+from hakobune.mooring.environment.sea import Sea, joined
+from hakobune.mooring.environment.spectra import issc, jonswap
+from hakobune.mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
 
 SPECTRUM = issc(3.0, mean_period=8.0)
 WIDE = [CosinePower(4), CosinePower(2, -0.5, 1.2), HalfCosinePower(8), WrappedNormal(0.5)]

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from mooring.environment.periods import KINDS
-from mooring.environment.spectra import (
+from hakobune.mooring.environment.periods import KINDS
+from hakobune.mooring.environment.spectra import (
     FAMILIES,
     bretschneider,
     issc,
@@ -19,7 +19,7 @@ from mooring.environment.spectra import (
     read_spectrum,
     tabulated,
 )
-from mooring.environment.tables import TableError
+from hakobune.mooring.environment.tables import TableError
 
 G = 9.80665
 H, T = 3.0, 9.0

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.environment.spectrum_estimate import estimate
+from hakobune.mooring.environment.spectrum_estimate import estimate
 
 
 def test_periodogram_of_the_whole_record_holds_its_variance():

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy.stats import kstest
 
-from mooring.environment.sea import Components, Sea
-from mooring.environment.spectra import issc, jonswap
-from mooring.environment.spectrum_estimate import estimate
-from mooring.environment.spreading import HalfCosinePower
-from mooring.environment.tables import TableError
-from mooring.environment.wave_records import Record, components_of, elevation, read_record, write_record
+from hakobune.mooring.environment.sea import Components, Sea
+from hakobune.mooring.environment.spectra import issc, jonswap
+from hakobune.mooring.environment.spectrum_estimate import estimate
+from hakobune.mooring.environment.spreading import HalfCosinePower
+from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.environment.wave_records import Record, components_of, elevation, read_record, write_record
 
 WIND_SEA, SWELL = issc(3.0, mean_period=8.0), jonswap(2.0, peak_period=12.0)
 THREE_HOURS = 0.5 * np.arange(21600)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.environment.wind_profile import BANDS, C_H, froya_intensity, froya_speed_at, speed_at
+from hakobune.mooring.environment.wind_profile import BANDS, C_H, froya_intensity, froya_speed_at, speed_at
 
 
 def test_the_table_is_the_root_of_the_pressure_coefficients_of_classification_rules():

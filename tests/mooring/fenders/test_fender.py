@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from bench.fender_paths import least_work
 
-from mooring.fenders.dolphin import bilinear, in_series
-from mooring.fenders.families import families, fender_of_family, fender_of_file, names
-from mooring.fenders.fender import FenderError, fender_of_points
-from mooring.fenders.hysteresis import advanced, contact_table, followed, reaction_of
-from mooring.fenders.variability import bands, chosen, drawn, extremes, velocity_factor
+from hakobune.mooring.fenders.dolphin import bilinear, in_series
+from hakobune.mooring.fenders.families import families, fender_of_family, fender_of_file, names
+from hakobune.mooring.fenders.fender import FenderError, fender_of_points
+from hakobune.mooring.fenders.hysteresis import advanced, contact_table, followed, reaction_of
+from hakobune.mooring.fenders.variability import bands, chosen, drawn, extremes, velocity_factor
 
 MEASURED = Path(__file__).parents[2] / "published" / "fender_curves.csv"
 CELL = fender_of_family("cell", 2.0)

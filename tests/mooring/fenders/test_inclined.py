@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from mooring.fenders.families import fender_of_family
-from mooring.fenders.fender import FenderError, fender_of_points
-from mooring.fenders.hysteresis import followed
-from mooring.fenders.inclined import inclined
+from hakobune.mooring.fenders.families import fender_of_family
+from hakobune.mooring.fenders.fender import FenderError, fender_of_points
+from hakobune.mooring.fenders.hysteresis import followed
+from hakobune.mooring.fenders.inclined import inclined
 
 CELL = fender_of_family("cell", 2.0)
 ANGLE, WIDTH = math.radians(8.0), 2.4

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from mooring.identification.decay import decay
-from mooring.identification.forced import forced
-from mooring.identification.record import RecordError
+from hakobune.mooring.identification.decay import decay
+from hakobune.mooring.identification.forced import forced
+from hakobune.mooring.identification.record import RecordError
 
 A, B1, B2 = 2e6, 32e3, 35e3  # kg, N s/m, N s²/m²: a ferry, Shiraishi et al., table 3
 OMEGA, X = 2 * np.pi / 60.0, 5.0

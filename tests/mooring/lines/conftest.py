@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from mooring.lines.dynamics.lumped.forces import node_forces
-from mooring.lines.dynamics.lumped.workspace import to_rows, workspace
+from hakobune.mooring.lines.dynamics.lumped.forces import node_forces
+from hakobune.mooring.lines.dynamics.lumped.workspace import to_rows, workspace
 
 STEP = 1e-4  # of a central difference
 

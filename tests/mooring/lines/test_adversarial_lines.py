@@ -9,8 +9,8 @@ from bench.adversarial_lines import random_line, verdict
 from bench.usual_lines import usual_line
 from exact.static_line import faults
 
-from mooring.lines.catenary.state import LineError
-from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+from hakobune.mooring.lines.catenary.state import LineError
+from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 
 def test_no_adversarial_line_is_wrong_and_hardly_one_is_refused():

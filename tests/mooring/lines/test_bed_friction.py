@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
 
 WEIGHT, EA, MASS, FRICTION = 979.3, 4.933e8, 114.94, 0.5
 

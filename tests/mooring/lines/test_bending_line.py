@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.state import LineError
-from mooring.lines.dynamics.lumped.band import factor_band, substitute_band
-from mooring.lines.dynamics.lumped.bending import NEXT, OVERNEXT
-from mooring.lines.dynamics.lumped.forces import node_forces
-from mooring.lines.dynamics.lumped.workspace import to_rows, workspace
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
-from mooring.lines.dynamics.start import start
-from mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.lines.catenary.state import LineError
+from hakobune.mooring.lines.dynamics.lumped.band import factor_band, substitute_band
+from hakobune.mooring.lines.dynamics.lumped.bending import NEXT, OVERNEXT
+from hakobune.mooring.lines.dynamics.lumped.forces import node_forces
+from hakobune.mooring.lines.dynamics.lumped.workspace import to_rows, workspace
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.start import start
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
 
 STILL = water_arrays(None, None, 9.80665)
 L, T, MASS, EA = 100.0, 1e5, 50.0, 2e10

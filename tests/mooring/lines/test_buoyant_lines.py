@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.buoyant import buoyant_profile, solve_buoyant_lines
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.catenary.state import LineError, State
+from hakobune.mooring.lines.catenary.buoyant import buoyant_profile, solve_buoyant_lines
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.catenary.state import LineError, State
 
 
 def lines(count, seed):

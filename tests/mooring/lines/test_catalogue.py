@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.lines.catalogue import CHAIN, FORMS, line_type
-from mooring.lines.system.parts import LineSystemError
+from hakobune.mooring.lines.catalogue import CHAIN, FORMS, line_type
+from hakobune.mooring.lines.system.parts import LineSystemError
 
 PUBLISHED = Path(__file__).parents[2] / "published"
 TONF = 9806.65

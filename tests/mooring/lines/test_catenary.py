@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.flat_bed import asinh_ratio_less_one
-from mooring.lines.catenary.free_piece import asinh_excess
-from mooring.lines.catenary.solve import profile, solve_lines, span_at_tension
-from mooring.lines.catenary.state import LineError, State
+from hakobune.mooring.lines.catenary.flat_bed import asinh_ratio_less_one
+from hakobune.mooring.lines.catenary.free_piece import asinh_excess
+from hakobune.mooring.lines.catenary.solve import profile, solve_lines, span_at_tension
+from hakobune.mooring.lines.catenary.state import LineError, State
 
 PUBLISHED = Path(__file__).parents[2] / "published"
 KGF = 9.80665

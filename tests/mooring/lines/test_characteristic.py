@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.solve import span_at_tension
-from mooring.lines.multi_segment.segments import PointLoad, Segment
-from mooring.lines.system.characteristic import characteristic
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import (
+from hakobune.mooring.lines.catenary.solve import span_at_tension
+from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
+from hakobune.mooring.lines.system.characteristic import characteristic
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import (
     Anchor,
     CompositeLine,
     Fairlead,

@@ -6,14 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem import DOFS
-from mooring.lines.catenary.state import State
-from mooring.lines.multi_segment.bed import Bed
-from mooring.lines.multi_segment.line import StaticLine
-from mooring.lines.multi_segment.segments import PointLoad, Segment
-from mooring.lines.system.equilibrium import held_at, moved, rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import (
+from hakobune.bem import DOFS
+from hakobune.mooring.lines.catenary.state import State
+from hakobune.mooring.lines.multi_segment.bed import Bed
+from hakobune.mooring.lines.multi_segment.line import StaticLine
+from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
+from hakobune.mooring.lines.system.equilibrium import held_at, moved, rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import (
     Anchor,
     CompositeLine,
     EquilibriumError,
@@ -24,8 +24,8 @@ from mooring.lines.system.parts import (
     MooredBody,
     UniformLine,
 )
-from mooring.lines.system.shapes import line_shapes, loads_on_lines
-from mooring.studies.system_at_rest import mooring_stiffness, one_line_broken
+from hakobune.mooring.lines.system.shapes import line_shapes, loads_on_lines
+from hakobune.mooring.studies.system_at_rest import mooring_stiffness, one_line_broken
 
 G, RHO = 9.80665, 1025.0
 CHAIN, ROPE = LineType("chain", 1000.0, 5e8, breaking_load=4e6), LineType("rope", 60.0, 2e7, breaking_load=1.5e6)

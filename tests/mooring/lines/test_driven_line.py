@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from mooring.lines.dynamics.driven import DrivenLine
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.driven import DrivenLine
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
 
 CHAIN = DynamicLine(DynamicSegment(300.0, 114.94, 979.3, 0.1368, 4.933e8, 20), (-290.0, 0.0, -50.0))
 SURGE = FairleadMotion.harmonic((0, 0, 0), (2j, 0, 0), 10.0)

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
-from mooring.lines.dynamics.start import start
-from mooring.lines.dynamics.surroundings import water_arrays
-from mooring.lines.multi_segment.line import Segment, StaticLine
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.start import start
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.lines.multi_segment.line import Segment, StaticLine
 
 TABLE = ((0.0, 0.0), (0.02, 4e5), (0.05, 1.6e6), (0.1, 6e6))
 SURGE = FairleadMotion.harmonic((0.0, 0.0, 0.0), (2j, 0.0, 0.0), 10.0)

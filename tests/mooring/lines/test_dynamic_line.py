@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.catenary.state import LineError
-from mooring.lines.dynamics.run import Case, run_fixed_steps
-from mooring.lines.dynamics.simulation import (
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.catenary.state import LineError
+from hakobune.mooring.lines.dynamics.run import Case, run_fixed_steps
+from hakobune.mooring.lines.dynamics.simulation import (
     AttachedBody,
     CurrentProfile,
     DynamicLine,
@@ -16,9 +16,9 @@ from mooring.lines.dynamics.simulation import (
     WaveTrain,
     simulate,
 )
-from mooring.lines.dynamics.start import start
-from mooring.lines.dynamics.surroundings import water_arrays
-from mooring.lines.multi_segment import line as static
+from hakobune.mooring.lines.dynamics.start import start
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.lines.multi_segment import line as static
 
 WEIGHT, EA, MASS = 979.3, 4.933e8, 114.94
 STILL = water_arrays(None, None, 9.80665)
@@ -284,8 +284,8 @@ def test_current_across_a_taut_line_is_carried_by_its_ends():
 
 
 def test_waves_move_the_water_as_the_potential_says():
-    from bem.waves import incident_wave, wavenumber
-    from mooring.lines.dynamics.lumped.surroundings import water_at
+    from hakobune.bem.waves import incident_wave, wavenumber
+    from hakobune.mooring.lines.dynamics.lumped.surroundings import water_at
 
     waves = WaveTrain([1.5, 0.7], [8.0, 11.0], [0.4, 2.0], [0.3, 1.0], depth=25.0, ramp=0.0)
     points, t = np.array([[3.0, -2.0, -4.0], [40.0, 7.0, -20.0]]), 3.7
@@ -328,7 +328,7 @@ def test_tangent_is_the_derivative_of_the_forces(tangent_fault):
 
 
 def test_block_elimination_solves_the_equations():
-    from mooring.lines.dynamics.lumped.block_tridiagonal import factor, substitute
+    from hakobune.mooring.lines.dynamics.lumped.block_tridiagonal import factor, substitute
 
     rng, n = np.random.default_rng(2), 7
     D, B, r = rng.standard_normal((n, 3, 3)) + 8 * np.eye(3), rng.standard_normal((n, 3, 3)), np.ones((n, 3))

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.regimes import Regime, catenary_stiffness, centroid_height, harmonic_tension
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.regimes import Regime, catenary_stiffness, centroid_height, harmonic_tension
 
 CHAIN = dict(weight=979.3, mass=114.94, diameter=0.1368)
 

@@ -6,17 +6,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.formats.fault import FormatError
-from mooring.formats.moordyn import MoorDynFile, moordyn_text, parse_moordyn, read_moordyn, write_moordyn
-from mooring.formats.moordyn_system import system_of_moordyn
-from mooring.formats.moordyn_writing import moordyn_of_system
-from mooring.formats.moorpy import read_moorpy, system_of_moorpy
-from mooring.formats.results import channels_of_rest, read_channels, read_frames, write_channels
-from mooring.formats.yaml_text import parse_yaml
-from mooring.lines.catalogue import line_type
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody, UniformLine
+from hakobune.mooring.formats.fault import FormatError
+from hakobune.mooring.formats.moordyn import MoorDynFile, moordyn_text, parse_moordyn, read_moordyn, write_moordyn
+from hakobune.mooring.formats.moordyn_system import system_of_moordyn
+from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
+from hakobune.mooring.formats.moorpy import read_moorpy, system_of_moorpy
+from hakobune.mooring.formats.results import channels_of_rest, read_channels, read_frames, write_channels
+from hakobune.mooring.formats.yaml_text import parse_yaml
+from hakobune.mooring.lines.catalogue import line_type
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody, UniformLine
 
 VERSION_2 = """\
 --------------------- MoorDyn Input File ------------------------------------

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from mooring.lines.system.equilibrium import moved
-from mooring.lines.system.hawser import elongation_at, pull_of_points
-from mooring.lines.system.parts import LineSystemError
-from mooring.studies.conditions import ExposedBox
-from pipelines.common.quantities import StudyError
-from pipelines.moor.study import make_study
+from hakobune.mooring.lines.system.equilibrium import moved
+from hakobune.mooring.lines.system.hawser import elongation_at, pull_of_points
+from hakobune.mooring.lines.system.parts import LineSystemError
+from hakobune.mooring.studies.conditions import ExposedBox
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.moor.study import make_study
 
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
 NYLON = {"elongation_percent": [0, 5, 10, 20], "tension_kN": [0, 100, 300, 1200], "breaking_load_kN": 1500}

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 import pytest
 
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
 
 # length, depth, span, diameter in m, way of the fairlead in m, its period in s, friction, damping ratio
 ROPES = (

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.dynamics.line import DynamicLine, DynamicSegment
-from mooring.lines.dynamics.simulation import FairleadMotion, WaveTrain, simulate
-from mooring.lines.dynamics.start import start
-from mooring.lines.dynamics.surroundings import water_arrays
-from mooring.lines.multi_segment import line as static
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.dynamics.line import DynamicLine, DynamicSegment
+from hakobune.mooring.lines.dynamics.simulation import FairleadMotion, WaveTrain, simulate
+from hakobune.mooring.lines.dynamics.start import start
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.lines.multi_segment import line as static
 
 G, RHO = 9.80665, 1025.0
 MASS, DIAMETER, EA = 30.0, 0.14, 5e7

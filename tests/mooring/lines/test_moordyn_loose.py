@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from mooring.formats.fault import FormatError
-from mooring.formats.moordyn import parse_moordyn
-from mooring.formats.moordyn_loose import Still, rests_of_moordyn
-from mooring.formats.moordyn_system import still_water, system_of_moordyn
+from hakobune.mooring.formats.fault import FormatError
+from hakobune.mooring.formats.moordyn import parse_moordyn
+from hakobune.mooring.formats.moordyn_loose import Still, rests_of_moordyn
+from hakobune.mooring.formats.moordyn_system import still_water, system_of_moordyn
 
 FILE = """\
 --- ROD TYPES ---

@@ -5,12 +5,12 @@ import warnings
 import numpy as np
 import pytest
 
-from mooring.formats.fault import FormatError
-from mooring.formats.moordyn import read_moordyn
-from mooring.formats.moordyn_ropes import WorkingCurves
-from mooring.formats.moordyn_system import system_of_moordyn
-from mooring.formats.moordyn_writing import moordyn_of_system
-from mooring.lines.system.equilibrium import rest
+from hakobune.mooring.formats.fault import FormatError
+from hakobune.mooring.formats.moordyn import read_moordyn
+from hakobune.mooring.formats.moordyn_ropes import WorkingCurves
+from hakobune.mooring.formats.moordyn_system import system_of_moordyn
+from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
+from hakobune.mooring.lines.system.equilibrium import rest
 
 OWC = np.column_stack([np.linspace(0, 0.06, 30), 8.3e7 * np.linspace(0, 0.06, 30) ** 1.05])
 FORMS = [("linear", 1.3e8, 0.0), ("linear", 0.3, 0.0), ("quadratic", 0.25, 1.0), ("exp", 0.2, 1.5), ("exp", 0.2, 0.0)]

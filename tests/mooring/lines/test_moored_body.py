@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.catenary.state import State
-from mooring.lines.multi_segment.segments import PointLoad, Segment
-from mooring.lines.system.equilibrium import held_at, rest
-from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
-from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.catenary.state import State
+from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
+from hakobune.mooring.lines.system.equilibrium import held_at, rest
+from hakobune.mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
+from hakobune.mooring.lines.system.parts import CompositeLine, LineType, UniformLine
 
 TONF, PLANE = 9806.65, [0, 1, 5]
 CHAIN = LineType("chain", 0.406 * TONF, 2.2e5 * TONF)

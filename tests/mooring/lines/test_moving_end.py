@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from mooring.lines.catenary.flat_bed import ROW, solve_line
-from mooring.lines.catenary.moving_end import pull_of_any, workspace
+from hakobune.mooring.lines.catenary.flat_bed import ROW, solve_line
+from hakobune.mooring.lines.catenary.moving_end import pull_of_any, workspace
 
 
 def path(rng, length):

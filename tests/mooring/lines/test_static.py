@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from exact.static_line import faults
 
-from mooring.lines.catenary.solve import solve_lines, span_at_tension
-from mooring.lines.catenary.state import LineError
-from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+from hakobune.mooring.lines.catenary.solve import solve_lines, span_at_tension
+from hakobune.mooring.lines.catenary.state import LineError
+from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 PUBLISHED = Path(__file__).parents[2] / "published"
 

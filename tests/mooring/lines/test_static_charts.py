@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
-from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(60)
 
@@ -199,8 +199,8 @@ def test_lines_with_sinker_and_buoy_are_found_over_any_bed_and_lie_on_it_or_abov
 
 def test_the_length_left_over_at_the_anchor_grows_with_the_tension_beside_a_sinker_that_touches_its_own_place():
     """Below a sinker a span begins parallel to the bed: rounding there is no contact from which to leave it."""
-    from mooring.lines.multi_segment.line_data import workspace_for
-    from mooring.lines.multi_segment.traverse import traverse
+    from hakobune.mooring.lines.multi_segment.line_data import workspace_for
+    from hakobune.mooring.lines.multi_segment.traverse import traverse
 
     line, x, z = list(random_lines(59, 5))[-1]
     data = line._data

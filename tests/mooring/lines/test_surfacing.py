@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, FreePoint, LineSystemError, LineType, UniformLine
-from mooring.lines.system.shapes import line_shapes
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import Anchor, FreePoint, LineSystemError, LineType, UniformLine
+from hakobune.mooring.lines.system.shapes import line_shapes
 
 CHAIN = LineType("chain", 940.0, 5e7, 110.0, 0.13)
 AIR = 110.0 * 9.80665

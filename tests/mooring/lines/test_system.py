@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.database.between_frequencies import Between
-from bem.database.reader import Reader
-from mooring.lines.system.bodies import angles, cross_matrix, rotated, rotation
-from mooring.lines.system.equilibrium import moved, rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.hydrostatics import heading, hydrostatic_load
-from mooring.lines.system.parts import (
+from hakobune.bem import DOFS
+from hakobune.bem.database.between_frequencies import Between
+from hakobune.bem.database.reader import Reader
+from hakobune.mooring.lines.system.bodies import angles, cross_matrix, rotated, rotation
+from hakobune.mooring.lines.system.equilibrium import moved, rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.hydrostatics import heading, hydrostatic_load
+from hakobune.mooring.lines.system.parts import (
     Anchor,
     EquilibriumError,
     Fairlead,
@@ -25,9 +25,9 @@ from mooring.lines.system.parts import (
     MooredBody,
     UniformLine,
 )
-from mooring.lines.system.shapes import line_shapes
-from mooring.studies.natural_periods import moored_periods
-from mooring.studies.system_at_rest import (
+from hakobune.mooring.lines.system.shapes import line_shapes
+from hakobune.mooring.studies.natural_periods import moored_periods
+from hakobune.mooring.studies.system_at_rest import (
     about_body_axes,
     mooring_stiffness,
     offset_curve,
@@ -584,7 +584,7 @@ def test_natural_periods_are_those_of_the_stiffness_in_the_axes_of_the_body():
 
 
 def test_systems_and_files_load_no_compiler_before_something_is_solved():
-    modules = "mooring.studies.system_at_rest, mooring.lines.catalogue, mooring.formats.moorpy, mooring.formats.results"
+    modules = "hakobune.mooring.studies.system_at_rest, mooring.lines.catalogue, mooring.formats.moorpy, mooring.formats.results"
     code = f"import sys, {modules}; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout.strip() == "False"
@@ -607,7 +607,7 @@ def test_a_body_hung_at_its_center_turns_freely_and_passes_on_what_a_point_of_it
 @pytest.mark.parametrize("skew", [0.0, 0.2])
 def test_a_step_solves_the_stiffness_or_is_as_long_as_allowed(skew):
     """(K + m) s = r with m = 0 where that is short enough; a matrix that gives way is refused."""
-    from mooring.lines.system.steps import FOUND, INDEFINITE, step_within
+    from hakobune.mooring.lines.system.steps import FOUND, INDEFINITE, step_within
 
     rng, n = np.random.default_rng(4), 9
     band = np.tril(rng.normal(size=(n, n))) * (np.abs(np.subtract.outer(range(n), range(n))) < 3)

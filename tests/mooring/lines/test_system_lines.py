@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.flat_bed import BELOW_BED, ROW, mirror, solve_line
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.catenary.state import State
+from hakobune.mooring.lines.catenary.flat_bed import BELOW_BED, ROW, mirror, solve_line
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.catenary.state import State
 
 
 def solved(x, a, b, length, weight, axial_stiffness, friction=0.0, bed=True):

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from mooring.lines.dynamics.bed import ROUND
-from mooring.lines.dynamics.lumped.bed import plane_at
-from mooring.lines.dynamics.lumped.system import above_bed
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
-from mooring.lines.dynamics.start import start
-from mooring.lines.dynamics.surroundings import water_arrays
-from mooring.lines.multi_segment import line as static
+from hakobune.mooring.lines.dynamics.bed import ROUND
+from hakobune.mooring.lines.dynamics.lumped.bed import plane_at
+from hakobune.mooring.lines.dynamics.lumped.system import above_bed
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
+from hakobune.mooring.lines.dynamics.start import start
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.lines.multi_segment import line as static
 
 WEIGHT, EA, MASS = 979.3, 4.933e8, 114.94
 STILL = water_arrays(None, None, 9.80665)

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from kinks import assert_slope_is_continuous
 
-from mooring.loads.box_current import box_table, current_force
-from mooring.loads.box_drag import about, drag_table
-from mooring.loads.box_wind import BOX as WIND
-from mooring.loads.box_wind import wind_force
+from hakobune.mooring.loads.box_current import box_table, current_force
+from hakobune.mooring.loads.box_drag import about, drag_table
+from hakobune.mooring.loads.box_wind import BOX as WIND
+from hakobune.mooring.loads.box_wind import wind_force
 
 BOX = dict(length=100.0, beam=50.0)
 

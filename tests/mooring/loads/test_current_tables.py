@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from kinks import assert_slope_is_continuous
 
-from mooring.loads.box_current import ANGLES, _crest, box_table, current_force
-from mooring.loads.crest import CrestSurface, Point
-from mooring.loads.table_file import read_table
+from hakobune.mooring.loads.box_current import ANGLES, _crest, box_table, current_force
+from hakobune.mooring.loads.crest import CrestSurface, Point
+from hakobune.mooring.loads.table_file import read_table
 
 TANK = {1.2: 1.4, 2.0: 1.8}
 DRAFT = 10.0
@@ -161,5 +161,5 @@ def test_sound_values_come_without_notes():
 
 
 def test_tables_travel_with_the_package():
-    names = {file.name for file in files("mooring.loads").joinpath("tables").iterdir()}
+    names = {file.name for file in files("hakobune.mooring.loads").joinpath("tables").iterdir()}
     assert {"current_angles.csv", "current_depths.csv", "turning_derivatives.csv"} <= names

@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 from kinks import assert_slope_is_continuous
 
-from mooring.loads.coefficients import hull_coefficients, hull_force, read_hull_coefficients, shallow_coefficient
+from hakobune.mooring.loads.coefficients import (
+    hull_coefficients,
+    hull_force,
+    read_hull_coefficients,
+    shallow_coefficient,
+)
 
 KNOT_OCIMF = np.sqrt(2 / 7.6)  # m/s: ½ρU² in N is ρ V² 1000/7600 for V in knots
 KNOT = 1852 / 3600

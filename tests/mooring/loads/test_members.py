@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.environment.wind_profile import speed_at
-from mooring.loads.members import Member, wind_on_members
-from mooring.loads.morison import circular, force_per_metre, member_force, plate, square
+from hakobune.mooring.environment.wind_profile import speed_at
+from hakobune.mooring.loads.members import Member, wind_on_members
+from hakobune.mooring.loads.morison import circular, force_per_metre, member_force, plate, square
 
 PILE = circular(1.2, 0.9)
 UP = (0.0, 0.0, 1.0)

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.loads.on_hull import current_on, silhouettes, turning_drag, wind_on
-from mooring.loads.ship_wind import blendermann, ships
-from mooring.studies.conditions import Current, ExposedBox, Wind
+from hakobune.mooring.loads.on_hull import current_on, silhouettes, turning_drag, wind_on
+from hakobune.mooring.loads.ship_wind import blendermann, ships
+from hakobune.mooring.studies.conditions import Current, ExposedBox, Wind
 
 BARE = ExposedBox(100.0, 50.0, 10.0, 10.0)
 HOUSE = ExposedBox(100.0, 50.0, 10.0, 10.0, 200.0, 500.0, 18.0)

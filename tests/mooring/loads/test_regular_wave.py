@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from mooring.environment.current_profile import power_law
-from mooring.loads.regular_wave import RegularWave
+from hakobune.mooring.environment.current_profile import power_law
+from hakobune.mooring.loads.regular_wave import RegularWave
 
 OMEGA, DEPTH, TOWARDS = 0.8, 15.0, np.radians(30)
 PLACES = np.random.default_rng(1).uniform([-40, -40, -14], [40, 40, -1], (20, 3))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 
-from mooring.loads.smooth import parabolic, smooth
+from hakobune.mooring.loads.smooth import parabolic, smooth
 
 
 def points(rng):

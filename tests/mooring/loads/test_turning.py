@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from kinks import assert_slope_is_continuous
 
-from mooring.loads.turning import TurningCoefficients, turning_coefficients, turning_force
+from hakobune.mooring.loads.turning import TurningCoefficients, turning_coefficients, turning_force
 
 TESTS = [(2.0, b, h) for b in (10.0, 20.0) for h in (1.2, 1.5, 3.0, 8.0)] + [
     (s, 10.0, 20.0) for s in (1.0, 1.5, 2.25, 3.0)

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pipelines
-from bem.database import open_database
-from mooring.lines.catalogue import line_type
-from mooring.lines.system.moored_body import corner_legs, moored_body
-from mooring.lines.system.parts import UniformLine
-from mooring.motion.simulation import moored
-from pipelines.cli import main
-from pipelines.moor.study import read_study
+from hakobune import pipelines
+from hakobune.bem.database import open_database
+from hakobune.mooring.lines.catalogue import line_type
+from hakobune.mooring.lines.system.moored_body import corner_legs, moored_body
+from hakobune.mooring.lines.system.parts import UniformLine
+from hakobune.mooring.motion.simulation import moored
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.moor.study import read_study
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.15:2:50 --heading 0:90:4 --gyration 15.55,29.44,32.28"
 SPRING = np.diag([5e6, 8e6, 0.0, 0.0, 0.0, 2e10])

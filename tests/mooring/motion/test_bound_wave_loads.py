@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from mooring.environment.sea import Components, Sea
-from mooring.environment.spectra import jonswap
-from mooring.motion.given_forces import GivenForce
-from mooring.motion.simulation import simulate, wave_components
-from mooring.motion.simulation.loads import pairs
-from mooring.motion.weather import Settings, Weather
-from mooring.response.bound_wave_drift import bound_to_newman, depth_in_waves, left_out, of_sea, record
-from mooring.response.slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond
+from hakobune.mooring.environment.sea import Components, Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.motion.given_forces import GivenForce
+from hakobune.mooring.motion.simulation import simulate, wave_components
+from hakobune.mooring.motion.simulation.loads import pairs
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.response.bound_wave_drift import bound_to_newman, depth_in_waves, left_out, of_sea, record
+from hakobune.mooring.response.slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond
 
 SWELL = Sea(jonswap(0.5, peak_period=14.0), 0.4)
 
@@ -79,7 +79,7 @@ def test_each_of_several_seas_has_its_own_bound_waves_and_short_crests_have_none
     (found,) = pairs(on_springs, both, settings, components)
     t, force = record(bound, Components(*(part[30:] for part in components)), 150.0)
     assert np.array_equal(found.force, force) and np.array_equal(found.times, t - 50.0)
-    from mooring.seas.systems import Systems
+    from hakobune.mooring.seas.systems import Systems
 
     with pytest.raises(ValueError, match="several directions"):
         of_sea(database, Systems((SWELL, Sea(jonswap(0.5, peak_period=8.0), 1.0))))

@@ -5,18 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.waves import wavenumber
-from mooring.lines.ropes import RopePart
-from mooring.lines.system.bodies import rotation
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.graph import Pose
-from mooring.lines.system.moored_body import leg_at_tension, moored_body
-from mooring.lines.system.parts import LineType, MooredBody, UniformLine
-from mooring.motion.buoy import FULL, BuoyBody, BuoyOnLines
-from mooring.motion.given_forces import GivenForce
-from mooring.motion.simulation import simulate
-from mooring.motion.weather import Settings, Weather
-from mooring.studies.conditions import Waves
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.lines.ropes import RopePart
+from hakobune.mooring.lines.system.bodies import rotation
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.graph import Pose
+from hakobune.mooring.lines.system.moored_body import leg_at_tension, moored_body
+from hakobune.mooring.lines.system.parts import LineType, MooredBody, UniformLine
+from hakobune.mooring.motion.buoy import FULL, BuoyBody, BuoyOnLines
+from hakobune.mooring.motion.given_forces import GivenForce
+from hakobune.mooring.motion.simulation import simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.studies.conditions import Waves
 
 PULL, LENGTH, END = 1.5e5, 30.0, np.array([50.0, 0.0, 4.0])
 BUOY, ROPE = BuoyBody(120e3, 8.0, 6.0, drag=(0.0, 0.0)), RopePart(2e7, 1.0)

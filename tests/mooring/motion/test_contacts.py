@@ -6,19 +6,19 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from bem.time_domain.fast_states import slow_memory
-from bem.time_domain.memory import MemoryArrays
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.fenders.families import fender_of_family
-from mooring.fenders.fender import FenderError, fender_of_points
-from mooring.lines.ropes import RopePart, rope
-from mooring.lines.system.parts import LineSystemError
-from mooring.motion.contact_loads import FORCE, contact_loads, contact_work, settle
-from mooring.motion.contacts import QuayFender, berth_force, berth_of, courses
-from mooring.motion.simulation import SimulationError, moored, simulate
-from mooring.motion.simulation.body import FASTEST
-from mooring.motion.weather import Settings, Weather
+from hakobune.bem.time_domain.fast_states import slow_memory
+from hakobune.bem.time_domain.memory import MemoryArrays
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.fenders.families import fender_of_family
+from hakobune.mooring.fenders.fender import FenderError, fender_of_points
+from hakobune.mooring.lines.ropes import RopePart, rope
+from hakobune.mooring.lines.system.parts import LineSystemError
+from hakobune.mooring.motion.contact_loads import FORCE, contact_loads, contact_work, settle
+from hakobune.mooring.motion.contacts import QuayFender, berth_force, berth_of, courses
+from hakobune.mooring.motion.simulation import SimulationError, moored, simulate
+from hakobune.mooring.motion.simulation.body import FASTEST
+from hakobune.mooring.motion.weather import Settings, Weather
 
 Y = np.array([0.0, 1.0, 0.0])
 CELL = fender_of_family("cell", 1.7)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from mooring.motion.extremes import FEWEST, beyond, median_extreme, rare, share_beyond
+from hakobune.mooring.motion.extremes import FEWEST, beyond, median_extreme, rare, share_beyond
 
 SNAPS = 0.15  # share of runs in which a line snaps
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.lines.multi_segment.segments import PointLoad, Segment
-from mooring.lines.system.composite import of_line, solution
-from mooring.lines.system.parts import CompositeLine
-from mooring.motion.force_tables import TOLERANCE, packed, packed_pull, tabulate
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.weather import Settings, Weather
-from mooring.studies.conditions import Current
+from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
+from hakobune.mooring.lines.system.composite import of_line, solution
+from hakobune.mooring.lines.system.parts import CompositeLine
+from hakobune.mooring.motion.force_tables import TOLERANCE, packed, packed_pull, tabulate
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.studies.conditions import Current
 
 TONF = 9806.65
 

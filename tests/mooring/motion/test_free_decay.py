@@ -11,12 +11,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.time_domain.retardation import fourier_weights
-from bem.time_domain.whole_axis import ends_of, whole_axis
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.weather import Settings, Weather
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.bem.time_domain.retardation import fourier_weights
+from hakobune.bem.time_domain.whole_axis import ends_of, whole_axis
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.pipelines.cli import main
 
 START = 0.01 * np.array([1.0, 0, 0.5, 0.02, 0, 0])  # together: what turns of the axes couple is of second order
 MODES = (0, 2, 3)

@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 
-from mooring.environment.tables import TableError
-from mooring.motion.given_forces import read_force
+from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.motion.given_forces import read_force
 
 NAMES = "t,Fx,Fy,Fz,Mx,My,Mz"
 ROWS = [f"{t},1,2,3,4,5,6" for t in range(60)]

@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.lines.system.hawser import Hawser, pull_of_points
-from mooring.lines.system.moored_body import Leg, moored_body
-from mooring.loads.coefficients import hull_coefficients
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.weather import Settings, Weather
-from mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
-from mooring.studies.multi_point import multi_point
+from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
+from hakobune.mooring.lines.system.moored_body import Leg, moored_body
+from hakobune.mooring.loads.coefficients import hull_coefficients
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
+from hakobune.mooring.studies.multi_point import multi_point
 
 AIR, WATER = 1.226, 1025.0
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)

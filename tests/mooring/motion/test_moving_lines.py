@@ -6,21 +6,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.formats.moordyn_writing import moordyn_of_system
-from mooring.lines.catalogue import line_type
-from mooring.lines.dynamics.simulation import FairleadMotion
-from mooring.lines.dynamics.simulation import simulate as drive
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Fairlead, LineDynamics, UniformLine
-from mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
-from mooring.motion.moving_lines.packed import moving_work, state_pull
-from mooring.motion.moving_lines.polynomial import TERMS
-from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
-from mooring.motion.moving_lines.steps import advance_lines, keep_lines
-from mooring.motion.simulation import able_to_move, simulate, with_lines_chosen
-from mooring.motion.weather import Settings, Weather
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
+from hakobune.mooring.lines.catalogue import line_type
+from hakobune.mooring.lines.dynamics.simulation import FairleadMotion
+from hakobune.mooring.lines.dynamics.simulation import simulate as drive
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import Anchor, Fairlead, LineDynamics, UniformLine
+from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
+from hakobune.mooring.motion.moving_lines.packed import moving_work, state_pull
+from hakobune.mooring.motion.moving_lines.polynomial import TERMS
+from hakobune.mooring.motion.moving_lines.prepare import dynamic_line, moving_of
+from hakobune.mooring.motion.moving_lines.steps import advance_lines, keep_lines
+from hakobune.mooring.motion.simulation import able_to_move, simulate, with_lines_chosen
+from hakobune.mooring.motion.weather import Settings, Weather
 
 ROUGH = Weather((Sea(jonswap(2.0, peak_period=9.0), np.pi),))
 WANTED = Settings(40.0, ramp=40.0, step=0.1, dynamic_lines=("fore port 1", "aft port 1"))

@@ -6,20 +6,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.waves import wavenumber
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.environment.spreading import CosinePower
-from mooring.lines.dynamics.lumped.surroundings import water_at
-from mooring.lines.dynamics.simulation import CurrentProfile, FairleadMotion, WaveTrain
-from mooring.lines.dynamics.simulation import simulate as drive
-from mooring.lines.dynamics.surroundings import water_arrays
-from mooring.motion.line_loads import body_lines, fairlead_course
-from mooring.motion.moving_lines.prepare import dynamic_line
-from mooring.motion.moving_lines.sea import line_sea, line_water, open_sea, sea_ahead, water_of
-from mooring.motion.simulation import simulate, wave_components, with_lines_chosen
-from mooring.motion.weather import Settings, Weather
-from mooring.studies.conditions import Current, ExposedBox, Waves
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.lines.dynamics.lumped.surroundings import water_at
+from hakobune.mooring.lines.dynamics.simulation import CurrentProfile, FairleadMotion, WaveTrain
+from hakobune.mooring.lines.dynamics.simulation import simulate as drive
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.motion.line_loads import body_lines, fairlead_course
+from hakobune.mooring.motion.moving_lines.prepare import dynamic_line
+from hakobune.mooring.motion.moving_lines.sea import line_sea, line_water, open_sea, sea_ahead, water_of
+from hakobune.mooring.motion.simulation import simulate, wave_components, with_lines_chosen
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.studies.conditions import Current, ExposedBox, Waves
 
 G, N = 9.80665, 8
 IN_SEA = Settings(40.0, ramp=40.0, step=0.1, dynamic_lines=("fore port 1",), dynamic_water="sea")

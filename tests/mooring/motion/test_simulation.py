@@ -5,25 +5,25 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.time_domain.fast_states import slow_memory
-from bem.time_domain.memory import MemoryArrays
-from bem.viscous import Quadratic, Viscous
-from mooring.environment.sea import Components, Sea
-from mooring.environment.spectra import issc, jonswap
-from mooring.lines.system.bodies import rotation
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.hawser import Hawser, pull_of_points
-from mooring.lines.system.moored_body import Leg, moored_body
-from mooring.motion.expected import expected_motion
-from mooring.motion.given_forces import GivenForce, drift_of_half_waves
-from mooring.motion.simulation import SimulationError, moored, simulate, wave_components
-from mooring.motion.simulation import run as simulation_run
-from mooring.motion.simulation.body import FASTEST
-from mooring.motion.simulation.realisation import doubt_of, with_error
-from mooring.motion.weather import Settings, Weather
-from mooring.response.drift import mean_in_sea
-from mooring.response.slow_drift import force_spectrum
-from mooring.studies.conditions import Current, Waves, Wind
+from hakobune.bem.time_domain.fast_states import slow_memory
+from hakobune.bem.time_domain.memory import MemoryArrays
+from hakobune.bem.viscous import Quadratic, Viscous
+from hakobune.mooring.environment.sea import Components, Sea
+from hakobune.mooring.environment.spectra import issc, jonswap
+from hakobune.mooring.lines.system.bodies import rotation
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
+from hakobune.mooring.lines.system.moored_body import Leg, moored_body
+from hakobune.mooring.motion.expected import expected_motion
+from hakobune.mooring.motion.given_forces import GivenForce, drift_of_half_waves
+from hakobune.mooring.motion.simulation import SimulationError, moored, simulate, wave_components
+from hakobune.mooring.motion.simulation import run as simulation_run
+from hakobune.mooring.motion.simulation.body import FASTEST
+from hakobune.mooring.motion.simulation.realisation import doubt_of, with_error
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.response.drift import mean_in_sea
+from hakobune.mooring.response.slow_drift import force_spectrum
+from hakobune.mooring.studies.conditions import Current, Waves, Wind
 
 LINEAR = Settings(duration=300.0, ramp=500.0, slow_drift="none", tolerance=1e-5, step=0.2)
 CALM = Settings(duration=60.0, ramp=0.0, slow_drift="none")

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import mitsuyasu_bretschneider
-from mooring.motion.simulation import moored, simulate
-from mooring.motion.statistics import parts
-from mooring.motion.weather import Settings, Weather
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import mitsuyasu_bretschneider
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.statistics import parts
+from hakobune.mooring.motion.weather import Settings, Weather
 
 HELD = 1e14  # N m/rad, of yaw
 SPECTRUM = mitsuyasu_bretschneider(4.5, mean_period=10.0)

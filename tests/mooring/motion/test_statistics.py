@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.motion.statistics import (
+from hakobune.mooring.motion.statistics import (
     FEW,
     frequencies_in,
     highest_mean,
@@ -17,7 +17,7 @@ from mooring.motion.statistics import (
     stillness,
     without_rounding,
 )
-from mooring.response.extremes import expected_maximum, mean_of_highest
+from hakobune.mooring.response.extremes import expected_maximum, mean_of_highest
 
 STEP = 0.5
 SINE = 2 * np.pi / 12.0

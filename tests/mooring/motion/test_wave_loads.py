@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from bem.waves import wavenumber
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.environment.spreading import CosinePower
-from mooring.motion.tables.interpolation import EDGE
-from mooring.motion.wave_loads import ROWS, fill_rows, fill_window, wave_table, waves_of
-from mooring.response.slow_drift import component_drift, newman
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.motion.tables.interpolation import EDGE
+from hakobune.mooring.motion.wave_loads import ROWS, fill_rows, fill_window, wave_table, waves_of
+from hakobune.mooring.response.slow_drift import component_drift, newman
 
 ROUNDING = 1e-12  # of phases of a few hundred rad and of sums
 

@@ -5,17 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.waves import wavenumber
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.motion.simulation import simulate
-from mooring.motion.slow_damping import drift_damping_ring
-from mooring.motion.tables.interpolation import EDGE
-from mooring.motion.wave_loads import HEADINGS, ROWS, fill_rows, fill_window, wave_table, waves_of
-from mooring.motion.weather import Settings, Weather
-from mooring.on_current.body import on_current
-from mooring.on_current.waves import Carrier
-from mooring.response.sea_state import sea_state
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.motion.simulation import simulate
+from hakobune.mooring.motion.slow_damping import drift_damping_ring
+from hakobune.mooring.motion.tables.interpolation import EDGE
+from hakobune.mooring.motion.wave_loads import HEADINGS, ROWS, fill_rows, fill_window, wave_table, waves_of
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.on_current.body import on_current
+from hakobune.mooring.on_current.waves import Carrier
+from hakobune.mooring.response.sea_state import sea_state
 
 TOWARDS = np.radians(40.0)
 V = 1.2 * np.array([np.cos(0.9), np.sin(0.9)])
@@ -64,7 +64,7 @@ def test_mean_drift_in_a_stream_is_that_at_rest_less_the_damping_of_the_way_thro
 @pytest.mark.filterwarnings("ignore:components from")
 def test_waves_in_a_run_pass_with_the_frequency_of_encounter(on_springs):
     """Zero crossings of swell of one frequency"""
-    from mooring.studies.conditions import Waves
+    from hakobune.mooring.studies.conditions import Waves
 
     weather = Weather(regular=Waves(1.0, 9.0, TOWARDS), carrier=Carrier(tuple(V)))
     run = simulate(on_springs, weather, Settings(600.0, 100.0), 1)

@@ -7,16 +7,16 @@ from exact.water_waves import group_factor as exact_group_factor
 from exact.water_waves import wavenumber as exact_wavenumber
 from scipy.optimize import brentq
 
-from bem.database.between_frequencies import Between
-from bem.database.reader import Reader
-from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem, prepare
-from bem.waves import group_factor, wavenumber
-from meshing.shapes import buoy
-from mooring.environment.sea import Components, Sea
-from mooring.environment.spectra import jonswap
-from mooring.on_current.body import on_current
-from mooring.on_current.waves import (
+from hakobune.bem.database.between_frequencies import Between
+from hakobune.bem.database.reader import Reader
+from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.panel_problem import PanelProblem, prepare
+from hakobune.bem.waves import group_factor, wavenumber
+from hakobune.meshing.shapes import buoy
+from hakobune.mooring.environment.sea import Components, Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.on_current.body import on_current
+from hakobune.mooring.on_current.waves import (
     Carrier,
     absolute_frequency,
     carrier_of,
@@ -25,9 +25,9 @@ from mooring.on_current.waves import (
     intrinsic_frequency,
     met_by_a_place,
 )
-from mooring.response.linear import _apart
-from mooring.response.wave_drift_damping import drift_and_damping, from_slopes, of_current
-from mooring.studies.conditions import Current
+from hakobune.mooring.response.linear import _apart
+from hakobune.mooring.response.wave_drift_damping import drift_and_damping, from_slopes, of_current
+from hakobune.mooring.studies.conditions import Current
 
 G = 9.80665
 A, H = 10.0, 20.0  # m, radius and depth of the cylinder
@@ -160,8 +160,8 @@ def test_waves_of_still_water_are_asked_for_by_name():
 
 
 def test_crests_pass_a_member_at_rest_with_their_speed_and_that_of_the_surface():
-    from mooring.environment.current_profile import power_law
-    from mooring.loads.regular_wave import RegularWave
+    from hakobune.mooring.environment.current_profile import power_law
+    from hakobune.mooring.loads.regular_wave import RegularWave
 
     wave = RegularWave(1.0, 2 * np.pi / 8.0, 0.4, 25.0, power_law(1.3, 0.4 + np.pi / 3, 25.0, 1 / 7))
     length = 2 * np.pi / exact_wavenumber(2 * np.pi / 8.0, 25.0, G)

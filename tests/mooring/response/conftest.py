@@ -2,8 +2,8 @@
 
 import pytest
 
-from bem.database import open_database
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.pipelines.cli import main
 
 WORDS = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.55,29.44,32.28"
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from bem.database.between_frequencies import Between
-from bem.database.reader import Reader
+from hakobune.bem.database.between_frequencies import Between
+from hakobune.bem.database.reader import Reader
 
 INERTIA = np.diag([5e7, 5e7, 5e7, 1.2e10, 4.4e10, 5.3e10])
 STIFFNESS = np.diag([0, 0, 5e7, 8e9, 4e10, 0])

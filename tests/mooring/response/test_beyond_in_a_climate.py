@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from mooring.response.climate import _drift_beyond, _energy_beyond, _responses_beyond
+from hakobune.mooring.response.climate import _drift_beyond, _energy_beyond, _responses_beyond
 
 PROBABILITY = np.array([0.6, 0.3, 0.1])
 BODY = SimpleNamespace(omega=np.array([0.25 * np.pi, 1.0, 0.5 * np.pi]))  # 8 to 4 s

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from bem.methods.panel_problem import PanelProblem
-from bem.second_order.bound_waves import bound_waves
-from bem.second_order.long_wave_forces import LongWaveBody
-from meshing.shapes import box
-from mooring.environment.sea import Components
-from mooring.environment.spectra import jonswap
-from mooring.response.bound_wave_drift import bound_wave_forces, record, slow_share
-from mooring.response.slow_drift import force_spectrum, force_spectrum_with
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.second_order.bound_waves import bound_waves
+from hakobune.bem.second_order.long_wave_forces import LongWaveBody
+from hakobune.meshing.shapes import box
+from hakobune.mooring.environment.sea import Components
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.response.bound_wave_drift import bound_wave_forces, record, slow_share
+from hakobune.mooring.response.slow_drift import force_spectrum, force_spectrum_with
 
 DEPTH, HEADING, BAND, MEAN = 20.0, np.radians(150.0), (0.45, 1.2), 0.7
 

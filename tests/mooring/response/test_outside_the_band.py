@@ -7,11 +7,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from bem.database.between_frequencies import BetweenError
-from mooring.environment.spectra import issc
-from mooring.response.findings import missed_response, responses_outside, waves_outside
-from mooring.response.seas import check_coverage, energy_outside
-from mooring.response.slow_drift import outside_band
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.response.findings import missed_response, responses_outside, waves_outside
+from hakobune.mooring.response.seas import check_coverage, energy_outside
+from hakobune.mooring.response.slow_drift import outside_band
 
 SPECTRUM = issc(3.0, mean_period=8.0)
 B = 1.25 * (2 * np.pi / SPECTRUM.Tp) ** 4

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from bem.second_order.stored import BetweenPairs
-from mooring.environment.sea import Components, Sea
-from mooring.environment.spectra import jonswap
-from mooring.environment.spreading import CosinePower
-from mooring.response.pair_levels import PairForces, SpreadPairForces
-from mooring.response.slow_drift import HORIZONTAL, force_spectrum_with
+from hakobune.bem.second_order.stored import BetweenPairs
+from hakobune.mooring.environment.sea import Components, Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.response.pair_levels import PairForces, SpreadPairForces
+from hakobune.mooring.response.slow_drift import HORIZONTAL, force_spectrum_with
 
 OMEGA, DIFFERENCE = np.linspace(0.3, 1.5, 25), 0.05 * np.arange(9)
 FINE = np.linspace(0.3, 1.5, 200)

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from made_up_body import HEADINGS, OMEGA, made_up_body, thinned, with_every_second_heading
 
-from bem.database.between_frequencies import BetweenError
-from mooring.environment.spectra import issc, tabulated
-from mooring.response.drift import (
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.mooring.environment.spectra import issc, tabulated
+from hakobune.mooring.response.drift import (
     drift_slopes,
     mean_in_sea,
     mean_in_sea_beyond,
 )
-from mooring.response.linear import frequencies
+from hakobune.mooring.response.linear import frequencies
 
 
 def with_drift(headings=HEADINGS):

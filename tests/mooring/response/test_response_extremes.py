@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.environment.wave_records import elevation
-from mooring.response.extremes import (
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.wave_records import elevation
+from hakobune.mooring.response.extremes import (
     bandwidth,
     bandwidth_of_periods,
     exceedance,
@@ -20,8 +20,8 @@ from mooring.response.extremes import (
     record_peaks,
     significant_factor,
 )
-from mooring.response.long_term import YEAR, long_term
-from mooring.response.return_period import probability_not_exceeded, return_period
+from hakobune.mooring.response.long_term import YEAR, long_term
+from hakobune.mooring.response.return_period import probability_not_exceeded, return_period
 
 TABLE = Path(__file__).parents[2] / "published" / "simulation_statistics.csv"
 DURATION = 1000 * 10.0  # s, 1000 mean wave periods

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from made_up_body import made_up_body
 
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.environment.spreading import CosinePower, WrappedNormal
-from mooring.response.seas import directions, heading_step
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.environment.spreading import CosinePower, WrappedNormal
+from hakobune.mooring.response.seas import directions, heading_step
 
 DEGREES = np.radians(np.arange(360.0))
 TEN = np.radians(10.0)

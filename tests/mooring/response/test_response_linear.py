@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from made_up_body import HEADINGS, INERTIA, OMEGA, STIFFNESS, coefficients, exact_motion, made_up_body
 
-from bem.database.between_frequencies import BetweenError
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.environment.spreading import CosinePower
-from mooring.response.linear import frequencies, moments, response_spectrum
-from mooring.response.seas import directions
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.response.linear import frequencies, moments, response_spectrum
+from hakobune.mooring.response.seas import directions
 
 
 @pytest.mark.parametrize("omega", [0.3, 0.36, 0.6, 0.97, 1.0])

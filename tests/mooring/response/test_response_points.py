@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from made_up_body import made_up_body
 
-from bem.waves import wavenumber
-from mooring.response.points import (
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.response.points import (
     Point,
     acceleration,
     corners_of_bottom,

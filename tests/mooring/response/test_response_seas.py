@@ -8,21 +8,21 @@ import numpy as np
 import pytest
 from made_up_body import made_up_body, thinned
 
-import pipelines
-from bem.database import open_database
-from bem.database.between_frequencies import BetweenError
-from mooring.environment.scatter import Scatter
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.environment.spreading import CosinePower
-from mooring.environment.wave_records import real_sum
-from mooring.response.climate import climate
-from mooring.response.linear import frequencies
-from mooring.response.long_term import YEAR
-from mooring.response.points import KeelPoint, Point
-from mooring.response.sea_state import sea_state
-from mooring.response.slow_drift import component_drift, force_spectrum, held_beyond, newman
-from pipelines.cli import main
+from hakobune import pipelines
+from hakobune.bem.database import open_database
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.mooring.environment.scatter import Scatter
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.environment.wave_records import real_sum
+from hakobune.mooring.response.climate import climate
+from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.response.long_term import YEAR
+from hakobune.mooring.response.points import KeelPoint, Point
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.mooring.response.slow_drift import component_drift, force_spectrum, held_beyond, newman
+from hakobune.pipelines.cli import main
 
 HOUR = 3600.0
 PUBLISHED = Path(__file__).parents[2] / "published" / "model_irregular_waves.csv"

@@ -5,14 +5,14 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from bem.database.between_frequencies import BetweenError
-from mooring.environment.sea import Components, Sea
-from mooring.environment.spectra import issc, jonswap, tabulated
-from mooring.environment.spreading import CosinePower
-from mooring.environment.wave_records import elevation
-from mooring.response.drift import mean_in_sea, mean_in_sea_beyond
-from mooring.response.linear import frequencies
-from mooring.response.slow_drift import (
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.mooring.environment.sea import Components, Sea
+from hakobune.mooring.environment.spectra import issc, jonswap, tabulated
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.environment.wave_records import elevation
+from hakobune.mooring.response.drift import mean_in_sea, mean_in_sea_beyond
+from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.response.slow_drift import (
     component_drift,
     force_spectrum,
     half_wave_drift,
@@ -58,7 +58,7 @@ def test_equal_drift_makes_the_force_follow_the_envelope_of_the_waves():
 @pytest.mark.parametrize("spread", [None, CosinePower(4.0)])
 def test_newmans_mean_over_three_hours_is_the_integral_within_five_per_cent(box_body, spread):
     """Between the seeds the mean of three hours scatters by about 1 %."""
-    from mooring.response.seas import directions
+    from hakobune.mooring.response.seas import directions
 
     spectrum, omega = issc(4.5, mean_period=10.0), frequencies(box_body)
     sea = Sea(spectrum, np.radians(60.0), spread)

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 from made_up_body import made_up_body
 
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.environment.spreading import CosinePower
-from mooring.environment.tables import TableError
-from mooring.environment.wave_records import elevation
-from mooring.response.sea_state import sea_state
-from mooring.response.seas import directions
-from mooring.seas.breaking import BreakingError
-from mooring.seas.spectra_files import read_sea, two_dimensional
-from mooring.seas.systems import Systems
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.environment.wave_records import elevation
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.mooring.response.seas import directions
+from hakobune.mooring.seas.breaking import BreakingError
+from hakobune.mooring.seas.spectra_files import read_sea, two_dimensional
+from hakobune.mooring.seas.systems import Systems
 
 HOUR = 3600.0
 SWAN = """SWAN   1

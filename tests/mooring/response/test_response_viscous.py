@@ -5,17 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.viscous import Quadratic, Tabulated, Viscous, yamashita_roll
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.environment.spreading import WrappedNormal
-from mooring.response.linear import frequencies
-from mooring.response.sea_state import sea_state
-from mooring.response.viscous import in_regular_waves, in_sea, in_time, linearised
-from mooring.studies.conditions import Conditions, Waves
-from mooring.studies.wave_effects import wave_effects
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.bem.viscous import Quadratic, Tabulated, Viscous, yamashita_roll
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.environment.spreading import WrappedNormal
+from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.mooring.response.viscous import in_regular_waves, in_sea, in_time, linearised
+from hakobune.mooring.studies.conditions import Conditions, Waves
+from hakobune.mooring.studies.wave_effects import wave_effects
+from hakobune.pipelines.cli import main
 
 BEAM = np.pi / 2  # seas on the side
 ROLL = 3

@@ -5,14 +5,27 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mooring.environment.gusts import davenport
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc, jonswap
-from mooring.response.extremes import EULER, expected_maximum
-from mooring.response.sea_state import sea_state
-from mooring.response.slow_drift import cross_spectrum, differences, force_spectrum, signed_means, signed_products
-from mooring.studies.slow_motion import Loads, _drift_damping, _expected_largest, _forms_of, _modes, slow_motion
-from mooring.studies.slow_spectrum import drift_of_sea
+from hakobune.mooring.environment.gusts import davenport
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc, jonswap
+from hakobune.mooring.response.extremes import EULER, expected_maximum
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.mooring.response.slow_drift import (
+    cross_spectrum,
+    differences,
+    force_spectrum,
+    signed_means,
+    signed_products,
+)
+from hakobune.mooring.studies.slow_motion import (
+    Loads,
+    _drift_damping,
+    _expected_largest,
+    _forms_of,
+    _modes,
+    slow_motion,
+)
+from hakobune.mooring.studies.slow_spectrum import drift_of_sea
 
 HOUR, PERIOD = 3600.0, 5400.0
 SEA = Sea(jonswap(3.0, peak_period=10.0), np.radians(30.0))

@@ -5,13 +5,13 @@ import pytest
 from made_up_body import with_every_second_heading
 from scipy.optimize import brentq
 
-from bem.waves import group_factor, wavenumber
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.response.drift import drift_slopes
-from mooring.response.linear import frequencies
-from mooring.response.sea_state import sea_state
-from mooring.response.wave_drift_damping import drift_and_damping, from_slopes, mean_damping
+from hakobune.bem.waves import group_factor, wavenumber
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.response.drift import drift_slopes
+from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.mooring.response.wave_drift_damping import drift_and_damping, from_slopes, mean_damping
 
 G = 9.80665
 

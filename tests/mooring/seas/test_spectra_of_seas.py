@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from bem.waves import wavenumber
-from mooring.environment.spectra import issc, jonswap, jonswap_fetch
-from mooring.environment.spectrum import Peaked
-from mooring.environment.tables import TableError
-from mooring.seas.breaking import BreakingError, breaking_height, too_high
-from mooring.seas.record_faults import faults
-from mooring.seas.shallow import limited, tma, tma_fetch
-from mooring.seas.spectra_files import read_sea
-from mooring.seas.two_peaks import OneSystem, ochi_hubble, torsethaugen
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.environment.spectra import issc, jonswap, jonswap_fetch
+from hakobune.mooring.environment.spectrum import Peaked
+from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.seas.breaking import BreakingError, breaking_height, too_high
+from hakobune.mooring.seas.record_faults import faults
+from hakobune.mooring.seas.shallow import limited, tma, tma_fetch
+from hakobune.mooring.seas.spectra_files import read_sea
+from hakobune.mooring.seas.two_peaks import OneSystem, ochi_hubble, torsethaugen
 
 G = 9.80665
 
@@ -121,8 +121,8 @@ def test_waves_break_at_miches_height():
     ids=["trend", "tide", "spike"],
 )
 def test_what_is_no_wave_in_a_record_is_named(spoilt, said):
-    from mooring.environment.sea import Sea
-    from mooring.environment.wave_records import elevation
+    from hakobune.mooring.environment.sea import Sea
+    from hakobune.mooring.environment.wave_records import elevation
 
     t = np.arange(0, 3600.0, 0.5)
     record = elevation(Sea(issc(1.0, mean_period=6.0)).components(500, 1), t)

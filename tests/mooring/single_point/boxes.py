@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from mooring.lines.system.graph import System
-from mooring.lines.system.moored_body import leg_at_tension, moored_body
-from mooring.lines.system.parts import LineType, MooredBody, UniformLine
-from mooring.loads.box_current import current_force
-from mooring.loads.box_drag import drag_table
-from mooring.loads.box_wind import wind_force
-from mooring.loads.turning import turning_coefficients
-from mooring.single_point.body import SinglePoint
-from mooring.single_point.loads import Loads, WaterLoad, WindLoad, isotropic_drift, still_table, turning_table
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.moored_body import leg_at_tension, moored_body
+from hakobune.mooring.lines.system.parts import LineType, MooredBody, UniformLine
+from hakobune.mooring.loads.box_current import current_force
+from hakobune.mooring.loads.box_drag import drag_table
+from hakobune.mooring.loads.box_wind import wind_force
+from hakobune.mooring.loads.turning import turning_coefficients
+from hakobune.mooring.single_point.body import SinglePoint
+from hakobune.mooring.single_point.loads import Loads, WaterLoad, WindLoad, isotropic_drift, still_table, turning_table
 
 RHO, TONF, KNOT = 1025.0, 9806.65, 1852 / 3600
 ANGLES = np.arange(720) * np.pi / 360

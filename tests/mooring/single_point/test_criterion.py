@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.single_point.criterion import (
+from hakobune.mooring.single_point.criterion import (
     Lateral,
     Proportions,
     discriminant,

@@ -9,12 +9,12 @@ import pytest
 from bench.single_point import difference_in_time, missed
 from boxes import TONF, buoy, floater_A
 
-from mooring.single_point.body import SinglePoint, SinglePointError
-from mooring.single_point.criterion import roots
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.loads import Loads
-from mooring.single_point.rings import zeros
-from mooring.single_point.slewing import at_rest_state, rates
+from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
+from hakobune.mooring.single_point.criterion import roots
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.loads import Loads
+from hakobune.mooring.single_point.rings import zeros
+from hakobune.mooring.single_point.slewing import at_rest_state, rates
 
 SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
 

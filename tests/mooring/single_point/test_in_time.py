@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from boxes import floater_A, turning_water
 
-from mooring.single_point.body import SinglePointError
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.history import Record, cycle, line_tensions, settled_after, wave_deviations
-from mooring.single_point.loads import Loads, WaterLoad
-from mooring.single_point.scope import highest_third, peak, significant
-from mooring.single_point.slewing import slew, turned_state
-from mooring.single_point.two_scale import RING, Steps, WaveBody, two_scale
-from mooring.single_point.waves import slow_part, split_frequency
+from hakobune.mooring.single_point.body import SinglePointError
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.history import Record, cycle, line_tensions, settled_after, wave_deviations
+from hakobune.mooring.single_point.loads import Loads, WaterLoad
+from hakobune.mooring.single_point.scope import highest_third, peak, significant
+from hakobune.mooring.single_point.slewing import slew, turned_state
+from hakobune.mooring.single_point.two_scale import RING, Steps, WaveBody, two_scale
+from hakobune.mooring.single_point.waves import slow_part, split_frequency
 
 FREE = 1e4  # m of hawser: nothing holds the body
 

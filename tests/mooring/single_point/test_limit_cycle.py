@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from boxes import KNOT, TONF, buoy, floater_A, turning_water
 
-from mooring.single_point.body import SinglePointError
-from mooring.single_point.criterion import routh_hurwitz
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.limit_cycle import limit_cycle
-from mooring.single_point.loads import Loads
-from mooring.single_point.slewing import rates, slew, turned_state
+from hakobune.mooring.single_point.body import SinglePointError
+from hakobune.mooring.single_point.criterion import routh_hurwitz
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.limit_cycle import limit_cycle
+from hakobune.mooring.single_point.loads import Loads
+from hakobune.mooring.single_point.slewing import rates, slew, turned_state
 
 
 @cache

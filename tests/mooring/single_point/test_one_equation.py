@@ -7,18 +7,18 @@ import pytest
 from boxes import RHO, floater_A
 from scipy.linalg import expm
 
-from mooring.lines.ropes import RopePart
-from mooring.lines.system.graph import Pose
-from mooring.lines.system.parts import MooredBody
-from mooring.motion import buoy as buoys
-from mooring.motion.buoy import BuoyBody, pull_of_rope
-from mooring.motion.simulation import simulate
-from mooring.motion.wave_loads import no_waves
-from mooring.motion.weather import Settings, Weather
-from mooring.single_point.body import NO_POINTS, Hold, SinglePointError
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.one_equation import body_at, run_in_one
-from mooring.single_point.slewing import linearised, slew, turned_state
+from hakobune.mooring.lines.ropes import RopePart
+from hakobune.mooring.lines.system.graph import Pose
+from hakobune.mooring.lines.system.parts import MooredBody
+from hakobune.mooring.motion import buoy as buoys
+from hakobune.mooring.motion.buoy import BuoyBody, pull_of_rope
+from hakobune.mooring.motion.simulation import simulate
+from hakobune.mooring.motion.wave_loads import no_waves
+from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.single_point.body import NO_POINTS, Hold, SinglePointError
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.one_equation import body_at, run_in_one
+from hakobune.mooring.single_point.slewing import linearised, slew, turned_state
 
 BUOY, ROPE = BuoyBody(150e3, 8.0, 5.0, drag=(0.0, 0.0)), RopePart(2e7, 1.0)
 LENGTH = 25.0

@@ -9,10 +9,10 @@ import pytest
 from boxes import TONF, buoy, floater_A
 from scipy.optimize import brentq, linprog
 
-from mooring.catenary import solve_lines
-from mooring.single_point.body import SinglePoint
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.scope import length_without_uplift, peak
+from hakobune.mooring.catenary import solve_lines
+from hakobune.mooring.single_point.body import SinglePoint
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.scope import length_without_uplift, peak
 
 SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
 FLOATERS = {"A": (3.0, 14.0), "B": (6.0, 40.0)}  # m, draft of the buoy, and the depth of most head-on rows

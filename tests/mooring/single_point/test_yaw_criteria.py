@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from boxes import ANGLES, KNOT, RHO, buoy
 
-from mooring.loads.ship_derivatives import by_yaw_rate, clarke
-from mooring.single_point.body import SinglePoint
-from mooring.single_point.criterion import moored_quartic, roots, routh_hurwitz
-from mooring.single_point.equilibria import equilibria
-from mooring.single_point.loads import Loads, WaterLoad, still_table
-from mooring.single_point.yaw_criteria import straight_line, yaw_stability
+from hakobune.mooring.loads.ship_derivatives import by_yaw_rate, clarke
+from hakobune.mooring.single_point.body import SinglePoint
+from hakobune.mooring.single_point.criterion import moored_quartic, roots, routh_hurwitz
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.loads import Loads, WaterLoad, still_table
+from hakobune.mooring.single_point.yaw_criteria import straight_line, yaw_stability
 
 LENGTH, BEAM, DRAFT, MASS, GYRATION = 310.0, 47.17, 18.9, 240.697e6, 79.3
 SPEED = 2.0 * KNOT

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from mooring.environment.scatter import Scatter
-from mooring.site.contours import HOURS, JointLaw, joint_law
+from hakobune.mooring.environment.scatter import Scatter
+from hakobune.mooring.site.contours import HOURS, JointLaw, joint_law
 
 LAW = JointLaw((0.7, 1.8, 1.4), (1.0, 0.8, 0.35), (0.06, 0.12, 0.4), "peak_period", 12.0)
 HEIGHTS, PERIODS = np.arange(0.25, 14.0, 0.5), np.arange(2.25, 26.0, 0.5)

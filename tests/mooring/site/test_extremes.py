@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from mooring.environment.wind_profile import froya_speed_at, mean_over
-from mooring.site.extremes import fit_extremes, plotting_positions
-from mooring.site.seismic import seismic_coefficient, seismic_force
+from hakobune.mooring.environment.wind_profile import froya_speed_at, mean_over
+from hakobune.mooring.site.extremes import fit_extremes, plotting_positions
+from hakobune.mooring.site.seismic import seismic_coefficient, seismic_force
 
 MAXIMA = stats.gumbel_r.rvs(25.0, 3.0, size=30, random_state=4)
 

@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from mooring.loads.box_current import current_force
-from mooring.studies.conditions import Current, ExposedBox
-from mooring.studies.long_period import _drag_of, _one
+from hakobune.mooring.loads.box_current import current_force
+from hakobune.mooring.studies.conditions import Current, ExposedBox
+from hakobune.mooring.studies.long_period import _drag_of, _one
 
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
 WATER = SimpleNamespace(density=1025.0, water_depth=20.0)

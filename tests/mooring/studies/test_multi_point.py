@@ -9,26 +9,26 @@ import numpy as np
 import pytest
 from chain_study import chain_study
 
-import pipelines
-from bem.database import Header, append, append_limit, create, open_database, pending, writing
-from bem.database.between_frequencies import Between
-from bem.database.reader import Reader
-from bem.waves import incident_wave, wavenumber
-from meshing.panels import PanelMesh
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.catenary.state import State
-from mooring.lines.multi_segment.segments import PointLoad, Segment
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.moored_body import corner_legs, moored_body
-from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
-from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
-from mooring.studies.multi_point import line_ends, multi_point
-from mooring.studies.multi_point_findings import resonances
-from pipelines.common.quantities import StudyError
-from pipelines.common.units import KNOT, TONF
-from pipelines.moor.command import moor
-from pipelines.moor.plan_picture import UNKNOWN
-from pipelines.moor.study import make_study, read_study
+from hakobune import pipelines
+from hakobune.bem.database import Header, append, append_limit, create, open_database, pending, writing
+from hakobune.bem.database.between_frequencies import Between
+from hakobune.bem.database.reader import Reader
+from hakobune.bem.waves import incident_wave, wavenumber
+from hakobune.meshing.panels import PanelMesh
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.catenary.state import State
+from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.moored_body import corner_legs, moored_body
+from hakobune.mooring.lines.system.parts import CompositeLine, LineType, UniformLine
+from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
+from hakobune.mooring.studies.multi_point import line_ends, multi_point
+from hakobune.mooring.studies.multi_point_findings import resonances
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.units import KNOT, TONF
+from hakobune.pipelines.moor.command import moor
+from hakobune.pipelines.moor.plan_picture import UNKNOWN
+from hakobune.pipelines.moor.study import make_study, read_study
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 MASS = 51.25e6
@@ -328,7 +328,7 @@ def test_every_number_of_the_results_file_has_its_unit(tmp_path, database):
 def test_a_line_without_a_breaking_load_has_a_colour_of_its_own_in_the_plan(tmp_path, database, monkeypatch):
     study, drawn = tmp_path / "study.toml", []
     study.write_text(STUDY.replace("breaking_load_tonf = 1700.0\n", ""))
-    monkeypatch.setattr("pipelines.moor.plan_picture.save", lambda figure, *_: drawn.append(figure))
+    monkeypatch.setattr("hakobune.pipelines.moor.plan_picture.save", lambda figure, *_: drawn.append(figure))
     moor(study, database, tmp_path / "moor.h5", quiet=True)
     axes = drawn[0].axes[0]
     assert {line.get_color() for line in axes.lines if line.get_linewidth() == 2.5} == {UNKNOWN}

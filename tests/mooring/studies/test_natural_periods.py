@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.database.natural_periods import natural_periods
-from mooring.lines.system.moored_body import corner_legs, moored_body
-from mooring.lines.system.parts import LineType, UniformLine
+from hakobune.bem.database.natural_periods import natural_periods
+from hakobune.mooring.lines.system.moored_body import corner_legs, moored_body
+from hakobune.mooring.lines.system.parts import LineType, UniformLine
 
 OMEGA = np.linspace(0.1, 2.0, 20)
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from meshing.shapes import box
-from mooring.lines.system.moored_body import Leg, moored_body
-from mooring.lines.system.parts import LineType, UniformLine
-from mooring.response.findings import some
-from mooring.studies.conditions import ExposedBox
-from mooring.studies.places import check_places, off_the_mesh, place_findings
+from hakobune.meshing.shapes import box
+from hakobune.mooring.lines.system.moored_body import Leg, moored_body
+from hakobune.mooring.lines.system.parts import LineType, UniformLine
+from hakobune.mooring.response.findings import some
+from hakobune.mooring.studies.conditions import ExposedBox
+from hakobune.mooring.studies.places import check_places, off_the_mesh, place_findings
 
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
 CHAIN = LineType("chain", 3500.0, 1e9)

@@ -5,12 +5,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from mooring.environment.gusts import kaimal
-from mooring.loads.box_drag import drag_table
-from mooring.motion.streams import current_stream, stream_force, wind_stream
-from mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
-from mooring.studies.slow_spectrum import gust_spectrum
-from mooring.studies.steady_loads import steady_loads
+from hakobune.mooring.environment.gusts import kaimal
+from hakobune.mooring.loads.box_drag import drag_table
+from hakobune.mooring.motion.streams import current_stream, stream_force, wind_stream
+from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
+from hakobune.mooring.studies.slow_spectrum import gust_spectrum
+from hakobune.mooring.studies.steady_loads import steady_loads
 
 HULL = ExposedBox(100.0, 40.0, 10.0, 6.0)
 FLAT = drag_table([0.0, np.pi / 2], [1.2, 0.0], [0.0, 0.9])  # without a lever: the force acts amidships

@@ -5,12 +5,12 @@ import numpy as np
 import pytest
 from chain_study import chain_study
 
-from bem.database import open_database
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.response.sea_state import sea_state
-from pipelines.cli import main
-from pipelines.moor.command import moor
+from hakobune.bem.database import open_database
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.moor.command import moor
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 100 --gyration 15.55,29.44,32.28"
 STUDY = f"""{chain_study([45])}[waves]

@@ -11,18 +11,18 @@ import numpy as np
 import pytest
 from bench.solver_references import exact, extrapolated
 
-from bem.checks import ERROR_ORDER
-from meshing.panels import PanelMesh
-from pipelines.bench.cases import CASES
-from pipelines.bench.measure import Row, measured
-from pipelines.bench.meshes import part
-from pipelines.bench.peers import repeated
-from pipelines.bench.plan import PROGRAMS, Job, plan
-from pipelines.bench.ratios import equal_panels, one_thread_and_two
-from pipelines.bench.references import Coefficients, compared, error, references
-from pipelines.bench.run import bench
-from pipelines.bench.tables import LEVELS, is_rows, least_ms
-from pipelines.cli import main
+from hakobune.bem.checks import ERROR_ORDER
+from hakobune.meshing.panels import PanelMesh
+from hakobune.pipelines.bench.cases import CASES
+from hakobune.pipelines.bench.measure import Row, measured
+from hakobune.pipelines.bench.meshes import part
+from hakobune.pipelines.bench.peers import repeated
+from hakobune.pipelines.bench.plan import PROGRAMS, Job, plan
+from hakobune.pipelines.bench.ratios import equal_panels, one_thread_and_two
+from hakobune.pipelines.bench.references import Coefficients, compared, error, references
+from hakobune.pipelines.bench.run import bench
+from hakobune.pipelines.bench.tables import LEVELS, is_rows, least_ms
+from hakobune.pipelines.cli import main
 
 CYLINDERS = [case for case in CASES.values() if case.shape == "buoy"]
 BOXES = [case for case in CASES.values() if case.shape == "box"]
@@ -205,7 +205,7 @@ def test_a_bench_holds_every_program_case_and_number_of_threads():
 
 def test_what_was_measured_is_written_when_a_bench_is_interrupted(tmp_path, monkeypatch):
     row = Row("cylinder-30", "hakobune", "contour", 1e-3, None, 1, "full", 1e-4, "A11", warm_ms=1.0, cpu_ms=1.0)
-    monkeypatch.setattr("pipelines.bench.run.measured", lambda *asked: row)
+    monkeypatch.setattr("hakobune.pipelines.bench.run.measured", lambda *asked: row)
 
     def say(line):
         if line.startswith("1/2"):
@@ -219,9 +219,9 @@ def test_what_was_measured_is_written_when_a_bench_is_interrupted(tmp_path, monk
 
 def test_the_command_measures_what_tolerances_and_panels_promise(tmp_path, capsys, monkeypatch):
     """Panels as `pipelines.solve.panel_counts.panels_for` counts them for a buoy: 250 for one per cent"""
-    monkeypatch.setattr("pipelines.bench.measure.MORE", 0.0)  # no passes for better times
-    monkeypatch.setattr("pipelines.bench.run.AGAIN", 0)
-    monkeypatch.setattr("pipelines.bench.run._to_fill_caches", lambda jobs: ())
+    monkeypatch.setattr("hakobune.pipelines.bench.measure.MORE", 0.0)  # no passes for better times
+    monkeypatch.setattr("hakobune.pipelines.bench.run.AGAIN", 0)
+    monkeypatch.setattr("hakobune.pipelines.bench.run._to_fill_caches", lambda jobs: ())
     words = ["bench", "--quick", "--only", "cylinder-30", "--output", str(tmp_path / "made")]
     assert main(words) == 0
     assert "other programs are left out" in capsys.readouterr().out

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from pipelines import cli
+from hakobune.pipelines import cli
 
 L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.3, 220_000.0, 0.12, 40.0  # m, t, m/s
 DOLPHIN = 34000.0  # kN/m

@@ -8,8 +8,8 @@ import h5py
 import numpy as np
 import pytest
 
-import pipelines
-from pipelines.cli import main
+from hakobune import pipelines
+from hakobune.pipelines.cli import main
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 TONNE = 9800.0  # N, of the paper

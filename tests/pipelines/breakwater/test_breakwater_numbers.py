@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 import pytest
 
-from pipelines.cli import main
+from hakobune.pipelines.cli import main
 
 RHO, G, BEAM, DRAFT, FREE, TIDE, ANGLE = 1025.0, 9.80665, 10.0, 5.0, 3.4, 0.5, np.radians(60)
 STUDY = f"""

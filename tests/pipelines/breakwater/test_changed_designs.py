@@ -2,9 +2,9 @@
 
 import pytest
 
-from pipelines.breakwater.pareto import changed
-from pipelines.breakwater.study import MOST_OBLIQUE, read_breakwater
-from pipelines.common.quantities import StudyError
+from hakobune.pipelines.breakwater.pareto import changed
+from hakobune.pipelines.breakwater.study import MOST_OBLIQUE, read_breakwater
+from hakobune.pipelines.common.quantities import StudyError
 
 TEXT = """
 holdings = ["taut"]

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 import tomli_w
 
-import pipelines
-from pipelines.cli import main
-from pipelines.common import bounds
-from pipelines.common.bounds import Pace, TooMuchError, check_memory, check_seconds, told, whole_number
-from pipelines.common.progress import duration
+from hakobune import pipelines
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common import bounds
+from hakobune.pipelines.common.bounds import Pace, TooMuchError, check_memory, check_seconds, told, whole_number
+from hakobune.pipelines.common.progress import duration
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 SEA = "sea --height 3 --mean-period 8 --record new.csv"

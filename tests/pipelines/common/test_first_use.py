@@ -8,9 +8,9 @@ import numba
 import pytest
 from numba.core import event
 
-from bem.kernels import jit
-from pipelines import cli, start
-from pipelines.common.first_use import tell_first_use
+from hakobune.bem.kernels import jit
+from hakobune.pipelines import cli, start
+from hakobune.pipelines.common.first_use import tell_first_use
 
 
 def test_the_first_kernel_that_is_compiled_is_told_of_once(monkeypatch):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from meshing.whole_files import NotWritten, keep_room
+from hakobune.meshing.whole_files import NotWritten, keep_room
 
 resource = pytest.importorskip("resource")
 
@@ -19,7 +19,7 @@ SEA = "sea --height 3 --mean-period 8 --duration 600"
 SECTIONS = "sections --beam-draft 5 --depth-draft 2 --xi 1 --tolerance 1e-3"
 LIMITED = (
     "import resource, sys\n"
-    "from pipelines.cli import main\n"
+    "from hakobune.pipelines.cli import main\n"
     "resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))\n"
     "sys.exit(main(sys.argv[2:]))"
 )

@@ -5,9 +5,9 @@ import time
 
 import pytest
 
-from pipelines.cli import main
-from pipelines.common import interrupt
-from pipelines.common.interrupt import ctrl_c
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common import interrupt
+from hakobune.pipelines.common.interrupt import ctrl_c
 
 BOX = ["box", "--length", "10", "--beam", "5", "--draft", "1", "--depth", "5", "--omega", "1"]
 KEPT = "; what was solved is stored, the same command goes on"
@@ -16,12 +16,12 @@ KEPT = "; what was solved is stored, the same command goes on"
 @pytest.mark.parametrize(
     ("words", "place", "said"),
     [
-        (["plot", "box.h5"], "bem.database.open_database", ""),
-        (["look", "box.h5", "--screenshot", "box.png"], "pipelines.view.looking.look", ""),
-        (["sections"], "bem.sections.tables.tables", ""),
-        ([*BOX, "--mesh-only"], "pipelines.solve.hull.make_hull", ""),
-        (BOX, "pipelines.solve.run.solve", KEPT),
-        (["compare", "sections"], "pipelines.reports.comparisons.sets.solved", KEPT),
+        (["plot", "box.h5"], "hakobune.bem.database.open_database", ""),
+        (["look", "box.h5", "--screenshot", "box.png"], "hakobune.pipelines.view.looking.look", ""),
+        (["sections"], "hakobune.bem.sections.tables.tables", ""),
+        ([*BOX, "--mesh-only"], "hakobune.pipelines.solve.hull.make_hull", ""),
+        (BOX, "hakobune.pipelines.solve.run.solve", KEPT),
+        (["compare", "sections"], "hakobune.pipelines.reports.comparisons.sets.solved", KEPT),
     ],
 )
 def test_only_of_what_is_stored_is_said_that_it_is(words, place, said, tmp_path, monkeypatch, capsys):

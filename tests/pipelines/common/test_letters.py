@@ -4,7 +4,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from pipelines.common import picture
+from hakobune.pipelines.common import picture
 
 
 @pytest.fixture

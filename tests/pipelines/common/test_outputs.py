@@ -5,9 +5,9 @@ from pathlib import Path
 import h5py
 import pytest
 
-import pipelines
-from pipelines.cli import main
-from pipelines.common.outputs import opening
+from hakobune import pipelines
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.outputs import opening
 
 STUDY = str(Path(pipelines.__file__).parent / "scenes" / "response_box_20m.toml")
 SEA = ["sea", "--height", "3", "--mean-period", "8"]

@@ -4,7 +4,7 @@ import warnings
 
 import pytest
 
-from pipelines.common.anchors import warn_of_anchors
+from hakobune.pipelines.common.anchors import warn_of_anchors
 
 
 def said(heights, depth):

@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 from scipy.special import gamma
 
-from mooring.seas.systems import Systems
-from pipelines.common.quantities import StudyError
-from pipelines.common.typed import typed
-from pipelines.common.weather.seas import PERIODS, SeaTable
-from pipelines.design.tables import StateTable
-from pipelines.line_dynamics.study import LineSeaTable
-from pipelines.moor.study import make_study
-from pipelines.response.study import SystemTable
-from pipelines.simulate.study import plan_of
-from pipelines.single_point.tables import WavesTable as SinglePointWaves
+from hakobune.mooring.seas.systems import Systems
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.typed import typed
+from hakobune.pipelines.common.weather.seas import PERIODS, SeaTable
+from hakobune.pipelines.design.tables import StateTable
+from hakobune.pipelines.line_dynamics.study import LineSeaTable
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.response.study import SystemTable
+from hakobune.pipelines.simulate.study import plan_of
+from hakobune.pipelines.single_point.tables import WavesTable as SinglePointWaves
 
 HEAD = "[water]\ndepth = 20.0\n[hull]\nfreeboard = 10.0\n[waves]\nheight = 3.0\nincidence_deg = 0.0\n"
 # of S = A ω⁻⁵ exp(−B ω⁻⁴), moments m_n = A B^(n/4 − 1) Γ(1 − n/4)/4 and a peak where ω⁴ = 4B/5, in units of 2π B^(−1/4)

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from pipelines import cli
+from hakobune.pipelines import cli
 
 T = np.arange(0.0, 400.0, 1.0)
 OMEGA = 2 * np.pi / 50.0

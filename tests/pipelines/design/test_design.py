@@ -9,29 +9,29 @@ import numpy as np
 import pytest
 import tomli_w
 
-from meshing.seals import text_damaged
-from mooring.criteria.rules import Criterion, RuleError, unit_of
-from mooring.criteria.verdict import OF_TENSIONS, SHARE
-from pipelines.common.picture import save
-from pipelines.common.quantities import StudyError
-from pipelines.design.advice import Advice, Tried, _smallest, advise, after_lines_move
-from pipelines.design.cases import intact_cases
-from pipelines.design.command import made
-from pipelines.design.fatigue import QUANTITY as FATIGUE
-from pipelines.design.fatigue import fatigue
-from pipelines.design.kinds import breakwater, mooring, single_point, stored
-from pipelines.design.kinds.changes import ways
-from pipelines.design.kinds.in_time import cycles_of
-from pipelines.design.kinds.needs import SCOPE
-from pipelines.design.project import read_project
-from pipelines.design.report_words import advice_words, warnings
-from pipelines.design.verdict import judged_project
-from pipelines.executors.choice import Here
-from pipelines.moor.command import studied
-from pipelines.moor.study import make_study
-from pipelines.scene.scene import make_scene
-from pipelines.simulate.over_runs import OF_LINES
-from pipelines.solve.run import solve
+from hakobune.meshing.seals import text_damaged
+from hakobune.mooring.criteria.rules import Criterion, RuleError, unit_of
+from hakobune.mooring.criteria.verdict import OF_TENSIONS, SHARE
+from hakobune.pipelines.common.picture import save
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.design.advice import Advice, Tried, _smallest, advise, after_lines_move
+from hakobune.pipelines.design.cases import intact_cases
+from hakobune.pipelines.design.command import made
+from hakobune.pipelines.design.fatigue import QUANTITY as FATIGUE
+from hakobune.pipelines.design.fatigue import fatigue
+from hakobune.pipelines.design.kinds import breakwater, mooring, single_point, stored
+from hakobune.pipelines.design.kinds.changes import ways
+from hakobune.pipelines.design.kinds.in_time import cycles_of
+from hakobune.pipelines.design.kinds.needs import SCOPE
+from hakobune.pipelines.design.project import read_project
+from hakobune.pipelines.design.report_words import advice_words, warnings
+from hakobune.pipelines.design.verdict import judged_project
+from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.moor.command import studied
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.simulate.over_runs import OF_LINES
+from hakobune.pipelines.solve.run import solve
 
 SCENE = {
     "water": {"depth": 20.0},
@@ -74,7 +74,7 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope="module", autouse=True)
 def one_plan():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pipelines.design.report_pictures.MOST_PLANS", 1)
+        patch.setattr("hakobune.pipelines.design.report_pictures.MOST_PLANS", 1)
         yield
 
 
@@ -83,8 +83,8 @@ def without_pictures(request, monkeypatch):
     """Where the page is not looked at: its pictures take most of the time"""
     if "first" not in request.fixturenames:
         for name in ("body_picture", "use_picture"):
-            monkeypatch.setattr(f"pipelines.design.report.{name}", lambda *given: "")
-        monkeypatch.setattr("pipelines.design.report.plans", lambda *given: ())
+            monkeypatch.setattr(f"hakobune.pipelines.design.report.{name}", lambda *given: "")
+        monkeypatch.setattr("hakobune.pipelines.design.report.plans", lambda *given: ())
 
 
 @pytest.fixture(scope="module")
@@ -111,7 +111,7 @@ class Page(HTMLParser):
 
 def test_the_intact_case_is_the_mooring_study_itself(folder, first):
     """Lines named by fairlead and anchor lie as the spread that they were laid as"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     verdict = first[0]
     (work,) = [one for one in verdict.ran if one.case.state == "work" and one.case.factor == 1]
@@ -122,7 +122,7 @@ def test_the_intact_case_is_the_mooring_study_itself(folder, first):
 
 def test_every_case_of_a_ship_has_the_wind_of_its_file(folder, tmp_path):
     """At 240°, which the file has: F_x = −0.6 q 800, F_y = −0.7 q 1500, M_z = −0.05 q 1500·90, 14 m above the water"""
-    from bem.database import open_database
+    from hakobune.bem.database import open_database
 
     rows = "0,1,0,0\n60,0.5,0.7,0.1\n120,-0.4,0.8,0\n180,-1,0,0\n240,-0.6,-0.7,-0.05\n300,0.5,-0.7,0.1\n360,1,0,0\n"
     sizes = "# area_x = 800\n# area_y = 1500\n# length = 90\n# height = 14\n"
@@ -262,8 +262,10 @@ def test_a_second_run_solves_nothing_and_gives_the_same_bytes(folder, first, mon
     picture = out / "pictures" / "utilisation.png"
     picture.write_bytes(picture.read_bytes()[:-20])
     solved, drawn = [], []
-    monkeypatch.setattr("pipelines.moor.command.studied", lambda *given: solved.append(given) or studied(*given))
-    monkeypatch.setattr("pipelines.common.picture.save", lambda *given: drawn.append(given[1]) or save(*given))
+    monkeypatch.setattr(
+        "hakobune.pipelines.moor.command.studied", lambda *given: solved.append(given) or studied(*given)
+    )
+    monkeypatch.setattr("hakobune.pipelines.common.picture.save", lambda *given: drawn.append(given[1]) or save(*given))
     again = made(read_project(folder / "project.toml"), out, Here(), None, advice=False)
     assert len(solved) == 1 and lost.is_file() and drawn == [picture]
     assert {name: (out / name).read_bytes() for name in again[1]} == before

@@ -5,11 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from mooring.criteria.fatigue import Cycles
-from pipelines.design.fatigue import fatigue
-from pipelines.design.kinds.in_time import cycles_of
-from pipelines.design.kinds.needs import SCOPE
-from pipelines.design.running import given_parts
+from hakobune.mooring.criteria.fatigue import Cycles
+from hakobune.pipelines.design.fatigue import fatigue
+from hakobune.pipelines.design.kinds.in_time import cycles_of
+from hakobune.pipelines.design.kinds.needs import SCOPE
+from hakobune.pipelines.design.running import given_parts
 
 LIFE = 25.0  # years
 

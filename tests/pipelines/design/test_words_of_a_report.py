@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pipelines.design.report import _body_words, _checks, _whole
+from hakobune.pipelines.design.report import _body_words, _checks, _whole
 
 
 def test_every_check_that_fails_is_told_with_its_number_and_limit(monkeypatch):
@@ -13,8 +13,8 @@ def test_every_check_that_fails_is_told_with_its_number_and_limit(monkeypatch):
         SimpleNamespace(name="Haskind", passed=True, largest=0.001, omega=0.5, limit=0.01),
         SimpleNamespace(name="residual", passed=False, largest=2e-3, omega=1.25, limit=1e-3),
     ]
-    monkeypatch.setattr("bem.database.open_database", lambda path: path)
-    monkeypatch.setattr("pipelines.solve.report.checked", lambda db: checks if db == "a.h5" else checks[1:2])
+    monkeypatch.setattr("hakobune.bem.database.open_database", lambda path: path)
+    monkeypatch.setattr("hakobune.pipelines.solve.report.checked", lambda db: checks if db == "a.h5" else checks[1:2])
     told = list(_checks({"mean": "a.h5", "high": "b.h5"}))
     assert [one["text"] for one in told if one["css"] == "fails"] == [
         "mean: energy is 0.034 at ω 0.512 rad/s; limit 0.01",

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 import tomli_w
 
-import pipelines
-from bem.time_domain.memory import no_memory
-from pipelines.common.quantities import StudyError
-from pipelines.design.command import made
-from pipelines.design.kinds.breakwater import _numbers as breakwater_numbers
-from pipelines.design.project import read_project
-from pipelines.executors.choice import Here
+from hakobune import pipelines
+from hakobune.bem.time_domain.memory import no_memory
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.design.command import made
+from hakobune.pipelines.design.kinds.breakwater import _numbers as breakwater_numbers
+from hakobune.pipelines.design.project import read_project
+from hakobune.pipelines.executors.choice import Here
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 COARSE = {"periods": [6.0, 8.0, 11.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
@@ -65,14 +65,14 @@ def rows(path):
 
 @pytest.fixture
 def quick(monkeypatch):
-    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
+    monkeypatch.setattr("hakobune.mooring.motion.simulation.moored_body.fitted_memory", without_memory)
 
 
 @pytest.fixture(autouse=True)
 def with_one_picture(monkeypatch):
     """The page with one plan and without the curves of the body, which take seconds"""
-    monkeypatch.setattr("pipelines.design.report.body_picture", lambda database, folder: "")
-    monkeypatch.setattr("pipelines.design.report_pictures.MOST_PLANS", 1)
+    monkeypatch.setattr("hakobune.pipelines.design.report.body_picture", lambda database, folder: "")
+    monkeypatch.setattr("hakobune.pipelines.design.report_pictures.MOST_PLANS", 1)
 
 
 @pytest.fixture(scope="module")
@@ -83,10 +83,10 @@ def tanker(tmp_path_factory):
 
 
 def test_a_tanker_berth_is_judged_by_ropes_fenders_dolphins_and_motions(tanker, quick):
-    from bem.database import open_database
-    from mooring.motion.contacts import courses
-    from pipelines.moor.study import make_study
-    from pipelines.simulate.file import opened
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.motion.contacts import courses
+    from hakobune.pipelines.moor.study import make_study
+    from hakobune.pipelines.simulate.file import opened
 
     out = tanker.parent / "out"
     verdict, names, _ = made(read_project(tanker), out, Here(), None)
@@ -124,7 +124,7 @@ def series_of(pair):
 
 
 def test_a_berth_at_high_water_has_its_bollards_and_fenders_lower_on_the_hull(tanker):
-    from pipelines.design.kinds import mooring
+    from hakobune.pipelines.design.kinds import mooring
 
     read = read_project(tanker)
     base = {key: value for key, value in read.study.items() if key != "waves"}
@@ -136,7 +136,7 @@ def test_a_berth_at_high_water_has_its_bollards_and_fenders_lower_on_the_hull(ta
 
 
 def test_names_in_the_plan_of_a_berth_lie_over_none_of_their_row():
-    from pipelines.design.kinds.berth_plan import LETTER, _in_rows
+    from hakobune.pipelines.design.kinds.berth_plan import LETTER, _in_rows
 
     rng = np.random.default_rng(1)
     for scale in (0.01, 0.03, 0.2):
@@ -171,11 +171,11 @@ def barge(tmp_path_factory):
 
 
 def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, monkeypatch):
-    from bem.database import open_database
-    from mooring.single_point.equilibria import equilibria
-    from pipelines.single_point.report import preferred
-    from pipelines.single_point.study import make
-    from pipelines.single_point.tables import read_study
+    from hakobune.bem.database import open_database
+    from hakobune.mooring.single_point.equilibria import equilibria
+    from hakobune.pipelines.single_point.report import preferred
+    from hakobune.pipelines.single_point.study import make
+    from hakobune.pipelines.single_point.tables import read_study
 
     out = barge.parent / "out"
     verdict, _, _ = made(read_project(barge), out, Here(), None)
@@ -193,7 +193,9 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, 
     with h5py.File(intact.path) as file:  # waves without their slow drift, for which the report (3.6) adds a fifth
         pulled = file["run/line_tension"][()].max(axis=0)
     np.testing.assert_allclose(intact.numbers.largest[1:], 1.2 * pulled, rtol=1e-9)
-    monkeypatch.setattr("pipelines.design.kinds.single_point._found", None)  # again: taken from the file, the same
+    monkeypatch.setattr(
+        "hakobune.pipelines.design.kinds.single_point._found", None
+    )  # again: taken from the file, the same
     again, _ = read_project(barge).kind.run(intact.case.study, out / "databases" / "mean.h5", intact.path, [1.0])
     for name, value in again._asdict().items():
         np.testing.assert_equal(value, getattr(intact.numbers, name))
@@ -221,9 +223,9 @@ def test_a_hawser_and_the_lines_of_its_buoy_are_each_judged(barge, drop, message
 
 
 def test_lines_of_a_buoy_end_at_the_same_anchors_at_every_level(barge):
-    from pipelines.design.kinds import single_point
-    from pipelines.single_point.study import DENSITY, system_of
-    from pipelines.single_point.tables import make_study
+    from hakobune.pipelines.design.kinds import single_point
+    from hakobune.pipelines.single_point.study import DENSITY, system_of
+    from hakobune.pipelines.single_point.tables import make_study
 
     base = single_point.base(read_project(barge).study, None)
     systems = [
@@ -253,8 +255,8 @@ def test_a_floater_between_dolphins_is_judged_by_strains_and_loads_of_dolphins(t
     # the earthquake by its own door: strain of the fender alone, and what of the dolphin's strength it takes
     from scipy.optimize import brentq
 
-    from pipelines.earthquake.command import methods
-    from pipelines.earthquake.study import quake_of, read_study
+    from hakobune.pipelines.earthquake.command import methods
+    from hakobune.pipelines.earthquake.study import quake_of, read_study
 
     study = read_study(tmp_path / "earthquake_dolphins_B.toml")
     (row,) = methods(quake_of(study, tmp_path))[0]
@@ -274,7 +276,7 @@ def test_a_floater_between_dolphins_is_judged_by_strains_and_loads_of_dolphins(t
 
 def fender_alone(study):
     """The fender of an earthquake study without its dolphin"""
-    from pipelines.common.fender_tables import fender_of
+    from hakobune.pipelines.common.fender_tables import fender_of
 
     return fender_of(msgspec.structs.replace(study.fender, count=1))
 
@@ -292,9 +294,9 @@ def marina(tmp_path_factory):
 
 def test_a_breakwater_is_judged_by_what_passes_it(marina):
     """A case by its own door; the highest of N waves of Rayleigh's law, whose most probable value is H₁/₃ √(½ ln N)"""
-    from pipelines.breakwater.build import Breakwater
-    from pipelines.breakwater.results import Snapping, results
-    from pipelines.breakwater.study import read_breakwater
+    from hakobune.pipelines.breakwater.build import Breakwater
+    from hakobune.pipelines.breakwater.results import Snapping, results
+    from hakobune.pipelines.breakwater.study import read_breakwater
 
     out = marina.parent / "out"
     verdict, _, _ = made(read_project(marina), out, Here(), None)

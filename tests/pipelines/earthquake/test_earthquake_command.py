@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pipelines
-from pipelines import cli
+from hakobune import pipelines
+from hakobune.pipelines import cli
 
 SCENE = Path(pipelines.__file__).parent / "scenes" / "earthquake_box.toml"
 T = np.arange(0.0, 8.0, 0.02)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from pipelines import cli
+from hakobune.pipelines import cli
 
 M, A, N, K = 51250.0, 15000.0, 2000.0, 3000.0  # t, t, kN s/m, kN/m: three fenders of 1000 kN/m on each side
 STUDY = f"""

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.second_order.quadratic_forces import QuadraticForces
-from bem.second_order.stored import Held, StoredForces, read_forces, write_forces
-from meshing.files import write_mesh
-from pipelines import cli
+from hakobune.bem.database import open_database
+from hakobune.bem.second_order.quadratic_forces import QuadraticForces
+from hakobune.bem.second_order.stored import Held, StoredForces, read_forces, write_forces
+from hakobune.meshing.files import write_mesh
+from hakobune.pipelines import cli
 
 BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,45 --gyration 6,12,13"
 
@@ -43,7 +43,7 @@ def test_a_database_goes_out_and_comes_back(kind, place, folder, capsys):
 
 
 def test_an_import_that_breaks_off_leaves_the_old_file_as_it_was(folder, monkeypatch):
-    from pipelines.exchange import importing
+    from hakobune.pipelines.exchange import importing
 
     def full(*_):
         raise OSError(28, "No space left on device")

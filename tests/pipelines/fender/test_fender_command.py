@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pipelines import cli
-from pipelines.common.fender_tables import FenderTable, fender_of, pair_of
+from hakobune.pipelines import cli
+from hakobune.pipelines.common.fender_tables import FenderTable, fender_of, pair_of
 
 
 def test_energy_asked_for_is_taken_up_and_drawn(tmp_path, capsys):

@@ -8,11 +8,11 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from pipelines import cli
-from pipelines.keys.beginning import commented
-from pipelines.keys.kinds import KINDS, SCENES, struct_of
-from pipelines.keys.reference import entries, reference, summary, tables_of
-from pipelines.keys.words import COMMON, ENDINGS
+from hakobune.pipelines import cli
+from hakobune.pipelines.keys.beginning import commented
+from hakobune.pipelines.keys.kinds import KINDS, SCENES, struct_of
+from hakobune.pipelines.keys.reference import entries, reference, summary, tables_of
+from hakobune.pipelines.keys.words import COMMON, ENDINGS
 
 PIPELINES = Path(cli.__file__).parent
 TABLES = list(dict.fromkeys(table for kind in KINDS for table in tables_of(kind)))

@@ -8,16 +8,16 @@ import h5py
 import numpy as np
 import pytest
 
-import pipelines
-from mooring.formats.results import read_channels, read_frames
-from mooring.lines.catenary.solve import solve_lines
-from pipelines.cli import main
-from pipelines.common.anchors import warn_of_anchors
-from pipelines.line_dynamics import command as line_dynamics_command
-from pipelines.line_dynamics.figures import Figures, time_below
-from pipelines.line_dynamics.motion import course_of
-from pipelines.line_dynamics.parts import current_of, line_of, wave_of
-from pipelines.line_dynamics.study import make_line_dynamics, read_line_dynamics
+from hakobune import pipelines
+from hakobune.mooring.formats.results import read_channels, read_frames
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.anchors import warn_of_anchors
+from hakobune.pipelines.line_dynamics import command as line_dynamics_command
+from hakobune.pipelines.line_dynamics.figures import Figures, time_below
+from hakobune.pipelines.line_dynamics.motion import course_of
+from hakobune.pipelines.line_dynamics.parts import current_of, line_of, wave_of
+from hakobune.pipelines.line_dynamics.study import make_line_dynamics, read_line_dynamics
 
 SCENES = sorted((Path(pipelines.__file__).parent / "scenes").glob("line_*.toml"))
 CHAIN = """\
@@ -161,7 +161,7 @@ def test_messages_name_the_line_in_kN_and_send_nobody_where_he_is(tmp_path, monk
     shown = capsys.readouterr().out
     assert re.search(r"FAILS: line of 400 m in 24 elements: .* is [\d.]+ kN, in 12 elements [\d.]+ kN", shown), shown
     assert "does not keep a part on the bed" in shown and "hakobune" not in shown and "<" not in shown
-    monkeypatch.setattr("mooring.lines.dynamics.start._settled", lambda *_: False)
+    monkeypatch.setattr("hakobune.mooring.lines.dynamics.start._settled", lambda *_: False)
     for count, way_out in ((5000, "fewer"), (24, "more")):
         many = changed(tmp_path, ("elements = 24", f"elements = {count}"))
         assert main(["line-dynamics", str(many)]) == 2

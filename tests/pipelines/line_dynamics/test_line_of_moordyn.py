@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from mooring.formats.moordyn_system import read_moordyn_system
-from mooring.lines.dynamics.start import start
-from mooring.lines.dynamics.surroundings import water_arrays
-from mooring.lines.system.equilibrium import rest
-from pipelines.cli import main
-from pipelines.line_dynamics.moordyn import with_moordyn
-from pipelines.line_dynamics.parts import line_of
-from pipelines.line_dynamics.study import read_line_dynamics
+from hakobune.mooring.formats.moordyn_system import read_moordyn_system
+from hakobune.mooring.lines.dynamics.start import start
+from hakobune.mooring.lines.dynamics.surroundings import water_arrays
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.line_dynamics.moordyn import with_moordyn
+from hakobune.pipelines.line_dynamics.parts import line_of
+from hakobune.pipelines.line_dynamics.study import read_line_dynamics
 
 MOORDYN = """\
 ---------------------- LINE TYPES -----------------------------------------------

@@ -5,9 +5,9 @@ import re
 import numpy as np
 import pytest
 
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
-from pipelines.cli import main
-from pipelines.line_dynamics.strength import Strength
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.line_dynamics.strength import Strength
 
 STUDY = """\
 anchor = [0.0, 0.0, -60.0]
@@ -65,7 +65,7 @@ def test_tensions_of_segments_are_those_of_their_elements():
 
 def test_what_is_used_is_never_less_than_what_was_simulated_in_any_part_of_the_run(tmp_path, capsys, monkeypatch):
     """A pull at the beginning, outside the cycles that the table is of, parts the line as well as a later one"""
-    from mooring.lines.dynamics import simulation
+    from hakobune.mooring.lines.dynamics import simulation
 
     def pulled(*given, **named):
         made = run(*given, **named)

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pipelines.lines.overloads import overloads
+from hakobune.pipelines.lines.overloads import overloads
 
 
 def state(used, strain=0.0, tension=1e5):

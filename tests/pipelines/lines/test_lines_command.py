@@ -8,14 +8,14 @@ import h5py
 import numpy as np
 import pytest
 
-import pipelines
-from mooring.formats.results import write_channels
-from mooring.lines.catenary.solve import solve_lines
-from mooring.lines.system.equilibrium import rest
-from pipelines.cli import main
-from pipelines.common.line_tables import TypeTable, line_type
-from pipelines.common.quantities import StudyError
-from pipelines.lines.system_file import read_system
+from hakobune import pipelines
+from hakobune.mooring.formats.results import write_channels
+from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.line_tables import TypeTable, line_type
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.lines.system_file import read_system
 
 SPREAD = """\
 [water]

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from mooring.lines.multi_segment.bed import Bed
-from mooring.lines.multi_segment.segments import PointLoad, Segment
-from mooring.lines.system.equilibrium import rest
-from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, CompositeLine
-from mooring.lines.system.shapes import beds_of_lines, line_shapes, loads_on_lines
+from hakobune.mooring.lines.multi_segment.bed import Bed
+from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.graph import System
+from hakobune.mooring.lines.system.parts import Anchor, CompositeLine
+from hakobune.mooring.lines.system.shapes import beds_of_lines, line_shapes, loads_on_lines
 
 
 def buoyed(ends, bed=None):
@@ -35,7 +35,7 @@ def test_the_own_bed_of_a_line_reaches_from_its_anchor_to_its_other_end():
 
 
 def test_the_plan_of_lines_in_one_plane_has_room_across_it(tmp_path, monkeypatch):
-    from pipelines.lines import pictures
+    from hakobune.pipelines.lines import pictures
 
     drawn = []
     monkeypatch.setattr(pictures, "save", lambda figure, path, dpi: drawn.append(figure))

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from pipelines.cli import main
+from hakobune.pipelines.cli import main
 
 HELD = """\
 [water]

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pipelines
-from bem.waves import wavenumber
-from mooring.loads.morison import circular
-from mooring.loads.regular_wave import RegularWave
-from pipelines.cli import main
-from pipelines.members.command import course, remarks, totals, wet_part
-from pipelines.members.study import Placed
+from hakobune import pipelines
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.loads.morison import circular
+from hakobune.mooring.loads.regular_wave import RegularWave
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.members.command import course, remarks, totals, wet_part
+from hakobune.pipelines.members.study import Placed
 
 SCENE = Path(pipelines.__file__).parent / "scenes" / "members_dolphin.toml"
 PHASES = np.linspace(0, 2 * np.pi, 180, endpoint=False)
@@ -34,7 +34,7 @@ def test_inertia_of_a_pile_in_a_low_wave_is_the_closed_form():
 
 
 def test_drag_of_a_pile_in_a_current_is_the_hand_calculation():
-    from mooring.environment.current_profile import uniform
+    from hakobune.mooring.environment.current_profile import uniform
 
     wave = RegularWave(0.0, 1.0, 0.0, 12.0, uniform(1.5, np.pi / 2))
     force = course(pile(0.9), wave, PHASES[:2], 1025.0).force
@@ -43,7 +43,7 @@ def test_drag_of_a_pile_in_a_current_is_the_hand_calculation():
 
 def test_the_lines_of_the_picture_are_those_of_the_table():
     """Two piles in a current, and a wind across it"""
-    from mooring.environment.current_profile import uniform
+    from hakobune.mooring.environment.current_profile import uniform
 
     current = RegularWave(0.0, 1.0, 0.0, 12.0, uniform(1.0, 0.0))
     two = [course(pile(1.0), current, PHASES[:1], 1025.0)] * 2

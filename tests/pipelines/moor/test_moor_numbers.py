@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from bem.database import open_database
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.pipelines.cli import main
 
 DEPTH, LENGTH, WEIGHT, PRETENSION, BREAKING = 20.0, 300.0, 3000.0, 400e3, 2000e3  # m, N/m, N
 FRICTION = 0.2

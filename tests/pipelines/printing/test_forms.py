@@ -7,9 +7,9 @@ import math
 
 import pytest
 
-from pipelines.cli import main
-from pipelines.printing.console import new_console, tables_as
-from pipelines.printing.number import number, significant
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.printing.console import new_console, tables_as
+from hakobune.pipelines.printing.number import number, significant
 
 LINE = ["line", "--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--tension", "300"]
 

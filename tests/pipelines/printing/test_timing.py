@@ -1,7 +1,7 @@
 """The timeline of a command."""
 
-from pipelines.cli import main
-from pipelines.printing.timing import REST, Timeline
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.printing.timing import REST, Timeline
 
 
 def test_a_phase_leaves_out_the_phases_within_it_and_all_add_up_to_the_whole():

@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from chain_study import chain_study
 
-from bem.database import open_database
-from bem.second_order import first_order_waves, quadratic_forces
-from bem.second_order.quadratic_forces import PARTS, QuadraticRun
-from bem.second_order.stored import read_forces
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import jonswap
-from mooring.response.pair_levels import beside_newman, stored_pairs
-from mooring.response.slow_drift import HORIZONTAL
-from pipelines.cli import main
-from pipelines.qtf import running
-from pipelines.qtf.question import multiples
+from hakobune.bem.database import open_database
+from hakobune.bem.second_order import first_order_waves, quadratic_forces
+from hakobune.bem.second_order.quadratic_forces import PARTS, QuadraticRun
+from hakobune.bem.second_order.stored import read_forces
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.response.pair_levels import beside_newman, stored_pairs
+from hakobune.mooring.response.slow_drift import HORIZONTAL
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.qtf import running
+from hakobune.pipelines.qtf.question import multiples
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28 --heading 0,180"
 SWELL = Sea(jonswap(1.0, peak_period=11.0), np.pi)

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pipelines.qtf.question import Question
+from hakobune.pipelines.qtf.question import Question
 
 
 def held(floats=True, name=""):

@@ -5,11 +5,11 @@ import shutil
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.second_order.kinds import SUM
-from bem.second_order.stored import read_forces
-from pipelines.cli import main
-from pipelines.qtf import running
+from hakobune.bem.database import open_database
+from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.second_order.stored import read_forces
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.qtf import running
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28 --heading 0,40"
 QUESTION = "--sum --omega 0.3:0.6:4 --heading 0,40 --highest 1.2"
@@ -56,7 +56,7 @@ def test_a_run_that_was_ended_goes_on_and_gives_the_same(path, tmp_path, monkeyp
     words = ["qtf", str(place), *QUESTION.split(), "--fresh"]
     monkeypatch.setattr(running, "EVERY", 0.0)
     monkeypatch.setattr(running, "BLOCK", 2)
-    monkeypatch.setattr("bem.second_order.quadratic_forces.BLOCK", 2)
+    monkeypatch.setattr("hakobune.bem.second_order.quadratic_forces.BLOCK", 2)
     write, written = running.write_forces, []
 
     def ended(*arguments):

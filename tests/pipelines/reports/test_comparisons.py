@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from pipelines.cli import main
-from pipelines.reports.comparisons.cases import LENGTH_BEAM, model_case, series_case
-from pipelines.reports.comparisons.databases import solved
-from pipelines.reports.comparisons.models import MEASURED, XI, period_rows, roll_rows
-from pipelines.reports.comparisons.series import ratios
-from pipelines.reports.comparisons.sets import SETS
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.reports.comparisons.cases import LENGTH_BEAM, model_case, series_case
+from hakobune.pipelines.reports.comparisons.databases import solved
+from hakobune.pipelines.reports.comparisons.models import MEASURED, XI, period_rows, roll_rows
+from hakobune.pipelines.reports.comparisons.series import ratios
+from hakobune.pipelines.reports.comparisons.sets import SETS
 
 PUBLISHED = Path(__file__).parents[2] / "published" / "sections_2d.csv"
 QUIETLY = Console(quiet=True)
@@ -241,7 +241,7 @@ def test_a_frequency_that_fails_is_named_and_no_table_is_made_of_the_rest(tmp_pa
 
     command = ["compare", "sections", "--xi", "1", "--output", str(tmp_path)]
     with monkeypatch.context() as patched:
-        patched.setattr("pipelines.solve.run.solve_one", refused)
+        patched.setattr("hakobune.pipelines.solve.run.solve_one", refused)
         assert main(command) == 1
     said = capsys.readouterr().out
     assert "FAILS: LB4_Hd2_contour: ω = 0.6263" in said and "FloatingPointError: no answer" in said

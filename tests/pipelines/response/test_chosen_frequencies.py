@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from bem.database import open_database
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.response.sea_state import sea_state
-from pipelines.cli import main
+from hakobune.bem.database import open_database
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.pipelines.cli import main
 
 WORDS = "box --length 100 --beam 50 --draft 10 --depth 20 --gyration 15.55,29.44,32.28 --heading 60"
 SEA = Sea(issc(4.5, mean_period=10.0), np.radians(60.0))

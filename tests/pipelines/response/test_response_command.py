@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from chain_study import chain_study
 
-import pipelines
-from bem.database import open_database
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.response.sea_state import sea_state
-from pipelines.cli import main
-from pipelines.response.report import _forces
+from hakobune import pipelines
+from hakobune.bem.database import open_database
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.response.sea_state import sea_state
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.response.report import _forces
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 WORDS = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.55,29.44,32.28"

@@ -9,7 +9,7 @@ import h5py
 import numpy as np
 import pytest
 
-from pipelines.cli import main
+from hakobune.pipelines.cli import main
 
 HEIGHT, PERIOD, HOURS = 3.0, 11.0, 2.0
 STUDY = f"""

@@ -5,10 +5,10 @@ import hashlib
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from pipelines.scene.scene import SceneError, make_scene
-from pipelines.solve.plan import planned
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.plan import planned
+from hakobune.pipelines.solve.run import solve
 
 BUOY = {"shape": "buoy", "radius": 30.0, "draft": 6.0}
 SHORT = [1.2, 1.6, 1.9]  # rad/s, two to six waves across

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from box_scene import SCENE
 
-from pipelines.cli import main
-from pipelines.scene.products import GROUPS, expand
-from pipelines.scene.scene import SceneError, make_scene, numbers, read_scene
-from pipelines.scene.text import to_toml
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.scene.products import GROUPS, expand
+from hakobune.pipelines.scene.scene import SceneError, make_scene, numbers, read_scene
+from hakobune.pipelines.scene.text import to_toml
 
 # what is replaced by what, and words the one line must have
 FAULTS = {
@@ -179,8 +179,10 @@ def processor_time(*arguments):
 
 def test_help_answers_at_once():
     """Without any of what solves, and before the compiler alone would be loaded"""
-    assert processor_time("-m", "pipelines.cli", "--help") < processor_time("-c", "import numba")
-    asked = "import sys; from pipelines.cli import main; sys.argv = ['hakobune', '--help']\ntry: main()\nfinally: "
+    assert processor_time("-m", "hakobune.pipelines.cli", "--help") < processor_time("-c", "import numba")
+    asked = (
+        "import sys; from hakobune.pipelines.cli import main; sys.argv = ['hakobune', '--help']\ntry: main()\nfinally: "
+    )
     loaded = (
         "print(*sorted({'numpy', 'numba', 'scipy', 'gmsh', 'h5py', 'matplotlib'} & set(sys.modules)), file=sys.stderr)"
     )

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.environment.spectra import issc, read_spectrum
-from mooring.environment.wave_records import read_record
-from pipelines.cli import main
+from hakobune.mooring.environment.spectra import issc, read_spectrum
+from hakobune.mooring.environment.wave_records import read_record
+from hakobune.pipelines.cli import main
 
 SEA = ["sea", "--height", "3", "--mean-period", "8"]
 

@@ -7,7 +7,7 @@ from math import gamma, pi, sqrt
 import numpy as np
 import pytest
 
-from pipelines.cli import main
+from hakobune.pipelines.cli import main
 
 
 def printed(words, capsys):

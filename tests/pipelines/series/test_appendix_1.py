@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from mooring.environment.spectra import issc
-from mooring.lines.system.equilibrium import held_at, rest
-from pipelines.common.quantities import StudyError
-from pipelines.common.units import KGF
-from pipelines.moor.study import make_study
-from pipelines.scene.scene import make_scene
-from pipelines.series.appendix_1 import (
+from hakobune.bem.database import open_database
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.lines.system.equilibrium import held_at, rest
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.units import KGF
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.series.appendix_1 import (
     COLUMNS,
     MODELS,
     PERIOD,
@@ -24,7 +24,7 @@ from pipelines.series.appendix_1 import (
     summary,
     table_text,
 )
-from pipelines.solve.run import solve
+from hakobune.pipelines.solve.run import solve
 
 HEADING = {"0": np.pi, "45": 1.25 * np.pi}  # travelled to
 TOLERANCES = {("pitch_deg", "0"): 0.08, ("pitch_deg", "45"): 0.15, ("roll_deg", "45"): 0.20, ("heave_cm", "0"): 0.30,

@@ -5,11 +5,11 @@ import csv
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from pipelines import cli
-from pipelines.series.appendix_2 import DURATION, ceilings, chains, pitch_amplitude, read_rows, study_of
-from pipelines.single_point.study import make
-from pipelines.single_point.tables import make_study
+from hakobune.bem.database import open_database
+from hakobune.pipelines import cli
+from hakobune.pipelines.series.appendix_2 import DURATION, ceilings, chains, pitch_amplitude, read_rows, study_of
+from hakobune.pipelines.single_point.study import make
+from hakobune.pipelines.single_point.tables import make_study
 
 TARGET = 0.382  # °/cm, σ of pitch over σ of the waves, B/d = 10
 

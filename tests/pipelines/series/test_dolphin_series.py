@@ -5,12 +5,12 @@ import csv
 import msgspec
 import pytest
 
-from bem.database import open_database
-from mooring.dolphins.design_spectrum import LARGEST
-from pipelines import cli
-from pipelines.series import dolphin
-from pipelines.series.dolphin_simulated import printed_rows, simulated_rows, statements, table_of
-from pipelines.solve import run as solving
+from hakobune.bem.database import open_database
+from hakobune.mooring.dolphins.design_spectrum import LARGEST
+from hakobune.pipelines import cli
+from hakobune.pipelines.series import dolphin
+from hakobune.pipelines.series.dolphin_simulated import printed_rows, simulated_rows, statements, table_of
+from hakobune.pipelines.solve import run as solving
 
 
 @pytest.fixture(scope="module")
@@ -63,10 +63,10 @@ def test_a_quay_behind_is_wired_by_the_far_field_and_lowers_the_limits(database,
     monkeypatch.setattr(dolphin, "HEIGHTS", (1.0,))
     monkeypatch.setattr(dolphin, "DEPTHS", {"A": (20.0,)})
     monkeypatch.setattr(dolphin, "PRINTED", {("A", 3): 0.9})
-    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 50)
-    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 60)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.FEWEST", 50)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.MOST", 60)
     (tmp_path / "A_20m_beam.h5").symlink_to(database)
-    monkeypatch.setattr("pipelines.series.dolphin.whole_database", lambda scene, path, fresh: path)
+    monkeypatch.setattr("hakobune.pipelines.series.dolphin.whole_database", lambda scene, path, fresh: path)
     assert cli.main(["series", "dolphin", "--quay", "25", "--output", str(tmp_path)]) == 0
     told = capsys.readouterr().out
     assert "quay at y = 50 m: by the far field; 0.039 % of a wave" in told

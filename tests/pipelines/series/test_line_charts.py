@@ -4,7 +4,7 @@ import csv
 
 import numpy as np
 
-from pipelines import cli
+from hakobune.pipelines import cli
 
 
 def test_every_statement_of_the_report_on_its_charts_is_so_here(tmp_path, monkeypatch, capsys):

@@ -5,16 +5,16 @@ import csv
 import numpy as np
 import pytest
 
-from mooring.response.extremes import expected_maximum
-from pipelines.cli import main
-from pipelines.common.quantities import StudyError
-from pipelines.moor.study import make_study
-from pipelines.series.multi_point import Result, statements, table_text
-from pipelines.series.multi_point_cases import LENGTHS, STRENGTH, WEIGHT, cases, scene, study
-from pipelines.series.multi_point_charts import draw
-from pipelines.series.multi_point_statistics import QUANTITIES, Statistics, printed_rows
-from pipelines.series.multi_point_statistics import statements as told
-from pipelines.series.multi_point_statistics import table_text as beside
+from hakobune.mooring.response.extremes import expected_maximum
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.series.multi_point import Result, statements, table_text
+from hakobune.pipelines.series.multi_point_cases import LENGTHS, STRENGTH, WEIGHT, cases, scene, study
+from hakobune.pipelines.series.multi_point_charts import draw
+from hakobune.pipelines.series.multi_point_statistics import QUANTITIES, Statistics, printed_rows
+from hakobune.pipelines.series.multi_point_statistics import statements as told
+from hakobune.pipelines.series.multi_point_statistics import table_text as beside
 
 
 def test_there_are_36_cases_each_with_its_own_name_and_a_study_that_reads():

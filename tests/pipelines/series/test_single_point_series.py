@@ -5,11 +5,11 @@ import csv
 import numpy as np
 import pytest
 
-from pipelines import cli
-from pipelines.series.single_point_cases import TABLE, read_cases, study_of
-from pipelines.series.single_point_charts import STATEMENTS
-from pipelines.single_point.study import make
-from pipelines.single_point.tables import make_study
+from hakobune.pipelines import cli
+from hakobune.pipelines.series.single_point_cases import TABLE, read_cases, study_of
+from hakobune.pipelines.series.single_point_charts import STATEMENTS
+from hakobune.pipelines.single_point.study import make
+from hakobune.pipelines.single_point.tables import make_study
 
 MASS = {"added_surge": 0.1, "added_sway": 1.0, "added_yaw": 0.7}
 

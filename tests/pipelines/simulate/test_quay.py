@@ -8,19 +8,19 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-import pipelines
-from bem.database import open_database
-from bem.time_domain.memory import no_memory
-from mooring.environment.wave_records import Record, write_record
-from mooring.lines.system.parts import LineSystemError
-from mooring.studies.conditions import ExposedBox
-from pipelines.cli import main
-from pipelines.common.quantities import StudyError
-from pipelines.moor.quay import body_of
-from pipelines.moor.study import make_study, read_study
-from pipelines.simulate.berth import by_design_spectrum, lines_on_periods, natural_periods, windows
-from pipelines.simulate.file import opened
-from pipelines.simulate.study import plan_of
+from hakobune import pipelines
+from hakobune.bem.database import open_database
+from hakobune.bem.time_domain.memory import no_memory
+from hakobune.mooring.environment.wave_records import Record, write_record
+from hakobune.mooring.lines.system.parts import LineSystemError
+from hakobune.mooring.studies.conditions import ExposedBox
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.moor.quay import body_of
+from hakobune.pipelines.moor.study import make_study, read_study
+from hakobune.pipelines.simulate.berth import by_design_spectrum, lines_on_periods, natural_periods, windows
+from hakobune.pipelines.simulate.file import opened
+from hakobune.pipelines.simulate.study import plan_of
 
 SCENE = Path(pipelines.__file__).parent / "scenes" / "simulate_quay.toml"
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
@@ -45,8 +45,8 @@ def database(tmp_path_factory):
 
 
 def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
-    monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
+    monkeypatch.setattr("hakobune.mooring.motion.simulation.moored_body.fitted_memory", without_memory)
+    monkeypatch.setattr("hakobune.pipelines.simulate.command.draw", lambda file, output: [])
     run, words = tmp_path / "quay.h5", ["simulate", str(SCENE), "--database", str(database)]
     assert (
         main(
@@ -90,7 +90,7 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
 
 
 def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(database, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
+    monkeypatch.setattr("hakobune.mooring.motion.simulation.moored_body.fitted_memory", without_memory)
     run, scene = tmp_path / "dolphins.h5", SCENE.with_name("simulate_dolphins.toml")
     words = ["simulate", str(scene), "--database", str(database), "--duration", "60", "--output", str(run)]
     assert main(words) == 0
@@ -106,7 +106,7 @@ def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(databa
     "asked, told", [('["nix"]', "there is no line 'nix'"), ('"all"', "has no mass"), ('"every"', '"all"')]
 )
 def test_lines_that_cannot_move_by_themselves_leave_no_file(database, tmp_path, monkeypatch, capsys, asked, told):
-    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
+    monkeypatch.setattr("hakobune.mooring.motion.simulation.moored_body.fitted_memory", without_memory)
     study, run = tmp_path / "study.toml", tmp_path / "run.h5"
     chains = SCENE.with_name("simulate_chain_12.toml").read_text()
     chains = chains.replace('catalogue = "R3 studlink 142 mm"\n', "")
@@ -191,7 +191,7 @@ def test_waves_of_a_record_beside_the_study_move_the_ship(tmp_path):
     ],
 )
 def test_an_impossible_berth_is_told_in_one_line(tables, says):
-    from pipelines.simulate.study import damping
+    from hakobune.pipelines.simulate.study import damping
 
     raw = {"water": {"depth": 20}, "hull": {"freeboard": 10}} | tables
     with pytest.raises((StudyError, LineSystemError, ValueError)) as caught:
@@ -211,8 +211,8 @@ DOLPHINS = {
 
 
 def test_a_quay_behind_dolphins_changes_waves_water_and_the_design_spectrum(database, monkeypatch):
-    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 12)
-    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 24)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.FEWEST", 12)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.MOST", 24)
     db, lines = open_database(database), []
     for quay in ({}, {"quay": {"y": 75.0}}):
         study = make_study({**DOLPHINS, **quay})
@@ -236,16 +236,16 @@ def test_a_quay_behind_dolphins_changes_waves_water_and_the_design_spectrum(data
     ],
 )
 def test_a_quay_that_does_not_fit_is_refused(database, quay, said, monkeypatch):
-    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 12)
-    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 24)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.FEWEST", 12)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.MOST", 24)
     with pytest.raises(StudyError) as refused:
         body_of(make_study({**DOLPHINS, "quay": quay}), open_database(database))
     assert said in str(refused.value)
 
 
 def test_memory_in_states_is_refused_before_a_quay_by_the_far_field(database, tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 12)
-    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 24)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.FEWEST", 12)
+    monkeypatch.setattr("hakobune.bem.wave_field.before_wall.MOST", 24)
     study = tmp_path / "quay.toml"
     text = SCENE.read_text().replace("[simulation]", "[quay]\ny = 60.0\n\n[simulation]")
     study.write_text(text)
@@ -266,7 +266,7 @@ def before_wall(tmp_path_factory):
 def test_dolphins_on_a_database_with_a_wall_take_one_frequency_and_are_told_that_no_drift_is_known(
     before_wall, tmp_path, monkeypatch, capsys
 ):
-    monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
+    monkeypatch.setattr("hakobune.pipelines.simulate.command.draw", lambda file, output: [])
     plain = SCENE.with_name("simulate_dolphins.toml").read_text()
     found = []
     for i, text in enumerate((plain, plain + "[quay]\ny = 60.0\n")):

@@ -15,36 +15,35 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-import bem.database
-import mooring.motion.simulation as engine
-import pipelines
-from bem.database.integrity import DatabaseError
-from bem.waves import wavenumber
-from mooring.environment.sea import Sea
-from mooring.environment.spectra import issc
-from mooring.environment.spreading import CosinePower
-from mooring.environment.wave_records import elevation
-from mooring.lines.system.equilibrium import rest
-from mooring.motion.contacts import no_berth
-from mooring.motion.simulation import Realisation
-from pipelines.cli import main
-from pipelines.common.quantities import StudyError
-from pipelines.common.units import KGF
-from pipelines.design.kinds import in_time
-from pipelines.executors.choice import Here
-from pipelines.films.of_run import film_of_run, surface
-from pipelines.keys.beginning import commented
-from pipelines.keys.kinds import KINDS
-from pipelines.moor.study import make_study, read_study
-from pipelines.printing.console import new_console, tables_as
-from pipelines.simulate import file as of_runs
-from pipelines.simulate import over_runs, report, work
-from pipelines.simulate import run as runs
-from pipelines.simulate.berth import lines_on_fenders
-from pipelines.simulate.file import STATISTICS, SUMMARY, opened, whole_rows
-from pipelines.simulate.pictures import draw, spectrum
-from pipelines.simulate.study import plan_of
-from pipelines.sweep.run import one_case
+import hakobune.mooring.motion.simulation as engine
+from hakobune import pipelines
+from hakobune.bem.database.integrity import DatabaseError
+from hakobune.bem.waves import wavenumber
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.environment.wave_records import elevation
+from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.motion.contacts import no_berth
+from hakobune.mooring.motion.simulation import Realisation
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.units import KGF
+from hakobune.pipelines.design.kinds import in_time
+from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.films.of_run import film_of_run, surface
+from hakobune.pipelines.keys.beginning import commented
+from hakobune.pipelines.keys.kinds import KINDS
+from hakobune.pipelines.moor.study import make_study, read_study
+from hakobune.pipelines.printing.console import new_console, tables_as
+from hakobune.pipelines.simulate import file as of_runs
+from hakobune.pipelines.simulate import over_runs, report, work
+from hakobune.pipelines.simulate import run as runs
+from hakobune.pipelines.simulate.berth import lines_on_fenders
+from hakobune.pipelines.simulate.file import STATISTICS, SUMMARY, opened, whole_rows
+from hakobune.pipelines.simulate.pictures import draw, spectrum
+from hakobune.pipelines.simulate.study import plan_of
+from hakobune.pipelines.sweep.run import one_case
 
 MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
 TABLE = "\n[simulation]\nduration = 600.0\nramp = 50.0\nseeds = 3\nkeep_series = 2\n"
@@ -90,7 +89,7 @@ def folder(tmp_path, monkeypatch):
         stands_for_one = Path(path).is_file() and Path(path).read_bytes() == b"a database"  # a pipe would never end
         return db if stands_for_one else real(path)
 
-    monkeypatch.setattr("bem.database.open_database", opened_or)
+    monkeypatch.setattr("hakobune.bem.database.open_database", opened_or)
     monkeypatch.setattr(engine, "simulate", oscillator)
     for module in (work, runs):
         monkeypatch.setattr(module, "prepared", prepared)
@@ -466,8 +465,8 @@ def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(fold
 
 def test_a_sweep_keeps_what_lines_use_in_the_worst_of_all_runs(folder, monkeypatch):
     monkeypatch.setattr(engine, "simulate", snapping)
-    monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
-    monkeypatch.setattr("pipelines.simulate.command.beside_of", lambda *given: (None, ()))
+    monkeypatch.setattr("hakobune.pipelines.simulate.command.draw", lambda file, output: [])
+    monkeypatch.setattr("hakobune.pipelines.simulate.command.beside_of", lambda *given: (None, ()))
     words = ("--database", "box.h5", "--output", "run.h5", "--seeds", "6")
     tables = one_case(main, "simulate", tomllib.loads(Path("study.toml").read_text()), "study.toml", words)[2]
     (used,) = (table["rows"] for table in tables if table["title"].startswith("largest tension"))

@@ -8,14 +8,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from mooring.single_point.equilibria import equilibria
-from pipelines import cli
-from pipelines.common.weather.streams import with_files
-from pipelines.single_point.maps import _named, with_value
-from pipelines.single_point.report import bow, preferred
-from pipelines.single_point.running import table_of
-from pipelines.single_point.study import make
-from pipelines.single_point.tables import make_study
+from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.pipelines import cli
+from hakobune.pipelines.common.weather.streams import with_files
+from hakobune.pipelines.single_point.maps import _named, with_value
+from hakobune.pipelines.single_point.report import bow, preferred
+from hakobune.pipelines.single_point.running import table_of
+from hakobune.pipelines.single_point.study import make
+from hakobune.pipelines.single_point.tables import make_study
 
 STUDY = (Path(__file__).parents[3] / "pipelines" / "scenes" / "single_point_A.toml").read_text()
 

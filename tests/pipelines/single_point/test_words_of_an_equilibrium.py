@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pipelines.single_point.report import bow, cycle_of, words
+from hakobune.pipelines.single_point.report import bow, cycle_of, words
 
 
 def at_rest(growth=-0.01, period=200.0):

@@ -7,16 +7,16 @@ from pathlib import Path
 import pytest
 import tomli_w
 
-from mooring.environment.spectra import issc
-from mooring.response.return_period import return_period
-from pipelines import cli
-from pipelines.berth.study import read_berth
-from pipelines.common.quantities import StudyError
-from pipelines.design.project import read_project
-from pipelines.moor.study import read_study
-from pipelines.response.study import read_response_study
-from pipelines.single_point.tables import read_study as read_single_point
-from pipelines.site.study import SiteStudy, read_site, site_values
+from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.response.return_period import return_period
+from hakobune.pipelines import cli
+from hakobune.pipelines.berth.study import read_berth
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.design.project import read_project
+from hakobune.pipelines.moor.study import read_study
+from hakobune.pipelines.response.study import read_response_study
+from hakobune.pipelines.single_point.tables import read_study as read_single_point
+from hakobune.pipelines.site.study import SiteStudy, read_site, site_values
 
 BAY = Path(cli.__file__).parent / "scenes" / "site_bay.toml"
 WAVE = "tsunami = 0.5\ntsunami_period = 900.0"
@@ -97,9 +97,9 @@ def scene_at(folder, name, site, leave_out=(), **changes):
 
 
 def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site(bay):
-    from pipelines.breakwater.study import read_breakwater
-    from pipelines.earthquake.study import quake_of
-    from pipelines.earthquake.study import read_study as read_earthquake
+    from hakobune.pipelines.breakwater.study import read_breakwater
+    from hakobune.pipelines.earthquake.study import quake_of
+    from hakobune.pipelines.earthquake.study import read_study as read_earthquake
 
     site = {"state": "operating", "level": "high"}
     made, text = read_breakwater(scene_at(bay, "breakwater_circle.toml", site, ["water", "sea"], water={"tide": 0.5}))
@@ -127,7 +127,7 @@ def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site
     ],
 )
 def test_what_such_a_study_does_not_take_of_a_site_is_one_line(bay, name, reader, site, leave_out, words):
-    from pipelines.earthquake.study import read_study as read_earthquake
+    from hakobune.pipelines.earthquake.study import read_study as read_earthquake
 
     with pytest.raises(StudyError, match=words) as fault:
         {"berth": read_berth, "earthquake": read_earthquake}[reader](scene_at(bay, name, site, leave_out))

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from pipelines.scene.scene import make_scene
-from pipelines.solve.report import body_table
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.report import body_table
+from hakobune.pipelines.solve.run import solve
 
 RHO_G = 1025 * 9.80665
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from bem.database import open_database
-from pipelines.scene.scene import make_scene
-from pipelines.solve.report import BROKEN, failed_laws
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.report import BROKEN, failed_laws
+from hakobune.pipelines.solve.run import solve
 
 LAWS = ("reciprocity", "Haskind", "energy")
 

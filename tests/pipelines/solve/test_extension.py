@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.database.schema import LIMITS, ONLY_BY_NAME, QUANTITIES
-from pipelines.executors.choice import Here
-from pipelines.scene.scene import make_scene
-from pipelines.solve.run import solve
-from pipelines.solve.work import solve_one
+from hakobune.bem.database import open_database
+from hakobune.bem.database.schema import LIMITS, ONLY_BY_NAME, QUANTITIES
+from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
+from hakobune.pipelines.solve.work import solve_one
 
 RADIATION = frozenset({"added_mass", "radiation_damping"})
 FORCES = frozenset({"Froude_Krylov_force", "diffraction_force", "excitation_force"})

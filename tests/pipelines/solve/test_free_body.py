@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database, storing
-from bem.database.schema import BODY, QUANTITIES
-from pipelines.executors.choice import Here
-from pipelines.scene.scene import make_scene
-from pipelines.solve.run import solve
+from hakobune.bem.database import open_database, storing
+from hakobune.bem.database.schema import BODY, QUANTITIES
+from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
 
 LIGHT = {"gyration": [6.0, 12.0, 13.0]}
 HEAVY = {"gyration": [7.0, 11.0, 14.0], "mass": 3.9e6, "center_of_gravity": [0.5, -0.25, 1.5], "trimmed": True}

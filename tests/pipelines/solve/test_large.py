@@ -10,19 +10,19 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from bem.kernels.progress import FACTORS, FINER, MATRICES, WAVES, progress_callback
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.panels.band import cost
-from bem.panels.band.cost import Cost
-from bem.panels.influence import Geometry
-from meshing.lid import lid
-from meshing.shapes import box, buoy
-from pipelines.common import bounds, progress
-from pipelines.common.progress import Preparing, Progress
-from pipelines.scene.scene import SceneError, make_scene
-from pipelines.solve import large
-from pipelines.solve.large import Telling, announced, shared_band
+from hakobune.bem.kernels.progress import FACTORS, FINER, MATRICES, WAVES, progress_callback
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.panels.band import cost
+from hakobune.bem.panels.band.cost import Cost
+from hakobune.bem.panels.influence import Geometry
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
+from hakobune.pipelines.common import bounds, progress
+from hakobune.pipelines.common.progress import Preparing, Progress
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve import large
+from hakobune.pipelines.solve.large import Telling, announced, shared_band
 
 
 def scene(**waves):
@@ -109,12 +109,12 @@ def test_panels_for_the_tolerance_are_told_with_their_time(monkeypatch):
 
 ALONE = """
 import sys
-from bem import DOFS
-from bem.panels.band.cost import memory_alone
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from meshing.shapes import box, buoy
-from pipelines.bench.peers.repeated import peak_memory
+from hakobune.bem import DOFS
+from hakobune.bem.panels.band.cost import memory_alone
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.shapes import box, buoy
+from hakobune.pipelines.bench.peers.repeated import peak_memory
 name, panels, *sizes = sys.argv[1:]
 hull = {"box": box, "buoy": buoy}[name](*map(int, sizes), panels=int(panels))
 body = PanelProblem(hull, depth=20.0).prepared()

@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from bem.contour.short_waves import MOST_UNRESOLVED
-from bem.database import open_database
-from pipelines.cli import main
-from pipelines.scene.methods import FAR_FIELD
-from pipelines.scene.scene import SceneError, make_scene
-from pipelines.solve.hull import make_hull
-from pipelines.solve.plan import planned
+from hakobune.bem.contour.short_waves import MOST_UNRESOLVED
+from hakobune.bem.database import open_database
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.scene.methods import FAR_FIELD
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.hull import make_hull
+from hakobune.pipelines.solve.plan import planned
 
 BOX = {"shape": "box", "length": 100.0, "beam": 20.0, "draft": 2.0}
 BUOY = {"shape": "buoy", "radius": 50.0, "draft": 2.0}

@@ -3,15 +3,22 @@
 import numpy as np
 import pytest
 
-from bem import DOFS
-from bem.checks import ERROR_ORDER
-from bem.methods.panel_problem import prepare
-from bem.methods.shape_problem import ShapeProblem
-from meshing.shapes import box
-from pipelines.scene.scene import make_scene
-from pipelines.solve.hull import MOST_REFINED, coarse_hull, finer_hull, make_hull
-from pipelines.solve.panel_counts import coarse_counts, counts_of, fine_counts, finer_counts, meshed, panels_for
-from pipelines.solve.plan import planned
+from hakobune.bem import DOFS
+from hakobune.bem.checks import ERROR_ORDER
+from hakobune.bem.methods.panel_problem import prepare
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.hull import MOST_REFINED, coarse_hull, finer_hull, make_hull
+from hakobune.pipelines.solve.panel_counts import (
+    coarse_counts,
+    counts_of,
+    fine_counts,
+    finer_counts,
+    meshed,
+    panels_for,
+)
+from hakobune.pipelines.solve.plan import planned
 
 BODIES = {
     "series box": {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0},

@@ -2,11 +2,11 @@
 
 import pytest
 
-from meshing.shapes import box
-from pipelines.scene.scene import make_scene
-from pipelines.solve.header import make_header
-from pipelines.solve.hull import MeshedHull
-from pipelines.solve.remarks import remarks as remarks_on
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.header import make_header
+from hakobune.pipelines.solve.hull import MeshedHull
+from hakobune.pipelines.solve.remarks import remarks as remarks_on
 
 MESH = box(100, 50, 10, panels=60)
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import h5py
 import pytest
 
-import pipelines
-from pipelines.cli import main
+from hakobune import pipelines
+from hakobune.pipelines.cli import main
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 BOX = (

@@ -10,13 +10,13 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.database import open_database, pending
-from bem.database.schema import QUANTITIES
-from pipelines.executors.choice import executor_of
-from pipelines.scene.scene import make_scene
-from pipelines.solve import run
-from pipelines.solve.run import solve
-from pipelines.solve.work import solve_one
+from hakobune.bem.database import open_database, pending
+from hakobune.bem.database.schema import QUANTITIES
+from hakobune.pipelines.executors.choice import executor_of
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve import run
+from hakobune.pipelines.solve.run import solve
+from hakobune.pipelines.solve.work import solve_one
 
 
 def scene(**changes):

@@ -7,9 +7,9 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.database.file import BLOCK
-from bem.database.integrity import ROWS
-from pipelines.cli import main
+from hakobune.bem.database.file import BLOCK
+from hakobune.bem.database.integrity import ROWS
+from hakobune.pipelines.cli import main
 
 BOX = (
     "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.6,29.4,32.3 --rotation-center 3,2,-1 "

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from meshing.shapes import box
-from pipelines.cli import main
-from pipelines.scene.scene import SceneError, make_scene
-from pipelines.solve.header import make_header
-from pipelines.solve.hull import MeshedHull
-from pipelines.solve.weight import check_weight, weight_remarks
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.header import make_header
+from hakobune.pipelines.solve.hull import MeshedHull
+from hakobune.pipelines.solve.weight import check_weight, weight_remarks
 
 MESH = box(100, 50, 10, panels=60)
 GM_LONGITUDINAL = 100.0**2 / 120 - 5.0  # L²/12T − T/2, centre of gravity in the waterline

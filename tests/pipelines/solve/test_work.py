@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.methods.panel_problem import PanelProblem
-from bem.methods.shape_problem import ShapeProblem
-from bem.viscous import Quadratic, Viscous
-from meshing.lid import lid
-from meshing.shapes import box
-from pipelines.solve.work import solve_one
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.viscous import Quadratic, Viscous
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.solve.work import solve_one
 
 
 def moved(mesh):
@@ -24,9 +24,9 @@ def moved(mesh):
 @pytest.fixture
 def kept(monkeypatch):
     """A problem → the problem whose preparation its frequencies are solved with"""
-    monkeypatch.setattr("pipelines.solve.work._prepared", {})
-    monkeypatch.setattr("bem.methods.panel_problem.prepare", lambda problem: problem)
-    monkeypatch.setattr("bem.frequency.solve_frequency", lambda prepared, *question: prepared)
+    monkeypatch.setattr("hakobune.pipelines.solve.work._prepared", {})
+    monkeypatch.setattr("hakobune.bem.methods.panel_problem.prepare", lambda problem: problem)
+    monkeypatch.setattr("hakobune.bem.frequency.solve_frequency", lambda prepared, *question: prepared)
     return lambda problem: solve_one(problem, 0.5, [0.0], {"added_mass"}, None)
 
 

@@ -8,15 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from meshing.seals import text_damaged, text_sealed
-from pipelines.cli import main
-from pipelines.stress import scenes
-from pipelines.stress.campaign import roughest, row_of
-from pipelines.stress.laws import ALLOWED, allowed, violations
-from pipelines.stress.rotated import rotated
-from pipelines.stress.scenes import drawn, irregular
-from pipelines.stress.solved import solved
+from hakobune.bem.database import open_database
+from hakobune.meshing.seals import text_damaged, text_sealed
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.stress import scenes
+from hakobune.pipelines.stress.campaign import roughest, row_of
+from hakobune.pipelines.stress.laws import ALLOWED, allowed, violations
+from hakobune.pipelines.stress.rotated import rotated
+from hakobune.pipelines.stress.scenes import drawn, irregular
+from hakobune.pipelines.stress.solved import solved
 
 SEED = 7
 DRAWN = [drawn(SEED, number) for number in range(3000)]
@@ -136,7 +136,7 @@ def test_a_jump_in_one_parameter_is_found(answer):
 def test_a_mesh_that_is_not_the_rotated_one_is_found(monkeypatch):
     scene = next(s for s in (DRAWN[n] for n in SHORT) if s.shape == "box" and rotated(s, SEED) >= 0)
     assert rotated(scene, SEED) < 1
-    monkeypatch.setattr("pipelines.stress.rotated._rotation", lambda angle: np.eye(3))
+    monkeypatch.setattr("hakobune.pipelines.stress.rotated._rotation", lambda angle: np.eye(3))
     assert rotated(scene, SEED) > 100
 
 

@@ -3,7 +3,7 @@
 import h5py
 import numpy as np
 
-from pipelines.sweep.file import _store_array
+from hakobune.pipelines.sweep.file import _store_array
 
 
 def test_every_axis_of_an_array_has_its_scale_and_cases_of_another_shape_are_left_out(tmp_path):

@@ -6,11 +6,11 @@ import h5py
 import numpy as np
 import pytest
 
-from pipelines import cli
-from pipelines.common.quantities import StudyError
-from pipelines.keys.kinds import SCENES
-from pipelines.sweep import run
-from pipelines.sweep.study import SweepTable, VaryTable, cases, put
+from hakobune.pipelines import cli
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.keys.kinds import SCENES
+from hakobune.pipelines.sweep import run
+from hakobune.pipelines.sweep.study import SweepTable, VaryTable, cases, put
 
 SWEEP = """command = "berth"
 study = "berth_tanker.toml"
@@ -63,7 +63,7 @@ def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):
 
 def test_a_ctrl_c_that_ends_the_command_of_a_case_ends_the_sweep_and_leaves_the_case_to_do(folder, monkeypatch, capsys):
     """A command tells it by its status, that of a scene which stops after its frequency too"""
-    from pipelines.berth import command
+    from hakobune.pipelines.berth import command
 
     whole = command.in_time
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from meshing.files import read_mesh, write_mesh
-from meshing.hydrostatics import hydrostatics
-from meshing.panels import PanelMesh
-from meshing.quality import findings
-from meshing.shapes import box
-from pipelines import cli
+from hakobune.meshing.files import read_mesh, write_mesh
+from hakobune.meshing.hydrostatics import hydrostatics
+from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.quality import findings
+from hakobune.meshing.shapes import box
+from hakobune.pipelines import cli
 
 CUBE = np.array([[x, y, z] for z in (-1.0, 1.0) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
 FACES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]

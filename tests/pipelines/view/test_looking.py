@@ -6,14 +6,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from bem.database import extend, writing
-from bem.database.integrity import crc
-from meshing.files import write_mesh
-from meshing.lid import lid
-from meshing.shapes import box, buoy
-from pipelines.cli import main
-from pipelines.scene.scene import SceneError
-from pipelines.view.looking import FIELDS, Picture, _pressure, drawn
+from hakobune.bem.database import extend, writing
+from hakobune.bem.database.integrity import crc
+from hakobune.meshing.files import write_mesh
+from hakobune.meshing.lid import lid
+from hakobune.meshing.shapes import box, buoy
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.scene.scene import SceneError
+from hakobune.pipelines.view.looking import FIELDS, Picture, _pressure, drawn
 
 BUOY, BOX = buoy(10, 8, panels=60), box(100, 50, 10, panels=60)
 

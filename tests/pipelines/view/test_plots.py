@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from bem import DOFS
-from bem.database.resonances import Resonance
-from meshing.shapes import buoy
-from pipelines.view.gaps import gaps_of
-from pipelines.view.plots import _cut, plot
+from hakobune.bem import DOFS
+from hakobune.bem.database.resonances import Resonance
+from hakobune.meshing.shapes import buoy
+from hakobune.pipelines.view.gaps import gaps_of
+from hakobune.pipelines.view.plots import _cut, plot
 
 ZERO = "zero by symmetry"
 SURGE, SWAY, HEAVE, ROLL, PITCH, YAW = range(6)

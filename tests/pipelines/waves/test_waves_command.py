@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from pipelines.cli import main
+from hakobune.pipelines.cli import main
 
 
 @pytest.fixture(scope="module")
@@ -40,7 +40,7 @@ def test_a_body_has_a_map_points_and_a_csv(database, tmp_path, capsys):
 
 
 def test_a_film_of_regular_waves_is_one_period(database, tmp_path, monkeypatch):
-    monkeypatch.setattr("pipelines.films.of_database.FRAMES", 3)
+    monkeypatch.setattr("hakobune.pipelines.films.of_database.FRAMES", 3)
     film = tmp_path / "film.gif"
     words = ["animate", str(database), "--omega", "1.0", "--heading", "90", "--field", "pressure"]
     assert main([*words, "--output", str(film)]) == 0

@@ -12,8 +12,8 @@ pivots holds here too.
 
 from __future__ import annotations
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import address
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import address
 
 from .bending import NEXT, OVERNEXT
 from .block_tridiagonal import column, difference, factor, inverse, product, put, substitute

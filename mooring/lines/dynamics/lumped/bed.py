@@ -14,8 +14,8 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
 
 from .books import BED, FRICTION
 from .vectors import TINY, combine, dot, largest, less, load_three, minus, more, store_three, total

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 # rows of Work.bending, per node: k, N m; 1/ℓ₋ and 1/ℓ₊, 1/m; tangent of nodes one and two apart, see `band`
 FLEXURE, BEFORE, AFTER, NEXT, OVERNEXT = range(5)

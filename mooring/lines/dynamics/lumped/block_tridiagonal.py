@@ -11,8 +11,8 @@ between blocks; within a block the inverse is written out.
 
 from __future__ import annotations
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import address
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import address
 
 
 @kernel(inline=True)

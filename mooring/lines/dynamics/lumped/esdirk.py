@@ -16,8 +16,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.kernels.borrowed import borrowed
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.borrowed import borrowed
+from hakobune.bem.kernels.jit import kernel
 
 from .band import substitute_line
 from .bed import keep_slip

@@ -21,8 +21,8 @@ from __future__ import annotations
 
 import math
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
 
 from .bed import bed_energy, bed_forces
 from .bending import bend, bending_energy

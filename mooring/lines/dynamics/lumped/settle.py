@@ -11,8 +11,8 @@ import math
 
 import numpy as np
 
-from bem.kernels.borrowed import borrowed
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.borrowed import borrowed
+from hakobune.bem.kernels.jit import kernel
 
 from .band import factor_line
 from .forces import node_forces

@@ -9,8 +9,8 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import WIDTH, address, load_vector, repeated, root, store_vector
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH, address, load_vector, repeated, root, store_vector
 
 from .band import factor_line, substitute_line
 from .forces import node_forces

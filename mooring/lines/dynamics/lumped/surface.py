@@ -13,8 +13,8 @@ element.
 
 from __future__ import annotations
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
 
 from .vectors import largest, more
 from .workspace import BUOYANCY, DRAG_NORMAL, OF_WATER, ROUND, WHOLE

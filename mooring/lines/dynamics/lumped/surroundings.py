@@ -15,8 +15,8 @@ import math
 
 import numpy as np
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import WIDTH, address, load_vector, repeated
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH, address, load_vector, repeated
 
 from .vectors import combine, less, load_three, minus, store_three
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
 
 TINY = 1e-300  # under a root that is divided by
 

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bem.kernels.jit import kernel
-from bem.kernels.simd import WIDTH
+from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH
 
 from .band import OF_BAND
 from .bending import joints
