@@ -18,7 +18,7 @@ from hakobune.meshing.whole_files import NotWritten, write_whole
 
 from ..waves import wavenumber
 from .integrity import MARK, ROWS, DamagedError, DatabaseError, check_schema
-from .results import OURS, check_database_version, check_seal, named, seal_of
+from .results import check_database_version, check_seal, seal_of, what_is
 from .schema import (
     BODY,
     CHECKS,
@@ -145,9 +145,9 @@ def opened(path, mode="r", checked=False):
         raise DatabaseError(f"{path} is not an HDF5 file; a database made by 'hakobune solve' is needed")
     with file:
         if file.attrs.get("format") != FORMAT:
-            own = str(file.attrs.get("schema", ""))
-            what = f"a file of {named(own)}" if own.startswith(OURS) else "an HDF5 file of another program"
-            raise DatabaseError(f"{path} is {what}, not a hakobune database")
+            raise DatabaseError(
+                f"{path} is {what_is(file)}, not a hakobune database; one made by 'hakobune solve' is needed"
+            )
         check_database_version(path, int(file.attrs.get("schema_version", 0)))
         with damage_named(path):
             if not (checked or file.userblock_size):  # nothing in a file that is sealed can have changed

@@ -333,6 +333,7 @@ class Stored(NamedTuple):
 def reader(db):
     """`Reader` of the solved rows of a database."""
     between = of_database(db)
+    _check_rows(db, between.quantities)
     return Reader(
         between,
         db.density,
@@ -345,6 +346,20 @@ def reader(db):
         viscous=_viscous(db),
         mesh=db.mesh,
     )
+
+
+def _check_rows(db, quantities):
+    """Raise BetweenError for numbers that are missing at some of the stored frequencies alone: what is read between
+    them would be known nowhere"""
+    for name in (*RADIATION, "excitation_force"):
+        if name in quantities:
+            wrong = ~np.isfinite(quantities[name]).reshape(len(db.omega), -1)
+            rows = (wrong & ~wrong.all(axis=0)).any(axis=1)
+            if rows.any():
+                raise BetweenError(
+                    f"{db.path}: {name} is not a number at ω = {db.omega[rows][0]:.4g} rad/s, {rows.sum()} of "
+                    f"{len(rows)} frequencies; solve it anew with --fresh"
+                )
 
 
 def _viscous(db):

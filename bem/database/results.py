@@ -32,6 +32,10 @@ MAKES = {  # commands, by what they make
     "channels": "line-dynamics STUDY --output {}",
     "sweep": "sweep SWEEP --output {} --fresh",
 }
+COMMAND = "{} STUDY --output {}"  # of results that are called as their command is
+RESULT_VERSION = 2  # of the files of results, which are all laid out alike; before, each command had a way of its own
+OWN_WAY = ("response study", "simulation", "single point", "breakwater study", "sections", "channels", "sweep")
+READS = {kind: 1 if kind in OWN_WAY else RESULT_VERSION for kind in MAKES if kind != FORMAT}  # version that is read
 # the name of the attribute, its type and its space as HDF5 writes them, and the number
 NUMBER = re.compile(rb"schema_version\0.{25}(.{8})", re.DOTALL)
 HIGHEST = 1000  # version that may be one; more is damage
@@ -66,6 +70,14 @@ def check_seal(path, remedy=seals.REMEDY):
         raise DatabaseError(f"{path} cannot be read: {os.strerror(error.errno)}") from None
     if damaged:
         raise DamagedError(f"{path} is damaged: {damaged}, by its checksum; {remedy}")
+
+
+def check_any_version(path, found=None):
+    """As `check_version`, of a file of whatever kind, databases among them; found : its attribute `schema`, or None"""
+    for kind, version in READS.items():
+        check_version(path, f"{OURS}{kind} {version}", found)
+    if found is None:
+        check_database_version(path)
 
 
 def has_schema(path, schema):
@@ -115,10 +127,17 @@ def _numbers(path, pattern):
 
 
 def schema_of(path):
-    """The attribute `schema` of a file, "" where there is no file, or another; raises as `check_seal`"""
+    """The attribute `schema` of a file, "" where there is no file, or another
+
+    raises : as `check_seal`, and VersionError where a file whose seal is broken may be whole and of another version
+    """
     if not Path(path).is_file():
         return ""
-    check_seal(path)
+    try:
+        check_seal(path)
+    except DamagedError:
+        check_any_version(path)
+        raise
     try:
         with h5py.File(path) as file:
             return str(file.attrs.get("schema", ""))
@@ -132,14 +151,10 @@ def opened_result(path, schema):
     path = Path(path)
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
-    try:
-        found = schema_of(path)
-    except DamagedError:
-        check_version(path, schema)
-        raise
+    found = schema_of(path)
     check_version(path, schema, found)
     if found != schema:
-        raise DatabaseError(f"{path} is no file of {named(schema)}")
+        raise DatabaseError(no_file_of(path, schema))
     with h5py.File(path) as file:
         yield file
 
@@ -147,3 +162,27 @@ def opened_result(path, schema):
 def named(schema):
     """What a file with a `schema` is: "hakobune mooring study 1" → "mooring study" """
     return schema.removeprefix(OURS).rsplit(" ", 1)[0]
+
+
+def file_of(schema):
+    """ "hakobune mooring study 1" → "a file of mooring study" """
+    return f"a file of {named(schema)}"
+
+
+def what_is(file):
+    """What an open HDF5 file is, in words"""
+    schema = str(file.attrs.get("schema", ""))
+    if schema.startswith(OURS):
+        return file_of(schema)
+    return "a hakobune database" if file.attrs.get("format") == FORMAT else "an HDF5 file of another program"
+
+
+def no_file_of(path, schema):
+    """What is said of a file that is none of a `schema`, with the command that makes one"""
+    kind = named(schema)
+    try:
+        with h5py.File(path) as file:
+            what = f"{what_is(file)}, and not {file_of(schema)}"
+    except (OSError, RuntimeError):
+        what = f"no file of {kind}, and no HDF5 file that can be opened"
+    return f"{path} is {what}; 'hakobune {MAKES.get(kind, COMMAND.format(kind, '{}')).format('NAME.h5').removesuffix(' --fresh')}' makes one"

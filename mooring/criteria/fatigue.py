@@ -98,8 +98,13 @@ def rainflow_cycles(tension) -> Cycles:
 
 def miner(cycles, curve, diameter, breaking_load):
     """Miner's sum of Cycles; diameter mm, breaking_load N"""
+    return float(np.sum(cycles.count * damages(cycles, curve, diameter, breaking_load)))
+
+
+def damages(cycles, curve, diameter, breaking_load):
+    """(n,) of one whole cycle of each of Cycles, 1/N(s); diameter mm, breaking_load N"""
     s = cycles.range / curve.reference(diameter, breaking_load)
-    return float(np.sum(cycles.count * s**curve.exponent / curve.strength(cycles.mean / breaking_load)))
+    return s**curve.exponent / curve.strength(cycles.mean / breaking_load)
 
 
 def narrow_band(moments, curve, scale, mean_share=0.0):

@@ -59,9 +59,11 @@ class Climate:
 
     @property
     def excited(self):
-        """(c,) whether a response is more than rounding"""
-        largest = {unit: max(self.m0[:, i].max() for i, u in enumerate(self.units) if u == unit) for unit in self.units}
-        return self.m0.max(axis=0) > TINY**2 * np.array([largest[unit] for unit in self.units])
+        """(c,) whether a response is more than rounding beside those that are known; what is not known is"""
+        largest = dict.fromkeys(self.units, 0.0)
+        for unit, m0 in zip(self.units, self.m0.T, strict=True):
+            largest[unit] = np.fmax.reduce(m0, initial=largest[unit])
+        return ~(self.m0.max(axis=0) <= TINY**2 * np.array([largest[unit] for unit in self.units]))
 
     @property
     def mean_drift(self):

@@ -4,16 +4,24 @@
 
 The whole lines alone: a state with `share` of the time has it in equal parts in all its directions and levels.  Asked
 is factor · D ≤ 1.  The record is that of the fairlead, in the section of each type with the curve's own reference.
+
+The sum is of random terms d, of one cycle each; its standard error is D/√m, with
+
+    m = (Σ d)² / Σ d²       cycles that carry the damage; all of them where they are alike
+
+Fewer than `mooring.motion.extremes.FEWEST` values have no interval of 90 %: then nothing is said, as of a regular wave,
+whose cycles are none of a sea.  A slow motion that a run has few of carries the damage in as few cycles.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from hakobune.mooring.criteria.fatigue import YEAR, curves, miner
+from hakobune.mooring.criteria.fatigue import YEAR, curves, damages
 from hakobune.mooring.criteria.rules import OWN, Criterion
 from hakobune.mooring.criteria.strength import kind_and_size
 from hakobune.mooring.criteria.verdict import Judged, Use
+from hakobune.mooring.motion.extremes import FEWEST
 
 QUANTITY = "factor x fatigue damage over the service life"
 
@@ -27,33 +35,51 @@ def fatigue(read, ran):
         OWN, "", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
         f"rainflow and Miner's sum, curve {curve.name} ({curve.source}), factor {own.factor:g}", "read",
     )  # fmt: skip
-    total, parts = 0.0, []
+    total, squares, parts = 0.0, 0.0, []
     for state in read.project.states:
+        if state.share and _is_regular(read, state):
+            return Judged(
+                criterion, (), f"{state.name} has a regular wave, whose cycles are none of a sea; give irregular waves"
+            )
         cases = [one for one in ran if one.case.state == state.name and not one.case.lost and one.case.factor == 1]
         for one in cases if state.share else ():
             if one.runs is None:
                 return Judged(criterion, (), f"{one.case.name} could not be run")
-            damage = own.factor * state.share / len(cases) * _damage(read, one, curve)
+            each = _damage(read, one, curve)
+            damage, square = (own.factor * state.share / len(cases)) ** np.array([[1], [2]]) * each
             parts.append((one.case.name, damage))
-            total = total + damage
+            total, squares = total + damage, squares + square
     worst = int(np.argmax(total))
+    carrying = total[worst] ** 2 / squares[worst] if squares[worst] > 0 else np.inf
+    if carrying < FEWEST * (1 - 1e-9):
+        return Judged(
+            criterion, (), f"the damage of {one.numbers.names[worst]} is of {carrying:.1f} cycles of the runs, limit "
+            f"{FEWEST}, below which it has no interval of 90 %; give a longer simulation.duration_hours or more seeds",
+        )  # fmt: skip
     name = max(parts, key=lambda part: part[1][worst])[0]
     return Judged(criterion, (Use(name, one.numbers.names[worst], float(total[worst]), float(total[worst])),))
 
 
+def _is_regular(read, state):
+    """Whether the waves of a state are one regular wave"""
+    method = read.study.get("waves", {}).get("method") if state.waves is None else state.waves.method
+    return method == "regular_wave"
+
+
 def _damage(read, one, curve):
-    """(n,) of the lines over the service life, had it this weather alone"""
+    """(2, n) of the lines over the service life, had it this weather alone: the damage, and the sum of the squares of
+    that of each cycle"""
     life = read.project.project.service_life * YEAR
-    return life * np.array(
-        [
-            max(_rate(cycles, read, name, curve, load) for name in types)
-            for cycles, types, load in zip(one.runs["cycles"], one.numbers.types, one.numbers.breaking, strict=True)
-        ]
-    )
+    found = [
+        max(_rate(cycles, read, name, curve, load) for name in types)
+        for cycles, types, load in zip(one.runs["cycles"], one.numbers.types, one.numbers.breaking, strict=True)
+    ]
+    return np.array(found).T * [[life], [life**2]]
 
 
 def _rate(cycles, read, name, curve, breaking_load):
-    """Damage a second of (duration s, Cycles)"""
+    """Damage a second of (duration s, Cycles), and the sum of the squares of that of each cycle"""
     duration, found = cycles
     diameter = kind_and_size(read.study["types"][name]["catalogue"])[1]
-    return miner(found, curve, diameter, breaking_load) / duration
+    each = damages(found, curve, diameter, breaking_load) / duration
+    return float(found.count @ each), float(found.count @ each**2)

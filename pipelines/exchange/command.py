@@ -18,6 +18,7 @@ from hakobune.mooring.criteria.failing import fails
 from ..common.outputs import check_ending, check_folder
 from ..printing.console import new_console
 from ..printing.verdict import tell
+from ..view.gaps import gaps_of
 
 
 class Format(NamedTuple):
@@ -100,6 +101,8 @@ def _left_out(db, values, to):
             f"{db.path} has {db.rows.sum()} of {len(db.rows)} frequencies solved, which alone are written; run the "
             "command that made it again, then this one with --fresh"
         )
+    gaps = gaps_of(db)
+    yield from map(fails, gaps._replace(unknown={n: m for n, m in gaps.unknown.items() if n in CARRIED}).not_known())
     lost = [name for name in db.names if name not in CARRIED]
     endless = [name for name in LIMITS if name in db.names and not np.all(np.isfinite(db[name]))] if db.complete else []
     if endless:

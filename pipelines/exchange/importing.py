@@ -15,6 +15,7 @@ from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.quality import findings
+from hakobune.meshing.whole_files import made_beside
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import DATABASE, check_ending
@@ -57,8 +58,9 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
         )
     values, remarks = on_hull(values, panels, weight)
     remarks = (*remarks, *_remarks(place, said, values))
-    _store(values, panels, output, f"{kind_name}: {place}", fresh)
-    groups = _store_pairs(output, pairs, values)
+    with made_beside(output) as partial:  # what was there stays until all of this is
+        _store(values, panels, partial, f"{kind_name}: {place}")
+        groups = _store_pairs(partial, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
     print(", ".join([*values.quantities, *groups]))
     stored = open_database(output).rows
@@ -163,15 +165,13 @@ def _finite(values):
     return replace(values, omega=values.omega[kept], quantities=some), left
 
 
-def _store(values, mesh, output, source, fresh):
+def _store(values, mesh, output, source):
     angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
     header = Header(
         mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,
         attributes={"imported": source},
     )  # fmt: skip
     headings = values.wave_direction if len(values.wave_direction) else np.zeros(1)
-    if fresh:
-        output.unlink(missing_ok=True)
     create(output, header, values.omega, headings, tuple(values.quantities))
     rows = {name: value for name, value in values.quantities.items() if name not in LIMITS}
     with writing(output) as file:

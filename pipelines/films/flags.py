@@ -32,7 +32,7 @@ def animate(
     hakobune animate run.h5 --output film.gif
     hakobune animate box.h5 --period 9 --heading 180 --output film.gif
     """
-    from hakobune.bem.database.results import has_schema
+    from hakobune.bem.database.results import check_any_version, has_schema, schema_of
 
     from ..printing.verdict import tell
     from ..simulate.file import is_run
@@ -48,6 +48,7 @@ def animate(
         "fixed": fixed or None,
         "field": field,
     }
+    check_any_version(file, schema_of(file))
     if has_schema(file, SINGLE_POINT):
         from .of_single_point import film_of_single_point
 
@@ -59,8 +60,11 @@ def animate(
         _check_none(regular, "a database", file, "a simulation")
         frames = film_of_run(file, output, **_given(of_run))
     else:
+        from hakobune.bem.database import open_database
+
         from .of_database import film_of_database
 
+        open_database(file)  # what is none is told as that
         _check_none(of_run, "a simulation", file, "a database")
         frames, findings = film_of_database(file, output, **_given(regular))
     print(f"{output}: {frames} frames")

@@ -38,12 +38,13 @@ def show(console, name, found, course, result, strength, line):
         rows.append(("slack, s in a cycle", [_number(e.slack * share, ".2f") for e in ends]))
     own = strength.breaking[-1], strength.breaking[0]
     if np.isfinite(strength.weakest):
-        used = [e.largest / load if np.isfinite(load) else np.nan for e, load in zip(ends, own, strict=True)]
+        whole = result.tension_fairlead.max(), result.tension_anchor.max()  # what parts in the beginning has parted
+        used = [tension / load if np.isfinite(load) else np.nan for tension, load in zip(whole, own, strict=True)]
         rows.append(("breaking load used, %", [_number(100 * share, ".1f") for share in used]))
     for title, cells in rows:
         table.add_row(title, *cells)
     console.print(table)
-    _show_used(console, strength.most_used(line, result, found.begin, found.end), strength)
+    _show_used(console, strength.most_used(line, result), strength)
     _show_work(console, found, _table)
     for text in (*_regime(found.regime), _steps(result)):
         console.print(text, highlight=False, soft_wrap=True)

@@ -43,27 +43,26 @@ class Strength:
         """Nodes whose tensions a run has to keep, to tell that of each segment: all, or none of a uniform line"""
         return () if self.uniform else tuple(range(line.elements + 1))
 
-    def most_used(self, line, result, begin=-np.inf, end=np.inf):
-        """Used, of a Result that has kept the tensions at `nodes`, from begin to end, s; None where no load is known"""
+    def most_used(self, line, result):
+        """Used, of a Result that has kept the tensions at `nodes`, in all of its run; None where no load is known"""
         if not np.isfinite(self.weakest):
             return None
-        inside = (result.time >= begin) & (result.time <= end)
-        time, found = result.time[inside], []
-        for i, tension in self._tensions(line, result, inside):
+        time, found = result.time, []
+        for i, tension in self._tensions(line, result):
             top = int(np.argmax(tension))
             found.append(Used(float(tension[top]), self.breaking[i], float(time[top]), i))
         return max(found, key=lambda used: used.share)
 
-    def _tensions(self, line, result, inside):
+    def _tensions(self, line, result):
         """(segment, (n,) N) of every end and element"""
-        yield 0, result.tension_anchor[inside]
-        yield len(self.breaking) - 1, result.tension_fairlead[inside]
+        yield 0, result.tension_anchor
+        yield len(self.breaking) - 1, result.tension_fairlead
         if self.uniform:
-            yield 0, result.largest_tension[inside]
+            yield 0, result.largest_tension
             return
         # a node keeps the mean of the elements beside it, and the first that of the one it has: they follow in turn
         kept, tension = result.station_tension, 0.0
         segments = np.repeat(np.arange(len(line.segments)), [segment.elements for segment in line.segments])
         for j, segment in enumerate(segments):
-            tension = kept[inside, 0] if j == 0 else 2 * kept[inside, j] - tension
+            tension = kept[:, 0] if j == 0 else 2 * kept[:, j] - tension
             yield int(segment), tension

@@ -103,9 +103,9 @@ def carried_by(mesh, depth, gravity):
 
 def waves_of(db, omega, heading, difference):
     """Frequencies (n,) rad/s, headings (m,) rad and the largest difference that are asked for.  Raises ValueError."""
-    low, high = float(db.omega[0]), float(db.omega[-1]) if len(db.omega) else 0.0
     if len(db.omega) < 2:
         raise ValueError(f"{db.path} has {len(db.omega)} solved frequencies; allowed: two or more")
+    low, high = float(db.omega[0]), float(db.omega[-1])
     frequencies = multiples(low, high) if omega is None else _frequencies(omega, low, high)
     headings = db.wave_direction if heading is None else _headings(heading)
     if difference is not None and not 0 < difference < math.inf:

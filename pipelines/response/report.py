@@ -48,7 +48,7 @@ def sea_rows(result) -> Rows:
     columns = ("standard_deviation", "significant_amplitude", "expected_maximum", "maximum_not_exceeded_90")
     columns += ("zero_crossing_period_s", "peak_to_peak_period_s", "bandwidth")
     with_unit = (result.sigma, result.significant, result.expected_maximum, result.not_exceeded(FRACTILE))
-    excited = np.flatnonzero(result.sigma > 0)
+    excited = np.flatnonzero(~(result.sigma <= 0))  # what is not known is no zero
     units, factors = _units([result.units[i] for i in excited])
     values = np.array([v[excited] * factors for v in with_unit] + [v[excited] for v in _periods(result)])
     return Rows(columns, [result.names[i] for i in excited], units, values.T)
@@ -143,7 +143,7 @@ def show(rows, points, lines, warned, written, held=None):
         for column in rows.columns:
             table.add_column(SHORT.get(column, column.replace("_", " ")), justify="right")
         for i, label in members.items():
-            table.add_row(f"{label}, {rows.units[i]}", *(f"{value:.3g}" for value in rows.values[i]))
+            table.add_row(f"{label}, {rows.units[i]}", *(_known(value, ".3g") for value in rows.values[i]))
         console.print(table)
     if held is not None:
         held.show(console)
@@ -222,14 +222,20 @@ def _by_current(slow, radius):
 
 
 def _forces(force, radius, among=None):
-    """Fx, Fy and Mz in words; zero where they are rounding beside the largest force of `among` (n, 3), or their own
+    """Fx, Fy and Mz in words; zero where they are rounding beside the largest known force of `among` (n, 3), or their
+    own
 
     A moment is small beside a force times the radius in m.
     """
-    largest = np.abs(force if among is None else among)[..., :2].max()
-    force = np.where(np.abs(force) > TINY * largest * np.array([1.0, 1.0, radius]), force, 0.0)
-    x, y, m = force / KN
-    return f"Fx {x:.4g}, Fy {y:.4g} kN, Mz {m:.4g} kN m"
+    largest = np.fmax.reduce(np.abs(force if among is None else among)[..., :2], axis=None, initial=0.0)
+    rounding = np.abs(force) <= TINY * largest * np.array([1.0, 1.0, radius])
+    x, y, m = (_known(value, ".4g") for value in np.where(rounding, 0.0, force) / KN)
+    return f"Fx {x}, Fy {y} kN, Mz {m} kN m"
+
+
+def _known(value, form):
+    """A number in words; one that is nan is not known, and no zero"""
+    return "unknown" if np.isnan(value) else format(value, form)
 
 
 def _gaps_in_years(result, years):

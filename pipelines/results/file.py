@@ -12,26 +12,25 @@ import numpy as np
 
 from hakobune.bem.database.file import beside
 from hakobune.bem.database.integrity import DatabaseError
-from hakobune.bem.database.results import OURS, check_version, named, opened_result, schema_of
+from hakobune.bem.database.results import OURS, RESULT_VERSION, check_version, named, opened_result, schema_of
 
 from .quantity import Quantity
 from .result import Result
 
-VERSION = 2  # of all kinds; files of version 1 were laid out by each command in its own way
 LINES = ("findings", "notes", "first")
-NAMES = {"moor": "mooring study", "response": "response study", "breakwater": "breakwater study"}
+NAMES = {"moor": "mooring study"}  # what the files of a kind were called before they were alike
 
 
 def schema(kind):
     """The attribute `schema` of the file of a kind of result"""
-    return f"{OURS}{NAMES.get(kind, kind)} {VERSION}"
+    return f"{OURS}{NAMES.get(kind, kind)} {RESULT_VERSION}"
 
 
 def kind_of(path):
     """Kind of the result in a file, "" for another file"""
     named_so = {schema(kind): kind for kind in NAMES}
     found = schema_of(path)
-    return named_so.get(found, named(found) if found.endswith(f" {VERSION}") else "")
+    return named_so.get(found, named(found) if found.endswith(f" {RESULT_VERSION}") else "")
 
 
 def write(result, path):

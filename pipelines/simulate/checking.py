@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem.database.integrity import DatabaseError
+from hakobune.bem.database.integrity import DatabaseError, VersionError
 from hakobune.mooring.criteria.failing import fails
 
 from .file import opened, summary_is_whole, whole_rows
 
 
 def check_run(path, say):
-    """Tell which seeds are there, missing and damaged; returns 0 if all are whole, else 1."""
+    """Tell which seeds are there, missing and damaged; returns 0 if all are whole, else 1.
+
+    raises : `VersionError` for a file of another version, of which nothing is known
+    """
     try:
         with opened(path) as file:
             whole, marked, seeds = whole_rows(file), file["stored"][()] != 0, file["seed"][()]
             summed = summary_is_whole(file) or not whole.any()
+    except VersionError:
+        raise
     except DatabaseError as error:
         say(fails(str(error)))
         return 1

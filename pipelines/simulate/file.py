@@ -19,7 +19,7 @@ from hakobune import bem
 from hakobune.bem import DOFS
 from hakobune.bem.database.file import beside
 from hakobune.bem.database.integrity import DatabaseError, crc
-from hakobune.bem.database.results import check_seal, check_version, named
+from hakobune.bem.database.results import check_seal, check_version, named, no_file_of
 from hakobune.meshing.seals import kind_filled_in
 from hakobune.meshing.whole_files import keep_room
 from hakobune.mooring.motion.extremes import Extreme
@@ -144,7 +144,7 @@ def opened(path, mode="r"):
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
     if not is_run(path):
-        raise DatabaseError(f"{path} is no file of a simulation")
+        raise DatabaseError(no_file_of(path, SCHEMA))
     check_version(path, SCHEMA, kind_filled_in(path))
     try:
         check_seal(path, "copy it again, or simulate again with --fresh")

@@ -20,6 +20,7 @@ from ..common.typed import typed
 from ..printing.verdict import tell
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
+from ..view.gaps import gaps_of
 from .report import CHECKED, checked, checks_table, resonances_of
 from .result_files import check_result, is_result
 
@@ -39,13 +40,13 @@ def check(path, console, repair=False):
             say(_repaired(path))
         db = open_database(path)
         found, checks = [*_findings(db), *_scene_findings(db)], checked(db) if len(db.omega) else []
-        broken = _broken(db)
+        broken, unknown = _broken(db), list(gaps_of(db).not_known())
     except DamagedError as damage:
         return tell([fails(str(damage))], console)
     if checks:
         console.print(checks_table(checks))
     lines = [fails(f"{f.text}") if f.severity == "error" else f"{f.severity}: {f.text}" for f in (*found, *broken)]
-    lines += [f"note: {line}" for line in resonances_of(db)]
+    lines += [*map(fails, unknown), *(f"note: {line}" for line in resonances_of(db))]
     lines += [
         fails(
             f"{one.name}, {CHECKED[one.name]}, is {one.largest:.2g} at ω = {one.omega:.4g} rad/s, {one.exceeding} of "

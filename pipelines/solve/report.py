@@ -140,7 +140,11 @@ def resonances_of(db):
     """A line for each resonance of the freely floating body of a database"""
     if "rao" not in db.names or not len(db.omega):
         return []
-    return resonance_lines(resonances(db.reader), db.omega, db["rao"])
+    try:
+        body = db.reader
+    except BetweenError:  # of numbers that are not known at some frequencies
+        return []
+    return resonance_lines(resonances(body), db.omega, db["rao"])
 
 
 def print_outcome(console, outcome, db, own_panels):
@@ -183,9 +187,11 @@ def _body_rows(db):
 
 def _free_periods(db):
     """Heave, roll and pitch of the free body; a period outside the stored band, where A is held, is marked by ~"""
-    if db.reader.inertia is None or "added_mass" not in db.names or not len(db.omega):
+    if "added_mass" not in db.names or not len(db.omega):
         return
     try:
+        if db.reader.inertia is None:
+            return
         periods = natural_periods(db.reader)
     except (BetweenError, np.linalg.LinAlgError):  # too few frequencies to interpolate, or no positive inertia
         return

@@ -6,10 +6,14 @@ import hashlib
 from pathlib import Path
 
 from hakobune.bem.database import DatabaseError
-from hakobune.bem.database.results import OURS, named, schema_of
+from hakobune.bem.database.integrity import VersionError
+from hakobune.bem.database.results import OURS, check_any_version, file_of, schema_of
 from hakobune.meshing.seals import REMEDY, is_sealed, kind_filled_in, text_sealed
 from hakobune.meshing.text_files import read_text
 from hakobune.mooring.criteria.failing import fails
+
+from ..sweep.file import SCHEMA as SWEEP
+from ..sweep.file import case_count, pending
 
 TEXT = (".csv",)
 
@@ -25,31 +29,46 @@ def check_result(path, say, repair=False):
     """Say what a result is and whether it is whole; returns 0 if it is, else 1.
 
     say : takes each line; repair : raise DatabaseError, results are not repaired
-    raises : ValueError where there is no file
+    raises : ValueError where there is no file, and for one of another version of its schema, of which nothing is known
     """
     if repair:
         raise DatabaseError(f"{path} is a result, and no database that can be repaired; if it is damaged: {REMEDY}")
     try:
         what, sealed = _found(path)
+    except VersionError:
+        raise
     except ValueError as damage:
         if not path.is_file():
             raise
         say(fails(str(damage)))
         return 1
+    if what == file_of(SWEEP):
+        return _check_sweep(path, say)
     if not sealed:
-        say(fails(f"{path}: a {what} without a checksum: nothing tells whether it is what was written; make it anew"))
+        say(fails(f"{path}: {what} without a checksum: nothing tells whether it is what was written; make it anew"))
         return 1
-    say(f"{path}: a {what}, as it was written")
+    say(f"{path}: {what}, as it was written")
     for remark in () if path.suffix.lower() in TEXT else _remarks(path):
         say(f"warning: {remark}")
     return 0
 
 
 def _found(path):
-    """What a result is, and whether it has a seal.  Raises ValueError for one that is damaged."""
+    """What a result is, and whether it has a seal.  Raises ValueError for one damaged, or of another version."""
     if path.suffix.lower() in TEXT:
-        return "table", text_sealed(read_text(path))
-    return named(schema_of(path)), is_sealed(path)
+        return "a table", text_sealed(read_text(path))
+    schema = schema_of(path)
+    check_any_version(path, schema)
+    return file_of(schema), is_sealed(path)
+
+
+def _check_sweep(path, say):
+    """Which cases of a sweep are there: it fills case by case, and has no checksums"""
+    count, missing = case_count(path), len(pending(path))
+    say(f"{path}: a file of sweep, {count - missing} of {count} cases are there; sweeps have no checksums")
+    if missing:
+        say(fails(f"{missing} cases are missing; 'hakobune sweep SWEEP --output {path}' runs them"))
+    return int(bool(missing))
 
 
 def _remarks(path):

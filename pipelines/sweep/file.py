@@ -47,6 +47,12 @@ def _on(file, name, data):
     return dataset
 
 
+def case_count(path):
+    """How many cases a sweep has, run or not"""
+    with h5py.File(path) as file:
+        return len(file["case"])
+
+
 def pending(path):
     """Numbers of the cases still to do"""
     with h5py.File(path) as file:

@@ -32,6 +32,11 @@ class Gaps(NamedTuple):
 
     def words(self):
         """Lines for a reader"""
+        yield from self.not_solved()
+        yield from self.not_known()
+
+    def not_solved(self):
+        """The line on frequencies that are not solved, where there are some"""
         w, count = self.asked[~self.solved], int(np.sum(~self.solved))
         if count:
             where = f"{w[0]:.4g} rad/s" if count == 1 else f"{w[0]:.4g} to {w[-1]:.4g} rad/s"
@@ -39,6 +44,9 @@ class Gaps(NamedTuple):
                 f"{self.path}: {count} of {len(self.asked)} frequencies are not solved, {where}; 'hakobune solve SCENE "
                 f"--output {self.path}', or the command that made it, solves them"
             )
+
+    def not_known(self):
+        """Lines on quantities that have no number at solved frequencies"""
         solved = self.asked[self.solved]
         for name, motions in self.unknown.items():
             places = np.unique(np.concatenate(list(motions.values())))
@@ -47,7 +55,8 @@ class Gaps(NamedTuple):
             at = "at all frequencies"
             if len(places) < len(solved):
                 low, high = solved[places[[0, -1]]]
-                at = f"at {len(places)} of {len(solved)} frequencies, {low:.4g} to {high:.4g} rad/s"
+                span = f"{low:.4g} rad/s" if len(places) == 1 else f"{low:.4g} to {high:.4g} rad/s"
+                at = f"at {len(places)} of {len(solved)} frequencies, {span}"
             yield f"{self.path}: {name}{of} is not a number {at}; solve it anew with --fresh, by a method that knows it"
 
 

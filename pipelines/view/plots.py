@@ -54,7 +54,7 @@ class Curves:
         self.db, self.mesh, self.names, self.wave_direction = db, db.mesh, db.names, db.wave_direction
         if len(db.omega) >= FEWEST:
             low, high = db.omega[[0, -1]]
-            sharp = about(db.reader, self.peaks)
+            sharp = [] if self.body is None else about(self.body, self.peaks)
             self.omega = np.unique(np.concatenate([np.linspace(low, high, PLACES)[1:-1], db.omega, sharp]))
         else:
             self.omega = db.omega
@@ -70,7 +70,7 @@ class Curves:
         return value
 
     def _value(self, name):
-        stored, body = self.db[name], getattr(self.db, "reader", None)
+        stored, body = self.db[name], self.body
         if len(self.omega) == len(self.db.omega):
             return stored
         try:
@@ -90,9 +90,18 @@ class Curves:
         return (1 - share) * stored[high - 1] + share * stored[high]
 
     @cached_property
+    def body(self):
+        """`Reader`; None where numbers that are not known at some frequencies leave it none between any"""
+        try:
+            return getattr(self.db, "reader", None)
+        except BetweenError:
+            return None
+
+    @cached_property
     def peaks(self):
         """[Resonance] of the freely floating body"""
-        return resonances(self.db.reader) if "rao" in self.names and len(self.db.omega) >= FEWEST else []
+        known = self.body is not None and "rao" in self.names and len(self.db.omega) >= FEWEST
+        return resonances(self.body) if known else []
 
 
 def plot(db, output, size=SIZE):

@@ -6,6 +6,7 @@ import pytest
 from hakobune.bem.database import open_database
 from hakobune.bem.second_order.quadratic_forces import QuadraticForces
 from hakobune.bem.second_order.stored import Held, StoredForces, read_forces, write_forces
+from hakobune.meshing.files import write_mesh
 from hakobune.pipelines import cli
 
 BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,45 --gyration 6,12,13"
@@ -39,6 +40,25 @@ def test_a_database_goes_out_and_comes_back(kind, place, folder, capsys):
         assert cli.main(["import", str(folder / place), "--from", kind, *shallow]) == 2
         assert "the water is 5 m deep and" in capsys.readouterr().err and not (folder / "shallow.h5").exists()
         np.testing.assert_allclose(read_forces(found).forces.total, read_forces(true).forces.total, rtol=1e-5)
+
+
+def test_an_import_that_breaks_off_leaves_the_old_file_as_it_was(folder, monkeypatch):
+    from hakobune.pipelines.exchange import importing
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    assert cli.main(["export", str(folder / "box.h5"), "--to", "bemio", "--output", str(folder / "box_other.h5")]) == 0
+    output = folder / "again.h5"
+    words = ["import", str(folder / "box_other.h5"), "--from", "bemio", "--output", str(output)]
+    words += ["--mesh", str(folder / "box.gdf"), "--fresh"]
+    write_mesh(open_database(folder / "box.h5").mesh, folder / "box.gdf")
+    assert cli.main(words) == 0
+    before = output.read_bytes()
+    with monkeypatch.context() as patch:
+        patch.setattr(importing, "append_limit", full)
+        assert cli.main(words) == 2
+    assert output.read_bytes() == before and sorted(folder.glob("again*")) == [output]
 
 
 def test_refusals_name_the_way_out(folder, capsys):

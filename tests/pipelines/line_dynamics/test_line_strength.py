@@ -3,6 +3,7 @@
 import re
 
 import numpy as np
+import pytest
 
 from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
 from hakobune.pipelines.cli import main
@@ -53,10 +54,28 @@ def test_tensions_of_segments_are_those_of_their_elements():
     motion = FairleadMotion.harmonic((292.0, 0.0, -2.0), [(2.0, 0.0, 1.0)], [6.0], 6.0)
     strength = Strength((2e5, 1e6), ("chain", "wire"))
     made = simulate(line, motion, 12.0, stations=strength.nodes(line), check_mesh=False)
-    elements = [T for _, T in strength._tensions(line, made, made.time >= 0.0)][2:]
+    elements = [T for _, T in strength._tensions(line, made)][2:]
     assert np.allclose(np.max(elements, axis=0), made.largest_tension, rtol=1e-12)
     assert np.allclose(np.min(elements, axis=0), made.least_tension, rtol=1e-9, atol=1e-9 * made.largest_tension.max())
     top = max(np.max(elements[:16]), made.tension_anchor.max())
     lower = Strength((2e5, np.inf), strength.names).most_used(line, made)
     assert (lower.tension, lower.segment) == (top, 0) and lower.share == top / 2e5
     assert Strength((np.inf, np.inf), strength.names).most_used(line, made) is None
+
+
+def test_what_is_used_is_never_less_than_what_was_simulated_in_any_part_of_the_run(tmp_path, capsys, monkeypatch):
+    """A pull at the beginning, outside the cycles that the table is of, parts the line as well as a later one"""
+    from hakobune.mooring.lines.dynamics import simulation
+
+    def pulled(*given, **named):
+        made = run(*given, **named)
+        made.tension_fairlead[1] = 0.9 * 4884e3
+        return made
+
+    run = simulation.simulate
+    monkeypatch.setattr(simulation, "simulate", pulled)
+    (tmp_path / "line.toml").write_text(STUDY)
+    assert main(["line-dynamics", str(tmp_path / "line.toml"), "--csv"]) == 0
+    shown = "".join(capsys.readouterr())
+    used = re.search(r'\n"breaking load used, %",([\d.]+),', shown)[1]
+    assert float(used) == pytest.approx(90.0, abs=0.1)

@@ -184,9 +184,12 @@ def test_impossible_command_is_refused_in_one_line(folder, capsys, words, messag
         ((1e5, -2e5, 3e4), None, "Fx 100, Fy -200 kN, Mz 30 kN m"),
         ((1e-10, 0.0, 1e-8), ((1e5, 0, 0), (-1e5, 0, 0)), "Fx 0, Fy 0 kN, Mz 0 kN m"),
         ((0.0, 0.0, 0.0), None, "Fx 0, Fy 0 kN, Mz 0 kN m"),
+        ((3e4, np.nan, 1e-12), None, "Fx 30, Fy unknown kN, Mz 0 kN m"),
+        ((np.nan,) * 3, None, "Fx unknown, Fy unknown kN, Mz unknown kN m"),
+        ((1e-9, 2e3, np.nan), np.array([[np.nan, 2e3, 1.0]]), "Fx 0, Fy 2 kN, Mz unknown kN m"),
     ],
 )
-def test_forces_that_are_rounding_are_printed_as_zero(force, among, words):
+def test_forces_that_are_rounding_are_printed_as_zero_and_unknown_ones_as_unknown(force, among, words):
     assert _forces(np.array(force), 50.0, among) == words
 
 

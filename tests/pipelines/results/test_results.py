@@ -50,7 +50,7 @@ def test_a_result_that_is_read_back_equals_the_one_that_was_written(tmp_path):
     back = read(tmp_path / "a.h5")
     assert back == example() and back.kind == "example" and back.status == 1
     assert back != example(findings=())
-    with pytest.raises(DatabaseError, match="no file of other"):
+    with pytest.raises(DatabaseError, match="a file of example, and not a file of other"):
         read(tmp_path / "a.h5", "other")
 
 
