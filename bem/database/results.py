@@ -185,4 +185,5 @@ def no_file_of(path, schema):
             what = f"{what_is(file)}, and not {file_of(schema)}"
     except (OSError, RuntimeError):
         what = f"no file of {kind}, and no HDF5 file that can be opened"
-    return f"{path} is {what}; 'hakobune {MAKES.get(kind, COMMAND.format(kind, '{}')).format('NAME.h5').removesuffix(' --fresh')}' makes one"
+    makes = MAKES.get(kind, COMMAND.format(kind, "{}")).format("NAME.h5").removesuffix(" --fresh")
+    return f"{path} is {what}; 'hakobune {makes}' makes one"
