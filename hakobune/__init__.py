@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.reading import read as read
+    from hakobune.pipelines.response.result import response as response
     from hakobune.pipelines.simulate.result import simulate as simulate
 
 _CHECKOUT = Path(__file__).parents[1]
@@ -29,6 +30,7 @@ _PUBLIC = {  # name: module that has it
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.reading",
+    "response": "pipelines.response.result",
     "simulate": "pipelines.simulate.result",
 }
 __all__ = [*_PUBLIC]

@@ -235,6 +235,7 @@ def sweep(
     output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
+    plot: Annotated[Path | None, Parameter(help="picture over the first key: .png, .svg or .pdf")] = None,
 ):
     """Run many cases of a study over its keys; a second call takes up where the first stopped.
 
@@ -242,7 +243,7 @@ def sweep(
     """
     from .sweep.command import sweep
 
-    return sweep(study, output, executor, fresh, main)
+    return sweep(study, output, executor, fresh, plot)
 
 
 app.command(sea)

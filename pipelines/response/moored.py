@@ -12,19 +12,6 @@ from hakobune.mooring.criteria.failing import failing
 from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
 
-COLUMNS = {
-    "mean_offset": "mean",
-    "natural_period_s": "T natural",
-    "damping_percent": "damping %",
-    "slow_deviation": "σ slow",
-    "of_drift_percent": "of drift %",
-    "wave_deviation": "σ waves",
-    "flat_spectrum_estimate": "√(πS/2NC)",
-    "beating_force_estimate": "x_s/2ν",
-    "largest": "largest",
-    "largest_by_rule": "by rule",
-}
-
 
 class Moored(NamedTuple):
     """motion : `mooring.studies.slow_motion.SlowMotion`; notes, failures : one line each, failures of lines and body by
@@ -34,18 +21,6 @@ class Moored(NamedTuple):
     notes: tuple[str, ...]
     failures: tuple[str, ...]
     stiffness: np.ndarray
-
-    def csv(self):
-        """Comment lines of a CSV file"""
-        return lines_of_csv(self.motion)
-
-    def datasets(self):
-        """{name: (value, unit)} for a results file"""
-        return datasets(self.motion)
-
-    def show(self, console):
-        """Print the table"""
-        show(self.motion, console)
 
 
 def moored(path, read, db, sea, duration, points):
@@ -105,60 +80,3 @@ def _of_bound_waves(spectrum, db):
     kh = float(wavenumber(spectrum.peak_omega, db.water_depth, db.gravity)) * db.water_depth
     if kh < 1:
         yield f"kh is {kh:.2g} at the peak of the waves: bound long waves, left out, may move the body more than drift"
-
-
-def table(motion):
-    """Names, units and (3, columns) of `COLUMNS` of a SlowMotion, yaw in degrees"""
-    factor = np.array([1.0, 1.0, 180 / np.pi])
-    values = {
-        "mean_offset": factor * motion.offset,
-        "natural_period_s": motion.period,
-        "damping_percent": 100 * motion.ratio,
-        "slow_deviation": factor * motion.slow,
-        "of_drift_percent": 100 * motion.drift_share,
-        "wave_deviation": factor * motion.fast_sigma,
-        "flat_spectrum_estimate": factor * motion.estimates[:, 0],
-        "beating_force_estimate": factor * motion.estimates[:, 1],
-        "largest": factor * motion.largest,
-        "largest_by_rule": factor * motion.rule,
-    }
-    return ("surge", "sway", "yaw"), ("m", "m", "°"), np.stack([values[name] for name in COLUMNS], axis=1)
-
-
-def lines_of_csv(motion):
-    """Comment lines of a CSV file"""
-    names, units, values = table(motion)
-    yield "moored: " + ",".join(["motion", "unit", *COLUMNS])
-    for name, unit, row in zip(names, units, values, strict=True):
-        yield "moored: " + ",".join([name, unit, *(f"{value:.6g}" for value in row)])
-
-
-def show(motion, console):
-    """Print the table of a SlowMotion"""
-    from rich.box import SIMPLE
-    from rich.table import Table
-
-    names, units, values = table(motion)
-    shown = Table(title="moored, mean and slow motion", title_justify="left", box=SIMPLE, pad_edge=False)
-    shown.add_column("", no_wrap=True)
-    for short in COLUMNS.values():
-        shown.add_column(short, justify="right", no_wrap=True)
-    for name, unit, row in zip(names, units, values, strict=True):
-        shown.add_row(f"{name}, {unit}", *(f"{value:.3g}" for value in row))
-    console.print(shown)
-
-
-def datasets(motion):
-    """{name: (value, unit)} for the results file"""
-    return {
-        "moored/offset": (motion.offset, "m, m, rad"),
-        "moored/natural_period": (motion.period, "s"),
-        "moored/damping_ratio": (motion.ratio, "1"),
-        "moored/omega": (motion.omega, "rad/s"),
-        "moored/force_spectrum": (motion.force, "N2 s/rad; of moments N m"),
-        "moored/motion_spectrum": (motion.spectrum, "m2 s/rad, m2 s/rad, rad2 s/rad"),
-        "moored/slow_deviation": (motion.slow, "m, m, rad"),
-        "moored/wave_deviation": (motion.fast_sigma, "m, m, rad"),
-        "moored/largest": (motion.largest, "m, m, rad"),
-        "moored/largest_by_rule": (motion.rule, "m, m, rad"),
-    }

@@ -8,9 +8,10 @@ from hakobune.mooring.response.long_term import YEAR
 
 from ..common.picture import save
 from ..common.units import KN
-from .report import RAD, sea_in_words
+from .findings import sea_in_words
 
 COLUMNS = 3
+RAD = {"rad": ("°", 180 / np.pi)}
 
 
 def draw(result, path):

@@ -251,11 +251,16 @@ def keel_points(table, db):
 def read_response_study(path):
     """The ResponseStudy of a TOML file and its text.  Raises StudyError."""
     raw, text = read_study_at_site(Path(path), "a response study", RESPONSE)
+    return make_response_study(raw, path), text
+
+
+def make_response_study(raw, name="the study"):
+    """The ResponseStudy of nested dictionaries; name : of what they are of.  Raises StudyError."""
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"
-        raise StudyError(f"{path} {state} [sea] and [climate]; allowed: one of them")
-    return study, text
+        raise StudyError(f"{name} {state} [sea] and [climate]; allowed: one of them")
+    return study
 
 
 def files_of(study, folder):

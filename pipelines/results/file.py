@@ -18,7 +18,10 @@ from .quantity import Quantity
 from .result import Result
 
 LINES = ("findings", "notes", "first")
-NAMES = {"moor": "mooring study"}  # what the files of a kind were called before they were alike
+NAMES = {
+    "moor": "mooring study",
+    "response": "response study",
+}  # what the files of a kind were called before they were alike
 
 
 def schema(kind):

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from hakobune.bem.database.results import has_schema
+from hakobune.meshing.seals import write_sealed
 
-from ..common.outputs import DATABASE, check_output
+from ..common.outputs import DATABASE, check_output, opening
 from .file import schema
+
+CSV = ".csv"
+FORMS = (*DATABASE, CSV)
+MARK = "# result of hakobune "
 
 
 def check_result(path, kind, inputs=()):
@@ -13,4 +18,19 @@ def check_result(path, kind, inputs=()):
 
     inputs : paths of what the study reads, none of which is overwritten
     """
-    check_output(path, f"the result of {kind}", lambda place: has_schema(place, schema(kind)), DATABASE, inputs)
+    check_output(path, f"the result of {kind}", lambda place: _is_one(place, kind), FORMS, inputs)
+
+
+def write_result(result, path):
+    """Write a result to a path that `check_result` allowed: .h5, or .csv with a checksum in its head"""
+    if path.suffix == CSV:
+        told = "".join(f"# {line}\n" for line in (*result.told, *result.notes))
+        write_sealed(path, f"{MARK}{result.kind}\n{told}{result.to_csv()}")
+    else:
+        result.write(path)
+
+
+def _is_one(path, kind):
+    if path.suffix == CSV:
+        return opening(path)[0].startswith(f"{MARK}{kind}")
+    return has_schema(path, schema(kind))

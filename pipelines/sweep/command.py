@@ -1,38 +1,69 @@
-"""`hakobune sweep`: its file, its executor, and what is said at the end."""
+"""`hakobune sweep`: its file, its executor, its table and picture, and what is said at the end."""
 
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import DATABASE, check_output
+from ..common.picture import PLOTS, check_picture
 from ..executors.choice import executor_of
-from ..printing.verdict import tell
+from ..results.tables import printed
 from . import run
-from .file import is_sweep
+from .file import is_sweep, result_of
 from .study import read_sweep
 
 SHOWN = 5  # cases that are named
+PRINTED = 8  # quantities of a table that is printed where none is asked for
 
 
-def sweep(study, output, executor, fresh, main):
-    """Run what is pending; 1 where a case has a status above 0.  main : the command line as a function of its words"""
+def sweep(study, output, executor, fresh, plot=None):
+    """Run what is pending, print a table of all cases; 1 where a case has a status above 0 or was not done.
+
+    plot : picture of the quantities over the first key
+    """
     output = study.with_suffix(".h5") if output is None else output
     check_output(output, "the result of a sweep", is_sweep, DATABASE, [study])
+    if plot is not None:
+        check_picture(plot, PLOTS)
     table, text = read_sweep(study)
-    if fresh:
-        output.unlink(missing_ok=True)
     workers = executor_of(executor)
     try:
-        outcome = run.sweep(table, text, study.parent, output, workers, main, lambda line: print(line, file=sys.stderr))
+        outcome = run.sweep(table, text, study.parent, output, workers, _say, fresh)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
-    failed, (lost, reason) = outcome.failed, outcome.lost
-    print(f"{output}: {outcome.cases} cases, {len(failed)} of them with a status above 0")
-    lines = [fails(f"case {number}: status {status}; {message}") for number, status, message in failed[:SHOWN]]
-    if len(failed) > SHOWN:
-        lines.append(fails(f"{len(failed) - SHOWN} more cases have a status above 0; {output} has their messages"))
+    result = _shown(result_of(output), table.keep)
+    if plot is not None:
+        from .picture import draw
+
+        draw(result, plot)
+    status = printed(replace(result, findings=tuple(_findings(outcome, output))))
+    print(f"{output}: {outcome.cases} cases, {len(outcome.failed)} of them with a status above 0", file=sys.stderr)
+    return status
+
+
+def _say(line):
+    print(line, file=sys.stderr)
+
+
+def _findings(outcome, output):
+    for number, status, message in outcome.failed[:SHOWN]:
+        yield fails(f"case {number}: status {status}; {message}")
+    if len(outcome.failed) > SHOWN:
+        yield fails(f"{len(outcome.failed) - SHOWN} more cases have a status above 0; {output} has their messages")
+    lost, reason = outcome.lost
     if lost:
-        lines.append(fails(f"{lost} cases were not done, {reason}; run the same command to go on"))
-    return tell(lines)
+        yield fails(f"{lost} cases were not done, {reason}; run the same command to go on")
+
+
+def _shown(result, keep):
+    """A Result whose printed table has the keys, and the quantities asked for or the first that are single numbers"""
+    single = [name for name, one in result.quantities.items() if one.axes == ("case",) and one.numeric]
+    keys = [name for name in result.quantities if name.startswith("keys.")]
+    asked = [name.replace("[*]", "") for name in keep] or [n for n in single if n not in (*keys, "status")][:PRINTED]
+    made = {
+        name: replace(one, table="cases" if name in (*keys, *asked) else "") for name, one in result.quantities.items()
+    }
+    return replace(result, quantities=made)

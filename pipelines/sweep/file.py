@@ -1,22 +1,27 @@
 """The results of a sweep: one HDF5 file that fills case by case and can be killed at any instant.
 
-/keys/NAME (case,);  /status (case,): −1 to do, else that of the command;  /message (case,);  /tables/N/COLUMN
-(case, row) with its title as an attribute and the labels of its rows in /tables/N/row.  Numbers have the digits that
-the command gives with --json; what is no number is NaN.  A sweep of scenes has /results/NAME (case, …) instead, the
-arrays of each case's database with all their digits.  The status is written last.
+/keys/NAME (case,);  /status (case,): −1 to do, else that of the command;  /message (case,);  /results/NAME (case, …):
+the quantities of each case's result, or the arrays of its database, with all their digits, their axes and units.  The
+status is written last.
 """
 
 from __future__ import annotations
+
+import json
 
 import h5py
 import numpy as np
 
 from hakobune.bem import __version__
-from hakobune.bem.database.results import named
-from hakobune.bem.database.schema import DOFS, DRIFT_DOFS
+from hakobune.bem.database.integrity import DatabaseError
+from hakobune.bem.database.results import check_version, named
 
-SCHEMA = "hakobune sweep 1"
+from ..results.quantity import Quantity
+from ..results.result import Result, labels
+
+SCHEMA = "hakobune sweep 2"
 PENDING = -1
+SIZE = 200  # numbers of a quantity that a sweep keeps where nothing is asked for
 
 
 def is_sweep(path):
@@ -48,9 +53,9 @@ def _on(file, name, data):
 
 
 def case_count(path):
-    """How many cases a sweep has, run or not"""
+    """How many cases a sweep has"""
     with h5py.File(path) as file:
-        return len(file["case"])
+        return len(file["status"])
 
 
 def pending(path):
@@ -62,80 +67,83 @@ def pending(path):
 def store(path, results):
     """Keep what cases gave, then their status; the file is opened once for all of them.
 
-    results : [(case, status, message, tables, arrays)]; tables : [{"title", "rows": [{name: text}]}]
-    arrays : {name: (axes, unit, array)}
+    results : [(case, status, message, quantities, labels)], {name: `Quantity`} and {axis: its `Quantity` of labels}
     """
     with h5py.File(path, "r+") as file:
-        for case, _, message, tables, arrays in results:
-            for number, table in enumerate(tables):
-                message = _store_table(file, number, case, table) or message
-            for name, (axes, unit, array) in arrays.items():
-                message = _store_array(file, name, case, axes, unit, np.asarray(array)) or message
+        for case, _, message, quantities, axes in results:
+            for name, one in quantities.items():
+                message = _store(file, name, case, one, axes) or message
             file["message"][case] = message
         file.flush()
         for case, status, *_ in results:
             file["status"][case] = status
 
 
-def _store_table(file, number, case, table):
-    """Numbers of a table into its columns; says why where it is another than the first case's"""
-    rows = table["rows"]
-    if not rows:
-        return ""
-    names = list(rows[0])
-    labels = [row[names[0]] for row in rows]
-    place = f"tables/{number}"
-    if place not in file:
-        group = file.create_group(place)
-        group.attrs["title"] = table["title"]
-        group.create_dataset("row", data=np.array(labels, h5py.string_dtype())).make_scale("row")
-        for name in names:
-            data = np.full((len(file["case"]), len(rows)), np.nan)
-            made = _on(file, f"{place}/{_safe(name)}", data)
-            made.dims[1].attach_scale(group["row"])
-    group = file[place]
-    if len(group["row"]) != len(rows) or any(_safe(name) not in group for name in names):
-        return f"table {number} has {len(rows)} rows, {len(group['row'])} in the first case; it is left out"
-    for name in names:
-        group[_safe(name)][case] = [_number(row[name]) for row in rows]
-    return ""
-
-
-def _store_array(file, name, case, axes, unit, array):
-    """An array into its dataset; says why where it has another shape than the first case's"""
+def _store(file, name, case, one, axes):
+    """A quantity into its dataset; says why where it has another shape or other labels than the first case's"""
     place = f"results/{name}"
     data = file.get(place)
     if data is None:
-        array = array.astype(complex if array.dtype.kind == "c" else float)
-        nothing = array.dtype.type(np.nan)
-        shape = len(file["case"]), *array.shape
-        data = file.create_dataset(place, shape, array.dtype, fillvalue=nothing, chunks=(1, *array.shape))
-        data.attrs["units"] = unit
-        for number, (axis, size) in enumerate(zip(("case", *axes), data.shape, strict=True)):
-            data.dims[number].attach_scale(file["case"] if axis == "case" else _axis(file, axis, size))
-    if data.shape[1:] != array.shape:
-        return f"{name} has the shape {array.shape}, {data.shape[1:]} in the first case; it is left out"
-    data[case] = array
+        data = _made(file, place, one, axes)
+    if data.shape[1:] != one.values.shape:
+        return f"{name} has the shape {one.values.shape}, {data.shape[1:]} in the first case; it is left out"
+    data[case] = one.values.astype(object) if one.values.dtype.kind == "U" else one.values
     return ""
 
 
-def _axis(file, axis, size):
-    """The scale of an axis: labels of degrees of freedom, or numbers from 0"""
-    place = f"results/{axis}"
+def _made(file, place, one, axes):
+    """A dataset for all cases"""
+    text, values = one.values.dtype.kind == "U", one.values
+    kind = h5py.string_dtype() if text else complex if values.dtype.kind == "c" else float
+    nothing = None if text else np.dtype(kind).type(np.nan)
+    chunks = (1, *values.shape) if values.size else None
+    data = file.create_dataset(place, (len(file["case"]), *values.shape), kind, fillvalue=nothing, chunks=chunks)
+    mixed = isinstance(one.unit, tuple)
+    data.attrs.update(units=", ".join(one.unit) if mixed else one.unit, mixed_units=mixed, share=one.share)
+    data.attrs.update(long_name=one.description, axes=json.dumps(one.axes))
+    data.dims[0].attach_scale(file["case"])
+    for number, (axis, size) in enumerate(zip(one.axes, values.shape, strict=True), 1):
+        data.dims[number].attach_scale(_axis(file, axis, size, axes.get(axis)))
+    return data
+
+
+def _axis(file, axis, size, one):
+    """The scale of an axis: its labels, or numbers from 0"""
+    place = f"results/axes/{axis}"
     if place not in file:
-        labels = {"drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}.get(axis, DOFS if axis.endswith("_dof") else None)
-        data = np.arange(size) if labels is None else np.array(labels, h5py.string_dtype())
-        file.create_dataset(place, data=data).make_scale(axis)
+        values = np.arange(size) if one is None or len(one.values) != size else one.values
+        text = values.dtype.kind == "U"
+        data = file.create_dataset(place, data=values.astype(object) if text else values,
+                                   dtype=h5py.string_dtype() if text else None)  # fmt: skip
+        data.make_scale(axis)
+        data.attrs.update(units=getattr(one, "unit", ""), long_name=getattr(one, "description", axis))
     return file[place]
 
 
-def _safe(name):
-    return name.strip().replace("/", " per ") or "label"
+def result_of(path):
+    """Result of a sweep: its keys and what each case gave.  Raises DatabaseError."""
+    if not is_sweep(path):
+        raise DatabaseError(f"{path} is no file of a sweep")
+    with h5py.File(path) as file:
+        check_version(path, SCHEMA, str(file.attrs["schema"]))
+        quantities = {f"keys.{name}": _read(file["keys"][name], ("case",), name) for name in file["keys"]}
+        quantities["status"] = _read(file["status"], ("case",), "status")
+        found, axes = file.get("results", {}), dict(labels("case", file["case"][()]))
+        for name, data in found.items():
+            if isinstance(data, h5py.Dataset):
+                quantities[name] = _read(data, ("case", *json.loads(data.attrs["axes"])))
+        for axis, data in found.get("axes", {}).items():
+            axes[axis] = _read(data, (axis,), axis)
+        told = file["message"].asstr()[()]
+        study = {name: str(file.attrs[name]) for name in ("sweep", "study")}
+    lines = tuple(f"case {number}: {line}" for number, line in enumerate(told) if line)
+    used = {axis for one in quantities.values() for axis in one.axes}
+    return Result("sweep", quantities, {axis: one for axis, one in axes.items() if axis in used}, lines,
+                  provenance=study)  # fmt: skip
 
 
-def _number(cell):
-    """A number of a table, or of its text; NaN of what is none"""
-    try:
-        return float(cell.replace("−", "-") if isinstance(cell, str) else np.nan if cell is None else cell)
-    except ValueError:
-        return np.nan
+def _read(data, axes, words=""):
+    values = data.asstr()[()] if h5py.check_string_dtype(data.dtype) else data[()]
+    unit = str(data.attrs.get("units", ""))
+    described = str(data.attrs.get("long_name", words))
+    return Quantity(np.asarray(values), axes, unit, described, "cases", bool(data.attrs.get("share", False)))

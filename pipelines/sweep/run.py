@@ -1,22 +1,18 @@
-"""The cases of a sweep, run through their command wherever an executor puts them, stored as they come."""
+"""The cases of a sweep, run wherever an executor puts them, stored as they come."""
 
 from __future__ import annotations
 
 import contextlib
-import io
-import json
-import tempfile
 import time
 import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
 from hakobune.bem.database.results import check_version
-from hakobune.mooring.criteria.failing import FAILS, failing
 
 from . import file
-from .solved import solved
-from .study import SOLVE, StudyError, cases, check_keys, varied
+from .one_case import given_to, one_case
+from .study import StudyError, cases, check_keys, varied
 
 
 class Outcome(NamedTuple):
@@ -30,11 +26,11 @@ class Outcome(NamedTuple):
     lost: tuple[int, str]
 
 
-def sweep(table, text, folder, output, executor, main, say):
+def sweep(table, text, folder, output, executor, say, fresh=False):
     """Run what is pending.  Returns an Outcome.  Raises StudyError before any work.
 
-    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; main : the command line as
-    a function of its words, which can be sent to a process; say : takes a line
+    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; say : takes a line
+    fresh : replace a file that is there
     """
     study = Path(folder) / table.study
     if not study.is_file():
@@ -42,8 +38,9 @@ def sweep(table, text, folder, output, executor, main, say):
     study_text = study.read_text(encoding="utf-8")
     raw, keys, values = tomllib.loads(study_text), [one.key for one in table.vary], cases(table)
     check_keys(table.command, varied(raw, keys, values[0]))
+    given = given_to(table.command, table.arguments)
     texts = {"sweep": text, "study": study_text}
-    if output.exists():
+    if output.exists() and not fresh:
         _check_same(output, texts)
     else:
         file.create(output, keys, values, texts)
@@ -55,10 +52,12 @@ def sweep(table, text, folder, output, executor, main, say):
             asked = {}
             for number in batch:
                 case = varied(raw, keys, values[number])
-                asked[number] = executor.submit(one_case, main, table.command, case, str(study), tuple(table.arguments))
+                asked[number] = executor.submit(one_case, table.command, case, str(study), given, tuple(table.keep))
             for number, future in asked.items():
                 try:
                     result = future.result()
+                except StudyError:
+                    raise
                 except Exception as error:  # its worker was lost; what a command refuses is a result
                     lost.append(f"case {number}: {' '.join(str(error).split()) or type(error).__name__}")
                     continue
@@ -69,7 +68,6 @@ def sweep(table, text, folder, output, executor, main, say):
 
 
 BATCH = 8  # cases that each process is given at once, which are lost with it
-INTERRUPTED = 130  # status of a command that Ctrl-C ended
 BLOCK = 0.5  # s, of whose cases a kill takes at most; opening the file for each takes as long as writing it
 
 
@@ -112,31 +110,3 @@ def _failed(output):
     with h5py.File(output) as stored:
         status, message = stored["status"][()], stored["message"].asstr()[()]
     return [(int(i), int(status[i]), message[i]) for i in range(len(status)) if status[i] > 0]
-
-
-def one_case(main, command, raw, study, arguments):
-    """(exit status, what fails, tables, arrays) of a command on a study, which lies beside it meanwhile.
-
-    raises : KeyboardInterrupt where Ctrl-C ended the command, which tells that by its status: the case is not done
-    """
-    found = solved(raw, Path(study)) if command == SOLVE else _by_command(main, command, raw, study, arguments)
-    if found[0] == INTERRUPTED:
-        raise KeyboardInterrupt
-    return found
-
-
-def _by_command(main, command, raw, study, arguments):
-    import tomli_w
-
-    out, said, folder = io.StringIO(), io.StringIO(), Path(study).parent
-    with tempfile.NamedTemporaryFile("wb", suffix=".toml", prefix=".case_", dir=folder) as place:
-        place.write(tomli_w.dumps(raw).encode())
-        place.flush()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(said):
-            status = main([command, place.name, *arguments, "--json"])
-    lines = [line for line in said.getvalue().splitlines() if line.strip()]
-    tables = [json.loads(line) for line in out.getvalue().splitlines()]
-    if not status and not tables:
-        return 2, f"{command} printed no table, so that nothing of this case could be stored", [], {}
-    said = [line.removeprefix(FAILS) for line in failing(lines)] or lines[-1:]
-    return status, "; ".join(said) if status else "", tables, {}

@@ -5,16 +5,21 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
+from hakobune.bem.database.schema import LABELS
 from hakobune.mooring.criteria.failing import FAILS, failing
 
 from ..printing.verdict import status_of
+from ..results.quantity import Quantity
 
 LARGE = ("kochin_radiation", "kochin_diffraction", "pressure")  # of a case, that no sweep keeps
+AXES = {axis: Quantity(np.array(names), (axis,)) for axis, names in LABELS.items()}
 OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes that a case may have values of its own on
 
 
 def solved(raw, scene_file):
-    """(exit status, message, [], {name: (axes, unit, array)}) of a scene; mesh files are seen from beside `scene_file`.
+    """(exit status, message, {name: Quantity}, {axis: labels}) of a scene; mesh files are seen beside `scene_file`.
 
     Axes and units are those of a database, with the number of a frequency and of a heading in the place of their
     values, which are arrays too.
@@ -35,9 +40,9 @@ def solved(raw, scene_file):
             failed = failing([*outcome.remarks, *failures(outcome, open_database(outcome.path), gives_panels(scene))])
             arrays = _arrays(outcome.path)
     except ValueError as error:
-        return 2, str(error), [], {}
+        return 2, str(error), {}, {}
     said = "; ".join(line.removeprefix(FAILS) for line in failed)
-    return outcome.exit_status or status_of(failed), said, [], arrays
+    return outcome.exit_status or status_of(failed), said, arrays, AXES
 
 
 def _arrays(path):
@@ -51,5 +56,12 @@ def _arrays(path):
         there = set(file)
         for name, (axes, unit, _) in (*COORDINATES.items(), *QUANTITIES.items(), *BODY.items()):
             if name in there and name not in LARGE and (name in OF_A_CASE or name not in COORDINATES):
-                found[name] = tuple(OF_A_CASE.get(axis, axis) for axis in axes), unit, file[name][()]
+                of = tuple(OF_A_CASE.get(axis, axis) for axis in axes)
+                found[name] = Quantity(_values(file[name]), of, unit, name.replace("_", " "))
     return found
+
+
+def _values(data):
+    import h5py
+
+    return data.asstr()[()] if h5py.check_string_dtype(data.dtype) else data[()]

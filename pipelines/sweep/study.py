@@ -57,6 +57,8 @@ class SweepTable(Table):
     sampling : grid, every combination, or latin-hypercube, samples evenly over ranges
     samples : how many, of a Latin hypercube
     seed : of a Latin hypercube
+    keep : names of quantities that are kept of each case, as ["tension[*].largest", "surge.sigma"]; by default all
+        that are numbers or short lists
     """
 
     command: str
@@ -66,6 +68,7 @@ class SweepTable(Table):
     sampling: str = "grid"
     samples: int | None = None
     seed: int = 1
+    keep: list[str] = msgspec.field(default_factory=list)
 
 
 def read_sweep(path):

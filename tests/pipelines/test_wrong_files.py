@@ -30,7 +30,6 @@ WAVES = "animate {} --omega 0.5 --heading 60 --output film.gif", "waves {} --ome
 READERS = *SHOWS, *WAVES, "qtf {}", RESPONSE.replace("response.h5", "new.h5"), "moor moor.toml --database {}"
 OF_KINDS = {  # modules that say which version of a kind of results they read
     "simulation": "hakobune.pipelines.simulate.file",
-    "response study": "hakobune.pipelines.response.output",
     "sweep": "hakobune.pipelines.sweep.file",
     "single point": "hakobune.pipelines.single_point.command",
     "breakwater study": "hakobune.pipelines.breakwater.files",

@@ -1,0 +1,166 @@
+"""What a reader has to know of a response: what fails, and what its tables do not say."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.bem import DOFS
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.response.findings import large_rotations
+from hakobune.mooring.response.long_term import YEAR
+from hakobune.mooring.response.points import KeelPoint, Point, keel_name, relative_name
+from hakobune.mooring.response.return_period import probability_not_exceeded
+
+from ..common.units import KN
+
+WORTH_NAMING = 1e-3  # estimated error of a result
+MOTIONS = {name.upper() for name in DOFS}
+
+
+def turned(quantities, axes):
+    """Lines on rotations that are too large for linear theory, by the largest expected or once in all years"""
+    largest = quantities.get("response.expected_maximum") or quantities["response.once_in_return_period"]
+    rows = zip(axes["response"].values.tolist(), largest.units(), largest.values, strict=True)
+    return large_rotations({n: np.degrees(v) for n, unit, v in rows if n.upper() in MOTIONS and unit == "rad"})
+
+
+def failures(result, stiffness, years=None):
+    """What fails of a SeaState, or of a Climate in `years`: a body that capsizes, water at a deck, a keel on the bed
+
+    stiffness : (6, 6) restoring of the body, N m/rad, with its mooring, or None
+    """
+    for mode in (3, 4):
+        if stiffness is not None and stiffness[mode, mode] < 0:
+            yield fails(
+                f"the body capsizes: its restoring in {DOFS[mode].lower()} is {stiffness[mode, mode] / KN:.4g} kN m/rad"
+                ", limit 0; lower its centre of gravity or make it wider"
+            )
+    for word, gaps, way_out in (
+        ("air gap at", air_gaps(result, years), "give more freeboard"),
+        ("under keel, at", keel_gaps(result, years), "give more water or less draft"),
+    ):
+        for name, (gap, left, _) in gaps.items():
+            if left < 0:
+                yield fails(f"{word} {name}: {left:.3g} of {gap:.3g} m are left, limit 0; {way_out}")
+
+
+def air_gaps(result, years=None):
+    """{point: (clearance, m left, how often water reaches it)} by the largest rise expected, or once in `years`
+
+    how often : the probability in a SeaState, years between in a Climate
+    """
+    if years is None:
+        return result.air_gaps()
+    points = [p for p in result.points if isinstance(p, Point) and p.clearance is not None]
+    return {p.name: _left_in_years(result, relative_name(p), p.clearance, years) for p in points}
+
+
+def keel_gaps(result, years=None):
+    """The same of the water under points of the bottom and the largest drop"""
+    if years is None:
+        return result.under_keel()
+    points = [p for p in result.points if isinstance(p, KeelPoint)]
+    return {p.name: _left_in_years(result, keel_name(p), p.gap, years) for p in points}
+
+
+def _left_in_years(result, name, gap, years):
+    term = result.long_term(name)
+    rate = float(term.crossing_rate(gap)) * YEAR
+    return gap, gap - term.level(years * YEAR), 1 / rate if rate > 0 else np.inf
+
+
+def notes(result, years=None):
+    """Lines on the sea, drift, air gap and duration"""
+    if years is None:
+        lines = [sea_in_words(result), *_of_drift(result.slow), *_gap_lines(result), *_keel_lines(result)]
+        named = result.errors.named(WORTH_NAMING)
+        return lines + ([f"estimated errors between stored waves: {', '.join(named)}"] if named else [])
+    lines = [f"{len(result.height)} sea states"]
+    if years > 1:
+        q = 100 * probability_not_exceeded(years, years)
+        lines.append(f"the value once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
+    return [*lines, *_gaps_in_years(result, years), *_keel_in_years(result, years)]
+
+
+def _of_drift(slow):
+    if slow is None:
+        return ["no drift: the database holds no drift_force"]
+    lines = [f"slow drift: beats up to {slow.difference[-1]:g} rad/s"]
+    if slow.by_current is not None:
+        lines.append('current.waves = "still" leaves out the drift by the current')
+    if slow.damping is None:
+        lines.append("no wave drift damping: the direction has no stored neighbours to differentiate drift over")
+    return lines
+
+
+def sea_in_words(result):
+    """Spectrum, direction and duration of a SeaState"""
+    systems = getattr(result.sea, "systems", (result.sea,))
+    whole = f"together {result.sea.spectrum.significant_height:.4g} m, " if len(systems) > 1 else ""
+    return f"{' and '.join(map(system_in_words, systems))}, {whole}{result.duration / 3600:.3g} h"
+
+
+def system_in_words(sea):
+    """Spectrum, height, period, direction and spreading of one system of waves"""
+    s = sea.spectrum
+    crests = "long-crested" if sea.spreading is None else str(sea.spreading)
+    return (
+        f"{s.name} spectrum, {s.significant_height:.4g} m, T01 {s.T01:.4g} s, travelling to "
+        f"{np.degrees(sea.direction) % 360:.4g}°, {crests}"
+    )
+
+
+def _gaps_in_years(result, years):
+    """Air gap of points with a clearance in a Climate"""
+    for point in (p for p in result.points if isinstance(p, Point) and p.clearance is not None):
+        term = result.long_term(relative_name(point))
+        left = point.clearance - term.level(years * YEAR)
+        yield (
+            f"air gap at {point.name}: {left:.3g} of {point.clearance:.3g} m left by the rise once in {years:g} years, "
+            f"water reaches it {_often(term, point.clearance)}; {_whose_waves(result)}"
+        )
+
+
+def _keel_lines(result):
+    """The point of the bottom with the least water left in a SeaState"""
+    found = result.under_keel()
+    if found:
+        name = min(found, key=lambda name: found[name][1])
+        gap, left, touched = found[name]
+        hours = result.duration / 3600
+        yield (
+            f"under keel: least at {name}, {left:.3g} of {gap:.3g} m left by the largest drop, the bed is touched with "
+            f"probability {touched:.3g} in {hours:.3g} h; waves' part alone, without squat"
+        )
+
+
+def _keel_in_years(result, years):
+    points = [point for point in result.points if isinstance(point, KeelPoint)]
+    if points:
+        terms = {point: result.long_term(keel_name(point)) for point in points}
+        worst = min(points, key=lambda point: point.gap - terms[point].level(years * YEAR))
+        left = worst.gap - terms[worst].level(years * YEAR)
+        yield (
+            f"under keel: least at {worst.name}, {left:.3g} of {worst.gap:.3g} m left by the drop once in {years:g} "
+            f"years, the bed is touched {_often(terms[worst], worst.gap)}; waves' part alone, without squat"
+        )
+
+
+def _often(term, level):
+    rate = float(term.crossing_rate(level)) * YEAR
+    return f"once in {1 / rate:.3g} years" if rate * 1e6 > 1 else "less than once in a million years"
+
+
+def _whose_waves(result):
+    """Which waves are in the elevation at points of a SeaState or Climate"""
+    if result.missed is None:
+        return "waves scattered and made by the body not included, for want of Kochin functions in the database"
+    return "with the waves that the body scatters and makes, but those that decay within a depth or wave length of it"
+
+
+def _gap_lines(result):
+    for name, (clearance, left, reached) in result.air_gaps().items():
+        yield (
+            f"air gap at {name}: {left:.3g} of {clearance:.3g} m left by the largest rise, water reaches it with "
+            f"probability {reached:.3g}; {_whose_waves(result)}"
+        )

@@ -1,0 +1,236 @@
+"""`hakobune.response`: a body of a database in a sea or a climate, and what is kept of it."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+from hakobune.bem.database.resonances import resonances
+from hakobune.mooring.response.long_term import YEAR
+from hakobune.mooring.response.sea_state import TINY
+
+from ..common.quantities import StudyError
+from ..common.resonances import resonance_lines, underdamped
+from ..results.given import database_of, given
+from ..results.provenance import provenance
+from ..results.quantity import Quantity
+from ..results.result import Result, labels
+from .effort import check_effort
+from .findings import air_gaps, failures, keel_gaps, notes, turned
+from .solved import FRACTILE, solved_in_climate, solved_in_sea, solved_moored
+from .study import ResponseStudy, make_response_study, read_response_study
+
+KIND = "response"
+MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
+DAMPING = "wave drift damping"
+MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
+FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
+FAR_FROM_DEPTH = 0.2  # of the gap under the keel, by which it may differ from that of the database
+
+
+def response(study, database, moored=None):
+    """Motions, accelerations, air gap and drift of a body in a sea state, or their extremes in a climate.
+
+    study : path of a response study, its tables as a dictionary, or a `ResponseStudy`
+    database : path of the body's database, or an open one
+    moored : path of a mooring study whose lines, wind and current hold the body, None for a body that floats freely
+    returns : Result; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
+    raises : ValueError, one line
+    """
+    read, text = given(study, ResponseStudy, read_response_study, make_response_study)
+    place = Path("study" if isinstance(study, dict | ResponseStudy) else study)  # files lie beside it
+    for table, name in ((read.current, "[current]"), (moored, "--moored")):
+        if table is not None and read.climate:
+            raise StudyError(f"{name} is given with [climate]; allowed: with [sea]")
+    if read.sea:
+        check_effort(read)
+    db = database_of(database)
+    points, held = read.places(db), None
+    body = db.reader.floating() if moored else read.restrained(db.reader.floating())
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            if moored is not None:
+                held = solved_moored(read, db, points, place, moored)
+                found = held.motion.fast
+            else:
+                found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)
+        except TypeError as error:
+            raise StudyError(f"{study}: {error}") from None
+    warned = [*(str(one.message) for one in caught), *(held.motion.warnings if held else found.warnings)]
+    warned += _of_depth(read, db)
+    peaks = resonances(body)
+    warned += resonance_lines([one for one in peaks if underdamped(one)])
+    noted = resonance_lines([one for one in peaks if not underdamped(one)])
+    stiffness, years = (body if held is None else held).stiffness, read.climate and read.climate.years
+    quantities, axes = of_sea(found, body.radius) if read.sea else of_climate(found, years, body.radius)
+    if held is not None:
+        quantities |= of_moored(held.motion)
+        axes |= labels("plane", PLANE) | labels("moored_omega", held.motion.omega, "rad/s")
+        axes |= labels("with_plane", PLANE)
+    warned += [*(() if held is None else held.failures), *failures(found, stiffness, years), *turned(quantities, axes)]
+    return Result(
+        KIND,
+        quantities,
+        axes,
+        tuple(dict.fromkeys(warned)),
+        (*notes(found, years), *noted, *(held.notes if held else ())),
+        (),
+        provenance(text, db),
+        found,
+    )
+
+
+def _of_depth(read, db):
+    """A line where water level and draft are far from those of the database"""
+    if read.keel is None:
+        return []
+    gap = db.water_depth + float(db.mesh.whole().points[:, 2].min())
+    more = read.keel.tide - read.keel.extra_draft
+    if abs(more) <= FAR_FROM_DEPTH * gap:
+        return []
+    return [
+        f"tide and extra draft change the water under the keel by {more:.3g} of {gap:.3g} m: motions are those of the "
+        "database's depth; solve it again at that depth"
+    ]
+
+
+def of_sea(found, radius):
+    """Quantities of a SeaState and the labels of their axes; radius : m, of the hull"""
+    excited = np.flatnonzero(~(found.sigma <= 0))  # what is not known is no zero
+    units, axis = tuple(found.units[i] for i in excited), ("response",)
+    columns = {
+        "sigma": (found.sigma, units, "σ"),
+        "significant": (found.significant, units, "highest third"),
+        "expected_maximum": (found.expected_maximum, units, f"largest in {found.duration / 3600:.3g} h"),
+        "not_exceeded": (found.not_exceeded(FRACTILE), units, f"not exceeded with {100 * FRACTILE:.0f} %"),
+        "zero_crossing_period": (found.zero_period, "s", "T zero"),
+        "period_between_peaks": (found.peak_period, "s", "T peaks"),
+        "bandwidth": (found.bandwidth, "", "ε"),
+    }
+    made = {
+        f"response.{k}": Quantity(v[excited], axis, unit, words, MOTIONS) for k, (v, unit, words) in columns.items()
+    }
+    made["spectrum"] = Quantity(
+        found.spectrum[:, excited], ("omega", "response"), "unit2 s/rad", "spectrum of the response", record=True
+    )
+    axes = labels("response", [found.names[i] for i in excited]) | labels("omega", found.omega, "rad/s")
+    if found.slow is not None:
+        made |= _of_slow(found.slow, radius)
+        axes |= labels("plane", PLANE) | labels("velocity", ("surge", "sway"))
+        axes |= labels("difference", found.slow.difference, "rad/s")
+    return _with_gaps(made, axes, found, None)
+
+
+def of_climate(found, years, radius):
+    """Quantities of a Climate and the labels of their axes; years : the return period; radius : m, of the hull"""
+    excited = np.flatnonzero(found.excited)
+    units, terms = tuple(found.units[i] for i in excited), [found.long_term(found.names[i]) for i in excited]
+    columns = {
+        "once_in_1_year": (YEAR, "once in 1 year"),
+        "once_in_return_period": (years * YEAR, f"once in {years:g} years"),
+        "not_exceeded": (
+            years * YEAR / -np.log(FRACTILE),
+            f"not exceeded in {years:g} years with {100 * FRACTILE:.0f} %",
+        ),
+    }
+    made = {
+        f"response.{name}": Quantity([term.level(T) for term in terms], ("response",), units, words, MOTIONS)
+        for name, (T, words) in columns.items()
+    }
+    made["return_period"] = Quantity(years, (), "years", "return period")
+    for name, value, unit in (
+        ("height", found.height, "m"), ("period", found.period, "s"), ("direction", found.direction, "rad"),
+        ("probability", found.probability, ""),
+    ):  # fmt: skip
+        made[f"state.{name}"] = Quantity(value, ("state",), unit, f"{name} of the sea state", record=True)
+    for name, unit in (("m0", "unit2"), ("m2", "unit2 rad2/s2")):
+        values = getattr(found, name)[:, excited]
+        made[f"moment.{name}"] = Quantity(values, ("state", "response"), unit, "moment of its spectrum", record=True)
+    axes = labels("response", [found.names[i] for i in excited]) | labels("state", np.arange(len(found.height)))
+    if found.mean_drift is not None:
+        made["drift.mean"] = Quantity(
+            without_rounding(found.mean_drift, radius, found.drift), ("plane",), FORCE, "mean over all time", DRIFT
+        )
+        made["state.drift"] = Quantity(found.drift, ("state", "plane"), "N, N, N m", "mean drift", record=True)
+        axes |= labels("plane", PLANE)
+    return _with_gaps(made, axes, found, years)
+
+
+def without_rounding(force, radius, among=None):
+    """Fx, Fy and Mz (3,), zero where they are rounding beside the largest known force of `among` (n, 3), or their own
+
+    A moment is small beside a force times the radius in m.
+    """
+    largest = np.fmax.reduce(np.abs(force if among is None else among)[..., :2], axis=None, initial=0.0)
+    return np.where(np.abs(force) <= TINY * largest * np.array([1.0, 1.0, radius]), 0.0, force)
+
+
+def _of_slow(slow, radius):
+    made = {
+        "drift.mean": Quantity(without_rounding(slow.drift, radius), ("plane",), FORCE, "mean", DRIFT),
+        "drift.sigma": Quantity(slow.sigma, ("plane",), FORCE, "σ of its beats", DRIFT),
+        "drift.spectrum": Quantity(
+            slow.spectrum,
+            ("difference", "plane"),
+            "N2 s/rad; of moments N2 m2 s/rad",
+            "spectrum of its beats",
+            record=True,
+        ),
+    }
+    if slow.by_current is not None:
+        made["drift.by_current"] = Quantity(slow.by_current, ("plane",), FORCE, "of the mean by the current", DRIFT)
+    if slow.of_pairs is not None:
+        pairs = slow.sigma_of_pairs[[0, 1, 5]]
+        made["drift.sigma_of_pairs"] = Quantity(pairs, ("plane",), FORCE, f'σ, qtf = "{slow.level}"', DRIFT)
+    if slow.damping is not None:
+        made["drift.damping"] = Quantity(
+            slow.damping, ("plane", "velocity"), ("N s/m", "N s/m", "N s"), "velocity of", DAMPING
+        )
+    return made
+
+
+def _with_gaps(made, axes, found, years):
+    """The same with the air gap of points and the water under the keel"""
+    for axis, title, gaps, head in (
+        ("point", AIR, air_gaps(found, years), "air_gap"), ("keel_point", KEEL, keel_gaps(found, years), "keel")
+    ):  # fmt: skip
+        if not gaps:
+            continue
+        columns = [np.array(column, float) for column in zip(*gaps.values(), strict=True)]
+        words = ("at rest", "left", "probability" if years is None else "once in years")
+        for name, unit, word, values in zip(
+            ("at_rest", "left", "reached"), ("m", "m", ""), words, columns, strict=True
+        ):
+            made[f"{head}.{name}"] = Quantity(values, (axis,), unit, word, title)
+        axes |= labels(axis, list(gaps))
+    return made, axes
+
+
+def of_moored(motion):
+    """Quantities of a SlowMotion"""
+    columns = {
+        "offset": (motion.offset, MOVED, "mean"),
+        "natural_period": (motion.period, "s", "natural period"),
+        "damping": (motion.ratio, "", "of critical damping"),
+        "slow": (motion.slow, MOVED, "σ slow"),
+        "drift_share": (motion.drift_share, "", "of it by drift"),
+        "wave": (motion.fast_sigma, MOVED, "σ of the waves"),
+        "flat_spectrum": (motion.estimates[:, 0], MOVED, "√(πS/2NC)"),
+        "beating_force": (motion.estimates[:, 1], MOVED, "x_s/2ν"),
+        "largest": (motion.largest, MOVED, "largest"),
+        "largest_by_rule": (motion.rule, MOVED, "by rule"),
+    }
+    share = ("damping", "drift_share")
+    made = {
+        f"moored.{name}": Quantity(values, ("plane",), unit, words, MOORED, name in share)
+        for name, (values, unit, words) in columns.items()
+    }
+    of = "of pairs of motions, slow motion"
+    for name, unit in (("force", "N2 s/rad; of moments N m"), ("spectrum", "m2 s/rad, rad for yaw")):
+        values, axes = getattr(motion, name), ("moored_omega", "plane", "with_plane")
+        axes = axes[: np.ndim(values)]
+        made[f"moored.{name}"] = Quantity(values, axes, unit, f"{name} {of}", record=True)
+    return made

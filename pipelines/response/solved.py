@@ -1,0 +1,61 @@
+"""A response study on a database: a SeaState, a Climate, or a body on its lines."""
+
+from __future__ import annotations
+
+import warnings
+
+FRACTILE = 0.9  # probability of a value that is not exceeded
+
+
+def solved_in_sea(read, body, db, points, beside):
+    """SeaState, and the body with its viscous damping in it"""
+    from hakobune.mooring.on_current.body import on_current
+    from hakobune.mooring.on_current.waves import carrier_of
+    from hakobune.mooring.response.pair_levels import beside_newman
+    from hakobune.mooring.response.sea_state import sea_state
+    from hakobune.mooring.response.viscous import in_sea
+
+    from ..common.quantities import level_of, positive
+    from .study import sea_of, viscous_laws, viscous_words
+
+    sea, laws = sea_of(read.sea, beside, db.water_depth), viscous_laws(read, db)
+    body = on_current(body, carrier_of(read.stream()))
+    body, damping = in_sea(db.reader, sea, laws, body)
+    for line in viscous_words(body, laws, damping):
+        warnings.warn(line, stacklevel=2)
+    level_of("sea.qtf", read.sea.qtf)
+    bound, said = beside_newman(db, sea, read.sea.qtf, spread=True)
+    for line in said:
+        warnings.warn(line, stacklevel=2)
+    return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points, bound), body
+
+
+def solved_moored(read, db, points, beside, path):
+    from ..common.quantities import StudyError, positive
+    from .moored import moored
+    from .study import sea_of
+
+    if read.sea.qtf != "newman":
+        raise StudyError(f"sea.qtf is {read.sea.qtf!r}; allowed with --moored: newman")
+    sea = sea_of(read.sea, beside, db.water_depth)
+    return moored(path, read, db, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
+
+
+def solved_in_climate(read, body, db, points, beside):
+    from ..common.quantities import StudyError
+
+    if read.body.viscous is not None:
+        raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
+    if db.has_viscous_motions:
+        warnings.warn(
+            "viscous damping of the database's scene is left out in a climate, whose seas would have one each: motions "
+            "near resonance are too large; give body.damping_ratio", stacklevel=2
+        )  # fmt: skip
+    from hakobune.mooring.response.climate import climate
+
+    from .effort import check_effort
+    from .study import climate_of
+
+    given = climate_of(read.climate, beside, body.depth)
+    check_effort(read, given["scatter"])
+    return climate(body, **given, points=points), body

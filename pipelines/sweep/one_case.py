@@ -1,0 +1,89 @@
+"""One case of a sweep: its study function is called, and what is asked for of its result is kept."""
+
+from __future__ import annotations
+
+import inspect
+import tempfile
+from importlib import import_module
+from pathlib import Path
+
+import hakobune
+
+from ..results.result import Result
+from .file import SIZE
+from .solved import solved
+from .study import SOLVE, StudyError
+
+DRAWS = ("output", "plot")  # flags of commands that write files, of which a sweep has no use
+
+
+def function_of(command):
+    """The study function of a command"""
+    return getattr(hakobune, command.replace("-", "_"))
+
+
+def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
+    """{name: value} that the words behind a study say to its function.  Raises StudyError."""
+    if command == SOLVE:
+        return {}
+    app = import_module(main_of).app
+    words = [command, "study.toml", *arguments]
+    if "output" in _needed(app, command) and "--output" not in arguments:
+        words += ["--output", "none.h5"]  # of a command that always writes a file
+    _, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
+    taken = inspect.signature(function_of(command)).parameters
+    given = {name: value for name, value in bound.arguments.items() if name not in ("study", "scene", "system")}
+    wrong = [name for name in given if name not in taken or (name in DRAWS and f"--{name}" in arguments)]
+    if wrong:
+        raise StudyError(f"arguments have --{wrong[0]}; allowed in a sweep: those of hakobune.{command}, without files")
+    return {name: value for name, value in given.items() if name not in DRAWS}
+
+
+def _needed(app, command):
+    """Names of the arguments that a command cannot be called without"""
+    parameters = inspect.signature(app[command].default_command).parameters.values()
+    return [one.name for one in parameters if one.default is one.empty]
+
+
+def one_case(command, raw, study, given, keep):
+    """(exit status, what fails, {name: Quantity}, {axis: labels}) of a study, whose tables lie beside it meanwhile.
+
+    given : of `given_to`; keep : names of quantities, () for all that are short
+    """
+    if command == SOLVE:
+        status, message, quantities, axes = solved(raw, Path(study))
+    else:
+        try:
+            result = _called(command, raw, Path(study), given)
+        except ValueError as error:
+            return 2, " ".join(str(error).split()), {}, {}
+        status, message, quantities, axes = result.status, "; ".join(result.fails), result, result.labels
+    return status, message, kept(quantities, keep), axes
+
+
+def _called(command, raw, study, given):
+    import tomli_w
+
+    with tempfile.NamedTemporaryFile("wb", suffix=".toml", prefix=".case_", dir=study.parent) as place:
+        place.write(tomli_w.dumps(raw).encode())
+        place.flush()
+        return function_of(command)(place.name, **given)
+
+
+def kept(quantities, keep):
+    """{name: Quantity} of what is asked for.  Raises StudyError for a name that is none."""
+    if isinstance(quantities, Result):
+        if keep:
+            try:
+                return {name.replace("[*]", ""): quantities.quantity(name) for name in keep}
+            except KeyError as error:
+                raise StudyError(f"keep: {error.args[0]}") from None
+        quantities = quantities.quantities
+    elif keep:
+        missing = [name for name in keep if name not in quantities]
+        if missing:
+            raise StudyError(f"keep: {missing[0]!r} is no quantity; there are {', '.join(quantities)}")
+        return {name: quantities[name] for name in keep}
+    else:
+        return quantities
+    return {name: one for name, one in quantities.items() if not one.record and one.values.size <= SIZE}
