@@ -16,7 +16,7 @@ import numpy as np
 from ..printing.number import NOTHING, number
 from .quantity import read_in
 
-WIDTH = 20  # characters of a heading
+WIDTH = 14  # characters of a heading
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
 
 

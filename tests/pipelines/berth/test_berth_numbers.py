@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+import hakobune
 from hakobune.pipelines import cli
 
 L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.3, 220_000.0, 0.12, 40.0  # m, t, m/s
@@ -96,12 +97,11 @@ def test_two_springs_in_a_row_take_the_energy_by_half_of_force_times_way(tmp_pat
         assert value == pytest.approx(hand, abs=last)
 
 
-def test_the_curve_of_a_fender_holds_the_energy_under_its_reaction(capsys):
-    """∫ R dx by the trapezoid's rule over the printed rows; what comes back is less"""
-    curve, _ = run(f"fender --family v --height 1 --length 20 --dolphin {DOLPHIN} --energy 2500".split(), capsys)
-    names = ("deflection m", "reaction kN", "energy kJ", "returned kJ")
-    x, r, e, back = ([float(one[name]) for one in curve["rows"]] for name in names)
-    taken = 0.0
+def test_the_curve_of_a_fender_holds_the_energy_under_its_reaction():
+    """∫ R dx by the trapezoid's rule over the rows; what comes back is less"""
+    curve = hakobune.fender({"family": "v", "height": 1.0, "length": 20.0, "dolphin": DOLPHIN}, energy=2.5e6)
+    r, e, back = (curve[f"curve.{name}"] for name in ("reaction", "energy", "returned"))
+    x, taken = curve.labels["deflection"].values, 0.0
     for i in range(1, len(x)):
         taken += 0.5 * (r[i] + r[i - 1]) * (x[i] - x[i - 1])
         assert e[i] == pytest.approx(taken, rel=0.03)
