@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
+    from hakobune.pipelines.berth.result import berth as berth
     from hakobune.pipelines.fender.result import fender as fender
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.results.file import read as read
@@ -26,6 +27,7 @@ if (_CHECKOUT / "pyproject.toml").is_file():
     __path__.append(str(_CHECKOUT))
 
 _PUBLIC = {  # name: module that has it
+    "berth": "pipelines.berth.result",
     "fender": "pipelines.fender.result",
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",

@@ -24,12 +24,11 @@ from ..common.quantities import StudyError
 from ..common.typed import typed
 from ..results.given import given
 from ..results.provenance import provenance
-from ..results.quantity import Quantity
+from ..results.quantity import listed
 from ..results.result import Result, labels
 
 ROWS = 11
 BANDS = ("catalogue", "softest", "stiffest")
-CURVE, RATED, UPRIGHT = "characteristic", "softest and stiffest", "over the same fender under an upright face"
 
 
 class Pressed(NamedTuple):
@@ -88,64 +87,63 @@ def _compression(pair, asked):
 
 def _curve(made):
     """The characteristic; under an inclined face its shares of that of the upright fender"""
-    pair, x = made.pair, np.linspace(0.0, made.pair.limit, ROWS)
+    pair, x, axes = made.pair, np.linspace(0.0, made.pair.limit, ROWS), ("deflection",)
     own, energy = np.array([pair.own(one) for one in x]), pair.energy(x)
-    axes = ("deflection",)
-    behind = {"dolphin": Quantity(x - own, axes, "m", "dolphin", CURVE)} if on_dolphin(pair) else {}
-    columns = {
-        "strain": Quantity(own / pair.height, axes, "", "strain", CURVE, share=True),
-        **behind,
-        "reaction": Quantity(pair.loading(x), axes, "N", "reaction", CURVE),
-        "energy": Quantity(energy, axes, "J", "energy", CURVE),
-        "returned": Quantity([pair.returned(one) for one in x], axes, "J", "returned", CURVE),
-        "softest": Quantity(made.bands[0].loading(x), axes, "N", "reaction of the softest"),
-        "stiffest": Quantity(made.bands[1].loading(x), axes, "N", "reaction of the stiffest"),
-    }
+    found = listed({
+        "curve.strain": (own / pair.height, "%", "strain"),
+        **({"curve.dolphin": (x - own, "m", "dolphin")} if on_dolphin(pair) else {}),
+        "curve.reaction": (pair.loading(x), "N", "reaction"),
+        "curve.energy": (energy, "J", "energy"),
+        "curve.returned": ([pair.returned(one) for one in x], "J", "returned"),
+    }, axes, "characteristic")  # fmt: skip
+    words = ("softest", "stiffest")
+    found |= listed({
+        f"curve.{word}": (one.loading(x), "N", f"reaction of the {word}")
+        for word, one in zip(words, made.bands, strict=True)
+    }, axes)  # fmt: skip
     if made.straight is not None:
         loading = made.straight.loading
         with np.errstate(invalid="ignore"):
             shares = {"reaction": pair.loading(x) / loading(x), "energy": energy / loading.integral(x)}
-        for key, share in shares.items():
-            columns[f"{key}_share"] = Quantity(share, axes, "", key, UPRIGHT)
-    return {f"curve.{name}": one for name, one in columns.items()}
+        rows = {f"curve.{name}_share": (share, "", name) for name, share in shares.items()}
+        found |= listed(rows, axes, "over the same fender under an upright face")
+    return found
 
 
 def _rated(made, factors):
     """Of the fender, the softest and the stiffest: rated values, and what each does with the energy asked for"""
-    three, axes = (made.pair, *made.bands), ("band",)
-    found = {
-        "factor": Quantity([1.0, *factors], axes, "", "factor", RATED),
-        "rated.reaction": Quantity([one.rated_reaction for one in three], axes, "N", "rated reaction", RATED),
-        "rated.energy": Quantity([one.rated_energy for one in three], axes, "J", "rated energy", RATED),
+    three = (made.pair, *made.bands)
+    rows = {
+        "factor": ([1.0, *factors], "", "factor"),
+        "rated.reaction": ([one.rated_reaction for one in three], "N", "rated reaction"),
+        "rated.energy": ([one.rated_energy for one in three], "J", "rated energy"),
     }
     if made.at is not None:
         energy = float(made.pair.energy(made.at))
         places = np.array([made.at, *(deflection_of(one, energy) for one in made.bands)])
         strain, reaction = at_deflections(three, places)
-        found |= {
-            "taken.deflection": Quantity(places, axes, "m", "deflection", RATED),
-            "taken.strain": Quantity(strain, axes, "", "strain", RATED, share=True),
-            "taken.reaction": Quantity(reaction, axes, "N", "largest reaction", RATED),
+        rows |= {
+            "taken.deflection": (places, "m", "deflection"),
+            "taken.strain": (strain, "%", "strain"),
+            "taken.reaction": (reaction, "N", "largest reaction"),
         }
-    return found
+    return listed(rows, ("band",), "softest and stiffest")
 
 
 def _whole(made):
     pair, at, straight = made.pair, made.at, made.straight
     rows = {
-        "rated.strain": (pair.own(pair.rated * pair.height) / pair.height, "", "rated strain", True),
-        "allowable.strain": (pair.own_allowable, "", "allowable strain", True),
-        "limit.strain": (pair.own(pair.limit) / pair.height, "", "strain where the table ends", True),
+        "rated.strain": (pair.own(pair.rated * pair.height) / pair.height, "%", "rated strain"),
+        "allowable.strain": (pair.own_allowable, "%", "allowable strain"),
+        "limit.strain": (pair.own(pair.limit) / pair.height, "%", "strain where the table ends"),
     }
     for name in ("reaction", "energy") if straight is not None else ():
         share = getattr(pair, f"rated_{name}") / getattr(straight, f"rated_{name}")
-        rows[f"inclined.{name}"] = share, "", f"rated {name} over that of the upright fender", False
+        rows[f"inclined.{name}"] = share, "", f"rated {name} over that of the upright fender"
     if at is not None:
-        rows["asked.energy"] = float(pair.energy(at)), "J", "energy taken up", False
-        rows["asked.reaction"] = float(pair.reaction(at)), "N", "reaction there", False
-    return {
-        name: Quantity(value, (), unit, words, pair.name, share) for name, (value, unit, words, share) in rows.items()
-    }
+        rows["asked.energy"] = float(pair.energy(at)), "J", "energy taken up"
+        rows["asked.reaction"] = float(pair.reaction(at)), "N", "reaction there"
+    return listed(rows, (), pair.name)
 
 
 def _notes(table, made):

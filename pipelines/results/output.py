@@ -5,7 +5,7 @@ from __future__ import annotations
 from hakobune.bem.database.results import has_schema
 
 from ..common.outputs import DATABASE, check_output
-from .file import schema
+from .file import NAMES, schema
 
 
 def check_result(path, kind, inputs=()):
@@ -13,4 +13,10 @@ def check_result(path, kind, inputs=()):
 
     inputs : paths of what the study reads, none of which is overwritten
     """
-    check_output(path, f"the result of {kind}", lambda place: has_schema(place, schema(kind)), DATABASE, inputs)
+    check_output(
+        path,
+        f"the result of a {NAMES.get(kind, kind)}",
+        lambda place: has_schema(place, schema(kind)),
+        DATABASE,
+        inputs,
+    )

@@ -10,11 +10,13 @@ import pytest
 
 import hakobune
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.keys.kinds import SCENES
 
 COMMANDS = {  # words: what the function of the same name makes of the same input
     "fender --family cell --height 2 --angle 8 --width 2.4 --dolphin 14000 --energy 900": lambda: hakobune.fender(
         {"family": "cell", "height": 2.0, "angle_deg": 8.0, "width": 2.4, "dolphin": 14000.0}, energy=9e5
     ),
+    f"berth {SCENES / 'berth_tanker.toml'}": lambda: hakobune.berth(SCENES / "berth_tanker.toml"),
 }
 
 
