@@ -69,5 +69,5 @@ def read_in(unit, values, share=False):
     if size == KILO:
         finite = np.abs(values)[np.isfinite(values)]
         if finite.size and 0 < finite.max() < KILO:
-            return unit, 1.0
-    return name, size
+            name, size = unit, 1.0
+    return name.replace("2", "²").replace("3", "³"), size

@@ -17,7 +17,17 @@ COMMANDS = {  # words: what the function of the same name makes of the same inpu
         {"family": "cell", "height": 2.0, "angle_deg": 8.0, "width": 2.4, "dolphin": 14000.0}, energy=9e5
     ),
     f"berth {SCENES / 'berth_tanker.toml'}": lambda: hakobune.berth(SCENES / "berth_tanker.toml"),
+    "damping decay.csv --mass 2000": lambda: hakobune.damping("decay.csv", mass=2e6),
 }
+
+
+@pytest.fixture(autouse=True)
+def _inputs(tmp_path, monkeypatch):
+    """An empty folder with a record of a decay"""
+    monkeypatch.chdir(tmp_path)
+    t = np.arange(0.0, 400.0)
+    rows = np.stack([t, 2.0 * np.exp(-0.004 * t) * np.cos(0.125 * t)], axis=1)
+    np.savetxt("decay.csv", rows, delimiter=",", header="time_s,motion_m", comments="")
 
 
 def same(found, kept):
