@@ -17,6 +17,9 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
+    from hakobune.pipelines.berth.result import berth as berth
+    from hakobune.pipelines.damping.result import damping as damping
+    from hakobune.pipelines.fender.result import fender as fender
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.reading import read as read
     from hakobune.pipelines.response.result import response as response
@@ -27,6 +30,9 @@ if (_CHECKOUT / "pyproject.toml").is_file():
     __path__.append(str(_CHECKOUT))
 
 _PUBLIC = {  # name: module that has it
+    "berth": "pipelines.berth.result",
+    "damping": "pipelines.damping.result",
+    "fender": "pipelines.fender.result",
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.reading",

@@ -48,6 +48,11 @@ class Forced(NamedTuple):
         """N s/m"""
         return self.linear + self.motion.omega * self.motion.amplitude * self.quadratic
 
+    def fitted(self, time):
+        """N at times of the record, s, about its mean"""
+        basis = _basis(self.motion, np.asarray(time) - time[0])
+        return basis[:, :3] @ (self.added_mass, self.linear, self.quadratic)
+
 
 def forced(time, motion, force):
     """`Forced` of a record: s, m, and the reaction of the water on the body, N.  Raises RecordError."""
@@ -55,9 +60,7 @@ def forced(time, motion, force):
     sine = sine_of(t, x)
     if not sine.amplitude > 0:
         raise RecordError("the body does not move in the record")
-    theta, V = sine.omega * t + sine.phase, sine.omega * sine.amplitude
-    v, a = V * np.cos(theta), -V * sine.omega * np.sin(theta)
-    basis = np.stack([-a, -v, -v * np.abs(v), np.ones_like(t)], axis=1)
+    theta, basis = sine.omega * t + sine.phase, _basis(sine, t)
     size = np.abs(basis).max(axis=0)
     share = np.linalg.lstsq(basis / size, F, rcond=None)[0] / size
     left = np.std(F - basis @ share) / np.std(F) if np.std(F) > 0 else 0.0
@@ -65,6 +68,13 @@ def forced(time, motion, force):
     phase = np.sqrt(2 / len(t)) * sine.off / sine.amplitude
     error = float(np.hypot(spread[1], share[0] * sine.omega * phase)), float(spread[2])
     return Forced(*map(float, share[:3]), _by_harmonics(theta, F, sine), sine, float(left), error)
+
+
+def _basis(sine, t):
+    """(n, 4) of what the reaction is made of at times from the first: −a, −v, −v|v|, 1"""
+    theta, V = sine.omega * t + sine.phase, sine.omega * sine.amplitude
+    v, a = V * np.cos(theta), -V * sine.omega * np.sin(theta)
+    return np.stack([-a, -v, -v * np.abs(v), np.ones_like(t)], axis=1)
 
 
 def _by_harmonics(theta, force, sine, most=5):

@@ -13,7 +13,7 @@ def berth(
     /,
     *,
     database: Annotated[Path | None, Parameter(help="of the ship, for the memory of the water")] = None,
-    output: Annotated[Path | None, Parameter(help="course in time, .csv")] = None,
+    output: Annotated[Path | None, Parameter(help="course in time, .csv, or everything, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
     measured: Annotated[bool, Parameter(negative=(), help="fifty berthings of Ueda (1981) instead of a study")] = False,
 ):

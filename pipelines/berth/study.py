@@ -136,8 +136,9 @@ class Approach(msgspec.Struct, frozen=True):
 
 
 def read_berth(path):
-    """The BerthStudy of a TOML file.  Raises StudyError."""
-    return typed(read_study_at_site(Path(path), "a berthing", BERTHING)[0], BerthStudy, StudyError)
+    """The BerthStudy of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_study_at_site(Path(path), "a berthing", BERTHING)
+    return typed(raw, BerthStudy, StudyError), text
 
 
 def approach_of(study):

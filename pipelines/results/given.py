@@ -8,7 +8,8 @@ import os
 def given(study, kind, read, make):
     """(typed study, its text) of any of the three.
 
-    kind : class of the typed study; read : of a path, gives both; make : of nested dictionaries, gives the study
+    kind : class of the typed study; read : of a path, gives both, None where there are no such files
+    make : of nested dictionaries, gives the study
     raises : ValueError, one line, as these do; TypeError for something else
     """
     if isinstance(study, kind):
@@ -17,9 +18,10 @@ def given(study, kind, read, make):
         import tomli_w
 
         return make(study), tomli_w.dumps(study)
-    if isinstance(study, str | os.PathLike):
+    if read and isinstance(study, str | os.PathLike):
         return read(study)
-    raise TypeError(f"a study is {type(study).__name__}; allowed: a path, a dictionary or {kind.__name__}")
+    allowed = f"{'a path, ' if read else ''}a dictionary or {kind.__name__}"
+    raise TypeError(f"a study is {type(study).__name__}; allowed: {allowed}")
 
 
 def _text(study):

@@ -6,7 +6,7 @@ from hakobune.bem.database.results import has_schema
 from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import DATABASE, check_output, opening
-from .file import schema
+from .file import NAMES, schema
 
 CSV = ".csv"
 FORMS = (*DATABASE, CSV)
@@ -18,7 +18,7 @@ def check_result(path, kind, inputs=()):
 
     inputs : paths of what the study reads, none of which is overwritten
     """
-    check_output(path, f"the result of {kind}", lambda place: _is_one(place, kind), FORMS, inputs)
+    check_output(path, f"the result of a {NAMES.get(kind, kind)}", lambda place: _is_one(place, kind), FORMS, inputs)
 
 
 def write_result(result, path):

@@ -55,11 +55,19 @@ class Quantity:
         return same and np.array_equal(self.values, other.values, equal_nan=self.values.dtype.kind in "fc")
 
 
+def listed(rows, axes=(), table="", record=False):
+    """{name: Quantity} of {name: (values, unit, description)} with the same axes; "%" is the unit of a share"""
+    return {
+        name: Quantity(values, axes, "" if unit == "%" else unit, words, table, unit == "%", record)
+        for name, (values, unit, words) in rows.items()
+    }
+
+
 def read_in(unit, values, share=False):
     """(unit in print, its size) for values of a unit of SI: kN from 1 kN on, N below"""
     name, size = READ_IN.get("%" if share else unit, (unit, 1.0))
     if size == KILO:
         finite = np.abs(values)[np.isfinite(values)]
         if finite.size and 0 < finite.max() < KILO:
-            return unit, 1.0
-    return name, size
+            name, size = unit, 1.0
+    return name.replace("2", "²").replace("3", "³"), size

@@ -16,7 +16,7 @@ import numpy as np
 from ..printing.number import NOTHING, number
 from .quantity import read_in
 
-WIDTH = 20  # characters of a heading
+WIDTH = 14  # characters of a heading
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
 
 
@@ -58,11 +58,12 @@ def _shown(result, title, axes, members):
         )
         return Shown(title, "", tuple(n for n, _ in members), columns)
     axis = axes[0]
-    columns = [column for name, one in members for column in _columns(result, name, one)]
+    columns = [column for name, one in members for column in columns_of(result, name, one)]
     return Shown(title, axis, tuple(result.labels[axis].values.tolist()), tuple(columns))
 
 
-def _columns(result, name, one):
+def columns_of(result, name, one):
+    """[Column, …] of a quantity with a first axis, one for each label of its further ones"""
     words = one.description or name
     if one.values.ndim == 1:
         yield Column(name, words, one.values, one.units(), _read_in(one))

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import tomli_w
 
+import hakobune
 from hakobune import pipelines
 from hakobune.bem.database.integrity import row_crcs
 from hakobune.mooring.criteria.failing import FAILS, failing, fails
@@ -525,7 +526,9 @@ def test_the_strain_of_a_fender_on_a_dolphin_is_its_own(place, capsys):
     """By hand: at the 733.5 kN of its 45 %, 0.225 m, a dolphin of 7335 kN/m yields 0.1 m"""
     words = "fender --family v --height 0.5 --length 2 --dolphin 7335 --strain 0.45"
     assert main(shlex.split(words)) == 0
-    shown = said(capsys)
-    assert "rated: 45.0 %" in shown and "at 0.325 m (45.0 %): 733.5 kN" in shown
+    found = hakobune.fender({"family": "v", "height": 0.5, "length": 2.0, "dolphin": 7335.0}, strain=0.45)
+    assert [found["rated.strain"], found["taken[catalogue].strain"]] == pytest.approx([0.45, 0.45], rel=1e-9)
+    asked = [found["taken[catalogue].deflection"], found["asked.reaction"]]
+    assert asked == pytest.approx([0.325, 733.5e3], rel=1e-4)
     assert main(shlex.split(words.replace("0.45", "0.48"))) == 1
     assert "FAILS: the fender is pressed to 48 % of its height; allowable 45 %" in said(capsys)

@@ -1,10 +1,9 @@
 """`hakobune damping` as a user calls it."""
 
-import json
-
 import numpy as np
 import pytest
 
+import hakobune
 from hakobune.pipelines import cli
 
 T = np.arange(0.0, 400.0, 1.0)
@@ -17,20 +16,15 @@ def written(path, **columns):
     return str(path)
 
 
-def values(path, capsys, *flags):
-    """{quantity: value} of --json, whole numbers"""
-    assert cli.main(["damping", path, *flags, "--json"]) == 0
-    return {row["quantity"]: row["value"] for row in json.loads(capsys.readouterr().out)["rows"]}
-
-
 def test_a_forced_oscillation_is_told_and_drawn(tmp_path, capsys):
     v = 3.0 * OMEGA * np.cos(OMEGA * T)
     force = 1500 * 3.0 * OMEGA**2 * np.sin(OMEGA * T) - 40.0 * v - 25.0 * v * np.abs(v)
     path = written(tmp_path / "forced.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=force)
     assert cli.main(["damping", path, "--plot", str(tmp_path / "f.png")]) == 0
     told = capsys.readouterr().out
-    rows = values(path, capsys)
-    assert [rows[name] for name in ("added mass", "B1", "B2")] == pytest.approx([1500, 40, 25], rel=1e-4)
+    rows = hakobune.damping(path)
+    assert [rows[name] for name in ("added_mass", "B1", "B2")] == pytest.approx([1500e3, 40e3, 25e3], rel=1e-4)
+    assert rows["fitted.force"] == pytest.approx(1e3 * force, abs=0.1)
     assert (tmp_path / "f.png").stat().st_size > 5000 and "negative" not in told
     turned = written(tmp_path / "turned.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=-force)
     assert cli.main(["damping", turned]) == 1
@@ -42,10 +36,10 @@ def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
     turn = OMEGA * np.sqrt(1 - ratio**2)
     path = written(tmp_path / "decay.csv", time_s=T, motion_m=2.0 * np.exp(-ratio * OMEGA * T) * np.cos(turn * T))
     assert cli.main(["damping", path, "--mass", "5000"]) == 0
-    assert "4 % of critical" in capsys.readouterr().out
-    rows = values(path, capsys, "--mass", "5000")
-    assert rows["natural period"] == pytest.approx(50, rel=1e-3)
-    assert rows["B1"] == pytest.approx(2 * ratio * OMEGA * 5000, rel=1e-3)
+    rows = hakobune.damping(path, mass=5e6)
+    assert f"{rows['critical'] * 100:.4g} │ %" in capsys.readouterr().out
+    assert rows["critical"] == pytest.approx(ratio, rel=1e-3) and rows["period"] == pytest.approx(50, rel=1e-3)
+    assert rows["B1"] == pytest.approx(2 * ratio * OMEGA * 5e6, rel=1e-3)
 
 
 def test_a_record_of_something_else_fails(tmp_path, capsys):
@@ -68,7 +62,7 @@ def test_a_record_of_something_else_fails(tmp_path, capsys):
         ("time_s\n0\n1\n", [], "has the columns time_s; allowed: the columns time_s, motion_m"),
         ("0,1\n1,2\n", [], "no names of columns in its first row"),
         ("", [], "record.csv has no rows"),
-        ("time_s,motion_m\n0,1\n1,2\n", ["--mass", "-1"], "--mass is -1; allowed: above 0"),
+        ("time_s,motion_m\n0,1\n1,2\n", ["--mass", "-1"], "mass is -1000 kg; allowed: above 0"),
         ("time_s,motion_m\n0,1\n1,2\n", ["--plot", "f.txt"], "has the suffix '.txt'"),
     ],
 )
@@ -80,7 +74,7 @@ def test_a_wrong_record_is_one_line_and_status_2(text, flags, says, tmp_path, ca
     assert says in told.err and told.err.count("\n") == 1 and not told.out
 
 
-def test_a_decay_by_its_equation_of_motion_has_its_coefficients_and_its_extinction(tmp_path, capsys):
+def test_a_decay_by_its_equation_of_motion_has_its_coefficients_and_its_extinction(tmp_path):
     """ẍ + β₁ẋ + β₂ẋ|ẋ| + Ω²x = 0 by Runge and Kutta; a half cycle of amplitude X takes (π/2)(β₁/Ω) X + (4/3) β₂ X²
     (Froude 1874: energies π/2 β₁ΩX² and 4/3 β₂Ω²X³ of ½·2 Ω²XΔX)"""
     linear, quadratic, x, v, h = 0.008, 0.12, 1.5, 0.0, 0.05
@@ -98,21 +92,31 @@ def test_a_decay_by_its_equation_of_motion_has_its_coefficients_and_its_extincti
         x += h / 6 * (k1[0] + 2 * k2[0] + 2 * k3[0] + k4[0])
         v += h / 6 * (k1[1] + 2 * k2[1] + 2 * k3[1] + k4[1])
     path = written(tmp_path / "decay.csv", time_s=T, motion_m=np.array(record)[:-1:20])
-    rows = values(path, capsys, "--mass", "2000")
-    assert [rows["B1/M"], rows["B2/M"]] == pytest.approx([linear, quadratic], rel=0.01)
-    assert [rows["B1"], rows["B2"]] == pytest.approx([2000 * linear, 2000 * quadratic], rel=0.01)
+    rows = hakobune.damping(path, mass=2e6)
+    assert [rows["B1_over_M"], rows["B2_over_M"]] == pytest.approx([linear, quadratic], rel=0.01)
+    assert [rows["B1"], rows["B2"]] == pytest.approx([2e6 * linear, 2e6 * quadratic], rel=0.01)
     assert rows["a"] == pytest.approx(np.pi / 2 * linear / OMEGA, rel=0.1)
     assert rows["b"] == pytest.approx(4 / 3 * quadratic, rel=0.1)
-    assert rows["natural period"] == pytest.approx(50.0, rel=1e-3) and rows["motion not explained"] < 0.1
+    assert rows["period"] == pytest.approx(50.0, rel=1e-3) and rows["left"] < 1e-3
 
 
-def test_linear_dampings_of_a_forced_oscillation_take_its_energy_or_its_largest_force(tmp_path, capsys):
+def test_linear_dampings_of_a_forced_oscillation_take_its_energy_or_its_largest_force():
     """B₁ + (8/3π) B₂ v and B₁ + B₂ v, v = aω the largest velocity"""
     v = 3.0 * OMEGA * np.cos(OMEGA * T)
     force = 1500 * 3.0 * OMEGA**2 * np.sin(OMEGA * T) - 40.0 * v - 25.0 * v * np.abs(v)
-    path = written(tmp_path / "forced.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=force)
-    rows, most = values(path, capsys), 3.0 * OMEGA
+    columns = {"time_s": T, "motion_m": 3.0 * np.sin(OMEGA * T), "force_kN": force}
+    rows, most = hakobune.damping(columns), 3.0 * OMEGA
     assert [rows["amplitude"], rows["period"]] == pytest.approx([3.0, 50.0], rel=1e-3)
-    assert rows["linear damping of the same energy"] == pytest.approx(40 + 8 / (3 * np.pi) * 25 * most, rel=1e-3)
-    assert rows["linear damping of the same largest force"] == pytest.approx(40 + 25 * most, rel=1e-3)
-    assert rows["force not explained"] < 0.1
+    assert rows["linear.same_energy"] == pytest.approx(40e3 + 8 / (3 * np.pi) * 25e3 * most, rel=1e-3)
+    assert rows["linear.same_force"] == pytest.approx(40e3 + 25e3 * most, rel=1e-3)
+    assert rows["left"] < 1e-3
+
+
+def test_damping_of_a_model_is_told_in_newtons(tmp_path, capsys):
+    """A millionth of the forces: 0.04 N s/m"""
+    v = 3.0 * OMEGA * np.cos(OMEGA * T)
+    force = 1e-6 * (1500 * 3.0 * OMEGA**2 * np.sin(OMEGA * T) - 40.0 * v)
+    path = written(tmp_path / "model.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=force)
+    assert cli.main(["damping", path]) == 0
+    shown = capsys.readouterr().out
+    assert "0.04 │ N s/m" in shown and "1.5 │ kg" in shown

@@ -105,7 +105,7 @@ def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site
     made, text = read_breakwater(scene_at(bay, "breakwater_circle.toml", site, ["water", "sea"], water={"tide": 0.5}))
     assert made.water.depth == pytest.approx(21.8) and made.water.tide == 0.5
     assert (made.sea.height, made.sea.mean_period) == (0.6, 5.0) and "mean_period = 5.0" in text
-    assert read_berth(scene_at(bay, "berth_tanker.toml", {"level": "high"}, ["depth"])).depth == pytest.approx(21.8)
+    assert read_berth(scene_at(bay, "berth_tanker.toml", {"level": "high"}, ["depth"]))[0].depth == pytest.approx(21.8)
     site = tomllib.loads((bay / "bay.toml").read_text(encoding="utf-8"))
     quake = quake_of(read_earthquake(scene_at(bay, "earthquake_box.toml", {}, ["rule", "record"])), bay)
     assert quake.coefficient == site["earthquake"]["coefficient"]

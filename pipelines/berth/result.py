@@ -1,0 +1,206 @@
+"""`hakobune.berth`: energies by the kinetic-energy method, the fender that is met first, the course in time."""
+
+from __future__ import annotations
+
+import math
+import warnings
+
+import numpy as np
+
+from hakobune.mooring.berthing.memory import berth as in_time
+from hakobune.mooring.berthing.memory import ship_of_database, without_memory
+from hakobune.mooring.berthing.two_springs import TwoSprings
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.fenders.fender import FenderError
+from hakobune.mooring.fenders.taken import at_deflections, deflection_of
+
+from ..common.fender_tables import BATCH, beyond_batch, causes_of, fender_of, on_dolphin, softest_and_stiffest
+from ..common.quantities import StudyError
+from ..common.typed import typed
+from ..results.given import database_of, given
+from ..results.provenance import provenance
+from ..results.quantity import listed
+from ..results.result import Result, labels
+from .study import BerthStudy, approach_of, read_berth
+
+MASS_DIFFERS = 0.02  # share, of the ship's mass from that of the water its database displaces
+DEPTH_DIFFERS = 0.02  # of the depth at the berth, less than a tide
+BUCKLING = ("cell", "v", "h", "cone")  # families with a plateau
+LINEAR_TO = 0.15  # strain up to which Ueda (1981) takes a fender as a spring
+BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "stiffest")
+TAKEN = "the same energy, where the fender differs from its catalogue"
+
+
+def berth(study, database=None):
+    """Energy of a ship that berths, what the fender that it meets first does with it, and its course in time.
+
+    study : path of a berthing, its tables as a dictionary, or a `study.BerthStudy`
+    database : path of the ship's database, or an open one, for the memory of the water
+    returns : Result; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where the
+    fenders do not stand it
+    raises : ValueError, one line
+    """
+    study, text = given(study, BerthStudy, read_berth, lambda raw: typed(raw, BerthStudy, StudyError))
+    approach = approach_of(study)
+    db = None if database is None else database_of(database)
+    ship, told = _ship(study, approach, db)
+    try:
+        course, refused = in_time(ship, approach.meetings, approach.speed), ()
+    except FenderError as error:
+        course, refused = None, (fails(f"in time: {error}"),)
+    table = study.fender[approach.first]
+    axes = labels("virtual_mass", list(approach.energies)) | labels("band", BANDS)
+    found = {**_of_approach(approach), **_by_method(approach), **_by_band(approach, table)}
+    found |= _two_springs(table, approach)
+    if course is not None:
+        found |= _in_time(approach, course)
+        axes |= labels("fender", [f"{k + 1} at x = {x:.4g} m" for k, (_, x, _) in enumerate(approach.meetings)])
+        axes |= labels("time", course.time, "s")
+    water = "in time with constant virtual mass" if db is None else f"in time with the memory of {db.path}"
+    return Result(
+        "berth", found, axes, (*told, *_failures(study, approach, course), *refused),
+        (f"softest and stiffest by {', '.join(causes_of(table))}", *((water,) if course is not None else ())),
+        provenance=provenance(text, db), detail=(approach, course),
+    )  # fmt: skip
+
+
+def _ship(study, approach, db):
+    """`BerthingShip` with the memory of a database, or with the virtual mass of the study, and warnings"""
+    ship = approach.ship
+    if db is None:
+        added = (approach.virtual_mass - 1) * ship.mass
+        return without_memory(ship.mass, ship.gyration, added * np.diag([1.0, ship.gyration**2])), ()
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        made = ship_of_database(db, ship.mass, ship.gyration, center=study.ship.center)
+    told = [str(one.message) for one in caught]
+    displaced = db.density * float(db["displaced_volume"])
+    if abs(displaced / ship.mass - 1) > MASS_DIFFERS:
+        told.append(
+            f"the body of {db.path} displaces {displaced / 1e3:.4g} t, the ship has {ship.mass / 1e3:.4g} t, which is "
+            "what moves"
+        )
+    if study.depth is not None and abs(db.water_depth / study.depth - 1) > DEPTH_DIFFERS:
+        told.append(f"the memory of {db.path} is that of {db.water_depth:g} m of water, depth is {study.depth:g} m")
+    return made, told
+
+
+def _first(approach):
+    """The fender that is met first, with its dolphin"""
+    return approach.meetings[approach.first][0]
+
+
+def _of_approach(approach):
+    ship, fender = approach.ship, _first(approach)
+    return listed({
+        "ship.mass": (ship.mass, "kg", "mass of the ship"),
+        "ship.block": (ship.block, "", "block coefficient"),
+        "approach.speed": (approach.speed, "m/s", "speed across the berth"),
+        "approach.offset": (approach.offset, "m", "contact from the centre of gravity"),
+        "approach.eccentricity": (approach.eccentricity, "", "eccentricity C_e"),
+        "approach.virtual_mass": (approach.virtual_mass, "", "virtual mass C_M"),
+        "approach.energy": (approach.energy, "J", "energy of the berthing"),
+        "fender.rated_energy": (fender.rated_energy, "J", "rated energy of the fender"),
+        "fender.rated_reaction": (fender.rated_reaction, "N", "its rated reaction"),
+    }, (), f"ship, and {fender.name}")  # fmt: skip
+
+
+def _taken(fenders, energies):
+    """Rows of what fenders do with energies"""
+    places = np.array([deflection_of(one, energy) for one, energy in zip(fenders, energies, strict=True)])
+    strain, reaction = at_deflections(fenders, places)
+    own = strain * fenders[0].height
+    behind = {"dolphin": (places - own, "m", "dolphin")} if on_dolphin(fenders[0]) else {}
+    return {"strain": (strain, "%", "strain"), **behind, "reaction": (reaction, "N", "reaction")}
+
+
+def _by_method(approach):
+    masses, energies = map(list, zip(*approach.energies.values(), strict=True))
+    rows = {"C_M": (masses, "", "C_M"), "energy": (energies, "J", "energy")}
+    rows |= _taken([_first(approach)] * len(energies), energies)
+    named = {f"method.{name}": row for name, row in rows.items()}
+    return listed(named, ("virtual_mass",), "energy, and what the fender does with it")
+
+
+def _by_band(approach, table):
+    """What fenders of a batch do with the energy, and those that differ by all causes"""
+    alone, energy = fender_of(table), approach.energy
+    fenders, factors = [_first(approach)], [1.0]
+    for causes in (BATCH, None):
+        both, pair = softest_and_stiffest(table, alone, causes)
+        fenders += both
+        factors += pair
+    rows = {"factor": (factors, "", "factor")}
+    rows["used"] = [energy / one.rated_energy for one in fenders], "%", "of its rated energy"
+    rows |= _taken(fenders, [energy] * len(fenders))
+    return listed({f"taken.{name}": row for name, row in rows.items()}, ("band",), TAKEN)
+
+
+def _two_springs(table, approach):
+    """Ueda's closed form, for a buckling fender: a spring up to LINEAR_TO, then its rated reaction"""
+    if table.family not in BUCKLING:
+        return {}
+    mass, plateau = approach.eccentricity * approach.virtual_mass * approach.ship.mass, _first(approach).rated_reaction
+    dolphin = math.inf if table.dolphin is None else 1e3 * table.dolphin
+    made = TwoSprings(mass, approach.speed, dolphin, plateau / (LINEAR_TO * table.height), plateau)
+    y1, y2 = (float(y) for y in made.deflections(made.rest_time))
+    return listed({
+        "two_springs.energy": (made.energy, "J", "energy"),
+        "two_springs.reaction": (made.reaction, "N", "reaction"),
+        "two_springs.fender": (y2, "m", "deflection of the fender"),
+        **({} if table.dolphin is None else {"two_springs.dolphin": (y1, "m", "deflection of the dolphin")}),
+        "two_springs.rest_time": (made.rest_time, "s", "time until the ship rests"),
+    }, (), "Ueda's two springs in a row")  # fmt: skip
+
+
+def _in_time(approach, course):
+    whole, most = course.reaction.sum(axis=1), course.deflection.max(axis=0)
+    fenders = [fender for fender, _, _ in approach.meetings]
+    strain, _ = at_deflections(fenders, most)
+    found = listed({
+        "course.energy": (course.energy, "J", "energy into the fenders"),
+        "course.virtual_mass": (course.virtual_mass, "", "virtual mass C_M"),
+        "course.largest": (whole.max(), "N", "largest force of all fenders"),
+        "course.largest_time": (course.time[whole.argmax()], "s", "its time from contact"),
+        "course.into_waves": (course.lost[-1], "J", "energy into waves"),
+    }, (), "in time")  # fmt: skip
+    found |= listed({"course.ledger": (course.ledger, "", "energy that the course does not close")})
+    found |= listed({
+        "met.deflection": (most, "m", "deflection"),
+        "met.strain": (strain, "%", "strain"),
+        "met.reaction": (course.reaction.max(axis=0), "N", "reaction"),
+    }, ("fender",), "largest in time")  # fmt: skip
+    found |= listed({
+        "course.sway": (course.position[:, 0], "m", "sway towards the berth"),
+        "course.yaw": (course.position[:, 1], "rad", "yaw"),
+        "course.sway_velocity": (course.velocity[:, 0], "m/s", "velocity of sway"),
+        "course.yaw_velocity": (course.velocity[:, 1], "rad/s", "velocity of yaw"),
+        "course.taken": (course.taken, "J", "energy in fenders and lost in them"),
+        "course.lost": (course.lost, "J", "energy in waves"),
+    }, ("time",), record=True)  # fmt: skip
+    return found | listed({
+        "course.deflection": (course.deflection, "m", "deflection"),
+        "course.reaction": (course.reaction, "N", "reaction"),
+    }, ("time", "fender"), record=True)  # fmt: skip
+
+
+def _failures(study, approach, course):
+    """What fails of fenders and dolphins: by the kinetic-energy method as Ueda (1981) judges, section 6, and in time"""
+    table = study.fender[approach.first]
+    alone = fender_of(table)
+    found = list(beyond_batch("energy of the berthing", approach.energy, table, alone))
+    yield from found
+    (_, stiff), (_, high) = softest_and_stiffest(table, alone, BATCH)
+    _, (reaction,) = at_deflections([stiff], [deflection_of(stiff, approach.energy)])
+    if table.dolphin_yield is not None and reaction > 1e3 * table.dolphin_yield:
+        yield fails(
+            f"at {high:g} of its reaction the fender pushes the dolphin with {reaction / 1e3:.4g} kN, which yields at "
+            f"{table.dolphin_yield:.4g} kN; give a softer fender or a stronger dolphin"
+        )
+    given = study.approach
+    factors = given.softness * given.configuration * given.abnormal  # that the course in time knows nothing of
+    for k, (fender, x, _) in enumerate(approach.meetings if course is not None else ()):
+        if not (found and k == approach.first):
+            taken = factors * float(fender.energy(course.deflection[:, k].max()))
+            table = study.fender[k]
+            yield from beyond_batch(f"energy in time of the fender at x = {x:g} m", taken, table, fender_of(table))

@@ -1,0 +1,120 @@
+"""`hakobune.damping`: linear and quadratic damping from a record of a forced oscillation or of a free decay."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.identification.decay import decay
+from hakobune.mooring.identification.forced import forced
+
+from ..printing.number import significant
+from ..results.provenance import provenance
+from ..results.quantity import listed
+from ..results.result import Result, labels
+
+LEFT = 0.25  # of the record, that a fit may leave
+COLUMNS = ("time_s", "motion_m", "force_kN")
+
+
+def damping(record, *, mass=None):
+    """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
+
+    record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values}
+    mass : kg with added mass, of a free decay
+    raises : ValueError, one line
+    """
+    if mass is not None and not 0 < mass < np.inf:
+        raise ValueError(f"mass is {mass:g} kg; allowed: above 0, finite")
+    columns = record if isinstance(record, dict) else read_record(record)
+    time, motion, *force = (np.asarray(columns[name], float) for name in COLUMNS if name in columns)
+    if force and mass is not None:
+        raise ValueError("mass is given with force_kN in the record; allowed: of a decay")
+    try:
+        found, findings, notes = _forced(time, motion, 1e3 * force[0]) if force else _decay(time, motion, mass)
+    except ValueError as error:
+        raise ValueError(str(error) if isinstance(record, dict) else f"{record}: {error}") from None
+    source = {} if isinstance(record, dict) else {"record": str(record)}
+    return Result("damping", found, labels("time", time, "s"), findings, notes, provenance=provenance(**source))
+
+
+def read_record(path):
+    """{column: (n,) array} of a CSV.  Raises ValueError."""
+    from hakobune.mooring.environment.tables import check_even, read_table
+    from hakobune.mooring.identification.record import UNEVEN
+
+    names, values = read_table(path)
+    wrong = [name for name in names or () if name not in COLUMNS]
+    if wrong or not {"time_s", "motion_m"} <= set(names or ()):
+        shown = "no names of columns in its first row" if names is None else f"the columns {', '.join(names)}"
+        raise ValueError(
+            f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved: name them so"
+        )
+    columns = dict(zip(names, values.T, strict=True))
+    check_even(path, columns["time_s"], UNEVEN)
+    return columns
+
+
+def _forced(time, motion, force):
+    made = forced(time, motion, force)
+    by_paper, error = made.by_harmonics, made.error
+    found = listed({
+        "amplitude": (made.motion.amplitude, "m", "amplitude"),
+        "period": (2 * np.pi / made.motion.omega, "s", "period"),
+        "added_mass": (made.added_mass, "kg", "added mass"),
+        "B1": (made.linear, "N s/m", "B1"),
+        "B1.by_harmonics": (by_paper[0], "N s/m", "B1 by harmonics"),
+        "B1.error": (error[0], "N s/m", "standard error of B1"),
+        "B2": (made.quadratic, "N s2/m2", "B2"),
+        "B2.by_harmonics": (by_paper[1], "N s2/m2", "B2 by harmonics"),
+        "B2.error": (error[1], "N s2/m2", "standard error of B2"),
+        "linear.same_energy": (made.same_energy, "N s/m", "linear damping of the same energy"),
+        "linear.same_force": (made.same_force, "N s/m", "linear damping of the same largest force"),
+        "left": (made.off, "%", "force not explained"),
+    }, (), "forced oscillation")  # fmt: skip
+    findings = [*_rest(made.off, "force", "a sine that moves a body with added mass and damping")]
+    if made.same_energy < 0:
+        findings.append(
+            fails(
+                f"the damping is negative, {significant(made.same_energy / 1e3)} kN s/m of the same energy, limit 0: "
+                "the force gives energy to the body; is force_kN that of what moves it? the water's reaction has the "
+                "other sign"
+            )
+        )
+    records = {
+        "record.force": (force - force.mean(), "N", "reaction"),
+        "fitted.force": (made.fitted(time), "N", "reaction"),
+    }
+    return found | listed(records, ("time",), record=True), tuple(findings), ()
+
+
+def _decay(time, motion, mass):
+    made = decay(time, motion)
+    rows = {
+        "period": (2 * np.pi / made.omega, "s", "natural period"),
+        "a": (made.a, "", "a by half cycles"),
+        "b": (made.b, "1/m", "b by half cycles"),
+        "a.alone": (made.linear_only, "", "a by half cycles with b = 0"),
+        "B1_over_M": (made.linear, "1/s", "B1/M"),
+        "B2_over_M": (made.quadratic, "1/m", "B2/M"),
+        "critical": (made.linear / (2 * made.omega), "%", "B1 over the critical"),
+    }
+    if mass is not None:
+        rows |= {
+            "B1": (made.linear * mass, "N s/m", "B1"),
+            "B2": (made.quadratic * mass, "N s2/m2", "B2"),
+        }
+    rows["left"] = made.off, "%", "motion not explained"
+    records = {"record.motion": (motion, "m", "motion"), "fitted.motion": (made.fitted, "m", "motion")}
+    found = listed(rows, (), "free decay") | listed(records, ("time",), record=True)
+    note = f"{len(made.extremes)} extremes from {significant(made.extremes[0])} m; M with added mass"
+    return found, tuple(_rest(made.off, "motion", "the free decay of one motion")), (note,)
+
+
+def _rest(off, what, kind):
+    """What fails of a fit that leaves too much"""
+    if off > LEFT:
+        yield fails(
+            f"{100 * off:.2g} % of the {what} is left over, limit {100 * LEFT:g} %; this is no record of {kind}; look "
+            "at --plot"
+        )

@@ -1,0 +1,169 @@
+"""`hakobune.fender`: the characteristic of a fender, its softest and stiffest, and one compression of them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.fenders.fender import Fender
+from hakobune.mooring.fenders.taken import at_deflections, deflection_of
+
+from ..common.fender_tables import (
+    FenderTable,
+    beyond_batch,
+    causes_of,
+    fender_of,
+    on_dolphin,
+    pair_of,
+    softest_and_stiffest,
+    upright,
+)
+from ..common.quantities import StudyError
+from ..common.typed import typed
+from ..results.given import given
+from ..results.provenance import provenance
+from ..results.quantity import listed
+from ..results.result import Result, labels
+
+ROWS = 11
+BANDS = ("catalogue", "softest", "stiffest")
+
+
+class Pressed(NamedTuple):
+    """pair : the fender and what it stands on; bands : the softest and the stiffest; at : m asked for, or None
+
+    straight : the pair under a face that is not inclined, None where it is not
+    """
+
+    pair: Fender
+    bands: tuple[Fender, Fender]
+    at: float | None
+    straight: Fender | None
+
+
+def fender(table, *, strain=None, deflection=None, energy=None):
+    """Reaction and energy of a fender over its compression, what it returns, its softest and stiffest.
+
+    table : keys of the table [fender] of studies as a dictionary, or a `common.fender_tables.FenderTable`
+    strain, deflection (m), energy (J) : one of them asks for one compression
+    returns : Result; its `detail` is a `Pressed`
+    raises : ValueError, one line
+    """
+    table, text = given(table, FenderTable, None, lambda raw: typed(raw, FenderTable, StudyError))
+    asked = {"strain": strain, "deflection": deflection, "energy": energy}
+    asked = {key: value for key, value in asked.items() if value is not None}
+    if len(asked) > 1:
+        raise StudyError(f"{' and '.join(asked)} are given; allowed: one of strain, deflection, energy")
+    alone = fender_of(table)
+    pair = pair_of(table, alone)
+    bands, factors = softest_and_stiffest(table, alone)
+    straight = pair_of(table, fender_of(upright(table))) if table.angle_deg else None
+    made = Pressed(pair, bands, _compression(pair, asked), straight)
+    return Result(
+        "fender",
+        {**_curve(made), **_rated(made, factors), **_whole(made)},
+        labels("deflection", np.linspace(0.0, pair.limit, ROWS), "m") | labels("band", BANDS),
+        () if made.at is None else tuple(_failures(table, alone, made, energy)),
+        tuple(_notes(table, made)),
+        provenance=provenance(text),
+        detail=made,
+    )
+
+
+def _compression(pair, asked):
+    """m, or None where none is asked for"""
+    for key, value in asked.items():
+        if not 0 < value < np.inf:
+            raise StudyError(f"{key} is {value:g}; allowed: above 0, finite")
+    if "energy" in asked:
+        return pair.deflection_at_energy(asked["energy"])
+    at = pair.whole(asked["strain"] * pair.height) if "strain" in asked else asked.get("deflection")
+    if at is not None:
+        pair.reaction(at)  # raises beyond the table
+    return at
+
+
+def _curve(made):
+    """The characteristic; under an inclined face its shares of that of the upright fender"""
+    pair, x, axes = made.pair, np.linspace(0.0, made.pair.limit, ROWS), ("deflection",)
+    own, energy = np.array([pair.own(one) for one in x]), pair.energy(x)
+    found = listed({
+        "curve.strain": (own / pair.height, "%", "strain"),
+        **({"curve.dolphin": (x - own, "m", "dolphin")} if on_dolphin(pair) else {}),
+        "curve.reaction": (pair.loading(x), "N", "reaction"),
+        "curve.energy": (energy, "J", "energy"),
+        "curve.returned": ([pair.returned(one) for one in x], "J", "returned"),
+    }, axes, "characteristic")  # fmt: skip
+    words = ("softest", "stiffest")
+    found |= listed({
+        f"curve.{word}": (one.loading(x), "N", f"reaction of the {word}")
+        for word, one in zip(words, made.bands, strict=True)
+    }, axes)  # fmt: skip
+    if made.straight is not None:
+        loading = made.straight.loading
+        with np.errstate(invalid="ignore"):
+            shares = {"reaction": pair.loading(x) / loading(x), "energy": energy / loading.integral(x)}
+        rows = {f"curve.{name}_share": (share, "", name) for name, share in shares.items()}
+        found |= listed(rows, axes, "over the same fender under an upright face")
+    return found
+
+
+def _rated(made, factors):
+    """Of the fender, the softest and the stiffest: rated values, and what each does with the energy asked for"""
+    three = (made.pair, *made.bands)
+    rows = {
+        "factor": ([1.0, *factors], "", "factor"),
+        "rated.reaction": ([one.rated_reaction for one in three], "N", "rated reaction"),
+        "rated.energy": ([one.rated_energy for one in three], "J", "rated energy"),
+    }
+    if made.at is not None:
+        energy = float(made.pair.energy(made.at))
+        places = np.array([made.at, *(deflection_of(one, energy) for one in made.bands)])
+        strain, reaction = at_deflections(three, places)
+        rows |= {
+            "taken.deflection": (places, "m", "deflection"),
+            "taken.strain": (strain, "%", "strain"),
+            "taken.reaction": (reaction, "N", "largest reaction"),
+        }
+    return listed(rows, ("band",), "softest and stiffest")
+
+
+def _whole(made):
+    pair, at, straight = made.pair, made.at, made.straight
+    rows = {
+        "rated.strain": (pair.own(pair.rated * pair.height) / pair.height, "%", "rated strain"),
+        "allowable.strain": (pair.own_allowable, "%", "allowable strain"),
+        "limit.strain": (pair.own(pair.limit) / pair.height, "%", "strain where the table ends"),
+    }
+    for name in ("reaction", "energy") if straight is not None else ():
+        share = getattr(pair, f"rated_{name}") / getattr(straight, f"rated_{name}")
+        rows[f"inclined.{name}"] = share, "", f"rated {name} over that of the upright fender"
+    if at is not None:
+        rows["asked.energy"] = float(pair.energy(at)), "J", "energy taken up"
+        rows["asked.reaction"] = float(pair.reaction(at)), "N", "reaction there"
+    return listed(rows, (), pair.name)
+
+
+def _notes(table, made):
+    yield f"factors on the reaction of the softest and the stiffest are of {', '.join(causes_of(table))}"
+    if made.straight is not None:
+        width = table.length if table.width is None else table.width
+        yield (
+            f"inclined by {table.angle_deg:g}° over {width:g} m, by strips; deflections are those "
+            "of the edge that is pressed most"
+        )
+
+
+def _failures(table, alone, made, energy):
+    """What fails at the deflection asked for; energy : J, where it was asked for"""
+    pair = made.pair
+    strain = pair.own(made.at) / pair.height
+    if strain > pair.own_allowable * (1 + 1e-9):
+        yield fails(
+            f"the fender is pressed to {100 * strain:.4g} % of its height; allowable {100 * pair.own_allowable:.4g} %; "
+            "take a larger one or more of them"
+        )
+    if energy is not None:
+        yield from beyond_batch("energy asked for", energy, table, alone)
