@@ -26,13 +26,18 @@ def line(
         float, Parameter(help="degrees, of the bed, above 0 where it rises to the fairlead", allow_leading_hyphen=True)
     ] = 0.0,
     characteristic: Annotated[bool, Parameter(help="span, forces and what lies, slack to taut", negative="")] = False,
-    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf; or the result, .h5")] = None,
 ):
     """Forces of one mooring line, its profile and its tension–offset curve; lengths in m."""
-    from .line_command import line
+    from .line_command import line_command
 
-    at = {"span": span, "tension": tension, "friction": friction, "slope_deg": slope_deg}
-    return line(type, weight, stiffness, length, depth, fairlead_z, **at, characteristic=characteristic, output=output)
+    kN = {
+        name: None if value is None else 1e3 * value for name, value in (("stiffness", stiffness), ("tension", tension))
+    }
+    at = {"span": span, "friction": friction, "slope": math.radians(slope_deg), "fairlead_z": fairlead_z}
+    return line_command(
+        output, type=type, weight=weight, length=length, depth=depth, characteristic=characteristic, **kN, **at
+    )
 
 
 def lines(

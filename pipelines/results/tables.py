@@ -54,7 +54,8 @@ def tables(result, all_of_them=False):
 def _shown(result, title, axes, members):
     if not axes:
         columns = tuple(
-            Column(name, one.description or name, one.values[None], one.units(), _read_in(one)) for name, one in members
+            Column(name, one.description or name, one.values[None], one.units(), _read_in_beside(one, members))
+            for name, one in members
         )
         return Shown(title, "", tuple(n for n, _ in members), columns)
     axis = axes[0]
@@ -79,6 +80,14 @@ def _label(value):
 
 def _read_in(one):
     return read_in(one.units()[0], _sizes(one.values), one.share)
+
+
+def _read_in_beside(one, members):
+    """As `_read_in`; nothing, as a force of 0, is read in what the others of its unit are"""
+    if one.values.dtype.kind != "f" or one.values != 0:
+        return _read_in(one)
+    alike = [float(other.values) for _, other in members if other.unit == one.unit and other.share == one.share]
+    return read_in(one.unit, np.abs(alike), one.share)
 
 
 def printed(result, console=None):
