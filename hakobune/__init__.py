@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.lines.line_result import line as line
+    from hakobune.pipelines.lines.lines_result import lines as lines
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.results.file import read as read
 
@@ -27,6 +28,7 @@ if (_CHECKOUT / "pyproject.toml").is_file():
 
 _PUBLIC = {  # name: module that has it
     "line": "pipelines.lines.line_result",
+    "lines": "pipelines.lines.lines_result",
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.results.file",

@@ -17,8 +17,6 @@ BALANCE = 0.01  # of the work that goes in and out: left over by the time steps
 
 def show(console, name, found, course, result, strength, line):
     """Print the tables of a run.  found : Figures; course : Course; result : Result; strength : Strength"""
-    from ..lines.lines_command import _table
-
     cycles = "" if found.cycles is None else f", {found.cycles} cycles of {course.cycle:g} s"
     console.print(f"{name}: {found.begin:g} to {found.end:g} s{cycles}", highlight=False, soft_wrap=True)
     table = _table("tension, kN", "", "fairlead", "anchor")
@@ -47,6 +45,15 @@ def show(console, name, found, course, result, strength, line):
     _show_work(console, found, _table)
     for text in (*_regime(found.regime), _steps(result)):
         console.print(text, highlight=False, soft_wrap=True)
+
+
+def _table(title, *columns):
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left")
+    for i, column in enumerate(columns):
+        table.add_column(column, justify="right" if i else "left")
+    return table
 
 
 def _show_used(console, used, strength):

@@ -77,14 +77,12 @@ def lines(
             raise ValueError(f"{given[0]} is for a system of lines and {file} is a result; allowed with it: --picture")
         print(draw_result(file, picture))
         return 0
-    from ..common.bounds import check_count
-    from .lines_command import lines
+    from .lines_command import lines_command
 
-    load = _numbers("--force", force) if force else None
-    directions = _numbers("--direction", direction) if direction else [0.0, 90.0]
-    check_count("--direction", len(directions), most=360)
-    asked = characteristic, broken, database, output, picture, moordyn
-    return lines(file, body, load, depth, offset, directions, *asked)
+    load = [1e3 * value for value in _numbers("--force", force)] if force else None
+    directions = [math.radians(value) for value in (_numbers("--direction", direction) if direction else [0.0, 90.0])]
+    asked = {"body": body, "force": load, "offset": offset, "directions": directions, "characteristic": characteristic}
+    return lines_command(file, depth, output, picture, moordyn, **asked, broken=broken, database=database)
 
 
 def _numbers(flag, text):

@@ -14,7 +14,7 @@ def check_result(path, kind, inputs=()):
 
     inputs : paths of what the study reads, none of which is overwritten
     """
-    check_output(path, f"the result of {kind}", lambda place: has_schema(place, schema(kind)), DATABASE, inputs)
+    check_output(path, "the result of a study", lambda place: has_schema(place, schema(kind)), DATABASE, inputs)
 
 
 def check_picture_or_result(path, kind, inputs=()):

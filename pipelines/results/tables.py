@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..printing.number import NOTHING, number
-from .quantity import read_in
+from .quantity import READ_IN, read_in
 
 WIDTH = 20  # characters of a heading
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
@@ -69,13 +69,19 @@ def _columns(result, name, one):
         yield Column(name, words, one.values, one.units(), _read_in(one))
         return
     for place in itertools.product(*map(range, one.values.shape[1:])):
-        said = ", ".join(_label(result.labels[axis].values[k]) for axis, k in zip(one.axes[1:], place, strict=True))
+        at = [(result.labels[axis], k) for axis, k in zip(one.axes[1:], place, strict=True)]
+        exact = ", ".join(str(labels.values[k]) for labels, k in at)
+        said = ", ".join(_label(labels.values[k], labels.unit) for labels, k in at)
         values = one.values[(slice(None), *place)]
-        yield Column(f"{name}[{said}]", f"{words} {said}".strip(), values, one.units(), _read_in(one))
+        yield Column(f"{name}[{exact}]", f"{words} {said}".strip(), values, one.units(), _read_in(one))
 
 
-def _label(value):
-    return value if isinstance(value, str) else f"{value:.6g}"
+def _label(value, unit):
+    """As it is read in a heading: 90°, 0.5 rad/s, fore port"""
+    if isinstance(value, str):
+        return value
+    name, size = READ_IN[unit] if unit == "rad" else (unit, 1.0)
+    return f"{value / size:.6g}{name if name == '°' else f' {name}' if name else ''}"
 
 
 def _read_in(one):
@@ -150,15 +156,15 @@ def _largest(shown):
 
 
 def _filled(column, largest):
-    """(units in print, cells) of a column; where units differ by row each row has its own
+    """(units in print, cells) of a column; where units differ by row each row has its own, the same in all columns
 
-    largest : {unit: largest size in the table}, beside which rounding is printed as 0
+    largest : {unit: largest size in the table}, which the unit suits, and beside which rounding is printed as 0
     """
     column = column._replace(values=_without_rounding(column, largest))
     if len(column.units) == 1:
         unit, size = column.read_in
         return (unit,), [_cell(value, size) for value in column.values]
-    found = [read_in(unit, _sizes([value])) for unit, value in zip(column.units, column.values, strict=True)]
+    found = [read_in(unit, np.array([largest[unit]])) for unit in column.units]
     return [unit for unit, _ in found], [
         _cell(value, size) for value, (_, size) in zip(column.values, found, strict=True)
     ]
