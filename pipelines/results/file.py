@@ -19,7 +19,13 @@ from .result import Result
 
 VERSION = 2  # of all kinds; files of version 1 were laid out by each command in its own way
 LINES = ("findings", "notes", "first")
-NAMES = {"moor": "mooring study", "response": "response study", "breakwater": "breakwater study"}
+NAMES = {
+    "moor": "mooring study",
+    "response": "response study",
+    "breakwater": "breakwater study",
+    "line-dynamics": "channels",
+    "single-point": "single point",
+}
 
 
 def schema(kind):

@@ -17,6 +17,7 @@ from ..printing.number import NOTHING, number
 from .quantity import READ_IN, read_in
 
 WIDTH = 20  # characters of a heading
+FEW = 3  # rows, that are printed as columns where these are more than twice as many
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
 
 
@@ -125,6 +126,8 @@ def rich_table(shown, labels):
             table.add_row(column.heading, _cell(column.values[0], size), unit)
         return table
     by_row = next((column.units for column in shown.columns if len(column.units) > 1), None)
+    if by_row is None and len(shown.labels) <= FEW and len(shown.columns) > 2 * len(shown.labels):
+        return _turned(table, shown, labels[shown.axis])
     head = labels[shown.axis]
     unit, size = read_in(head.unit, _sizes(head.values)) if head.numeric else ("", 1.0)
     table.add_column(_heading(shown.axis.replace("_", " "), unit), justify="left", no_wrap=True)
@@ -140,6 +143,19 @@ def rich_table(shown, labels):
     for row, label in enumerate(shown.labels):
         said = _cell(label, size) if head.numeric else str(label)
         table.add_row(f"{said}, {units[row]}" if by_row else said, *(column[row] for column in cells))
+    return table
+
+
+def _turned(table, shown, head):
+    """A row for each column and a column for each row"""
+    table.add_column("quantity", no_wrap=True)
+    for label in shown.labels:
+        table.add_column(_label(label, head.unit), justify="right", no_wrap=True)
+    table.add_column("unit", no_wrap=True)
+    largest = _largest(shown)
+    for column in shown.columns:
+        (unit,), cells = _filled(column, largest)
+        table.add_row(column.heading, *cells, unit)
     return table
 
 

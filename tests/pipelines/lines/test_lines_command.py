@@ -8,7 +8,6 @@ import pytest
 from scipy.optimize import brentq
 
 from hakobune import pipelines
-from hakobune.mooring.formats.results import write_channels
 from hakobune.mooring.lines.catenary.solve import solve_lines
 from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.pipelines.cli import main
@@ -18,6 +17,8 @@ from hakobune.pipelines.lines.line_result import line
 from hakobune.pipelines.lines.lines_result import lines
 from hakobune.pipelines.lines.system_file import read_system
 from hakobune.pipelines.results.file import read
+from hakobune.pipelines.results.quantity import Quantity
+from hakobune.pipelines.results.result import Result, labels
 
 SPREAD = """\
 [water]
@@ -335,7 +336,9 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     nodes = np.zeros((12, 20, 3))
     nodes[..., 0], nodes[..., 2] = 100 * s, -20 * s * (1 - s) * (1 + 0.3 * np.sin(3 * time[:, None]))
     run = tmp_path / "run.h5"
-    write_channels(run, time, {}, frames=(time, nodes))
+    axes = labels("frame", time, "s") | labels("node", s, "m") | labels("xyz", ["x", "y", "z"])
+    place = Quantity(nodes, ("frame", "node", "xyz"), "m", "places", record=True)
+    Result("line-dynamics", {"line.place": place}, axes).write(run)
     for name in ("strip.png", "film.gif"):
         assert main(["lines", str(run), "--picture", str(tmp_path / name)]) == 0
         assert (tmp_path / name).stat().st_size > 5_000
@@ -344,7 +347,7 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     assert main(["lines", str(run)]) == 0
     assert picture.read_text() == "tensions" and (tmp_path / "run_frames.png").stat().st_size > 5_000
     assert "run_frames.png" in capsys.readouterr().out
-    write_channels(run, time, {})
+    Result("lines", {}).write(run)
     assert main(["lines", str(run)]) == 2
     assert "holds no frames" in capsys.readouterr().err
 
