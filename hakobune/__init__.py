@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from hakobune.pipelines.berth.result import berth as berth
     from hakobune.pipelines.damping.result import damping as damping
     from hakobune.pipelines.fender.result import fender as fender
+    from hakobune.pipelines.line_dynamics.result import line_dynamics as line_dynamics
+    from hakobune.pipelines.lines.line_result import line as line
+    from hakobune.pipelines.lines.lines_result import lines as lines
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.reading import read as read
     from hakobune.pipelines.response.result import response as response
@@ -33,6 +36,9 @@ _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
     "damping": "pipelines.damping.result",
     "fender": "pipelines.fender.result",
+    "line": "pipelines.lines.line_result",
+    "line_dynamics": "pipelines.line_dynamics.result",
+    "lines": "pipelines.lines.lines_result",
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.reading",

@@ -18,6 +18,6 @@ def line_dynamics(
     picture: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
 ):
     """Tension, slack and work of one mooring line whose fairlead moves (TOML), beside its quasi-static tension."""
-    from .command import line_dynamics
+    from .command import line_dynamics_command
 
-    return line_dynamics(study, duration, tolerance, output, picture)
+    return line_dynamics_command(study, duration, tolerance, output, picture)

@@ -8,11 +8,12 @@ import math
 
 import numpy as np
 
+from hakobune.mooring.lines.dynamics.strength import Strength
+
 from ..common.line_tables import attached, check_bed, line_type, of_types
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
 from ..common.weather.seas import mean_period
-from .strength import Strength
 from .study import BedTable
 
 ELEMENTS = 40  # of a line whose segments do not say how many, at least 4 each

@@ -26,13 +26,18 @@ def line(
         float, Parameter(help="degrees, of the bed, above 0 where it rises to the fairlead", allow_leading_hyphen=True)
     ] = 0.0,
     characteristic: Annotated[bool, Parameter(help="span, forces and what lies, slack to taut", negative="")] = False,
-    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf; or the result, .h5")] = None,
 ):
     """Forces of one mooring line, its profile and its tension–offset curve; lengths in m."""
-    from .line_command import line
+    from .line_command import line_command
 
-    at = {"span": span, "tension": tension, "friction": friction, "slope_deg": slope_deg}
-    return line(type, weight, stiffness, length, depth, fairlead_z, **at, characteristic=characteristic, output=output)
+    kN = {
+        name: None if value is None else 1e3 * value for name, value in (("stiffness", stiffness), ("tension", tension))
+    }
+    at = {"span": span, "friction": friction, "slope": math.radians(slope_deg), "fairlead_z": fairlead_z}
+    return line_command(
+        output, type=type, weight=weight, length=length, depth=depth, characteristic=characteristic, **kN, **at
+    )
 
 
 def lines(
@@ -72,14 +77,12 @@ def lines(
             raise ValueError(f"{given[0]} is for a system of lines and {file} is a result; allowed with it: --picture")
         print(draw_result(file, picture))
         return 0
-    from ..common.bounds import check_count
-    from .lines_command import lines
+    from .lines_command import lines_command
 
-    load = _numbers("--force", force) if force else None
-    directions = _numbers("--direction", direction) if direction else [0.0, 90.0]
-    check_count("--direction", len(directions), most=360)
-    asked = characteristic, broken, database, output, picture, moordyn
-    return lines(file, body, load, depth, offset, directions, *asked)
+    load = [1e3 * value for value in _numbers("--force", force)] if force else None
+    directions = [math.radians(value) for value in (_numbers("--direction", direction) if direction else [0.0, 90.0])]
+    asked = {"body": body, "force": load, "offset": offset, "directions": directions, "characteristic": characteristic}
+    return lines_command(file, depth, output, picture, moordyn, **asked, broken=broken, database=database)
 
 
 def _numbers(flag, text):

@@ -163,17 +163,18 @@ def _film(time, plane, path):
 
 
 def draw_result(file, picture):
-    """Frames of a file of channels as a strip or a film; returns the picture's path.  Raises ValueError.
+    """Frames of a result of line-dynamics as a strip or a film; returns the picture's path.  Raises ValueError.
 
     picture : Path; None for NAME_frames.png beside the file, where a picture of the run keeps NAME.png
     """
-    from hakobune.mooring.formats.results import read_frames
-
     from ..common.picture import PLOTS, check_picture
+    from ..results.file import kind_of, read
 
     if picture is None:
         picture = file.with_name(f"{file.stem}_frames.png")
     check_picture(picture, (*PLOTS, ".gif"))
-    time, nodes = read_frames(file)
-    draw_frames(time, nodes, picture)
+    result = read(file, kind_of(file) or "line-dynamics")
+    if "line.place" not in result:
+        raise ValueError(f"{file} holds no frames; allowed: a result of hakobune line-dynamics")
+    draw_frames(result.labels["frame"].values, result["line.place"], picture)
     return picture

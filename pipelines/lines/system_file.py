@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import msgspec
@@ -19,6 +20,7 @@ from ..common.anchors import warn_of_anchors
 from ..common.line_tables import LineTable, TypeTable, check_types, line_of
 from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed
+from ..results.heard import heard
 
 YAML, TOML = (".yaml", ".yml"), (".toml",)
 
@@ -119,32 +121,90 @@ class SystemTable(Table):
     points: list[PointTable] = msgspec.field(default_factory=list)
 
 
+@dataclass(frozen=True)
+class Given:
+    """What a system is read from, once.
+
+    system : System, None of a MoorDyn file without lines; text : of the file; said : what was warned of in it
+    moordyn : MoorDynFile where it is one; path, depth : of it
+    """
+
+    system: System | None
+    text: str = ""
+    said: list = field(default_factory=list)
+    moordyn: object = None
+    path: Path | None = None
+    depth: float | None = None
+
+    def check_alone(self, asked):
+        """Raise StudyError where more is asked of a file without lines; asked : {flag: value, None where not given}"""
+        given = [flag for flag, value in asked.items() if value is not None and value is not False]
+        if given:
+            raise StudyError(f"{self.path} has no lines, and {given[0]} is for these; allowed: --depth")
+
+    def rests(self):
+        """[Loose] of a file without lines, what is left out of it, and its text.  Raises FormatError."""
+        from hakobune.mooring.formats.moordyn_loose import rests_of_moordyn
+        from hakobune.mooring.formats.moordyn_system import still_water
+
+        with heard() as said:
+            found = rests_of_moordyn(self.moordyn, still_water(self.moordyn, self.path, self.depth), self.path)
+        return found, said, self.text
+
+
 def read_system(path, depth=None) -> System:
     """The System of a file, by its suffix: .toml, .yaml or .yml, anything else is MoorDyn's.
 
     depth : m, for a MoorDyn or YAML file that does not say it.  Warns of anchors where there are none.
     Raises ValueError, one line.
     """
-    system = _read(path, depth)
-    warn_of_anchors({one.name: one.position[2] for one in system.points if isinstance(one, Anchor)}, system.depth)
-    return system
+    given = read_given(path, depth)
+    for line in given.said:
+        warnings.warn(line, stacklevel=2)
+    if given.system is None:
+        raise StudyError(f"{path}: there are no LINES; allowed: with lines")
+    return given.system
+
+
+def read_given(system, depth=None) -> Given:
+    """What a path, a dictionary or a System gives; depth as of `read_system`.  Raises ValueError, one line."""
+    if isinstance(system, System):
+        return Given(system)
+    if depth is not None and not 0 < depth < math.inf:
+        raise StudyError(f"--depth is {depth:g} m; allowed: above 0, finite")
+    with heard() as said:
+        if isinstance(system, dict):
+            import tomli_w
+
+            made, text, moordyn, path = make_system(system), tomli_w.dumps(system), None, None
+        else:
+            path = Path(system)
+            made, text, moordyn = _read(path, depth)
+        if made is not None:
+            heights = {one.name: one.position[2] for one in made.points if isinstance(one, Anchor)}
+            warn_of_anchors(heights, made.depth)
+    return Given(made, text, said, moordyn, path, depth)
 
 
 def _read(path, depth):
-    path = Path(path)
-    if depth is not None and not 0 < depth < math.inf:
-        raise StudyError(f"--depth is {depth:g} m; allowed: above 0, finite")
+    """System, text and MoorDynFile of a path, or None for each that there is not"""
     if path.suffix.lower() in TOML:
         if depth is not None:
             raise StudyError(f"--depth is {depth:g} m and {path} has its own; allowed: without it, or [water] depth")
-        return make_system(read_toml(path, "a system", StudyError)[0])
+        raw, text = read_toml(path, "a system", StudyError)
+        return make_system(raw), text, None
+    from hakobune.meshing.text_files import read_text
+    from hakobune.mooring.formats import moordyn, moorpy
+    from hakobune.mooring.formats.fault import FormatError
+
     if path.suffix.lower() in YAML:
-        from hakobune.mooring.formats.moorpy import read_moorpy
+        text = read_text(path, FormatError, largest=moorpy.LARGEST)
+        return moorpy.system_of_moorpy(moorpy.parse_yaml(text, path), path, depth), text, None
+    from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 
-        return read_moorpy(path, depth)
-    from hakobune.mooring.formats.moordyn_system import read_moordyn_system
-
-    return read_moordyn_system(path, depth)
+    text = read_text(path, FormatError, errors="replace", largest=moordyn.LARGEST)
+    file = moordyn.parse_moordyn(text, path)
+    return (system_of_moordyn(file, path, depth) if file.lines else None), text, file
 
 
 def make_system(raw) -> System:

@@ -21,7 +21,10 @@ LINES = ("findings", "notes", "first")
 NAMES = {
     "moor": "mooring study",
     "response": "response study",
-}  # what the files of a kind were called before they were alike
+    "breakwater": "breakwater study",
+    "line-dynamics": "channels",
+    "single-point": "single point",
+}
 
 
 def schema(kind):

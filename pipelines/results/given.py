@@ -32,6 +32,13 @@ def _text(study):
     return tomli_w.dumps(_without_none(msgspec.to_builtins(study)))
 
 
+def words_of(**words):
+    """TOML of the arguments of a study function that has no file, without what is not given"""
+    import tomli_w
+
+    return tomli_w.dumps(_without_none(words))
+
+
 def _without_none(value):
     if isinstance(value, dict):
         return {key: _without_none(one) for key, one in value.items() if one is not None}

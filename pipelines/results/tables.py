@@ -14,9 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..printing.number import NOTHING, number
-from .quantity import read_in
+from .quantity import READ_IN, read_in
 
 WIDTH = 14  # characters of a heading
+FEW = 3  # rows, that are printed as columns where these are more than twice as many
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
 
 
@@ -54,7 +55,8 @@ def tables(result, all_of_them=False):
 def _shown(result, title, axes, members):
     if not axes:
         columns = tuple(
-            Column(name, one.description or name, one.values[None], one.units(), _read_in(one)) for name, one in members
+            Column(name, one.description or name, one.values[None], one.units(), _read_in_beside(one, members))
+            for name, one in members
         )
         return Shown(title, "", tuple(n for n, _ in members), columns)
     axis = axes[0]
@@ -69,17 +71,31 @@ def columns_of(result, name, one):
         yield Column(name, words, one.values, one.units(), _read_in(one))
         return
     for place in itertools.product(*map(range, one.values.shape[1:])):
-        said = ", ".join(_label(result.labels[axis].values[k]) for axis, k in zip(one.axes[1:], place, strict=True))
+        at = [(result.labels[axis], k) for axis, k in zip(one.axes[1:], place, strict=True)]
+        exact = ", ".join(str(labels.values[k]) for labels, k in at)
+        said = ", ".join(_label(labels.values[k], labels.unit) for labels, k in at)
         values = one.values[(slice(None), *place)]
-        yield Column(f"{name}[{said}]", f"{words} {said}".strip(), values, one.units(), _read_in(one))
+        yield Column(f"{name}[{exact}]", f"{words} {said}".strip(), values, one.units(), _read_in(one))
 
 
-def _label(value):
-    return value if isinstance(value, str) else f"{value:.6g}"
+def _label(value, unit):
+    """As it is read in a heading: 90°, 0.5 rad/s, fore port"""
+    if isinstance(value, str):
+        return value
+    name, size = READ_IN[unit] if unit == "rad" else (unit, 1.0)
+    return f"{value / size:.6g}{name if name == '°' else f' {name}' if name else ''}"
 
 
 def _read_in(one):
     return read_in(one.units()[0], _sizes(one.values), one.share)
+
+
+def _read_in_beside(one, members):
+    """As `_read_in`; nothing, as a force of 0, is read in what the others of its unit are"""
+    if one.values.dtype.kind != "f" or one.values != 0:
+        return _read_in(one)
+    alike = [float(other.values) for _, other in members if other.unit == one.unit and other.share == one.share]
+    return read_in(one.unit, np.abs(alike), one.share)
 
 
 def printed(result, console=None):
@@ -111,6 +127,8 @@ def rich_table(shown, labels):
             table.add_row(column.heading, _cell(column.values[0], size), unit)
         return table
     by_row = next((column.units for column in shown.columns if len(column.units) > 1), None)
+    if by_row is None and len(shown.labels) <= FEW and len(shown.columns) > 2 * len(shown.labels):
+        return _turned(table, shown, labels[shown.axis])
     head = labels[shown.axis]
     unit, size = read_in(head.unit, _sizes(head.values)) if head.numeric else ("", 1.0)
     table.add_column(_heading(shown.axis.replace("_", " "), unit), justify="left", no_wrap=True)
@@ -129,6 +147,19 @@ def rich_table(shown, labels):
     return table
 
 
+def _turned(table, shown, head):
+    """A row for each column and a column for each row"""
+    table.add_column("quantity", no_wrap=True)
+    for label in shown.labels:
+        table.add_column(_label(label, head.unit), justify="right", no_wrap=True)
+    table.add_column("unit", no_wrap=True)
+    largest = _largest(shown)
+    for column in shown.columns:
+        (unit,), cells = _filled(column, largest)
+        table.add_row(column.heading, *cells, unit)
+    return table
+
+
 def _largest(shown):
     """{unit: largest size in a table}"""
     found = {}
@@ -142,15 +173,15 @@ def _largest(shown):
 
 
 def _filled(column, largest):
-    """(units in print, cells) of a column; where units differ by row each row has its own
+    """(units in print, cells) of a column; where units differ by row each row has its own, the same in all columns
 
-    largest : {unit: largest size in the table}, beside which rounding is printed as 0
+    largest : {unit: largest size in the table}, which the unit suits, and beside which rounding is printed as 0
     """
     column = column._replace(values=_without_rounding(column, largest))
     if len(column.units) == 1:
         unit, size = column.read_in
         return (unit,), [_cell(value, size) for value in column.values]
-    found = [read_in(unit, _sizes([value])) for unit, value in zip(column.units, column.values, strict=True)]
+    found = [read_in(unit, np.array([largest[unit]])) for unit in column.units]
     return [unit for unit, _ in found], [
         _cell(value, size) for value, (_, size) in zip(column.values, found, strict=True)
     ]

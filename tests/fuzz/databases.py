@@ -172,10 +172,9 @@ def campaign(files, flips, seed, tell=None):
 
 def make_files(folder, simulated=False):
     """Databases and the results of studies, to be damaged; simulated : with a simulation, which takes longer"""
-    from hakobune.mooring.formats.results import write_channels
     from hakobune.pipelines.cli import main
 
-    scenes, run = Path(pipelines.__file__).parent / "scenes", folder / "run.h5"
+    scenes = Path(pipelines.__file__).parent / "scenes"
     commands = {
         "box.h5": "box --length 100 --beam 40 --draft 12 --depth 30 --panels 24 --gyration 13,25,26 "
         "--omega 0.3,0.6,0.9 --heading 0,60",
@@ -183,6 +182,7 @@ def make_files(folder, simulated=False):
         "--omega 0.3:1.0:4 --heading 0:180:5",
         "response.h5": f"response {scenes}/response_box_20m.toml --database {folder}/wide.h5",
         "moor.h5": f"moor {scenes}/moor_chain_12.toml --database {folder}/wide.h5",
+        "run.h5": f"line-dynamics {scenes}/line_chain_60m.toml --duration 20",
         "sections.h5": "sections --beam-draft 5 --depth-draft 2 --xi 0.5,1 --tolerance 1e-3",
         "sections.csv": "sections --beam-draft 5 --depth-draft 2 --xi 0.5,1 --tolerance 1e-3",
     }
@@ -197,9 +197,7 @@ def make_files(folder, simulated=False):
     with open(os.devnull, "w") as nowhere, contextlib.redirect_stdout(nowhere):
         for name, words in commands.items():
             main([*words.split(), "--output", str(folder / name)])
-    time = np.arange(0.0, 20.0, 0.1)
-    write_channels(run, time, {"FairTen1": (np.cos(time), "N")}, {"lines": ["bow"]})
-    return [run, *(folder / name for name in commands)]
+    return [folder / name for name in commands]
 
 
 def main():

@@ -34,7 +34,6 @@ OF_KINDS = {  # modules that say which version of a kind of results they read
     "single point": "hakobune.pipelines.single_point.command",
     "breakwater study": "hakobune.pipelines.breakwater.files",
     "sections": "hakobune.pipelines.reports.sections_command",
-    "channels": "hakobune.mooring.formats.results",
 }
 
 

@@ -11,7 +11,6 @@ from hakobune.mooring.formats.moordyn import MoorDynFile, moordyn_text, parse_mo
 from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
 from hakobune.mooring.formats.moorpy import read_moorpy, system_of_moorpy
-from hakobune.mooring.formats.results import channels_of_rest, read_channels, read_frames, write_channels
 from hakobune.mooring.formats.yaml_text import parse_yaml
 from hakobune.mooring.lines.catalogue import line_type
 from hakobune.mooring.lines.system.equilibrium import rest
@@ -521,23 +520,6 @@ def test_a_key_of_a_moorpy_file_that_is_not_read_is_said():
 def test_units_in_a_code_page_do_not_matter(tmp_path):
     (tmp_path / "lines.txt").write_bytes(VERSION_2.replace("(m^3)", "(m³)").encode("cp1252"))
     assert read_moordyn(tmp_path / "lines.txt").points == parse_moordyn(VERSION_2).points
-
-
-def test_channels_are_stored_under_moordyns_names(tmp_path):
-    state = rest(bridle())
-    path = tmp_path / "rest.h5"
-    frames = (np.arange(3.0), np.zeros((3, 5, 3)))
-    write_channels(path, 0.0, channels_of_rest(state), {"lines": state.system.line_names}, frames)
-    found = read_channels(path)
-    assert found["FairTen1"][0] == state.lines.tension_b[0] and found["AnchTen2"][0] == state.lines.tension_a[1]
-    assert found["Point2PZ"][0] == state.pose.free[0, 2] and found["Body1PX"][0] == state.position[0, 0]
-    assert np.array_equal(read_frames(path)[1], frames[1])
-    with pytest.raises(FormatError, match="FairTen1 has 1 values; allowed: 4"):
-        write_channels(path, np.arange(4), channels_of_rest(state))
-    (tmp_path / "mine.txt").write_text("kept")
-    with pytest.raises(FormatError, match="is not replaced"):
-        write_channels(tmp_path / "mine.txt", 0.0, {})
-    assert (tmp_path / "mine.txt").read_text() == "kept"
 
 
 def test_an_unknown_type_of_file_has_no_lines():

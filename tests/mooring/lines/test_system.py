@@ -584,7 +584,7 @@ def test_natural_periods_are_those_of_the_stiffness_in_the_axes_of_the_body():
 
 
 def test_systems_and_files_load_no_compiler_before_something_is_solved():
-    names = "studies.system_at_rest", "lines.catalogue", "formats.moorpy", "formats.results"
+    names = "studies.system_at_rest", "lines.catalogue", "formats.moorpy"
     modules = ", ".join(f"hakobune.mooring.{name}" for name in names)
     code = f"import sys, {modules}; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)

@@ -4,20 +4,20 @@ import re
 import warnings
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
 
 from hakobune import pipelines
-from hakobune.mooring.formats.results import read_channels, read_frames
 from hakobune.mooring.lines.catenary.solve import solve_lines
+from hakobune.mooring.lines.dynamics.figures import Figures, time_below
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.anchors import warn_of_anchors
 from hakobune.pipelines.line_dynamics import command as line_dynamics_command
-from hakobune.pipelines.line_dynamics.figures import Figures, time_below
 from hakobune.pipelines.line_dynamics.motion import course_of
 from hakobune.pipelines.line_dynamics.parts import current_of, line_of, wave_of
+from hakobune.pipelines.line_dynamics.result import line_dynamics
 from hakobune.pipelines.line_dynamics.study import make_line_dynamics, read_line_dynamics
+from hakobune.pipelines.results.file import read
 
 SCENES = sorted((Path(pipelines.__file__).parent / "scenes").glob("line_*.toml"))
 CHAIN = """\
@@ -50,9 +50,8 @@ def changed(tmp_path, *changes, name="line.toml"):
     return path
 
 
-def attributes(path):
-    with h5py.File(path) as file:
-        return dict(file.attrs)
+def result(path):
+    return read(path, "line-dynamics")
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
@@ -61,20 +60,23 @@ def test_a_scene_prints_writes_and_draws_what_it_found(scene, tmp_path, monkeypa
     out, picture = tmp_path / "run.h5", tmp_path / "strip.png"
     assert main(["line-dynamics", str(scene), "--output", str(out), "--picture", str(picture)]) == 0
     shown = capsys.readouterr().out
-    for text in ("largest, quasi-static", "slack, s in a cycle", "work per cycle", "friction", "regime:"):
+    for text in ("largest, quasi-static", "slack in a cycle", "work per cycle", "friction", "regime"):
         assert text in shown
     assert picture.stat().st_size > 30_000 and sorted(p.name for p in tmp_path.iterdir()) == ["run.h5", "strip.png"]
-    data, found = read_channels(out), attributes(out)
-    inside = (data["Time"] >= found["window_begin"]) & (data["Time"] <= found["window_end"])
-    assert found["largest_fairlead"] == data["FairTen1"][inside].max()
-    assert found["least_fairlead"] == pytest.approx(data["FairTen1"][inside].min(), rel=1e-6)
-    assert found["study"] == scene.read_text()
-    time, nodes = read_frames(out)
-    ends = np.stack([np.interp(time, data["Time"], data[f"Point2P{axis}"]) for axis in "XYZ"], axis=-1)
+    found = result(out)
+    time = found.labels["time"].values
+    inside = (time >= found["window.begin"]) & (time <= found["window.end"])
+    assert found["tension[fairlead].largest"] == found["history.fairlead"][inside].max()
+    assert found["tension[fairlead].least"] == pytest.approx(found["history.fairlead"][inside].min(), rel=1e-6)
+    assert found.provenance["study"] == scene.read_text()
+    shown_at, nodes = found.labels["frame"].values, found["line.place"]
+    ends = np.stack([np.interp(shown_at, time, place) for place in found["fairlead.place"].T], axis=-1)
     # a chord of the fairlead's path between two steps misses it by aω²Δt²/8, with steps of up to T/12
     assert np.abs(nodes[:, -1] - ends).max() < 3.0 * (2 * np.pi / 12) ** 2 / 8
-    losses = sum(found[f"work_{name}"] for name in ("drag", "water_inertia", "structural", "bed", "friction", "stored"))
-    assert losses == pytest.approx(found["work_of_forces"], rel=5e-3)  # five times the tolerance of a step
+    rows = found.labels["work"].values.tolist()
+    work = dict(zip(rows, found["work.energy"], strict=True))
+    # five times the tolerance of a step
+    assert sum(work[name] for name in rows[1:-1]) == pytest.approx(work["as force times velocity"], rel=5e-3)
 
 
 def test_a_slow_fairlead_pulls_as_the_catenary_at_its_outermost_place(tmp_path):
@@ -82,12 +84,12 @@ def test_a_slow_fairlead_pulls_as_the_catenary_at_its_outermost_place(tmp_path):
                    ("[1.0, 0.0, 0.5]", "[3.0, 0.0, 0.0]"), ("elements = 24", "elements = 60"))  # fmt: skip
     assert main(["line-dynamics", str(slow), "--output", str(tmp_path / "slow.h5")]) == 0
     line, _ = line_of(read_line_dynamics(slow)[0])
-    part, found = line.segments[0], attributes(tmp_path / "slow.h5")
+    part, found = line.segments[0], result(tmp_path / "slow.h5")
     exact = solve_lines(np.array([292.0, 295.0]), 58.0, part.length, part.weight, part.axial_stiffness).tension_fairlead
     # elements of 5 m put the touch-down wrongly by up to half of one; drag goes with the period to the power −2
-    assert found["quasi_static_fairlead"] == pytest.approx(exact[1], rel=5e-3)
-    assert found["largest_fairlead"] == pytest.approx(exact[1], rel=1e-2)
-    assert found["rest_fairlead"] == pytest.approx(exact[0], rel=5e-3)
+    assert found["tension[fairlead].quasi_static"] == pytest.approx(exact[1], rel=5e-3)
+    assert found["tension[fairlead].largest"] == pytest.approx(exact[1], rel=1e-2)
+    assert found["tension[fairlead].at_rest"] == pytest.approx(exact[0], rel=5e-3)
 
 
 def test_a_table_of_a_harmonic_motion_pulls_as_the_motion_does(tmp_path):
@@ -100,10 +102,10 @@ def test_a_table_of_a_harmonic_motion_pulls_as_the_motion_does(tmp_path):
     for path in (changed(tmp_path), tmp_path / "table.toml"):
         out = path.with_suffix(".h5")
         assert main(["line-dynamics", str(path), "--output", str(out)]) == 0
-        runs.append(attributes(out))
+        runs.append(result(out))
     # the mean of the table holds one value more than whole cycles, 1/481 of the amplitude off
-    assert runs[1]["largest_fairlead"] == pytest.approx(runs[0]["largest_fairlead"], rel=5e-3)
-    assert runs[1]["window_cycles"] == 0 and runs[0]["window_cycles"] == 2
+    assert runs[1]["tension[fairlead].largest"] == pytest.approx(runs[0]["tension[fairlead].largest"], rel=5e-3)
+    assert runs[1]["window.cycles"] == 0 and runs[0]["window.cycles"] == 2
 
 
 def test_a_fairlead_out_of_the_water_is_named_and_its_line_is_heavier_there_where_it_may_be(tmp_path, capsys):
@@ -113,7 +115,7 @@ def test_a_fairlead_out_of_the_water_is_named_and_its_line_is_heavier_there_wher
         study = changed(tmp_path, high, ("anchor", f"{surface}anchor"))
         assert main(["line-dynamics", str(study), "--output", str(tmp_path / "run.h5")]) == 0
         assert ("weighs as in air" in capsys.readouterr().out) == (surface == "")
-        pulls.append(attributes(tmp_path / "run.h5")["rest_fairlead"])
+        pulls.append(result(tmp_path / "run.h5")["tension[fairlead].at_rest"])
     # the weight of the twelve metres that the buoyancy of their steel no longer carries, and what that pulls taut
     assert 1.0 < pulls[1] / pulls[0] < 1.05
 
@@ -128,29 +130,32 @@ def test_a_rope_that_floats_above_the_water_is_named_and_lies_in_the_surface_whe
         assert main(["line-dynamics", str(path), "--output", str(tmp_path / "run.h5")]) == 0
         shown = capsys.readouterr().out
         assert said in shown and (above in shown) == bool(said)
-    assert read_frames(tmp_path / "run.h5")[1][..., 2].max() < 0.08
+    assert result(tmp_path / "run.h5")["line.place"][..., 2].max() < 0.08
 
 
 @pytest.mark.parametrize("change", [("length = 315.0", "length = 400.0"), ("[292.0, 0.0, -2.0]", "[50.0, 0.0, -2.0]")])
-def test_a_slack_line_has_its_tables_without_a_ratio_to_no_tension(change, tmp_path, capsys):
-    assert main(["line-dynamics", str(changed(tmp_path, change)), "--csv"]) == 1  # 24 elements are few
-    assert re.search(r"\nlargest over quasi-static,1\.\d\d,–\n", capsys.readouterr().out)
+def test_a_slack_line_has_its_tables_without_a_ratio_to_no_tension(change, tmp_path):
+    found = line_dynamics(changed(tmp_path, change))
+    assert found.status == 1  # 24 elements are few
+    assert 1 < found["tension[fairlead].over_quasi_static"] < 2
+    assert np.isnan(found["tension[anchor].over_quasi_static"])
 
 
-def test_a_line_that_lies_on_the_bed_wholly_is_told_to_pull_nothing(tmp_path, capsys):
+def test_a_line_that_lies_on_the_bed_wholly_is_told_to_pull_nothing(tmp_path):
     lying = changed(tmp_path, ("[292.0, 0.0, -2.0]", "[292.0, 0.0, -60.0]"), ("[1.0, 0.0, 0.5]", "[0.0, 0.0, 0.0]"))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert main(["line-dynamics", str(lying), "--csv", "--picture", str(tmp_path / "lying.png")]) == 0
-    assert "largest over quasi-static,–,–" in capsys.readouterr().out
+        words = ["--output", str(tmp_path / "lying.h5"), "--picture", str(tmp_path / "lying.png")]
+        assert main(["line-dynamics", str(lying), *words]) == 0
+    assert np.all(np.isnan(result(tmp_path / "lying.h5")["tension.over_quasi_static"]))
 
 
-def test_work_of_a_still_fairlead_in_waves_has_no_shares(tmp_path, capsys):
+def test_work_of_a_still_fairlead_in_waves_has_no_shares(tmp_path):
     wave = "[wave]\nheight = 3\nperiod = 8\ndirection_deg = 0\n[fairlead]"
     path = changed(tmp_path, ("[1.0, 0.0, 0.5]", "[0.0, 0.0, 0.0]"), ("[fairlead]", wave))
-    assert main(["line-dynamics", str(path), "--csv"]) == 1  # 24 elements are few
-    shown = capsys.readouterr().out
-    assert re.search(r"\ndrag,[-.\de]+,–\n", shown), shown
+    found = line_dynamics(path)
+    assert found.status == 1  # 24 elements are few
+    assert found["work[drag].energy"] != 0 and np.isnan(found["work.share"]).all()
     moves = Figures(0.0, 1.0, None, None, None, -2.0, {"drag": -3.0, "bed": 0.5}, 0.5, -2.0, 2.0)
     assert moves.share_of_work(-3.0) == 1.5  # waves move it and its fairlead takes the work out
 
@@ -217,8 +222,8 @@ def test_a_sea_has_the_height_and_direction_that_its_table_says_and_a_seed_that_
         words = f"{SEA}components = 12\nseed = {seed}\n[fairlead]"
         out = tmp_path / f"sea_{seed}.h5"
         assert main(["line-dynamics", str(changed(tmp_path, ("[fairlead]", words))), "--output", str(out)]) == 0
-        largest.append(attributes(out)["largest_fairlead"])
-        assert attributes(out)["window_cycles"] == 0
+        largest.append(result(out)["tension[fairlead].largest"])
+        assert result(out)["window.cycles"] == 0
         out.unlink()
     assert largest[0] == largest[1] != largest[2]
     assert "not judged" in capsys.readouterr().out
@@ -242,10 +247,10 @@ def test_a_line_pulled_beyond_its_length_is_said_with_the_force_it_takes(tmp_pat
                    ("period = 8.0", "period = 60.0"), ("duration = 24.0", "duration = 120.0"))  # fmt: skip
     assert main(["line-dynamics", str(path), "--output", str(tmp_path / "taut.h5")]) == 0
     shown = capsys.readouterr().out
-    said = float(re.search(r"stretching it so takes (\d+) kN", shown)[1])
+    said = float(re.search(r"stretching it so takes ([\d.]+) kN", shown)[1])
     away = np.hypot(310.0, 58.0) - 315.0
-    assert said == pytest.approx(4.6e5 * away / 315.0, abs=1.0)
-    assert attributes(tmp_path / "taut.h5")["largest_fairlead"] > 1e3 * said
+    assert said == pytest.approx(4.6e5 * away / 315.0, rel=1e-3)
+    assert result(tmp_path / "taut.h5")["tension[fairlead].largest"] > 1e3 * said
 
 
 def test_a_line_without_a_breaking_load_does_not_stretch_for_ever(tmp_path, capsys):

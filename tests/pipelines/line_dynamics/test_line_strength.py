@@ -1,13 +1,11 @@
 """Breaking loads of a line in motion: each place against that of its own segment."""
 
-import re
-
 import numpy as np
 import pytest
 
 from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
-from hakobune.pipelines.cli import main
-from hakobune.pipelines.line_dynamics.strength import Strength
+from hakobune.mooring.lines.dynamics.strength import Strength
+from hakobune.pipelines.line_dynamics.result import line_dynamics
 
 STUDY = """\
 anchor = [0.0, 0.0, -60.0]
@@ -33,17 +31,13 @@ amplitude = [0.5, 0.0, 0.2]
 """
 
 
-def test_a_weak_part_that_carries_less_is_not_judged_by_what_a_strong_part_carries(tmp_path, capsys):
+def test_a_weak_part_that_carries_less_is_not_judged_by_what_a_strong_part_carries(tmp_path):
     (tmp_path / "line.toml").write_text(STUDY)
-    assert main(["line-dynamics", str(tmp_path / "line.toml"), "--csv"]) == 0
-    shown = "".join(capsys.readouterr())
-    largest, used = (
-        [float(x) for x in re.search(rf"\n{row},([\d.]+),([\d.]+)\n", shown).groups()]
-        for row in ("largest", '"breaking load used, %"')
-    )
-    assert largest[0] > 100.0 > largest[1] and "the line parts" not in shown
-    assert np.allclose(used, [100 * largest[0] / 4884, largest[1]], atol=0.1)
-    assert "of segment 1 (weak)" in shown
+    found = line_dynamics(tmp_path / "line.toml")
+    largest = found["tension.largest"] / 1e3
+    assert largest[0] > 100.0 > largest[1] and found.status == 0
+    assert np.allclose(100 * found["tension.used"], [100 * largest[0] / 4884, largest[1]], atol=0.1)
+    assert (found["nearest.segment"], found["nearest.type"]) == (1, "weak")
 
 
 def test_tensions_of_segments_are_those_of_their_elements():
@@ -75,7 +69,5 @@ def test_what_is_used_is_never_less_than_what_was_simulated_in_any_part_of_the_r
     run = simulation.simulate
     monkeypatch.setattr(simulation, "simulate", pulled)
     (tmp_path / "line.toml").write_text(STUDY)
-    assert main(["line-dynamics", str(tmp_path / "line.toml"), "--csv"]) == 0
-    shown = "".join(capsys.readouterr())
-    used = re.search(r'\n"breaking load used, %",([\d.]+),', shown)[1]
-    assert float(used) == pytest.approx(90.0, abs=0.1)
+    found = line_dynamics(tmp_path / "line.toml")
+    assert found["tension[fairlead].used"] == pytest.approx(0.9, abs=1e-3)

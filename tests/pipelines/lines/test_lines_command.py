@@ -1,21 +1,24 @@
 """`hakobune line` and `hakobune lines` as a user calls them."""
 
-import json
 import re
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from hakobune import pipelines
-from hakobune.mooring.formats.results import write_channels
 from hakobune.mooring.lines.catenary.solve import solve_lines
 from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.line_tables import TypeTable, line_type
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.lines.line_result import line
+from hakobune.pipelines.lines.lines_result import lines
 from hakobune.pipelines.lines.system_file import read_system
+from hakobune.pipelines.results.file import read
+from hakobune.pipelines.results.quantity import Quantity
+from hakobune.pipelines.results.result import Result, labels
 
 SPREAD = """\
 [water]
@@ -101,51 +104,61 @@ def test_line_prints_the_forces_of_the_line_and_draws_it(tmp_path, capsys):
     assert main(["line", *arguments, "--output", str(picture)]) == 0
     shown = capsys.readouterr().out
     expected = solve_lines(285.0, 60.0, 300.0, 1000.0, 5e8)
-    for name, force in (("horizontal", expected.horizontal_fairlead), ("vertical", expected.vertical_fairlead)):
-        found = re.search(rf"{name} force at the fairlead\W+([\d.]+)", shown)
-        assert float(found[1]) == pytest.approx(force / 1e3, rel=5e-4)
+    found = line(weight=1000.0, stiffness=5e8, length=300.0, depth=60.0, span=285.0)
+    for name in ("horizontal", "vertical"):
+        force = getattr(expected, f"{name}_fairlead")
+        assert found[f"fairlead.{name}"] == pytest.approx(force, rel=1e-12)
+        assert float(re.search(rf"{name} force at the fairlead[\W,down]+([\d.]+)", shown)[1]) * 1e3 == pytest.approx(
+            float(force), rel=5e-4
+        )
     assert picture.stat().st_size > 10_000
 
 
 def test_the_characteristic_of_one_line_is_that_of_a_line_of_a_system(spread, capsys):
     assert main(["lines", str(spread), "--characteristic", "port"]) == 0
-    assert "port: from slack to taut" in capsys.readouterr().out
+    assert "port, from slack to taut" in capsys.readouterr().out
     assert main(["lines", str(spread), "--characteristic", "L9"]) == 2
     assert "line 'L9' is unknown" in capsys.readouterr().err
     flags = ["--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--tension", "300"]
     assert main(["line", *flags, "--characteristic"]) == 0
-    assert "as it hangs the span is" in " ".join(capsys.readouterr().out.split())
+    assert "from slack to taut" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("place", [("5", "0", "280"), ("15", "0", "200"), ("-15", "-65", "24")])
 def test_the_characteristic_over_a_slope_ends_where_the_bed_is_as_high_as_the_fairlead(tmp_path, place, capsys):
     slope, z, span = place
     flags = ["--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--slope-deg", slope, "--fairlead-z", z]
-    assert main(["line", *flags, "--span", span, "--characteristic", "--output", str(tmp_path / "line.png")]) == 0
-    spans = np.array(re.findall(r"^│ ([\d.]+)", capsys.readouterr().out, re.M), float)
+    flags += ["--span", span, "--characteristic", "--output"]
+    assert main(["line", *flags, str(tmp_path / "line.png")]) == 0
+    assert main(["line", *flags, str(tmp_path / "line.h5")]) == 0
+    spans = read(tmp_path / "line.h5", "line").labels["at_span"].values
     assert spans.min() >= 0 and (60 + float(z) >= spans * np.tan(np.radians(float(slope)))).all()
     assert len(spans) == 24 and np.ptp(spans) > 60
     assert (tmp_path / "line.png").stat().st_size > 10_000
 
 
-def test_line_finds_the_span_of_a_tension(capsys):
-    assert main(["line", "--type", "R4 studlink 84 mm", "--length", "400", "--depth", "80", "--tension", "500"]) == 0
-    assert re.search(r"horizontal force at the fairlead\W+500 ", capsys.readouterr().out)
+def test_line_finds_the_span_of_a_tension():
+    found = line(type="R4 studlink 84 mm", length=400.0, depth=80.0, tension=500e3)
+    assert found["fairlead.horizontal"] == pytest.approx(500e3, rel=1e-9)
+
+
+def test_the_tension_of_a_line_that_lies_on_its_bed_is_its_pull_and_the_weight_of_its_height():
+    """But for its stretch (Faltinsen, 1990, eq. 8.18)"""
+    found = line(type="R3 studless 76 mm", length=300.0, depth=60.0, tension=300e3)
+    assert found["fairlead.tension"] == pytest.approx(found["fairlead.horizontal"] + found["weight"] * 60, rel=1e-3)
 
 
 def test_line_of_a_rope_that_floats_hangs_upside_down_and_stays_in_the_sea(tmp_path, capsys):
     picture, rope = tmp_path / "rope.png", ["line", "--type", "HMPE 160 mm", "--length", "350", "--depth", "100"]
     assert main([*rope, "--span", "300", "--output", str(picture)]) == 0
     assert "partly in the sea surface" in capsys.readouterr().out
-    assert main([*rope, "--span", "300", "--json"]) == 0
-    rows = {row["quantity"]: row["value"] for row in json.loads(capsys.readouterr().out)["rows"]}
+    found = line(type="HMPE 160 mm", length=350.0, depth=100.0, span=300.0)
     # the anchor holds what lifts the part under water
-    up = -1e-3 * rows["weight in water"] * (350 - rows["length that floats"])
-    assert rows["vertical force at the anchor"] == pytest.approx(up, rel=1e-9)
+    assert found["anchor.vertical"] == pytest.approx(-found["weight"] * (350 - found["grounded"]), rel=1e-9)
     assert picture.stat().st_size > 10_000
     assert main([*rope, "--tension", "50", "--characteristic"]) == 0
     shown = capsys.readouterr().out
-    assert "floats m" in shown and "on the bed m" not in shown
+    assert "floats, m" in shown and "on the bed, m" not in shown
 
 
 def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
@@ -154,7 +167,7 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
     assert "FAILS" not in capsys.readouterr().out
     assert main([*hung, "400"]) == 1
     (warning,) = (line for line in capsys.readouterr().out.splitlines() if line.startswith("FAILS: "))
-    assert "the breaking load 4884.278 kN: the line parts" in warning
+    assert "the breaking load 4884 kN: the line parts" in warning
 
 
 @pytest.mark.parametrize(
@@ -214,14 +227,13 @@ def test_lines_runs_a_system_and_writes_results_picture_and_moordyn_file(spread,
         "stern wire",
     ):
         assert text in shown
-    with h5py.File(out) as file:
-        assert file["FairTen1"].attrs["units"] == "N" and next(iter(file["names/lines"].asstr())) == "stern chain"
-        position = [file[f"Body1P{axis}"][0] for axis in "XYZ"]
+    found = read(out, "lines")
+    assert found.quantity("tension.b").unit == "N" and found.labels["line"].values[0] == "stern chain"
     assert picture.stat().st_size > 10_000
     # a file of its own, whose forces at the given pose are the same
     again = read_system(deck)
     assert np.allclose(again.load().force, read_system(spread).load().force, rtol=1e-9, atol=1e-3)
-    assert 0 < position[0] < 20
+    assert 0 < found["body[barge].x"] < 20
 
 
 MOORDYN = """--- LINE TYPES ---
@@ -255,20 +267,16 @@ def legs(tmp_path):
 def test_coupled_points_of_a_moordyn_file_are_held_until_a_force_moves_the_vessel(legs, capsys):
     assert main(["lines", str(legs), "--depth", "60"]) == 0
     shown = capsys.readouterr().out
-    assert "vessel: x 0.000 m, y 0.000 m, z 0.000 m" in shown and "held" not in shown
+    assert "held" not in shown and lines(legs, depth=60.0)["body[vessel].x"] == 0
     assert "bending stiffness EI of chain is left out" in shown
     assert main(["lines", str(legs), "--depth", "60", "--force", "50,0,0"]) == 0
     shown = capsys.readouterr().out
     assert "vessel is held where it is given; under --force it moves in surge, sway and yaw" in shown
-    assert float(re.search(r"vessel: x (-?[\d.]+) m", shown)[1]) > 0.1
+    assert lines(legs, depth=60.0, force=[50e3, 0, 0])["body[vessel].x"] > 0.1
 
 
 def test_a_depth_counts_where_a_moordyn_file_has_none(legs, capsys):
-    lying = {}
-    for depth in (60, 65):
-        assert main(["lines", str(legs), "--depth", str(depth)]) == 0
-        rows = capsys.readouterr().out.splitlines()
-        lying[depth] = float(next(row.split("│") for row in rows if row.startswith("│ 1 "))[5])
+    lying = {depth: lines(legs, depth=float(depth))["grounded[1]"] for depth in (60, 65)}
     assert 0 < lying[65] < lying[60]
     assert main(["lines", str(legs)]) == 0
     assert "WtrDpth is missing; the bed is at the lowest point, 60 m" in capsys.readouterr().out
@@ -286,11 +294,8 @@ def test_a_moordyn_file_written_from_a_moordyn_file_keeps_its_coefficients(legs,
     assert options["WtrDnsty"] == "1025.0" and float(options["dtM"]) <= 0.001
 
 
-def test_lines_moves_the_body_where_a_force_on_the_command_line_pushes_it(spread, capsys):
-    places = []
-    for force in ("0,0,0", "100,0,0"):
-        assert main(["lines", str(spread), "--force", force]) == 0
-        places.append(float(re.search(r"barge: x (-?[\d.]+) m", capsys.readouterr().out)[1]))
+def test_lines_moves_the_body_where_a_force_pushes_it(spread):
+    places = [lines(spread, force=[force, 0.0, 0.0])["body[barge].x"] for force in (0.0, 100e3)]
     assert places[1] > places[0] + 0.1
 
 
@@ -331,7 +336,9 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     nodes = np.zeros((12, 20, 3))
     nodes[..., 0], nodes[..., 2] = 100 * s, -20 * s * (1 - s) * (1 + 0.3 * np.sin(3 * time[:, None]))
     run = tmp_path / "run.h5"
-    write_channels(run, time, {}, frames=(time, nodes))
+    axes = labels("frame", time, "s") | labels("node", s, "m") | labels("xyz", ["x", "y", "z"])
+    place = Quantity(nodes, ("frame", "node", "xyz"), "m", "places", record=True)
+    Result("line-dynamics", {"line.place": place}, axes).write(run)
     for name in ("strip.png", "film.gif"):
         assert main(["lines", str(run), "--picture", str(tmp_path / name)]) == 0
         assert (tmp_path / name).stat().st_size > 5_000
@@ -340,7 +347,7 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     assert main(["lines", str(run)]) == 0
     assert picture.read_text() == "tensions" and (tmp_path / "run_frames.png").stat().st_size > 5_000
     assert "run_frames.png" in capsys.readouterr().out
-    write_channels(run, time, {})
+    Result("lines", {}).write(run)
     assert main(["lines", str(run)]) == 2
     assert "holds no frames" in capsys.readouterr().err
 
@@ -478,6 +485,10 @@ def test_a_moordyn_file_without_lines_tells_where_its_rods_float(tmp_path, capsy
     (tmp_path / "rods.txt").write_text(table + "1 log free 0 -1 -10 0 1 -10 4 -\n--- OPTIONS ---\n16 WtrDpth\n")
     assert main(["lines", str(tmp_path / "rods.txt")]) == 0
     shown = capsys.readouterr().out
-    assert "rod 1" in shown and "floats, lying" in shown and "0.000, 1.000, 0.001" in shown
+    assert "rod 1" in shown and "floats, lying" in shown
+    s = 100 / (1025 * np.pi * 0.25**2)  # of the water it displaces whole: it is immersed to θ − sin θ cos θ = π s
+    theta = brentq(lambda theta: theta - np.sin(theta) * np.cos(theta) - np.pi * s, 0, np.pi)
+    end = lines(tmp_path / "rods.txt")["part[rod 1].end_b"]
+    assert end == pytest.approx([0, 1, 0.25 * np.cos(theta)], abs=1e-9)
     assert main(["lines", str(tmp_path / "rods.txt"), "--broken"]) == 2
     assert "has no lines, and --broken is for these; allowed: --depth" in capsys.readouterr().err

@@ -7,11 +7,8 @@ import math
 
 import pytest
 
-from hakobune.pipelines.cli import main
 from hakobune.pipelines.printing.console import new_console, tables_as
 from hakobune.pipelines.printing.number import number, significant
-
-LINE = ["line", "--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--tension", "300"]
 
 
 def wide_table():
@@ -66,19 +63,3 @@ def test_columns_of_one_name_are_all_in_a_row_by_names(capsys):
 )
 def test_a_small_number_keeps_four_digits_and_a_large_one_its_whole_part(value, text):
     assert significant(value) == text
-
-
-def test_a_line_has_the_same_numbers_in_both_forms_whatever_the_width(monkeypatch, capsys):
-    found = []
-    for width in ("40", "400"):
-        monkeypatch.setenv("COLUMNS", width)
-        for form in ("--csv", "--json"):
-            assert main([*LINE, form]) == 0
-            text = capsys.readouterr().out
-            rows = json.loads(text)["rows"] if form == "--json" else list(csv.DictReader(io.StringIO(text.strip())))
-            found.append({row["quantity"]: float(row["value"]) for row in rows})
-    assert found[0] == found[1] == found[2] == found[3]
-    # the tension at the fairlead is the horizontal force plus weight times the height hung, of a line that lies
-    # partly on a bed without friction, but for its stretch (Faltinsen, 1990, eq. 8.18)
-    hung = found[0]["horizontal force at the fairlead"] + 1e-3 * found[0]["weight in water"] * 60
-    assert found[0]["tension at the fairlead"] == pytest.approx(hung, rel=1e-3)

@@ -76,19 +76,6 @@ class Figures:
         """J, work of the forces less losses and stored energy: the error of the time steps"""
         return self.of_forces - self.work
 
-    def attributes(self):
-        """{name: number} in SI units, for a file of results"""
-        made = {"window_begin": self.begin, "window_end": self.end, "window_cycles": self.cycles or 0}
-        for name in ("fairlead", "anchor"):
-            end = getattr(self, name)
-            made |= {f"{key}_{name}": value for key, value in vars(end).items()}
-        return made | {
-            "work": self.work,
-            "work_stored": self.stored,
-            "work_of_forces": self.of_forces,
-            **{f"work_{key}": value for key, value in self.losses.items()},
-        }
-
 
 def figures(line, course, window, result, current, regime):
     """Figures of a Result.
@@ -155,8 +142,8 @@ def quasi_static(line, course, window, current):
 
     The places are those of one cycle, or of the whole window; nan where the line has no static shape.
     """
-    from hakobune.mooring.lines.catenary.state import LineError
-    from hakobune.mooring.lines.dynamics.simulation import FairleadMotion, simulate
+    from ..catenary.state import LineError
+    from .simulation import FairleadMotion, simulate
 
     begin = window[0] if course.cycle is None else window[1] - course.cycle
     places = np.array([course.motion.at(t)[0] for t in np.linspace(begin, window[1], POSITIONS + 1)])
@@ -172,7 +159,7 @@ def quasi_static(line, course, window, current):
 
 def judged_by_regime(line, course, harmonics):
     """Function of a displacement (3,) m → HarmonicTension or a text, or a text where the method does not apply."""
-    from hakobune.mooring.lines.dynamics.regime import regime_of
+    from .regime import regime_of
 
     if harmonics != 1:
         return "the simplified method is for one harmonic motion"

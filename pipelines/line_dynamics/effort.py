@@ -1,0 +1,96 @@
+"""What a run of a dynamic line will take, and whether its line reaches as far as its fairlead goes."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from hakobune.mooring.lines.system.findings import LONGEST_STRAIN
+
+from ..common.bounds import check_memory, check_seconds, told
+from ..common.quantities import StudyError
+from ..common.units import KN
+from ..printing.number import significant
+
+FINEST = 1e-8  # tolerance; rounding of tensions is 1e-10 or so
+STEPS = 2.0  # for each longest step that the motion allows, at a tolerance of 1e-3: 1 to 4 were counted
+OF_ELEMENT, OF_STEP = 2e3, 600.0  # bytes
+# s of a step, of each element in it, and of each wave at each element, with the checks of both
+OF_CALL, OF_ELEMENT_STEP, OF_WAVE = 2.7e-5, 5.3e-6, 2e-7
+FRAMES = 20  # of a cycle, or of a run without one at least 200
+
+
+def frames_of(study, course):
+    """Number of frames asked for, or about 20 for each cycle"""
+    if study.frames is not None:
+        if not 2 <= study.frames <= 100_000:
+            raise StudyError(f"frames is {study.frames}; allowed: 2 to 100000")
+        return study.frames
+    cycles = 0.0 if course.cycle is None else course.duration / course.cycle
+    return int(min(max(200, FRAMES * cycles), 2000)) + 1
+
+
+def check_finest(study):
+    """Raise a ValueError for a tolerance below rounding, or more elements than fit; before there is an array."""
+    if not FINEST <= study.tolerance <= 0.1:
+        raise StudyError(f"tolerance is {study.tolerance:g}; allowed: {FINEST:g} to 0.1")
+    elements = sum(part.elements or 0 for part in study.segments)
+    check_memory(f"{elements} elements need", OF_ELEMENT * elements, "give fewer elements")
+
+
+def check_effort(study, line, course, wave, frames, stations=0):
+    """Raise TooMuchError for a run that nobody can wait for or store, and say what a long one takes.
+
+    Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
+    """
+    from hakobune.mooring.lines.dynamics.run import finer
+    from hakobune.mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD
+
+    periods = np.zeros(0) if wave is None else wave.period
+    fastest = min(course.motion.longest_step, periods.min(initial=np.inf) / PARTS_OF_PERIOD)
+    fastest = min(fastest, course.duration / 100) / finer(line)
+    steps = STEPS * (1e-3 / study.tolerance) ** 0.38 * course.duration / fastest
+    what = f"{course.duration:g} s of {line.elements} elements"
+    way_out = "give a shorter duration (--duration), fewer elements or slower motions"
+    memory = (OF_STEP + 8.0 * stations) * steps + 3 * 24.0 * frames * (line.elements + 1)
+    check_memory(f"{what} need", memory, way_out)
+    seconds = (OF_CALL + (OF_ELEMENT_STEP + OF_WAVE * len(periods)) * line.elements) * steps
+    check_seconds(f"{what} take", seconds, way_out)
+    told(f"{what} take", seconds)
+
+
+def check_reach(line, breaking, course):
+    """Raise StudyError where the fairlead goes farther from the anchor than the line at its breaking load reaches."""
+    from scipy.optimize import brentq
+
+    times = np.linspace(0.0, min(course.duration, course.motion.end), 1001)
+    places = np.array([course.motion.at(t)[0] for t in times])
+    away = np.linalg.norm(places - np.array(line.anchor), axis=1)
+    far = int(np.argmax(away))
+    longest = LONGEST_STRAIN * line.length
+
+    def stretch(tension):
+        return sum(float(segment.length * segment.strain_at(tension)) for segment in line.segments)
+
+    at_break = stretch(breaking) if np.isfinite(breaking) else np.inf
+    reach = line.length + min(at_break, longest)
+    if away[far] > reach:
+        parts = at_break <= longest
+        how = (
+            f"breaks at {significant(breaking / KN)} kN"
+            if parts
+            else f"is {LONGEST_STRAIN:.0%} longer, where any rope parts"
+        )
+        raise StudyError(
+            f"the fairlead is {away[far]:.2f} m from the anchor at t = {times[far]:.2f} s; allowed: up to "
+            f"{reach:.2f} m, where the line of {line.length:g} m {how}"
+        )
+    if away[far] > line.length:
+        over, most = away[far] - line.length, min(breaking, sum(segment.stiffness for segment in line.segments))
+        pull = brentq(lambda tension: stretch(tension) - over, 0.0, most)
+        warnings.warn(
+            f"the fairlead goes {away[far] - line.length:.2f} m farther from the anchor than the line is long, at "
+            f"t = {times[far]:.2f} s: stretching it so takes {significant(pull / KN)} kN",
+            stacklevel=2,
+        )

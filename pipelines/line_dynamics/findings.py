@@ -1,0 +1,60 @@
+"""Findings on a run of a dynamic line."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import fails
+
+from ..common.units import KN
+from ..printing.number import significant
+
+STEADY = 0.02  # change of the largest tension between the last two cycles
+DYNAMIC = 0.1  # over the largest quasi-static tension, below which inertia and drag are reported as negligible
+INSIDE = 0.05  # of the largest tension at the ends, by which one between them is told
+BALANCE = 0.01  # of the work that goes in and out: left over by the time steps
+
+
+def findings(found, result, strength, line):
+    """Findings on the figures, one line each."""
+    largest, ends = result.tension_fairlead.max(), max(result.tension_fairlead.max(), result.tension_anchor.max())
+    anywhere = max(ends, result.largest_tension.max())
+    used = strength.most_used(line, result)
+    if used is not None and used.share > 1:
+        yield fails(
+            f"the tension{_of_segment(used, strength)} is {significant(used.tension / KN)} kN at t = "
+            f"{used.time:.2f} s, {100 * used.share:.4g} % of the breaking load {significant(used.breaking / KN)} kN: "
+            "the line parts; give a stronger type or a longer line"
+        )
+    if anywhere > (1 + INSIDE) * ends:
+        when = result.time[np.argmax(result.largest_tension)]
+        yield f"between its ends the line has {significant(anywhere / KN)} kN at t = {when:.2f} s, more than at either"
+    if largest > 1.01 * found.fairlead.largest:
+        when = result.time[np.argmax(result.tension_fairlead)]
+        yield (
+            f"before the figures begin the fairlead had {significant(largest / KN)} kN at t = {when:.2f} s, more than "
+            "in them; give a longer ramp"
+        )
+    if found.change > STEADY:
+        yield (
+            f"the largest tension changes by {found.change:.1%} between the last two cycles, allowed {STEADY:.0%}: "
+            "give a longer duration; a line that snaps may never repeat"
+        )
+    if abs(found.imbalance) > BALANCE * found.exchanged > 0:
+        share = abs(found.imbalance) / found.exchanged
+        yield fails(
+            f"{share:.1%} of the work that goes in and out is neither lost nor stored, allowed {BALANCE:.0%}; give a "
+            "smaller tolerance"
+        )
+    dynamic = found.fairlead.over_quasi_static - 1
+    if not isinstance(found.regime, str) and found.regime.regime == 1 and abs(dynamic) > DYNAMIC:
+        yield (
+            f"the simplified method calls this line quasi-static, but the run is {dynamic:+.0%} off statics, allowed "
+            f"{DYNAMIC:.0%}: believe the run"
+        )
+    if np.isnan(found.fairlead.quasi_static):
+        yield "the line has no static shape at any place of its fairlead; no quasi-static tension is given"
+
+
+def _of_segment(used, strength):
+    return "" if strength.uniform else f" of segment {used.segment + 1} ({strength.names[used.segment]})"

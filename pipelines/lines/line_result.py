@@ -1,0 +1,205 @@
+"""`hakobune.line`: one uniform line at a span, or at the span where it has a horizontal tension."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.lines.one_line import OneLine, tension_curve
+
+from ..common.quantities import DEEPEST, HEAVIEST, LONGEST, ROUGHEST, StudyError
+from ..common.units import KN
+from ..printing.number import significant
+from ..results.given import words_of
+from ..results.provenance import provenance
+from ..results.quantity import Quantity
+from ..results.result import Result, labels
+from .overloads import LONGEST_STRAIN
+
+STEEPEST = 1.5  # rad, of a bed that `mooring.catenary` knows
+FLAGS = {  # unit, its size, whether a value is good, what is allowed
+    "weight": (" N/m", 1.0, lambda value: 0 < value <= HEAVIEST, f"above 0, at most {HEAVIEST:g}"),
+    "stiffness": (" kN", KN, lambda value: value > 0, "above 0"),
+    "length": (" m", 1.0, lambda value: 0 < value <= LONGEST, f"above 0, at most {LONGEST:g}"),
+    "depth": (" m", 1.0, lambda value: 0 <= value <= DEEPEST, f"at least 0, at most {DEEPEST:g}, the deepest sea"),
+    "fairlead_z": (" m", 1.0, np.isfinite, "finite"),
+    "span": (" m", 1.0, lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "tension": (" kN", KN, lambda value: 0 < value < np.inf, "above 0, finite"),
+    "friction": ("", 1.0, lambda value: 0 <= value <= ROUGHEST, f"0 to {ROUGHEST:g}"),
+    "slope": (
+        "°", np.pi / 180, lambda value: abs(value) < STEEPEST,
+        f"above −{np.degrees(STEEPEST):.2f} and below {np.degrees(STEEPEST):.2f}",
+    ),
+}  # fmt: skip
+SLACK_TO_TAUT = "from slack to taut"
+CURVE = {  # name: (unit, description, share, of a LineSolution and a breaking load)
+    "curve.horizontal": ("N", "horizontal", False, lambda found, _: found.horizontal_fairlead),
+    "curve.tension": ("N", "tension", False, lambda found, _: found.tension_fairlead),
+    "curve.grounded": ("m", "", False, lambda found, _: found.grounded_length),
+    "curve.used": ("", "used", True, lambda found, breaking: found.tension_fairlead / breaking),
+}
+
+
+def line(
+    *, length, depth, type=None, weight=None, stiffness=None, fairlead_z=0.0, span=None, tension=None, friction=0.0,
+    slope=0.0, characteristic=False,
+):  # fmt: skip
+    """Forces of one mooring line, from its anchor on the bed to its fairlead.
+
+    length : m, unstretched; depth : m, of water at the anchor; fairlead_z : m, above still water
+    type : name in the catalogue; or weight : N/m in water, with stiffness : N, by default infinite
+    span : m, between both ends; or tension : N, horizontal at the fairlead; slope : rad, of the bed
+    characteristic : whether it has the curves from slack to taut
+    returns : Result; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
+    raises : ValueError, one line
+    """
+    words = words_of(**locals())
+    _check(weight=weight, stiffness=stiffness, length=length, depth=depth, fairlead_z=fairlead_z)
+    _check(span=span, tension=tension, friction=friction, slope=slope)
+    one = OneLine(_kind(type, weight, stiffness), length, fairlead_z + depth, depth, friction, slope)
+    _check_floating(one, fairlead_z, friction, slope)
+    if (span is None) == (tension is None):
+        state = "neither is given" if span is None else "both are given"
+        raise StudyError(f"--span and --tension: {state}; allowed: one of them")
+    if span is None:
+        span = _span_at(one, tension, depth)
+    _check_above_bed(one, span, depth)
+    found = _solved(one, span, tension)
+    quantities, axes = _forces(one, span, found), {}
+    if characteristic:
+        spans, curve = tension_curve(one, 24)
+        quantities |= _curves(one, curve)
+        axes = labels("at_span", spans, "m", "span")
+    return Result(
+        "line", quantities, axes, tuple(_overloads(one, found)), provenance=provenance(words), detail=(one, span, found)
+    )
+
+
+def _check(**given):
+    """Raise StudyError for the first impossible value; None is not given."""
+    for name, value in given.items():
+        unit, size, good, allowed = FLAGS[name]
+        if value is not None and not good(value):
+            raise StudyError(f"{_flag(name)} is {value / size:g}{unit}; allowed: {allowed}")
+
+
+def _flag(name):
+    return {"slope": "--slope-deg"}.get(name, f"--{name.replace('_', '-')}")
+
+
+def _kind(name, weight, stiffness):
+    from hakobune.mooring.lines.catalogue import line_type
+    from hakobune.mooring.lines.system.parts import LineType
+
+    if (name is None) == (weight is None):
+        state = "neither is given" if name is None else "both are given"
+        raise StudyError(f"--type and --weight: {state}; allowed: a name of the catalogue, or N/m")
+    if name is not None and stiffness is not None:
+        raise StudyError(f"--stiffness is {stiffness / KN:g} and --type has its own; allowed: one of them")
+    if name is not None:
+        return line_type(name)
+    return LineType("line", weight, np.inf if stiffness is None else stiffness)
+
+
+def _check_floating(one, fairlead_z, friction, slope):
+    """Raise StudyError for what a line lighter than water cannot have."""
+    given = (("fairlead_z", fairlead_z, fairlead_z <= 0), ("friction", friction, friction == 0))
+    for name, value, good in (*given, ("slope", slope, slope == 0)):
+        unit, size, *_ = FLAGS[name]
+        if one.floats and not good:
+            allowed = "at most 0, the sea surface" if unit == " m" else "0, it does not lie on the bed"
+            raise StudyError(
+                f"{_flag(name)} is {value / size:g}{unit}; allowed with {one.type.name}, lighter than water: {allowed}"
+            )
+
+
+def _check_above_bed(one, span, depth):
+    """Raise StudyError for a fairlead below the bed."""
+    bed = span * np.tan(one.slope)
+    if one.height < bed:
+        where = f"{span:g} m from the anchor (--depth, --slope-deg)" if one.slope else "(--depth)"
+        raise StudyError(f"--fairlead-z is {one.height - depth:g} m; allowed: from {bed - depth:g} m, the bed {where}")
+
+
+def _span_at(one, tension, depth):
+    """m, of a horizontal tension, N"""
+    if one.slope >= 0:  # the bed is nowhere lower than at the anchor
+        _check_above_bed(one, 0.0, depth)
+    span = one.span_at(tension)
+    if span < 0:
+        raise StudyError(
+            f"--tension is {tension / KN:g} kN, which the line has {-span:.4g} m behind its anchor, where the bed is "
+            "lower; allowed: more"
+        )
+    return span
+
+
+def _solved(one, span, tension):
+    try:
+        return one.solve(span)
+    except ValueError:
+        if tension is None or np.isfinite(one.type.axial_stiffness):
+            raise
+        raise StudyError(
+            f"--tension is {tension / KN:g} kN, at which an inextensible line of {one.length:g} m is straight; "
+            "allowed: less, or the stiffness of the line (--stiffness)"
+        ) from None
+
+
+def _forces(one, span, found):
+    kind, lies = one.type, "length that floats" if one.floats else "length on the bed"
+    rows = {
+        "state": (one.state(found), "", "state"),
+        "span": (span, "m", "span"),
+        "length": (one.length, "m", "length"),
+        "grounded": (found.grounded_length, "m", lies),
+        "fairlead.horizontal": (found.horizontal_fairlead, "N", "horizontal force at the fairlead"),
+        "fairlead.vertical": (found.vertical_fairlead, "N", "vertical force at the fairlead, down"),
+        "fairlead.tension": (found.tension_fairlead, "N", "tension at the fairlead"),
+        "anchor.horizontal": (found.horizontal_anchor, "N", "horizontal force at the anchor"),
+        "anchor.vertical": (found.vertical_anchor, "N", "vertical force at the anchor, up"),
+        "anchor.tension": (found.tension_anchor, "N", "tension at the anchor"),
+        "stiffness": (found.stiffness[0, 0], "N/m", "horizontal stiffness"),
+        "weight": (kind.weight, "N/m", "weight in water"),
+        "axial_stiffness": (kind.axial_stiffness, "N", "axial stiffness EA"),
+        "breaking_load": (kind.breaking_load, "N", "breaking load"),
+        "used": (float(found.tension_fairlead) / kind.breaking_load, "", "used of the breaking load"),
+    }
+    unknown = () if np.isfinite(kind.breaking_load) else ("breaking_load", "used")
+    if np.isinf(kind.axial_stiffness):
+        unknown += ("axial_stiffness",)
+    return {
+        name: Quantity(np.asarray(value), (), unit, words, "" if name in unknown else kind.name, name == "used")
+        for name, (value, unit, words) in rows.items()
+    }
+
+
+def _curves(one, found):
+    lies = "floats" if one.floats else "on the bed"
+    breaking = one.type.breaking_load if np.isfinite(one.type.breaking_load) else np.nan
+    return {
+        name: Quantity(
+            of(found, breaking),
+            ("at_span",),
+            unit,
+            words or lies,
+            "" if share and np.isnan(breaking) else SLACK_TO_TAUT,
+            share,
+        )
+        for name, (unit, words, share, of) in CURVE.items()
+    }
+
+
+def _overloads(one, found):
+    largest, breaking = float(max(found.tension_fairlead, found.tension_anchor)), one.type.breaking_load
+    if largest > breaking:
+        yield fails(
+            f"the tension is {significant(largest / KN)} kN, {100 * largest / breaking:.4g} % of the breaking load "
+            f"{significant(breaking / KN)} kN: the line parts; give a stronger type, a longer line or a shorter span"
+        )
+    strain = largest / one.type.axial_stiffness
+    if strain > LONGEST_STRAIN:
+        yield fails(
+            f"the line is {100 * strain:.3g} % longer than unstretched, limit {100 * LONGEST_STRAIN:g} %, "
+            "where any rope parts; give a longer line or a shorter span"
+        )

@@ -1,0 +1,170 @@
+"""Quantities of a system of lines at rest, at offsets, with a line lost, and of a line from slack to taut."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..results.provenance import provenance
+from ..results.quantity import Quantity
+from ..results.result import Result, labels
+
+REST, BODIES, POINTS = "lines at rest", "bodies at rest", "free points at rest"
+MOTION = dict(zip(("x", "y", "z", "roll", "pitch", "yaw"), 3 * ["m"] + 3 * ["rad"], strict=True))
+FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
+SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
+LEAST_ARM = 1e-3  # m, that turns a stiffness of shifts into one of rotations where all of these are rounding
+LINE = {  # name: (unit, description, table, of LineForces)
+    "tension.a": ("N", "tension a", REST, lambda at: at.tension_a),
+    "tension.b": ("N", "tension b", REST, lambda at: at.tension_b),
+    "horizontal.b": ("N", "horizontal b", REST, lambda at: at.horizontal_b),
+    "grounded": ("m", "on the bed", REST, lambda at: at.grounded_length),
+    "used": ("", "used", REST, lambda at: at.utilisation),
+    "horizontal.a": ("N", "horizontal a", "", lambda at: at.horizontal_a),
+    "vertical.a": ("N", "downward a", "", lambda at: at.vertical_a),
+    "vertical.b": ("N", "downward b", "", lambda at: at.vertical_b),
+}
+
+
+def axes_of(state, curves, losses):
+    """{axis: its labels} of all that a SystemEquilibrium may have"""
+    system = state.system
+    made = labels("line", system.line_names) | labels("lost", list(losses) or [""])
+    made |= labels("body", [body.name for body in system.bodies] or [""])
+    made |= labels("point", [point.name for point in system.free_points] or [""])
+    made |= labels("force", FORCES) | labels("xyz", ["x", "y", "z"]) | labels("turn", ["roll", "pitch", "yaw"])
+    if curves:
+        made |= labels("offset", curves[0].offset, "m") | labels("direction", [c.direction for c in curves], "rad")
+    return made
+
+
+def at_rest(state):
+    """Lines, bodies and free points at rest"""
+    found = {
+        name: Quantity(np.asarray(of(state.lines)), ("line",), unit, words, table, name == "used")
+        for name, (unit, words, table, of) in LINE.items()
+    }
+    found["breaking_load"] = Quantity(state.system.breaking_load, ("line",), "N", "breaking load")
+    for i, (name, unit) in enumerate(MOTION.items()):
+        if state.system.bodies:
+            found[f"body.{name}"] = Quantity(state.position[:, i], ("body",), unit, name, BODIES)
+    if state.system.free_points:
+        for i, name in enumerate("xyz"):
+            found[f"point.{name}"] = Quantity(state.pose.free[:, i], ("point",), "m", name, POINTS)
+        pressed = np.where(state.on_bed, state.bed_reaction, 0.0)
+        table = POINTS if np.any(state.on_bed) else ""
+        found["point.pressed"] = Quantity(pressed, ("point",), "N", "pressed on the bed", table)
+    found["residual"] = Quantity(np.abs(state.residual).max(initial=0.0), (), "N", "left unbalanced")
+    found["steps"] = Quantity(state.iterations, (), "", "steps to the equilibrium")
+    return found
+
+
+def stiffness_on(state, name):
+    """Forces on a body for each metre and radian that it moves; what is rounding beside the others is 0"""
+    from hakobune.mooring.studies.system_at_rest import mooring_stiffness
+
+    K = mooring_stiffness(state, name)
+    shift, turn = np.sqrt(np.abs(np.diag(K)).reshape(2, 3).max(axis=1))
+    unit = np.repeat([shift, max(turn, LEAST_ARM * shift)], 3)
+    K = np.where(np.abs(K) > SHOWN * np.outer(unit, unit), K, 0.0)
+    parts = {
+        "shift": (K[:, :3], "xyz", ("N/m", "N m/m"), "for a shift along"),
+        "turn": (K[:, 3:], "turn", ("N/rad", "N m/rad"), "for a turn in"),
+    }
+    return {
+        f"stiffness.{part}": Quantity(
+            values, ("force", axis), tuple(np.repeat(units, 3).tolist()), words,
+            f"stiffness of the lines on {name}, {part}s",
+        )
+        for part, (values, axis, units, words) in parts.items()
+    }  # fmt: skip
+
+
+def curves_at(curves):
+    """Restoring force and tensions at offsets along each direction; nan where there is no equilibrium"""
+    if not curves:
+        return {}
+    title = f"{curves[0].body} held at offsets from rest"
+
+    def stacked(of):
+        return np.stack([of(curve) for curve in curves], axis=1)
+
+    two = ("offset", "direction")
+    return {
+        "curve.restoring": Quantity(stacked(lambda c: c.restoring), two, "N", "restoring", title),
+        "curve.tension": Quantity(stacked(lambda c: c.tension.max(axis=1)), two, "N", "largest tension", title),
+        "curve.line_tension": Quantity(stacked(lambda c: c.tension), (*two, "line"), "N", "tension", record=True),
+        "curve.line_grounded": Quantity(
+            stacked(lambda c: c.grounded_length), (*two, "line"), "m", "on the bed", record=True
+        ),
+    }
+
+
+def lost(state, losses, name):
+    """The system after the loss of each line; name : of the body whose shift is told; nan without an equilibrium"""
+    from hakobune.mooring.studies.system_at_rest import body_number
+
+    i = None if name is None else body_number(state.system, name)
+    names = list(state.system.line_names)
+    tension = np.full((len(losses), len(names)), np.nan)
+    used, shift = np.full((2, len(losses)), np.nan)
+    for row, left in enumerate(losses.values()):
+        if isinstance(left, Exception):
+            continue
+        tension[row, [names.index(kept) for kept in left.system.line_names]] = left.tension
+        used[row] = np.fmax.reduce(left.lines.utilisation)
+        shift[row] = np.nan if i is None else np.linalg.norm(left.position[i, :3] - state.position[i, :3])
+    largest = np.fmax.reduce(tension, axis=1)
+    worst = [names[int(np.nanargmax(row))] if np.isfinite(row).any() else "" for row in tension]
+    title = "one line broken"
+    return {
+        "loss.tension": Quantity(largest, ("lost",), "N", "largest tension", title),
+        "loss.worst": Quantity(worst, ("lost",), "", "in", title),
+        "loss.used": Quantity(used, ("lost",), "", "used", title, share=True),
+        "loss.shift": Quantity(shift, ("lost",), "m", f"{name or 'body'} moves", title if name else ""),
+        "loss.line_tension": Quantity(tension, ("lost", "line"), "N", "tension"),
+    }
+
+
+def line_alone(state, name):
+    """A line of the system from slack to taut, and the labels of its spans"""
+    from hakobune.mooring.lines.system.characteristic import characteristic
+
+    found = characteristic(state, name)
+    title = f"{name}, from slack to taut"
+    rows = {
+        "characteristic.horizontal": (found.horizontal, "N", "horizontal"),
+        "characteristic.tension": (found.tension, "N", "tension"),
+        "characteristic.grounded": (found.grounded, "m", "on the bed"),
+        "characteristic.used": (found.utilisation, "", "used"),
+    }
+    made = {
+        key: Quantity(values, ("at_span",), unit, words, title, words == "used")
+        for key, (values, unit, words) in rows.items()
+    }
+    made["characteristic.span"] = Quantity(found.rest, (), "m", f"span of {name} as it hangs")
+    return made, labels("at_span", found.span, "m", "span")
+
+
+def periods_of(state, name, db):
+    """Natural periods of a body on its lines, nan where it is unstable, and the labels of its modes"""
+    from hakobune.mooring.studies.natural_periods import moored_periods
+
+    found = moored_periods(state, name, db)
+    modes = [mode.lower() for mode in found.names]
+    return {"period": Quantity(found.period, ("mode",), "s", "natural period", f"natural periods of {name}")}, labels(
+        "mode", modes
+    )
+
+
+def parts_alone(found, said, text):
+    """Result of [Loose] of a MoorDyn file without lines; said : what is left out of it; text : of the file"""
+    places = np.full((2, len(found), 3), np.nan)
+    for i, one in enumerate(found):
+        if one.ends is not None:
+            places[: len(one.ends), i] = np.where(np.abs(one.ends) < 5e-4, 0.0, one.ends)
+    title = "no lines: each by itself, in still water"
+    quantities = {"part.state": Quantity([one.state for one in found], ("part",), "", "state", title)}
+    for end, place in zip("ab", places, strict=True):
+        quantities[f"part.end_{end}"] = Quantity(place, ("part", "xyz"), "m", end.upper(), title)
+    axes = labels("part", [one.name for one in found]) | labels("xyz", ["x", "y", "z"])
+    return Result("lines", quantities, axes, first=tuple(said), provenance=provenance(text), detail=found)
