@@ -132,9 +132,7 @@ def _ends(run, title):
     if found.cycles is not None:
         made["slack.in_cycle"] = Quantity(made["slack"].values / found.cycles, ("end",), "s", "slack in a cycle", title)
     own = np.array([run.strength.breaking[-1], run.strength.breaking[0]])
-    whole = np.array(
-        [run.result.tension_fairlead.max(), run.result.tension_anchor.max()]
-    )  # what parts at once has parted
+    whole = np.array([run.result.tension_fairlead.max(), run.result.tension_anchor.max()])  # also before the cycles
     used = np.where(np.isfinite(own), whole / own, np.nan)
     table = title if np.isfinite(run.strength.weakest) else ""
     made["tension.used"] = Quantity(used, ("end",), "", "breaking load used", table, share=True)

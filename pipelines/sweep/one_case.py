@@ -14,6 +14,7 @@ from .file import SIZE
 from .solved import solved
 from .study import SOLVE, StudyError
 
+INTERRUPTED = 130  # exit status of a command that Ctrl-C ended
 DRAWS = ("output", "plot")  # flags of commands that write files, of which a sweep has no use
 
 
@@ -52,6 +53,8 @@ def one_case(command, raw, study, given, keep):
     """
     if command == SOLVE:
         status, message, quantities, axes = solved(raw, Path(study))
+        if status == INTERRUPTED:
+            raise KeyboardInterrupt
     else:
         try:
             result = _called(command, raw, Path(study), given)

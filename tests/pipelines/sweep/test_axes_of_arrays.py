@@ -1,28 +1,30 @@
-"""Arrays of the cases of a sweep lie on named axes in its file."""
+"""Quantities of the cases of a sweep lie on named axes in its file."""
 
 import h5py
 import numpy as np
 
-from hakobune.pipelines.sweep.file import _store_array
+from hakobune.bem.database.schema import LABELS
+from hakobune.pipelines.results.quantity import Quantity
+from hakobune.pipelines.sweep.file import _store
 
 
-def test_every_axis_of_an_array_has_its_scale_and_cases_of_another_shape_are_left_out(tmp_path):
+def test_every_axis_of_a_quantity_has_its_scale_and_cases_of_another_shape_are_left_out(tmp_path):
     with h5py.File(tmp_path / "sweep.h5", "w") as file:
         file.create_dataset("case", data=np.arange(2)).make_scale("case")
         axes = ("omega", "influenced_dof", "xyz")
+        known = {axis: Quantity(np.array(LABELS[axis]), (axis,)) for axis in axes[1:]}
         first = np.arange(4 * 6 * 3.0).reshape(4, 6, 3)
-        assert _store_array(file, "force", 0, axes, "N", first) == ""
-        assert _store_array(file, "force", 1, axes, "N", first + 1) == ""
+
+        def store(case, values):
+            return _store(file, "force", case, Quantity(values, axes, "N"), known)
+
+        assert store(0, first) == "" and store(1, first + 1) == ""
         data = file["results/force"]
         names = [dim[0].name.split("/")[-1] for dim in data.dims]
         assert names == ["case", *axes] and data.attrs["units"] == "N"
-        assert file["results/xyz"].asstr()[()].tolist() == ["x", "y", "z"]
-        assert file["results/influenced_dof"].asstr()[0] == "Surge" and file["results/omega"][()].tolist() == [
-            0,
-            1,
-            2,
-            3,
-        ]
+        assert file["results/axes/xyz"].asstr()[()].tolist() == ["x", "y", "z"]
+        assert file["results/axes/influenced_dof"].asstr()[0] == "Surge"
+        assert file["results/axes/omega"][()].tolist() == [0, 1, 2, 3]
         assert np.array_equal(data[()], [first, first + 1])
-        said = _store_array(file, "force", 1, axes, "N", first[:2])
+        said = store(1, first[:2])
         assert said.startswith("force has the shape (2, 6, 3), (4, 6, 3) in the first case") and data[1, 0, 0, 0] == 1

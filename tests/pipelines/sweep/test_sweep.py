@@ -1,15 +1,18 @@
 """Many cases of one study: the same numbers from every executor, taken up where they stopped."""
 
 import shutil
+import tomllib
 
 import h5py
 import numpy as np
 import pytest
 
+import hakobune
 from hakobune.pipelines import cli
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.keys.kinds import SCENES
-from hakobune.pipelines.sweep import run
+from hakobune.pipelines.sweep import one_case, run
+from hakobune.pipelines.sweep.file import result_of
 from hakobune.pipelines.sweep.study import SweepTable, VaryTable, cases, put
 
 SWEEP = """command = "berth"
@@ -38,9 +41,38 @@ def numbers(path):
 def test_energies_of_berthing_over_speed_are_kinetic(folder):
     assert cli.main(["sweep", "sweep.toml", "--output", "one.h5"]) == 0
     one = numbers("one.h5")
-    energy = one["tables/0/energy kJ"][:, 0]
-    assert np.allclose(energy / one["keys/approach.speed"] ** 2, energy[0] / 0.01, rtol=1e-3)  # ½ m v²
+    energy = one["results/method.energy"]
+    assert np.allclose(energy / one["keys/approach.speed"][:, None] ** 2, energy[0] / 0.01, rtol=1e-12)  # ½ m v²
     assert sorted(path.name for path in folder.iterdir()) == ["berth_tanker.toml", "one.h5", "sweep.toml"]
+
+
+def test_neighbouring_values_give_other_results_those_of_the_command_alone_to_the_bit(folder):
+    (folder / "sweep.toml").write_text(SWEEP.replace("0.1, 0.15, 0.2", "0.15, 0.150001"))
+    assert cli.main(["sweep", "sweep.toml"]) == 0
+    found = result_of(folder / "sweep.h5")
+    for case, speed in enumerate((0.15, 0.150001)):
+        raw = tomllib.loads((folder / "berth_tanker.toml").read_text())
+        raw["approach"]["speed"] = speed
+        alone = hakobune.berth(raw)
+        for name, one in alone.quantities.items():
+            if name in found and one.numeric:
+                assert np.array_equal(found[name][case], one.values, equal_nan=True), name
+        assert {"method.energy", "method.C_M"} <= set(found) & set(alone)
+    assert np.all(found["method.energy"][0] < found["method.energy"][1])
+
+
+def test_what_is_asked_for_is_kept_and_printed(folder, capsys):
+    (folder / "sweep.toml").write_text('keep = ["approach.virtual_mass", "fender.rated_energy"]\n' + SWEEP)
+    assert cli.main(["sweep", "sweep.toml", "--plot", "sweep.png", "--csv"]) == 0
+    assert (folder / "sweep.png").stat().st_size > 5000
+    head = capsys.readouterr().out.splitlines()[0]
+    assert head.startswith("case,keys.approach.speed,") and "fender.rated_energy [J]" in head
+    (folder / "sweep.toml").write_text('keep = ["C_N"]\n' + SWEEP)
+    assert cli.main(["sweep", "sweep.toml", "--fresh"]) == 2
+    assert "keep: 'C_N' is no quantity of this result; there are " in capsys.readouterr().err
+    (folder / "sweep.toml").write_text('arguments = ["--plot", "one.png"]\n' + SWEEP)
+    assert cli.main(["sweep", "sweep.toml", "--fresh"]) == 2
+    assert "arguments have --plot; allowed in a sweep: those of hakobune.berth" in capsys.readouterr().err
 
 
 def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):
@@ -58,29 +90,29 @@ def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):
     assert cli.main(["sweep", "sweep.toml"]) == 0
     assert "3 cases, 1 are there" in capsys.readouterr().err
     found = numbers("sweep.h5")
-    assert np.all(found["status"] == 0) and np.all(np.isfinite(found["tables/0/C_M"]))
+    assert np.all(found["status"] == 0) and np.all(np.isfinite(found["results/method.C_M"]))
 
 
 def test_a_ctrl_c_that_ends_the_command_of_a_case_ends_the_sweep_and_leaves_the_case_to_do(folder, monkeypatch, capsys):
     """A command tells it by its status, that of a scene which stops after its frequency too"""
-    from hakobune.pipelines.berth import command
+    from hakobune.pipelines.berth import result
 
-    whole = command.in_time
+    whole = result.in_time
 
     def stopping(ship, meetings, speed):
         if speed > 0.12:
             raise KeyboardInterrupt
         return whole(ship, meetings, speed)
 
-    monkeypatch.setattr(command, "in_time", stopping)
+    monkeypatch.setattr(result, "in_time", stopping)
     assert cli.main(["sweep", "sweep.toml"]) == 130
     assert "interrupted; the cases that were done are kept" in capsys.readouterr().err
     assert list(numbers("sweep.h5")["status"]) == [0, -1, -1]
-    monkeypatch.setattr(command, "in_time", whole)
+    monkeypatch.setattr(result, "in_time", whole)
     assert cli.main(["sweep", "sweep.toml"]) == 0
-    monkeypatch.setattr(run, "solved", lambda raw, study: (130, "", [], {}))
+    monkeypatch.setattr(one_case, "solved", lambda raw, study: (130, "", {}, {}))
     with pytest.raises(KeyboardInterrupt):
-        run.one_case(cli.main, "solve", {}, "box.toml", ())
+        one_case.one_case("solve", {}, "box.toml", {}, ())
 
 
 @pytest.mark.parametrize(
