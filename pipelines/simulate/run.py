@@ -88,13 +88,14 @@ def simulate(
     todo = _missing(output, identity, plan, fresh)
     findings = plan.findings
     if todo or not summary_is_of_today(output):
-        for line in study.remarks(study.hull_of(db.dimensions), db) if console else ():
-            console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
+        remarks = study.remarks(study.hull_of(db.dimensions), db)  # refuses before anything is made
         moving, before = (None, ()) if fresh else _of_lines(output)
         task, ready, more = _made_once(task, moving)
         ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
         findings += more
         _say_before(console, ready, len(todo), executor)
+        for line in remarks if console else ():
+            console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
         header = _header(task, db, study, plan, identity, ready)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:

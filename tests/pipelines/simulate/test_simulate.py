@@ -17,7 +17,6 @@ from rich.console import Console
 
 import hakobune.mooring.motion.simulation as engine
 from hakobune import pipelines
-from hakobune.bem import database
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.bem.waves import wavenumber
 from hakobune.mooring.environment.sea import Sea
@@ -84,7 +83,7 @@ def folder(tmp_path, monkeypatch):
     def prepared(task):
         return body, plan_of(study, WIDE, None, task.duration), study, ()
 
-    real = database.open_database  # modules first imported here keep the stand-in: it serves other files too
+    real = bem.database.open_database  # modules first imported here keep the stand-in: it serves other files too
 
     def opened_or(path):
         stands_for_one = Path(path).is_file() and Path(path).read_bytes() == b"a database"  # a pipe would never end
@@ -256,11 +255,11 @@ def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is
     body, plan, study, _ = work.prepared(SimpleNamespace(duration=None))
     plan = replace(plan, told=(left, trial), pace=(0.01, 0.1), settings=replace(plan.settings, dynamic_lines=("a",)))
     monkeypatch.setattr(runs, "prepared", lambda task: (body, plan, study, ()))
+    monkeypatch.setattr(type(study), "remarks", lambda *_: ["the hull is no box"])
     said = io.StringIO()
     runs.simulate("study.toml", "box.h5", "run.h5", Console(file=said, width=300), Here())
-    assert said.getvalue().split("\n")[:3] == [
-        left, trial, 'a seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), 3 of them 3 min 15 s'
-    ]  # fmt: skip
+    takes = 'a seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), 3 of them 3 min 15 s'
+    assert said.getvalue().split("\n")[:4] == [left, trial, takes, "warning: the hull is no box"]
     again = runs.simulate("study.toml", "box.h5", "run.h5", None, Here())
     assert again.made == 0 and again.findings[0] == left
     with opened("run.h5") as file:
