@@ -183,8 +183,8 @@ def left_out(body, sea, way='qtf = "auto" of a response study or a simulation ad
         return
     if (steep := ursell(body, sea)) > STOKES:
         yield (
-            f"kh is {kh:.2g} at the mean wave period, and Hλ²/h³ {steep:.3g}, allowed: {STOKES:g}: waves so long and "
-            "high are no sum of first and second order; the slow force of their bound waves is not known and left out"
+            f"left out: the slow force of bound long waves, which is not known: kh is {kh:.2g} at the mean wave period "
+            f"and Hλ²/h³ {steep:.3g}, allowed: {STOKES:g}: waves so long and high are no sum of first and second order"
         )
         return
     size = f"{bound / newman:.1f} times the slow force by Newman's approximation"

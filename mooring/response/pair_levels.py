@@ -28,8 +28,11 @@ if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should n
 
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
-OF_BOUND = (
-    ", without the rest of the force of pairs up to 1.5 times too large on a box in 12 and 20 m"  # docs/slow_forces.md
+# both of docs/slow_forces.md: slow forces by either level beside the whole
+OF_BOUND = "without the rest slow forces are up to 1.5 times too large on boxes in 12 and 20 m of water"
+OF_NEWMAN = (
+    "on boxes in 10 to 20 m of water the whole slow force is 0.7 to 1.2 times Newman's in surge and sway, 1 to 2 times "
+    "in yaw"
 )
 SAME = 1e-6  # rad, between headings that are one
 MOST_OUTSIDE = (
@@ -156,15 +159,20 @@ def beside_newman(db, sea, level, spread=False):
 
     spread : whether `SpreadPairForces` will do, in a sea of several directions
     raises : ValueError for other seas of several directions and pairs that are not stored
+
+    A remark on what is left out of the force begins with "left out", and has its size and the command that helps.
     """
     if level == "newman":
         return None, ()
     if level in ("body", "full"):
-        return stored_pairs(db, sea, level, spread), _surface_left_out(db, level)
+        return stored_pairs(db, sea, level, spread), _surface_left_out(db, sea, level)
     if level == "bound-wave":
         return of_sea(db, sea), ()
     if (steep := ursell(db.reader, sea)) > STOKES:
-        return None, (f'qtf = "auto" takes newman: waves with Hλ²/h³ {steep:.3g} have no known forces of pairs',)
+        return None, (
+            f'left out: the force of pairs of waves beside Newman\'s rule (qtf = "auto" takes newman): of waves with '
+            f"Hλ²/h³ {steep:.3g} (allowed: {STOKES:g}) it is not known",
+        )
     ratio = bound_to_newman(db.reader.floating(), sea)
     if ratio is None or ratio < ENOUGH:
         size = "nothing is known without drift and inertia"
@@ -172,30 +180,52 @@ def beside_newman(db, sea, level, spread=False):
             size = f"the push is {100 * ratio:.2g} % of its slow force"
         return None, (f'qtf = "auto" takes newman: of bound long waves {size}',)
     size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is next to none by"
-    why = f'qtf = "auto" takes {{}}: bound long waves push with {size} Newman\'s rule'
+    size = f"bound long waves push with {size} Newman's rule"
     try:
         found = stored_pairs(db, sea, "auto", spread)
-        return found, (why.format(found.level), *_surface_left_out(db, found.level))
+        return found, (f'qtf = "auto" takes {found.level}: {size}', *_surface_left_out(db, sea, found.level))
     except ValueError as missing:
-        if (kh := depth_in_waves(db.reader, sea)) >= SHALLOW:
-            return None, (
-                f"{why.format('newman')}, and at kh = {kh:.2g} other parts of the force of pairs take away what these "
-                f"add; not full: {missing}",
-            )
-        try:
-            return of_sea(db, sea), (f"{why.format('bound-wave')}{OF_BOUND}; not full: {missing}",)
-        except ValueError as none:
-            return None, (f"{why.format('newman')} at kh = {kh:.2g}; not bound-wave: {none}; not full: {missing}",)
+        kh, lacks = depth_in_waves(db.reader, sea), _lacks(db, sea, missing)
+    beside = f'left out: the force of pairs of waves beside Newman\'s rule (qtf = "auto" takes newman at kh = {kh:.2g})'
+    if kh >= SHALLOW:
+        return None, (f"{beside}: {OF_NEWMAN}; {lacks}",)
+    try:
+        return of_sea(db, sea), (
+            'left out: the force of pairs of waves but for that of bound long waves (qtf = "auto" takes bound-wave): '
+            f"{size}, {OF_BOUND}; {lacks}",
+        )
+    except ValueError as none:
+        return None, (f"{beside}: {size}; not bound-wave: {none}; {lacks}",)
 
 
-def _surface_left_out(db, level):
+def _lacks(db, sea, missing):
+    """What a database lacks of the pairs of a Sea, with the command that stores them where it has none"""
+    from hakobune.bem.database.widening import read_group
+    from hakobune.bem.second_order.kinds import DIFFERENCE
+    from hakobune.bem.second_order.stored import GROUPS
+
+    if read_group(db, GROUPS[DIFFERENCE]) is not None or not isinstance(sea, Sea):
+        return str(missing)
+    return f"{_command(db, sea)} stores it"
+
+
+def _command(db, sea):
+    """That which stores the whole for a sea"""
+    towards = f" --heading {np.degrees(sea.direction) % 360:.4g}" if sea.spreading is None else ""
+    return f"'hakobune qtf {db.path}{towards} --level full'"
+
+
+def _surface_left_out(db, sea, level):
     """Remark on what the forcing of the surface is, where it is left out of the level `body`"""
     from hakobune.bem.second_order.stored import read_forces
 
     share = read_forces(db).share
     if level == "full" or share is None:
         return ()
-    return (f'qtf = "body" leaves out the forcing of the surface, about {100 * share:.2g} % of the slow force',)
+    begin, way = ("left out: ", f"; {_command(db, sea)} adds it") if share > ENOUGH else ("", "")
+    return (
+        f'{begin}the forcing of the surface (qtf = "body"), about {100 * share:.2g} % of the slow force of pairs{way}',
+    )
 
 
 def stored_pairs(db, sea, level="body", spread=False):

@@ -102,15 +102,15 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
             console.print(_made_again(shorter, plan.settings.duration), highlight=False, soft_wrap=True)
     todo = _missing(output, identity, plan, fresh)
     if todo or not summary_is_of_today(output):
-        remarks = tuple(study.remarks(study.hull_of(db.dimensions), db))
-        for line in remarks if console else ():
-            console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
+        remarks = tuple(study.remarks(study.hull_of(db.dimensions), db))  # refuses before anything is made
         moving, before = (None, ()) if fresh else _of_lines(output)
         task, ready, more = _made_once(task, moving, db)
         ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
         beside = simplified(study, db)
         kept = (*remarks, *plan.findings, *more, *beside.findings)
         _say_before(console, ready, len(todo), executor)
+        for line in remarks if console else ():
+            console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
         header = _header(task, text, db, plan, identity, ready, beside, kept)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:

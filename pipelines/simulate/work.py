@@ -18,7 +18,7 @@ from ..executors.memory import give_back
 from ..moor.quay import body_of
 from ..moor.study import Study
 from ..results.given import database_of
-from .file import LONGEST, SERIES, first_what_is_left_out
+from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
 from .study import damping, plan_of, quadratic
 
 QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
@@ -26,8 +26,8 @@ QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "r
     "wind speed": "m/s",
 }
 STATIC = (
-    'left out: inertia and drag of the lines (dynamic_lines = "none"), so that slow motion and snaps come out too '
-    'large; dynamic_lines = "auto" moves them where a trial asks for it'
+    'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" moves them '
+    "where a trial asks for it"
 )
 _prepared = {}
 
@@ -102,6 +102,7 @@ def prepared(task, db=None):
 def _lines_chosen(task, body, plan):
     """The Choice of lines that move: that of a Task, or by a trial where the study wants one"""
     from hakobune.mooring.motion.simulation import Choice, able_to_move, with_lines_chosen
+    from hakobune.mooring.motion.simulation.trial import TOO_LARGE
 
     settings = plan.settings
     if task.moving is not None:
@@ -109,7 +110,7 @@ def _lines_chosen(task, body, plan):
     if settings.dynamic_lines:
         return with_lines_chosen(body, plan.weather, settings)
     able, left_out = able_to_move(body.system, settings)
-    return Choice(settings, (), (*((STATIC,) if able else ()), *left_out))
+    return Choice(settings, (), (*((STATIC.format(TOO_LARGE),) if able else ()), *left_out))
 
 
 def _remembering(body, db, asked):
@@ -148,10 +149,8 @@ def _with_pairs(plan, study, db, reader):
         for sea in weather.seas:
             forces, said = (None, ()) if level == "newman" else beside_newman(db, sea, level, spread=True)
             found.append(forces)
-            if forces is not None and forces.level == "bound-wave" and level == "auto":
-                said = (f"left out: parts of the force of pairs of waves; {line}" for line in said)
             notes += said
-            if forces is None and drift != "none":
+            if forces is None and drift != "none" and not any(line.startswith(LEFT_OUT) for line in said):
                 notes += left_out(reader.floating(), sea, *_way(study, db, level))
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None

@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,8 +14,10 @@ from hakobune.bem.second_order import first_order_waves, quadratic_forces
 from hakobune.bem.second_order.quadratic_forces import PARTS, QuadraticRun
 from hakobune.bem.second_order.stored import read_forces
 from hakobune.mooring.environment.sea import Sea
-from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spectra import jonswap, tabulated
+from hakobune.mooring.response import pair_levels
 from hakobune.mooring.response.pair_levels import beside_newman, stored_pairs
+from hakobune.mooring.response.sea_state import sea_state
 from hakobune.mooring.response.slow_drift import HORIZONTAL
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.qtf import running
@@ -32,6 +35,14 @@ def path(tmp_path_factory):
     words = "--omega 0.3:1.2:13 --heading 180 --difference 0.3 --level full"
     assert main(["qtf", str(path), *words.split()]) == 0
     return path
+
+
+@pytest.fixture(scope="module")
+def lacking(path, tmp_path_factory):
+    """The same without pairs"""
+    lacking = tmp_path_factory.mktemp("lacking") / "box.h5"
+    assert main([*BOX.split(), "--omega", "0.3:1.2:10", "--output", str(lacking)]) == 0
+    return lacking
 
 
 def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path):
@@ -145,9 +156,50 @@ def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
     with pytest.raises(ValueError, match=r"pairs are stored from 0.3 to 1.2"):
         beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "body")
     found, (said,) = beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")
-    assert found.level == "bound-wave" and "not full" in said
+    assert found.level == "bound-wave" and "no pairs of waves towards 0°" in said
     found, (said,) = beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "auto")
-    assert found is None and "takes newman" in said and "kh = 4." in said and "not full" in said
+    assert found is None and "takes newman at kh = 4." in said and "pairs are stored from 0.3 to 1.2" in said
+
+
+def narrow(peak):
+    """Sea from ahead, of 1 m, within the stored pairs: a triangle of 0.2 rad/s on either side of its peak"""
+    return Sea(tabulated([peak - 0.2, peak, peak + 0.2], [0.0, 1 / 16 / 0.2, 0.0]), np.pi)
+
+
+def test_what_is_taken_in_place_of_pairs_that_are_not_stored_is_told_as_left_out_with_size_and_command(path, lacking):
+    """Swell has its bound waves, seas beyond kh = 1.5 Newman's rule; what the command stores is taken then"""
+    whole, db = open_database(path), open_database(lacking)
+    for peak, takes, size in ((0.6, "bound-wave", "1.5 times too large"), (0.95, "newman at kh = 1.9", "0.7 to 1.2")):
+        _, (said,) = beside_newman(db, narrow(peak), "auto")
+        assert said.startswith("left out: the force of pairs of waves") and "\n" not in said
+        assert f'qtf = "auto" takes {takes}' in said and size in said
+        assert said.endswith(f"'hakobune qtf {lacking} --heading 180 --level full' stores it")
+        assert beside_newman(whole, narrow(peak), "auto")[1][0].startswith('qtf = "auto" takes full: ')
+
+
+def test_the_whole_slow_surge_force_of_a_box_in_short_waves_is_as_far_from_newmans_as_is_told(path):
+    """0.7 to 1.2 times, by its own spectrum from stored pairs; in swell of 11 s it is beyond that"""
+    body, found = open_database(path).reader.floating(), {}
+    for peak in (0.95, 0.57):
+        pairs = stored_pairs(open_database(path), narrow(peak), "full")
+        slow = sea_state(body, narrow(peak), 3600.0, bound=pairs).slow
+        found[peak] = slow.sigma_of_pairs[0] / slow.sigma[0]
+    assert 0.7 < found[0.95] < 1.2 < found[0.57], found
+
+
+def test_a_forcing_of_the_surface_that_is_left_out_is_told_first_where_it_is_more_than_a_twentieth(path, monkeypatch):
+    from hakobune.bem.second_order import stored
+
+    db = open_database(path)
+    with monkeypatch.context() as patch:
+        patch.setattr(stored, "read_forces", lambda _: SimpleNamespace(share=0.16))
+        assert pair_levels._surface_left_out(db, SWELL, "body") == (
+            'left out: the forcing of the surface (qtf = "body"), about 16 % of the slow force of pairs; '
+            f"'hakobune qtf {path} --heading 180 --level full' adds it",
+        )
+        assert pair_levels._surface_left_out(db, SWELL, "full") == ()
+        patch.setattr(stored, "read_forces", lambda _: SimpleNamespace(share=0.04))
+        assert not pair_levels._surface_left_out(db, SWELL, "body")[0].startswith("left out")
 
 
 @pytest.mark.parametrize("low, high", [(0.3, 1.5), (0.31, 1.8), (1.9, 2.0), (0.05, 3.0)])

@@ -270,11 +270,11 @@ def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is
     body, plan, _ = work.prepared(SimpleNamespace(duration=None))
     plan = replace(plan, told=(left, trial), pace=(0.01, 0.1), settings=replace(plan.settings, dynamic_lines=("a",)))
     monkeypatch.setattr(runs, "prepared", lambda task, db=None: (body, plan, ()))
+    monkeypatch.setattr(type(read_study("study.toml")[0]), "remarks", lambda *_: ["the hull is no box"])
     said = io.StringIO()
     simulate(console=Console(file=said, width=300))
-    assert said.getvalue().split("\n")[:3] == [
-        left, trial, 'a seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), 3 of them 3 min 15 s'
-    ]  # fmt: skip
+    takes = 'a seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), 3 of them 3 min 15 s'
+    assert said.getvalue().split("\n")[:4] == [left, trial, takes, "warning: the hull is no box"]
     assert simulate().made == 0
     with opened("run.h5") as file:
         assert file.attrs["moving_lines"] == "a"
