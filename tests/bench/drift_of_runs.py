@@ -16,7 +16,6 @@ import tomllib
 from pathlib import Path
 
 import numpy as np
-import tomli_w
 from scipy.stats import t as student
 
 ROOT = Path(__file__).parents[2]
@@ -28,6 +27,7 @@ from hakobune.mooring.motion.simulation import simulate, wave_components
 from hakobune.mooring.motion.slow_damping import drift_damping_ring
 from hakobune.mooring.motion.wave_loads import HEADINGS, drift_on_current
 from hakobune.pipelines.moor.command import studied
+from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import Task, prepared
 
 AT_ONCE = 500  # times
@@ -63,7 +63,8 @@ def drift_on_the_way(body, weather, settings, seed, run):
 def main(database, seeds=20, seconds=600.0):
     raw = tomllib.loads((ROOT / "pipelines" / "scenes" / "simulate_chain_12.toml").read_text(encoding="utf-8"))
     raw["simulation"] = {}
-    body, plan, study, _ = prepared(Task(tomli_w.dumps(raw), database, seconds, None))
+    study = make_study(raw)
+    body, plan, _ = prepared(Task(study, database, seconds, None))
     effects, means = studied(study, open_database(database))[0].waves["irregular"], []
     for seed in range(1, seeds + 1):
         run = simulate(body, plan.weather, plan.settings, seed)

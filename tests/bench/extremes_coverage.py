@@ -53,6 +53,7 @@ def study(scene):
 def made(scene, folder, first, count):
     """Names of the quantities, and peaks (seeds, quantities, largest and −smallest, PEAKS) of all seeds"""
     from hakobune.pipelines.cli import main
+    from hakobune.pipelines.moor.study import make_study
     from hakobune.pipelines.simulate.work import Task, prepared, simulate_seed
 
     database, task, found = folder / "box.h5", None, []
@@ -63,7 +64,7 @@ def made(scene, folder, first, count):
         if not place.exists():
             if task is None:
                 text, duration = study(scene)
-                task = Task(text, str(database), duration, None, str(folder))
+                task = Task(make_study(tomllib.loads(text)), str(database), duration, None, str(folder))
                 task = replace(task, memory=prepared(task)[0].memory)
                 names = names_of(prepared(task)[0])
             rows = [simulate_seed(task, seed, True) for seed in range(begin, begin + TRIAL)]
