@@ -203,13 +203,8 @@ def check(
 
     Status 1 if one fails.
     """
-    from .simulate.file import is_run
-    from .solve.checking import check
+    from .checking import check
 
-    if is_run(file) and not repair:
-        from .simulate.checking import check_run
-
-        return check_run(file, print)
     return check(file, new_console(), repair)
 
 
