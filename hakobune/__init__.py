@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.berth.result import berth as berth
     from hakobune.pipelines.damping.result import damping as damping
     from hakobune.pipelines.fender.result import fender as fender
+    from hakobune.pipelines.members.result import members as members
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.results.file import read as read
 
@@ -31,6 +32,7 @@ _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
     "damping": "pipelines.damping.result",
     "fender": "pipelines.fender.result",
+    "members": "pipelines.members.result",
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.results.file",

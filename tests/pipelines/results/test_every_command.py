@@ -17,6 +17,7 @@ COMMANDS = {  # words: what the function of the same name makes of the same inpu
         {"family": "cell", "height": 2.0, "angle_deg": 8.0, "width": 2.4, "dolphin": 14000.0}, energy=9e5
     ),
     f"berth {SCENES / 'berth_tanker.toml'}": lambda: hakobune.berth(SCENES / "berth_tanker.toml"),
+    f"members {SCENES / 'members_dolphin.toml'}": lambda: hakobune.members(SCENES / "members_dolphin.toml"),
     "damping decay.csv --mass 2000": lambda: hakobune.damping("decay.csv", mass=2e6),
 }
 
