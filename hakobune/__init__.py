@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.berth.result import berth as berth
     from hakobune.pipelines.damping.result import damping as damping
+    from hakobune.pipelines.earthquake.result import earthquake as earthquake
     from hakobune.pipelines.fender.result import fender as fender
     from hakobune.pipelines.members.result import members as members
     from hakobune.pipelines.moor.result import moor as moor
@@ -31,6 +32,7 @@ if (_CHECKOUT / "pyproject.toml").is_file():
 _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
     "damping": "pipelines.damping.result",
+    "earthquake": "pipelines.earthquake.result",
     "fender": "pipelines.fender.result",
     "members": "pipelines.members.result",
     "moor": "pipelines.moor.result",

@@ -18,6 +18,7 @@ COMMANDS = {  # words: what the function of the same name makes of the same inpu
     ),
     f"berth {SCENES / 'berth_tanker.toml'}": lambda: hakobune.berth(SCENES / "berth_tanker.toml"),
     f"members {SCENES / 'members_dolphin.toml'}": lambda: hakobune.members(SCENES / "members_dolphin.toml"),
+    f"earthquake {SCENES / 'earthquake_box.toml'}": lambda: hakobune.earthquake(SCENES / "earthquake_box.toml"),
     "damping decay.csv --mass 2000": lambda: hakobune.damping("decay.csv", mass=2e6),
 }
 
