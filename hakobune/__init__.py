@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.members.result import members as members
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.results.file import read as read
+    from hakobune.pipelines.sections.result import sections as sections
 
 _CHECKOUT = Path(__file__).parents[1]
 if (_CHECKOUT / "pyproject.toml").is_file():
@@ -38,6 +39,7 @@ _PUBLIC = {  # name: module that has it
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.results.file",
+    "sections": "pipelines.sections.result",
 }
 __all__ = [*_PUBLIC]
 

@@ -19,6 +19,9 @@ COMMANDS = {  # words: what the function of the same name makes of the same inpu
     f"berth {SCENES / 'berth_tanker.toml'}": lambda: hakobune.berth(SCENES / "berth_tanker.toml"),
     f"members {SCENES / 'members_dolphin.toml'}": lambda: hakobune.members(SCENES / "members_dolphin.toml"),
     f"earthquake {SCENES / 'earthquake_box.toml'}": lambda: hakobune.earthquake(SCENES / "earthquake_box.toml"),
+    "sections --beam-draft 5 --depth-draft 2,3 --xi 0.5,1": lambda: hakobune.sections(
+        beam_draft=[5.0], depth_draft=[2.0, 3.0], xi=[0.5, 1.0]
+    ),
     "damping decay.csv --mass 2000": lambda: hakobune.damping("decay.csv", mass=2e6),
 }
 
