@@ -19,13 +19,16 @@ if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.berth.result import berth as berth
     from hakobune.pipelines.damping.result import damping as damping
+    from hakobune.pipelines.earthquake.result import earthquake as earthquake
     from hakobune.pipelines.fender.result import fender as fender
     from hakobune.pipelines.line_dynamics.result import line_dynamics as line_dynamics
     from hakobune.pipelines.lines.line_result import line as line
     from hakobune.pipelines.lines.lines_result import lines as lines
+    from hakobune.pipelines.members.result import members as members
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.reading import read as read
     from hakobune.pipelines.response.result import response as response
+    from hakobune.pipelines.sections.result import sections as sections
     from hakobune.pipelines.simulate.result import simulate as simulate
 
 _CHECKOUT = Path(__file__).parents[1]
@@ -35,6 +38,7 @@ if (_CHECKOUT / "pyproject.toml").is_file():
 _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
     "damping": "pipelines.damping.result",
+    "earthquake": "pipelines.earthquake.result",
     "fender": "pipelines.fender.result",
     "line": "pipelines.lines.line_result",
     "line_dynamics": "pipelines.line_dynamics.result",
@@ -44,6 +48,8 @@ _PUBLIC = {  # name: module that has it
     "read": "pipelines.reading",
     "response": "pipelines.response.result",
     "simulate": "pipelines.simulate.result",
+    "members": "pipelines.members.result",
+    "sections": "pipelines.sections.result",
 }
 __all__ = [*_PUBLIC]
 

@@ -53,29 +53,33 @@ def tables(result, all_of_them=False):
 
 
 def _shown(result, title, axes, members):
+    common = _common([one for _, one in members])
     if not axes:
         columns = tuple(
-            Column(name, one.description or name, one.values[None], one.units(), _read_in_beside(one, members))
+            Column(name, one.description or name, one.values[None], one.units(), _read_in(one, common))
             for name, one in members
         )
         return Shown(title, "", tuple(n for n, _ in members), columns)
     axis = axes[0]
-    columns = [column for name, one in members for column in columns_of(result, name, one)]
+    columns = [column for name, one in members for column in columns_of(result, name, one, common)]
     return Shown(title, axis, tuple(result.labels[axis].values.tolist()), tuple(columns))
 
 
-def columns_of(result, name, one):
-    """[Column, …] of a quantity with a first axis, one for each label of its further ones"""
-    words = one.description or name
+def columns_of(result, name, one, common=None):
+    """[Column, …] of a quantity with a first axis, one for each label of its further ones
+
+    common : sizes by unit of those that it is read beside
+    """
+    words, units = one.description or name, _read_in(one, common or _common([one]))
     if one.values.ndim == 1:
-        yield Column(name, words, one.values, one.units(), _read_in(one))
+        yield Column(name, words, one.values, one.units(), units)
         return
     for place in itertools.product(*map(range, one.values.shape[1:])):
         at = [(result.labels[axis], k) for axis, k in zip(one.axes[1:], place, strict=True)]
         exact = ", ".join(str(labels.values[k]) for labels, k in at)
         said = ", ".join(_label(labels.values[k], labels.unit) for labels, k in at)
         values = one.values[(slice(None), *place)]
-        yield Column(f"{name}[{exact}]", f"{words} {said}".strip(), values, one.units(), _read_in(one))
+        yield Column(f"{name}[{exact}]", f"{words} {said}".strip(), values, one.units(), units)
 
 
 def _label(value, unit):
@@ -86,16 +90,18 @@ def _label(value, unit):
     return f"{value / size:.6g}{name if name == '°' else f' {name}' if name else ''}"
 
 
-def _read_in(one):
-    return read_in(one.units()[0], _sizes(one.values), one.share)
+def _common(quantities):
+    """{unit: sizes of all values that have it}, which are read in one unit where they stand beside each other"""
+    found = {}
+    for one in quantities:
+        if not isinstance(one.unit, tuple):
+            found.setdefault(one.unit, []).append(_sizes(one.values).ravel())
+    return {unit: np.concatenate(sizes) for unit, sizes in found.items()}
 
 
-def _read_in_beside(one, members):
-    """As `_read_in`; nothing, as a force of 0, is read in what the others of its unit are"""
-    if one.values.dtype.kind != "f" or one.values != 0:
-        return _read_in(one)
-    alike = [float(other.values) for _, other in members if other.unit == one.unit and other.share == one.share]
-    return read_in(one.unit, np.abs(alike), one.share)
+def _read_in(one, common):
+    unit = one.units()[0]
+    return read_in(unit, common.get(unit, _sizes(one.values)), one.share)
 
 
 def printed(result, console=None):

@@ -255,10 +255,10 @@ def test_a_floater_between_dolphins_is_judged_by_strains_and_loads_of_dolphins(t
     # the earthquake by its own door: strain of the fender alone, and what of the dolphin's strength it takes
     from scipy.optimize import brentq
 
-    from hakobune.pipelines.earthquake.command import methods
+    from hakobune.mooring.dolphins.methods import methods
     from hakobune.pipelines.earthquake.study import quake_of, read_study
 
-    study = read_study(tmp_path / "earthquake_dolphins_B.toml")
+    study, _ = read_study(tmp_path / "earthquake_dolphins_B.toml")
     (row,) = methods(quake_of(study, tmp_path))[0]
     alone = fender_alone(study)
 

@@ -107,7 +107,7 @@ def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site
     assert (made.sea.height, made.sea.mean_period) == (0.6, 5.0) and "mean_period = 5.0" in text
     assert read_berth(scene_at(bay, "berth_tanker.toml", {"level": "high"}, ["depth"]))[0].depth == pytest.approx(21.8)
     site = tomllib.loads((bay / "bay.toml").read_text(encoding="utf-8"))
-    quake = quake_of(read_earthquake(scene_at(bay, "earthquake_box.toml", {}, ["rule", "record"])), bay)
+    quake = quake_of(read_earthquake(scene_at(bay, "earthquake_box.toml", {}, ["rule", "record"]))[0], bay)
     assert quake.coefficient == site["earthquake"]["coefficient"]
 
 
