@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.lines.lines_result import lines as lines
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.results.file import read as read
+    from hakobune.pipelines.single_point.result import single_point as single_point
 
 _CHECKOUT = Path(__file__).parents[1]
 if (_CHECKOUT / "pyproject.toml").is_file():
@@ -34,6 +35,7 @@ _PUBLIC = {  # name: module that has it
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.results.file",
+    "single_point": "pipelines.single_point.result",
 }
 __all__ = [*_PUBLIC]
 

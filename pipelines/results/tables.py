@@ -121,9 +121,10 @@ def rich_table(shown, labels):
     if not shown.axis:
         for name in ("quantity", "value", "unit"):
             table.add_column(name, justify="right" if name == "value" else "left", no_wrap=True)
+        largest = _largest(shown)
         for column in shown.columns:
-            unit, size = column.read_in
-            table.add_row(column.heading, _cell(column.values[0], size), unit)
+            (unit,), (cell,) = _filled(column, largest)
+            table.add_row(column.heading, cell, unit)
         return table
     by_row = next((column.units for column in shown.columns if len(column.units) > 1), None)
     if by_row is None and len(shown.labels) <= FEW and len(shown.columns) > 2 * len(shown.labels):

@@ -172,8 +172,7 @@ def barge(tmp_path_factory):
 
 def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, monkeypatch):
     from hakobune.bem.database import open_database
-    from hakobune.mooring.single_point.equilibria import equilibria
-    from hakobune.pipelines.single_point.report import preferred
+    from hakobune.mooring.single_point.equilibria import equilibria, preferred
     from hakobune.pipelines.single_point.study import make
     from hakobune.pipelines.single_point.tables import read_study
 

@@ -17,6 +17,7 @@ COMMANDS = {
     "line": "line --type 'R3 studless 76 mm' --length 300 --depth 60 --tension 300 --characteristic",
     "lines": "lines lines_barge.toml --characteristic stern --offset 2 --direction 30 --broken",
     "line-dynamics": "line-dynamics line_chain_60m.toml --duration 20",
+    "single-point": "single-point single_point_A.toml",
 }
 
 
