@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.results.file import read as read
     from hakobune.pipelines.single_point.result import single_point as single_point
+    from hakobune.pipelines.site.result import site as site
 
 _CHECKOUT = Path(__file__).parents[1]
 if (_CHECKOUT / "pyproject.toml").is_file():
@@ -36,6 +37,7 @@ _PUBLIC = {  # name: module that has it
     "open_database": "bem.database",
     "read": "pipelines.results.file",
     "single_point": "pipelines.single_point.result",
+    "site": "pipelines.site.result",
 }
 __all__ = [*_PUBLIC]
 

@@ -18,6 +18,7 @@ COMMANDS = {
     "lines": "lines lines_barge.toml --characteristic stern --offset 2 --direction 30 --broken",
     "line-dynamics": "line-dynamics line_chain_60m.toml --duration 20",
     "single-point": "single-point single_point_A.toml",
+    "site": "site site_bay.toml",
 }
 
 
