@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.berth.result import berth as berth
+    from hakobune.pipelines.breakwater.result import breakwater as breakwater
     from hakobune.pipelines.damping.result import damping as damping
     from hakobune.pipelines.earthquake.result import earthquake as earthquake
     from hakobune.pipelines.fender.result import fender as fender
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from hakobune.pipelines.response.result import response as response
     from hakobune.pipelines.sections.result import sections as sections
     from hakobune.pipelines.simulate.result import simulate as simulate
+    from hakobune.pipelines.single_point.result import single_point as single_point
+    from hakobune.pipelines.site.result import site as site
 
 _CHECKOUT = Path(__file__).parents[1]
 if (_CHECKOUT / "pyproject.toml").is_file():
@@ -37,19 +40,22 @@ if (_CHECKOUT / "pyproject.toml").is_file():
 
 _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
+    "breakwater": "pipelines.breakwater.result",
     "damping": "pipelines.damping.result",
     "earthquake": "pipelines.earthquake.result",
     "fender": "pipelines.fender.result",
     "line": "pipelines.lines.line_result",
     "line_dynamics": "pipelines.line_dynamics.result",
     "lines": "pipelines.lines.lines_result",
+    "members": "pipelines.members.result",
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.reading",
     "response": "pipelines.response.result",
-    "simulate": "pipelines.simulate.result",
-    "members": "pipelines.members.result",
     "sections": "pipelines.sections.result",
+    "simulate": "pipelines.simulate.result",
+    "single_point": "pipelines.single_point.result",
+    "site": "pipelines.site.result",
 }
 __all__ = [*_PUBLIC]
 

@@ -31,9 +31,6 @@ READERS = *SHOWS, *WAVES, "qtf {}", RESPONSE.replace("response.h5", "new.h5"), "
 OF_KINDS = {  # modules that say which version of a kind of results they read
     "simulation": "hakobune.pipelines.simulate.file",
     "sweep": "hakobune.pipelines.sweep.file",
-    "single point": "hakobune.pipelines.single_point.command",
-    "breakwater study": "hakobune.pipelines.breakwater.files",
-    "sections": "hakobune.pipelines.reports.sections_command",
 }
 
 
@@ -134,7 +131,7 @@ def test_another_version_is_told_as_that_and_never_as_damage(name, again, sealed
 
 def test_the_versions_that_are_told_are_those_that_are_read():
     schemas = {kind: importlib.import_module(module).SCHEMA for kind, module in OF_KINDS.items()}
-    schemas |= {named(one): one for one in map(schema, NAMES)}
+    schemas |= {named(one): one for one in map(schema, (*NAMES, "sections"))}
     assert {kind: f"{OURS}{kind} {version}" for kind, version in READS.items()} == schemas
 
 
