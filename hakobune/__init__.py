@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.berth.result import berth as berth
     from hakobune.pipelines.breakwater.result import breakwater as breakwater
     from hakobune.pipelines.damping.result import damping as damping
+    from hakobune.pipelines.design.result import design as design
     from hakobune.pipelines.earthquake.result import earthquake as earthquake
     from hakobune.pipelines.fender.result import fender as fender
     from hakobune.pipelines.line_dynamics.result import line_dynamics as line_dynamics
@@ -42,6 +43,7 @@ _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
     "breakwater": "pipelines.breakwater.result",
     "damping": "pipelines.damping.result",
+    "design": "pipelines.design.result",
     "earthquake": "pipelines.earthquake.result",
     "fender": "pipelines.fender.result",
     "line": "pipelines.lines.line_result",
