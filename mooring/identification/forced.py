@@ -52,9 +52,9 @@ class Forced(NamedTuple):
 def forced(time, motion, force):
     """`Forced` of a record: s, m, and the reaction of the water on the body, N.  Raises RecordError."""
     t, x, F = checked(time, motion, force)
-    sine = sine_of(t, x)
-    if not sine.amplitude > 0:
+    if not np.ptp(x) > 0:
         raise RecordError("the body does not move in the record")
+    sine = sine_of(t, x)
     theta, V = sine.omega * t + sine.phase, sine.omega * sine.amplitude
     v, a = V * np.cos(theta), -V * sine.omega * np.sin(theta)
     basis = np.stack([-a, -v, -v * np.abs(v), np.ones_like(t)], axis=1)
