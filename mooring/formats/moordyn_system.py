@@ -35,7 +35,7 @@ from .moordyn_dry import STILL, in_air, out_of_water
 from .moordyn_left_out import left_out
 from .moordyn_loose import Still
 from .moordyn_ropes import curve_of_line, is_tabulated, largest_tensions, segment_of_curve
-from .moordyn_rows import COUPLED, FIXED, FREE, LineTypeRow
+from .moordyn_rows import COUPLED, FIXED, FREE, LineTypeRow, finite_number
 
 VESSEL = "vessel"
 DEPTH = ("WtrDpth", "depth", "WaterDepth")
@@ -162,10 +162,8 @@ def _type(row: LineTypeRow, water):
 
 def _number(text, default):
     """A number, or the default for the name of a file"""
-    try:
-        return float(text)
-    except ValueError:
-        return default
+    value = finite_number(text)
+    return default if value is None else value
 
 
 def _weightless(types):

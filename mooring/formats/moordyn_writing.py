@@ -4,10 +4,11 @@ An axial wave of the shortest segment, l long, has the angular frequency and the
 
     ω = 2 √(EA/m) / l,    σ = 4 BA / (m l²) = 2 ζ ω,
 
-a node at the bed ω² = k d/m and σ = c d/m with the bed's kBot and cBot, a bent one ω = 4 √(EI/m) / l², and a free
-point of mass M between springs EA/l at most ω² = 2 Σ(EA/l) / M.  MoorDyn's scheme, Runge–Kutta of second order, keeps
-a decaying motion to σ dt = 2; of an undamped one it adds (ω dt)⁴/8 a step.  dtM is the least 0.2/ω and 1/σ, rounded
-down.  Masses are those in air: added mass only slows the nodes down.
+a node at the bed ω² = k d/m and σ = c d/m with the bed's kBot and cBot, a bent one ω = 4 √(EI/m) / l².  A free point
+with half the mass of the segments at it and a mass of its own, ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M), is no faster than the
+fastest of its lines.  MoorDyn's scheme, Runge–Kutta of second order, keeps a decaying motion to σ dt = 2; of an
+undamped one it adds (ω dt)⁴/8 a step.  dtM is the least 0.2/ω and 1/σ, rounded down.  Masses are those in air: added
+mass only slows the nodes down.
 MoorDyn 2.7 documentation, "Inputs" (names of options) and "Troubleshooting" (time step).
 """
 
@@ -127,7 +128,7 @@ def _positive(name, text):
 
 def stable_step(system, longest, bed_stiffness, bed_damping):
     """s, at most the longest; bed_stiffness, bed_damping : Pa/m and Pa s/m"""
-    fastest, decay, springs = [0.2 / longest], [0.0], {}
+    fastest, decay = [0.2 / longest], []
     for line in system.lines:
         kind, felt = line.type, line.type.dynamics or LineDynamics()
         step, EA, m = line.length / (line.elements or SEGMENTS), kind.axial_stiffness, kind.mass
@@ -139,12 +140,6 @@ def stable_step(system, longest, bed_stiffness, bed_damping):
         ]
         decay += [4 * felt.damping / (m * step**2) if felt.damping > 0 else -2 * felt.damping * axial]
         decay += [bed_damping * kind.diameter / m]
-        for end in (line.a, line.b):
-            k, mass = springs.get(end, (0.0, 0.0))
-            springs[end] = k + EA / step, mass + 0.5 * m * step
-    for point in system.free_points:
-        k, mass = springs[point.name]
-        fastest.append(np.sqrt(2 * k / (mass + point.mass)))
     return _down(min(0.2 / max(fastest), 1 / max(*decay, 1e-9)))
 
 

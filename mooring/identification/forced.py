@@ -57,9 +57,9 @@ class Forced(NamedTuple):
 def forced(time, motion, force):
     """`Forced` of a record: s, m, and the reaction of the water on the body, N.  Raises RecordError."""
     t, x, F = checked(time, motion, force)
-    sine = sine_of(t, x)
-    if not sine.amplitude > 0:
+    if not np.ptp(x) > 0:
         raise RecordError("the body does not move in the record")
+    sine = sine_of(t, x)
     theta, basis = sine.omega * t + sine.phase, _basis(sine, t)
     size = np.abs(basis).max(axis=0)
     share = np.linalg.lstsq(basis / size, F, rcond=None)[0] / size

@@ -28,6 +28,7 @@ from ..environment.spectrum import NODES, PANELS, WEIGHTS, Spectrum, nearness
 from .breaking import GRAVITY
 from .systems import Sum
 
+HIGHEST = 26.0  # m, of the most probable sea: the shape of its wind sea is 0.3 there
 LEAST = 1e-3  # of the height, below which there is no second system
 
 
@@ -159,7 +160,7 @@ def ochi_hubble(height, **period):
     given = [kind for kind, value in period.items() if value is not None]
     if given:
         raise ValueError(f"ochi_hubble: {' and '.join(given)} is given; allowed: none, periods follow from the height")
-    H = within("wave height", positive("wave height", height, "m"), 0.1, 30.0, "m")
+    H = within("wave height", positive("wave height", height, "m"), 0.1, HIGHEST, "m")
     whole = H / np.hypot(0.84, 0.54)
     swell = (0.84 * whole, 0.70 * np.exp(-0.046 * H), 3.00)
     return six_parameters(swell, (0.54 * whole, 1.15 * np.exp(-0.039 * H), 1.54 * np.exp(-0.062 * H)))

@@ -403,7 +403,10 @@ def designed(*warnings):
     from hakobune.pipelines.design.verdict import FAILS as FAILING
     from hakobune.pipelines.design.verdict import PASSES, Verdict, broken_in
 
-    gale, numbers = SimpleNamespace(name="gale", factor=1.0), SimpleNamespace(warnings=warnings, largest=np.array([1e6]))
+    gale, numbers = (
+        SimpleNamespace(name="gale", factor=1.0),
+        SimpleNamespace(warnings=warnings, largest=np.array([1e6])),
+    )
     case = SimpleNamespace(case=gale, numbers=numbers, fault="")
     broken = tuple(broken_in([case]))
     verdict = Verdict([case], broken, (), None, FAILING if broken else PASSES, ())

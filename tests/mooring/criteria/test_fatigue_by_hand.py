@@ -1,0 +1,145 @@
+"""Fatigue term by term: Dirlik's density summed, slopes over the mean tension, cycles, moments that are none."""
+
+import math
+
+import numpy as np
+import pytest
+
+from hakobune.mooring.criteria.fatigue import Curve, Cycles, curves, dirlik, miner, narrow_band, rainflow_cycles
+from hakobune.mooring.criteria.overuse import overused, shares
+from hakobune.mooring.criteria.strength import (
+    equipment_number,
+    equipment_of_box,
+    kind_and_size,
+    larger_sizes,
+    smallest,
+    worn_breaking_load,
+)
+from hakobune.mooring.lines.catalogue import line_type
+
+ROPE = Curve("rope", "share", 4.0, 2000.0, -3.0)
+
+
+def density(z, moments):
+    """p(Z) of ranges 2σZ, T. Dirlik (1985), eq. 2 of the review of Benasciutti and Tovo (2005), constants by hand"""
+    m0, m1, m2, m4 = moments
+    gamma, x_m = m2 / math.sqrt(m0 * m4), m1 / m0 * math.sqrt(m2 / m4)
+    D1 = 2 * (x_m - gamma**2) / (1 + gamma**2)
+    R = (gamma - x_m - D1**2) / (1 - gamma - D1 + D1**2)
+    D2 = (1 - gamma - D1 + D1**2) / (1 - R)
+    D3 = 1 - D1 - D2
+    Q = 5 * (gamma - D3 - D2 * R) / (4 * D1)
+    two = D2 * z / R**2 * np.exp(-(z**2) / (2 * R**2)) + D3 * z * np.exp(-(z**2) / 2)
+    return D1 / Q * np.exp(-z / Q) + two
+
+
+@pytest.mark.parametrize("moments", [(1.0, 0.62, 0.5, 0.5), (2.5e9, 1.1e9, 9e8, 1.2e9)])
+@pytest.mark.parametrize("mean_share", [0.0, 0.2])
+def test_damage_of_any_bandwidth_is_the_sum_over_the_density_of_ranges(moments, mean_share):
+    """Peaks √(m₄/m₂)/2π a second, each with the damage s^m/a, a = 2000 · 10^(−3 · 0.2) at a fifth of the strength"""
+    z, w = np.polynomial.legendre.leggauss(400)
+    z, w = 20.0 * (z + 1), 20.0 * w
+    p, scale = density(z, moments), 7.0 * math.sqrt(moments[0])
+    assert w @ p == pytest.approx(1.0, rel=1e-9)
+    ranges = 2 * math.sqrt(moments[0]) * z / scale
+    peaks = math.sqrt(moments[3] / moments[2]) / (2 * math.pi)
+    wanted = peaks * (w @ (p * ranges**4.0)) / (2000.0 * 10 ** (-3.0 * mean_share))
+    assert dirlik(moments, ROPE, scale, mean_share) == pytest.approx(wanted, rel=1e-8)
+
+
+def test_damage_of_a_narrow_band_in_closed_form_has_the_strength_of_its_mean():
+    """σ = 10, ω = 2π: one cycle a second of Rayleigh ranges, ⟨s⁴⟩ = (2√2 σ)⁴ Γ(3) = 2 · 64 σ⁴; a = 2000 · 10^(−0.3)"""
+    moments = [100.0 * (2 * math.pi) ** n for n in (0, 1, 2, 4)]
+    wanted = 128.0 * 1e4 / 1e12 / (2000.0 * 10**-0.3)
+    assert narrow_band(moments, ROPE, 1e3, 0.1) == pytest.approx(wanted, rel=1e-12)
+    assert dirlik(moments, ROPE, 1e3, 0.1) == pytest.approx(wanted, rel=1e-12)
+
+
+def test_each_cycle_counts_with_its_own_mean():
+    """Ranges of 0.1 and 0.2 of 1 MN at means of 0.1 and 0.3: n s⁴/(2000 · 10^(−3 mean))"""
+    cycles = Cycles(np.array([1e5, 2e5]), np.array([1e5, 3e5]), np.array([7.0, 0.5]))
+    wanted = 7e-4 / (2000 * 10**-0.3) + 0.5 * 16e-4 / (2000 * 10**-0.9)
+    assert miner(cycles, ROPE, 50.0, 1e6) == pytest.approx(wanted, rel=1e-12)
+
+
+def test_cycles_have_their_means():
+    """Of 0, 6, 2, 4, 0 the small one closes about 3; what is left are two halves of range 6 about 3"""
+    cycles = rainflow_cycles([0, 6, 2.5, 4, 0])
+    found = sorted(zip(cycles.range, cycles.mean, cycles.count, strict=True))
+    assert found == [(1.5, 3.25, 1.0), (6.0, 3.0, 0.5), (6.0, 3.0, 0.5)]
+
+
+def test_stress_of_a_rope_is_over_its_circle_and_of_a_chain_over_both_legs():
+    assert curves()["DNV stranded rope"].reference(80.0, 5e6) == pytest.approx(math.pi / 4 * 6400)
+    assert curves()["DNV studless chain"].reference(80.0, 5e6) == pytest.approx(math.pi / 2 * 6400)
+    assert curves()["DNV polyester"].reference(80.0, 5e6) == 5e6
+
+
+@pytest.mark.parametrize(
+    "good, bad",
+    [
+        ((1.0, 0.9, 0.9, 0.811), (1.0, 0.9, 0.9, 0.809)),  # m₂² at most m₀ m₄ = 0.81
+        ((1.0, 1e-3, 0.9, 1.0), (1.0, 0.0, 0.9, 1.0)),
+        ((1.0, 0.9, 0.9, 2.0), (1.0, 0.9, 0.9, math.inf)),
+    ],
+)
+def test_moments_are_those_of_a_spectrum(good, bad):
+    narrow_band(good, ROPE, 1.0)
+    for rule in (narrow_band, dirlik):
+        with pytest.raises(ValueError, match="moments m0, m1, m2, m4 are not those of a spectrum"):
+            rule(bad, ROPE, 1.0)
+
+
+def test_wear_makes_the_smallest_size_larger_by_what_it_takes():
+    """0.4 mm a year for 15 years is 6 mm: by d² (44 − 0.08 d) of what is left, and the size before does not carry"""
+    tension, factor = 1.5e6, 2.0
+    name, load = smallest("grade 3", tension, factor, 0.4, 15.0)
+    kind, size = kind_and_size(name)
+    assert kind == "grade 3" and load >= factor * tension
+
+    def left(d):
+        new = line_type(f"grade 3 {d:g} mm").breaking_load
+        return new * ((d - 6) / d) ** 2 * (44 - 0.08 * (d - 6)) / (44 - 0.08 * d)
+
+    assert load == pytest.approx(left(size), rel=1e-12) and left(size - 2) < factor * tension
+    assert size > kind_and_size(smallest("grade 3", tension, factor)[0])[1]
+
+
+def test_wear_leaves_at_least_half_of_a_chain():
+    assert worn_breaking_load(1e6, 40.0, 1.0, 20.0) == pytest.approx(1e6 * 0.25 * 42.4 / 40.8, rel=1e-12)
+    for allowance, years, says in ((1.0, 20.1, "leaves 19.9 mm of 40 mm"), (-0.1, 5.0, "wear is -0.1 mm a year")):
+        with pytest.raises(ValueError, match=says):
+            worn_breaking_load(1e6, 40.0, allowance, years)
+
+
+def test_larger_sizes_are_the_next_of_the_kind():
+    """Chain in steps of 2 mm to 98 and of 5 mm beyond, rope in steps of 4 and 8 mm"""
+    assert larger_sizes("R3 studless 76 mm", 2) == ["R3 studless 78 mm", "R3 studless 80 mm"]
+    assert larger_sizes("grade 3 98 mm", 2) == ["grade 3 100 mm", "grade 3 105 mm"]
+    assert larger_sizes("polyester 60 mm", 3) == ["polyester 64 mm", "polyester 72 mm", "polyester 80 mm"]
+    assert larger_sizes("wire 6x36 IWRC 1960 256 mm", 9) == []
+    assert kind_and_size("R3 studless 76 mm") == ("R3 studless", 76.0)
+
+
+def test_equipment_number_of_a_box_is_of_its_sides_above_water():
+    """8000 t, 100 × 30 m, 4 m of freeboard: front 120 m², side 400 m²; LR 400 + 2.5 · 120 + 40, NV without the side"""
+    found = dict(equipment_of_box({"length": 100.0, "beam": 30.0, "draft": 9.0}, 4.0, 8e6))
+    assert found["LR"] == pytest.approx(740) and found["AB"] == pytest.approx(680) and found["NV"] == pytest.approx(520)
+    assert found["GL"] == pytest.approx(700) and len(found) == 7
+    assert equipment_of_box({"length": 100.0, "beam": 30.0}, None, 8e6) == []
+    assert equipment_of_box({"radius": 10.0, "beam": 3.0}, 4.0, 8e6) == []
+    with pytest.raises(ValueError, match="displacement is 0 t"):
+        equipment_number("LR", 0.0)
+    assert equipment_number("NV", 1e-9) > 0
+
+
+def test_lines_that_part_and_lines_above_what_is_allowable_are_told_apart():
+    """Just at a limit is neither; the largest first; a load that none stands has no number"""
+    names, used = ("a", "b", "c", "d", "e"), [0.4, 0.401, 1.0, 1.001, np.nan]
+    parted, above = overused(names, used, 0.4, "in the storm")
+    assert parted.startswith(
+        "FAILS: 1 of 5 lines in the storm beyond the breaking load, limit 100 %, where they part: d 100.1 %"
+    )
+    assert "2 of 5 lines in the storm above the allowable 40 % of the breaking load: c 100 %, b 40.1 %; give" in above
+    assert list(overused(names[:1], [0.4], 0.4, "")) == [] and len(list(overused(names[:1], [1.2], 1.0, ""))) == 1
+    assert shares(("x", "y"), [np.inf, 0.5]) == "x more than any load, y 50 %"

@@ -1,0 +1,82 @@
+"""The section of a gridded bed under a line, its heights and slopes, by hand."""
+
+import numpy as np
+import pytest
+
+from hakobune.mooring.lines.multi_segment.bed import Bed
+
+X, Y = np.array([0.0, 100.0, 200.0]), np.array([0.0, 30.0, 60.0, 120.0])
+
+
+def section(anchor, fairlead, height=lambda x, y: 0.1 * x - 0.2 * y, friction=0.0):
+    return Bed.under(X, Y, height(X[:, None], Y[None, :]), anchor, fairlead, friction)
+
+
+def test_a_section_bends_where_the_line_crosses_lines_of_the_grid():
+    """3-4-5 from (30, 10): y = 30, 60 and 120, the edge, at 20, 50 and 110 times 5/4; x = 100 at 70·5/3"""
+    bed = section((30.0, 10.0), (90.0, 90.0), friction=0.4)
+    crossings = [0.0, 20 * 5 / 4, 50 * 5 / 4, 100.0, 70 * 5 / 3, 110 * 5 / 4]
+    assert bed.friction == 0.4
+    assert bed.points[:, 0] == pytest.approx(crossings)
+    assert bed.points[:, 1] == pytest.approx(bed.points[:, 0] * (0.1 * 3 / 5 - 0.2 * 4 / 5))
+
+
+@pytest.mark.parametrize("back", [False, True])
+def test_a_section_along_a_line_of_the_grid_crosses_the_others_alone(back):
+    ends = ((20.0, 30.0), (180.0, 30.0))
+    bed = section(*(ends[::-1] if back else ends), lambda x, y: np.abs(x - 100.0) + 0 * y)
+    assert bed.points[:, 0] == pytest.approx([0.0, 80.0, 160.0, 180.0])
+    assert bed.points[:, 1] == pytest.approx([0.0, -80.0, 0.0, 20.0])
+
+
+def test_between_its_points_a_grid_is_bilinear():
+    """z = xy is bilinear and is met at every vertex; from the anchor at (50, 15)"""
+    bed = section((50.0, 15.0), (150.0, 45.0), lambda x, y: x * y)
+    way = np.array([100.0, 30.0]) / np.hypot(100.0, 30.0)
+    at = np.array([50.0, 15.0]) + bed.points[:, :1] * way
+    assert bed.points[:, 1] == pytest.approx(at[:, 0] * at[:, 1] - 50 * 15)
+    assert len(bed.points) == 4  # both lines x = 100 and y = 30 at the middle, both ends, the edge at (200, 60)
+
+
+def test_a_line_without_direction_and_ends_off_the_grid_are_refused():
+    with pytest.raises(ValueError, match="above the anchor; a section needs a direction"):
+        section((50.0, 10.0), (50.0, 10.0))
+    section((0.0, 0.0), (200.0, 120.0))
+    with pytest.raises(ValueError, match=r"fairlead at \(200\.1, 120\) m is off"):
+        section((0.0, 0.0), (200.1, 120.0))
+    with pytest.raises(ValueError, match=r"anchor at \(10, -0\.1\) m is off"):
+        section((10.0, -0.1), (50.0, 120.0))
+    with pytest.raises(ValueError, match="x and y rising"):
+        Bed.under(X[::-1], Y, np.zeros((3, 4)), (10.0, 10.0), (50.0, 50.0))
+    with pytest.raises(ValueError, match=r"shape \(4, 3\); allowed: \(3, 4\)"):
+        Bed.under(X, Y, np.zeros((4, 3)), (10.0, 10.0), (50.0, 50.0))
+
+
+def test_heights_above_a_bed_before_on_and_beyond_its_vertices():
+    """Facets of slopes 0.1, −0.2 and 0.5, the first and the last without end"""
+    bed = Bed(np.array([[5.0, 7.0], [105.0, 17.0], [155.0, 7.0], [175.0, 17.0]]))
+    assert bed.points[0] == pytest.approx([0.0, 0.0])
+    assert bed.slopes == pytest.approx([0.1, -0.2, 0.5])
+    x = np.array([-20.0, 50.0, 125.0, 160.0, 190.0])
+    ground = np.array([-2.0, 5.0, 5.0, 5.0, 20.0])
+    assert bed.depth_below(x, np.full(5, 4.0)) == pytest.approx(4.0 - ground)
+    assert bed.first_facet == pytest.approx(100.0)
+    assert Bed.sloping(0.3).first_facet == np.inf
+    assert Bed.sloping(0.3).depth_below(10.0, 5.0) == pytest.approx(5 - 10 * np.tan(0.3))
+
+
+@pytest.mark.parametrize(("slope", "friction", "slides"), [(-0.49, 0.5, False), (-0.51, 0.5, True), (0.6, 0.5, False)])
+def test_a_line_slides_away_from_its_anchor_where_the_bed_falls_more_steeply_than_its_friction(slope, friction, slides):
+    assert Bed(np.array([[0.0, 0.0], [1.0, slope]]), friction).slides_beyond == slides
+
+
+def test_beds_at_either_side_of_what_is_allowed():
+    Bed.sloping(1.49)
+    with pytest.raises(ValueError, match="bed slope is"):
+        Bed.sloping(1.5)
+    with pytest.raises(ValueError, match="bed friction is"):
+        Bed.sloping(0.0, -0.1)
+    with pytest.raises(ValueError, match="step 0 m in x"):
+        Bed(np.array([[0.0, 0.0], [1.0, 1.0], [1.0, 2.0]]))
+    with pytest.raises(ValueError, match=r"shape \(1, 2\)"):
+        Bed(np.zeros((1, 2)))
