@@ -3,7 +3,6 @@
 import math
 import warnings
 
-import h5py
 import numpy as np
 import pytest
 
@@ -13,15 +12,7 @@ from hakobune.mooring.formats.moordyn_loose import Still, rests_of_moordyn
 from hakobune.mooring.formats.moordyn_system import still_water, system_of_moordyn
 from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
 from hakobune.mooring.formats.moorpy import system_of_moorpy
-from hakobune.mooring.formats.results import (
-    channels_of_line,
-    channels_of_rest,
-    read_channels,
-    read_frames,
-    write_channels,
-)
 from hakobune.mooring.formats.yaml_text import parse_yaml
-from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.parts import (
     Anchor,
@@ -330,48 +321,6 @@ def test_a_moorpy_file_has_each_of_its_keys():
     with pytest.raises(FormatError, match="water_depth is 90 m and the depth given 80 m"):
         system_of_moorpy(parse_yaml(YAML), depth=80.0)
     assert system_of_moorpy(parse_yaml(YAML), depth=90.0).depth == 90.0
-
-
-def test_channels_of_a_rest_are_its_numbers_each_under_its_name():
-    """Tensions at both ends, places of points, a body's place in metres and degrees"""
-    state = rest(two_kinds())
-    found = channels_of_rest(state)
-    for i in (1, 2):
-        assert found[f"FairTen{i}"] == (state.lines.tension_b[i - 1], "N")
-        assert found[f"AnchTen{i}"] == (state.lines.tension_a[i - 1], "N")
-    for axis, value in zip("XYZ", (100.0, 2.0, -60.0), strict=True):
-        assert found[f"Point1P{axis}"] == (pytest.approx(value), "m")
-    for axis, value in zip("XYZ", (7.0, 8.0, -1.0), strict=True):
-        assert found[f"Body1P{axis}"] == (pytest.approx(value), "m")
-    assert [found[f"Body1{axis}"] for axis in ("Roll", "Pitch", "Yaw")] == [
-        (0.0, "deg"),
-        (0.0, "deg"),
-        (pytest.approx(30.0), "deg"),
-    ]
-    bow = np.array([7 + 3 * math.cos(math.pi / 6) - 2.0, 8 + 1.5 + 4 * math.cos(math.pi / 6), -6.0])
-    assert [found[f"Point3P{axis}"][0] for axis in "XYZ"] == pytest.approx(bow)
-
-
-def test_channels_of_a_run_are_the_lengths_of_its_forces_and_are_kept_with_units_and_names(tmp_path):
-    class Run:
-        force_fairlead, force_anchor = (
-            np.array([[3.0, 4.0, 0.0], [0.0, 0.0, 2.0]]),
-            np.array([[1.0, 2.0, 2.0], [0.0, 6.0, 8.0]]),
-        )
-
-    found = channels_of_line(Run, 4)
-    assert found["FairTen4"][0].tolist() == [5.0, 2.0] and found["AnchTen4"][0].tolist() == [3.0, 10.0]
-    frames = np.array([0.0, 1.0]), np.arange(12.0).reshape(2, 2, 3)
-    write_channels(tmp_path / "run.h5", [0.5, 1.5], found, {"lines": ["bow"]}, frames, {"study": "a"})
-    assert read_channels(tmp_path / "run.h5")["Time"].tolist() == [0.5, 1.5]
-    assert read_frames(tmp_path / "run.h5")[0].tolist() == [0.0, 1.0]
-    with h5py.File(tmp_path / "run.h5") as file:
-        units = {name: file[name].attrs["units"] for name in ("Time", "FairTen4", "frames/Time", "frames/Line1")}
-        assert units == {"Time": "s", "FairTen4": "N", "frames/Time": "s", "frames/Line1": "m"}
-        assert file["names/lines"][0] == b"bow" and file.attrs["study"] == "a"
-    write_channels(tmp_path / "bare.h5", 0.0, {})
-    with pytest.raises(FormatError, match="holds no frames"):
-        read_frames(tmp_path / "bare.h5")
 
 
 DRY = """\
