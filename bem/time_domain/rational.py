@@ -73,7 +73,10 @@ def fitted(s, H, count, weight):
 
 
 def balanced(system):
-    """`Balanced` of a stable system, as a function of 1/s: what is reduced is exact in steady motion"""
+    """`Balanced` of a stable system, as a function of 1/s: states that are left out follow the others at once
+
+    What they pass on from input to output by themselves, a constant, is left out.
+    """
     from scipy.linalg import solve_continuous_lyapunov
 
     inverse = np.linalg.inv(system.A)

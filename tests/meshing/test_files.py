@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -101,6 +103,17 @@ def test_a_deck_in_the_water_surface_is_left_out(tmp_path):
     assert len(read_mesh(tmp_path / "a.stl")) == 3
 
 
+def test_a_deck_within_a_millionth_of_the_length_is_in_the_surface(tmp_path):
+    """Of 100 m; its normal points up"""
+    for z, panels in ((-0.8e-4, 3), (-1.2e-4, 4)):
+        deck = structured(np.array([[[-50, -2, z], [-50, 2, z]], [[50, -2, z], [50, 2, z]]]))
+        hull = box(100, 10, 5, counts=(1, 1, 1))
+        whole = replace(hull, points=np.vstack([hull.points, deck.points]),
+                        corners=np.vstack([hull.corners, deck.corners + len(hull.points)]), symmetry="")  # fmt: skip
+        write_mesh(whole, tmp_path / "a.gdf")
+        assert len(read_mesh(tmp_path / "a.gdf")) == panels
+
+
 def test_a_bottom_in_the_water_surface_is_kept(tmp_path):
     raft = structured(np.array([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.0]]])).flipped()
     assert raft.normals[0, 2] < 0
@@ -140,6 +153,7 @@ BAD = {
     "far.obj": ("v 0 0 0\nf 1 2 1000000000000000000000\n", "line 2: there is no point 2; the file has 1"),
     "inf.nemoh": ("2 0\ninf 0 0 0\n0 0 0 0\n1 1 1 1\n0 0 0 0\n", "line 2: 'inf' is not a finite number"),
     "nan.gdf": ("h\n1 9.81\n0 0\n1\n" + "nan " * 12, "not a finite number"),
+    "one nan.gdf": ("h\n1 9.81\n0 0\n1\n0 0 0 1 0 0 1 1 0 nan 1 0\n", "line 5: 'nan' is not a finite number"),
     "head.nemoh": ("1 2 3\n", "line 1"),
     "open.nemoh": ("2 0\n1 0 0 0\n", "after the points"),
     "point.dat": ("2 0\n1 0 0 0\n0 0 0 0\n1 2 3 4\n0 0 0 0\n", "line 4: there is no point 2"),
@@ -185,6 +199,143 @@ def test_a_binary_stl_that_is_cut_off_says_how_much_is_lost(tmp_path):
     (tmp_path / "a.stl").write_bytes((tmp_path / "a.stl").read_bytes()[:200])
     with pytest.raises(ValueError, match="its head says 3 triangles, 234 bytes, and it has 200"):
         read_mesh(tmp_path / "a.stl")
+
+
+def test_the_unit_of_lengths_follows_gravity_within_a_hundredth():
+    """m from 9.7 to 9.9 m/s², feet from 31.8 to 32.5 ft/s²"""
+    from hakobune.meshing.text_formats import length_unit
+
+    assert length_unit("a", 9.71) == length_unit("a", 9.89) == 1.0
+    assert length_unit("a", 31.81) == length_unit("a", 32.49) == 0.3048
+    for gravity in (9.69, 9.91, 31.79, 32.51):
+        with pytest.raises(ValueError, match=f"a, line 2: GRAV is {gravity:g}; allowed: 9.80665"):
+            length_unit("a", gravity)
+
+
+def test_suffixes_are_read_and_written_in_capitals(tmp_path):
+    for suffix in (".GDF", ".VTU", ".PNL"):
+        write_mesh(box(10, 5, 2, panels=40), tmp_path / f"a{suffix}")
+        assert read_mesh(tmp_path / f"a{suffix}").volume == pytest.approx(100)
+
+
+def test_a_file_of_more_than_32_megabytes_is_refused_unread(tmp_path):
+    for size, words in ((31.9e6, "not text|lines; a GDF"), (32.1e6, "has 32 MB; allowed: up to 32 MB")):
+        with (tmp_path / "a.gdf").open("wb") as file:
+            file.truncate(int(size))
+        with pytest.raises(ValueError, match=words):
+            read_mesh(tmp_path / "a.gdf")
+
+
+def test_any_of_several_counts_is_held_against_the_size_of_the_file(tmp_path):
+    """One of points that is right does not vouch for one of panels; a compressed file may hold a thousand a byte"""
+    head = "ply\nformat ascii 1.0\nelement vertex 3\nelement face {}\nend_header\n"
+    size = len(head.format(10))
+    for count, words in (
+        (size, "cannot be read"),
+        (size + 1, f"it says it has {size + 1} points or panels, in {size}"),
+    ):
+        (tmp_path / "a.ply").write_text(head.format(count))
+        with pytest.raises(ValueError, match=words):
+            read_mesh(tmp_path / "a.ply")
+    text = '<Piece NumberOfPoints="3" NumberOfCells="{}">'
+    for count, words in ((40 * 1000, "cannot be read"), (55 * 1000, "it says it has 55000 points")):
+        (tmp_path / "a.vtu").write_text(text.format(count))
+        assert 40 <= len(text.format(count)) <= 52
+        with pytest.raises(ValueError, match=words):
+            read_mesh(tmp_path / "a.vtu")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("a.off", "OFF\n3 1 0\n0 0 -1\nnan 0 -1\n1 1 -1\n3 0 1 2\n", "a coordinate is not a finite number"),
+        ("a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 float\n0 0 -1 1 0 -1\n"
+         "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n", "it holds line; allowed: triangle, quad"),
+        ("a", "", "cannot read a file without suffix; allowed: .gdf"),
+        ("short.pnl", "1 4 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1\n4 0 1 -1\n1 4 1 2 3 4\n", "line 4: 3 numbers; a node has"),
+        ("three.pnl", "1 3 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n1 4 1 2 3\n", "line 5: a panel has a number, 3 or 4"),
+        ("short.nemoh", "2 0\n1 0 0\n0 0 0 0\n", "line 2: 3 numbers; a point has a number and x y z"),
+        ("side.nemoh", "2 2\n", "line 1: allowed: '2 0' or '2 1'"),
+        ("few.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: 2 nodes; a panel has 3 or 4"),
+        ("zero.pnl", "1 3 1 2\n", "symmetry 1 2; allowed: 0 or 1 each"),
+    ],
+)  # fmt: skip
+def test_more_that_cannot_be_read_is_named(tmp_path, name, text, words):
+    (tmp_path / name).write_text(text)
+    with pytest.raises(ValueError) as caught:
+        read_mesh(tmp_path / name)
+    assert words in str(caught.value) and name in str(caught.value)
+
+
+def test_as_many_triangles_as_quadrilaterals_are_panels(tmp_path):
+    import meshio
+
+    points = np.array([[0, 0, -1], [0, 1, -1], [1, 1, -1], [1, 0, -1], [2, 0, -1.0]])
+    meshio.Mesh(points, [("quad", [[0, 1, 2, 3]]), ("triangle", [[3, 2, 4]])]).write(tmp_path / "a.vtu")
+    np.testing.assert_allclose(read_mesh(tmp_path / "a.vtu").area_vectors, [[0, 0, -1], [0, 0, -0.5]])
+
+
+def test_words_that_are_too_long_to_show_are_cut(tmp_path):
+    for length, shown in ((40, "x" * 40), (41, "x" * 40 + "…")):
+        (tmp_path / "a.gdf").write_text("h\n1 9.81\n0 0\n1\n" + "x" * length + "\n")
+        with pytest.raises(ValueError, match=f"line 5: '{shown}' is not a finite number"):
+            read_mesh(tmp_path / "a.gdf")
+
+
+def test_files_of_points_by_number_are_read_in_any_order_and_with_triangles(tmp_path):
+    """A half of a tetrahedral hole: points numbered 5, 9, 2, 7; of HAMS with a panel of three and one of four"""
+    points = "5 0 0 -1\n9 2 0 -1\n2 2 1 -1\n7 0 1 -1\n"
+    (tmp_path / "a.nemoh").write_text(f"2 1\n{points}0 0. 0. 0.\n7 2 9 5\n5 9 2\n0 0 0 0\n")
+    (tmp_path / "a.pnl").write_text(
+        f"2 4 0 1 ! counts\n\n# nodes\n{points}# panels\n1 4 7 2 9 5\n2 3 5 9 2 7 1\n# end\n"
+    )
+    for name in ("a.nemoh", "a.pnl"):
+        mesh = read_mesh(tmp_path / name)
+        assert mesh.symmetry == "y" and len(mesh) == 2
+        np.testing.assert_allclose(mesh.area_vectors, [[0, 0, -2], [0, 0, 1]])
+    (tmp_path / "xy.pnl").write_text(f"1 4 1 0\n{points}1 4 7 2 9 5\n")
+    assert read_mesh(tmp_path / "xy.pnl").symmetry == "x"
+
+
+def test_every_number_of_a_file_of_hams_is_where_its_manual_has_it(tmp_path):
+    """Panels, nodes, x and y symmetry; number x y z; number, how many, nodes, quadrilaterals first"""
+    hull = replace(buoy(10, 10, counts=(2, 2, 2)), symmetry="y", name="pile")
+    write_mesh(hull, tmp_path / "a.pnl")
+    text = (tmp_path / "a.pnl").read_text()
+    rows = [line.split() for line in text.splitlines() if line.strip() and line.split()[0].isdigit()]
+    assert "pile" in text.splitlines()[0]
+    count, points = len(hull), len(hull.points)
+    assert rows[0] == [str(count), str(points), "0", "1"] and len(rows) == 1 + points + count
+    for k, row in enumerate(rows[1 : 1 + points]):
+        assert int(row[0]) == k + 1
+        np.testing.assert_array_equal(np.array(row[1:], float), hull.points[k])
+    kinds = [int(row[1]) for row in rows[1 + points :]]
+    assert kinds == sorted(kinds, reverse=True) and kinds.count(3) == 2
+    assert [int(row[0]) for row in rows[1 + points :]] == list(range(1, count + 1))
+    corners = {frozenset(map(int, row[2:])) for row in rows[1 + points :]}
+    assert corners == {frozenset((panel + 1).tolist()) for panel in hull.corners}
+    write_mesh(replace(hull, name=""), tmp_path / "a.pnl")
+    assert "Hull Mesh File" in (tmp_path / "a.pnl").read_text().splitlines()[0]
+
+
+def test_every_number_of_a_file_of_wamit_is_where_its_manual_has_it(tmp_path):
+    """Title; ULEN GRAV; ISX ISY; NPAN; corners"""
+    hull = replace(box(10, 6, 2, counts=(1, 1, 1)), symmetry="x", name="half a box")
+    write_mesh(hull, tmp_path / "a.gdf")
+    lines = (tmp_path / "a.gdf").read_text().splitlines()
+    assert lines[0] == "half a box" and lines[1].split()[:2] == ["1.0", "9.80665"]
+    assert lines[2].split()[:2] == ["1", "0"] and lines[3].split()[0] == "3"
+    np.testing.assert_array_equal(np.array([line.split() for line in lines[4:]], float), hull.vertices.reshape(-1, 3))
+    write_mesh(replace(hull, name=""), tmp_path / "a.gdf")
+    assert (tmp_path / "a.gdf").read_text().startswith("panel mesh\n")
+
+
+def test_a_panel_of_two_corners_cannot_be_written_as_one(tmp_path):
+    hull = box(10, 6, 2, counts=(1, 1, 1))
+    corners = hull.corners.copy()
+    corners[1] = corners[1][[0, 0, 1, 1]]
+    with pytest.raises(ValueError, match="panel 1 has fewer than three different corners"):
+        write_mesh(replace(hull, corners=corners), tmp_path / "a.pnl")
 
 
 def test_a_missing_file_is_missing(tmp_path):

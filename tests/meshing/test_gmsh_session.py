@@ -1,4 +1,5 @@
 import signal
+import subprocess
 import sys
 import threading
 
@@ -6,8 +7,11 @@ import numpy as np
 import pytest
 
 from hakobune.meshing import gmsh_session
+from hakobune.meshing.files import write_mesh
 from hakobune.meshing.gmsh_session import filled, graded_patches, session
-from hakobune.meshing.shapes import box
+from hakobune.meshing.lid import lid
+from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.shapes import box, buoy
 
 SQUARE = np.array([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0.0]])
 
@@ -94,3 +98,39 @@ def test_a_missing_system_library_is_named_with_the_packages_that_hold_it(monkey
     monkeypatch.setattr(sys, "meta_path", [Broken(), *sys.meta_path])
     with pytest.raises(ImportError, match=r"libGLU\.so\.1.*libglu1-mesa"), gmsh_session.session("a"):
         pass
+
+
+def test_triangles_about_a_pole_have_it_as_their_last_corner_wherever_it_was():
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 2, 0.0]])
+    corners = [[0, 1, 2, 2], [2, 0, 1, 1], [1, 2, 0, 0], [1, 3, 2, 2], [0, 1, 3, 2]]
+    found = gmsh_session._poles_last(PanelMesh(points, corners), [points[0]])
+    assert found.corners.tolist() == [[1, 2, 0, 0], [1, 2, 0, 0], [1, 2, 0, 0], [1, 3, 2, 2], [0, 1, 3, 2]]
+
+
+def test_every_point_and_panel_of_a_gmsh_file_has_a_number_of_its_own(tmp_path):
+    """Format 4.1: numbers of nodes in lines of one integer, elements in lines that begin with theirs"""
+    hull = buoy(10, 5, counts=(2, 2, 2))
+    write_mesh(hull, tmp_path / "a.msh", lid(hull))
+    lines = (tmp_path / "a.msh").read_text().splitlines()
+    nodes = [int(row) for row in lines[lines.index("$Nodes") + 2 : lines.index("$EndNodes")] if row.isdigit()]
+    rows = [row.split() for row in lines[lines.index("$Elements") + 2 : lines.index("$EndElements")]]
+    tags, head = [], 0
+    for row in rows:
+        if head:
+            tags.append(int(row[0]))
+            head -= 1
+        else:
+            head = int(row[3])
+    assert len(nodes) == len(set(nodes)) == len(hull.whole().points) + len(lid(hull).whole().points)
+    assert len(tags) == len(set(tags)) == hull.total + lid(hull).total
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="needs SIGPIPE")
+def test_a_closed_pipe_is_an_exception_after_meshing_and_not_the_end_of_the_program():
+    code = (
+        "import os\nfrom meshing.gmsh_session import session\nwith session('a'): pass\n"
+        "read, write = os.pipe()\nos.close(read)\n"
+        "try:\n    os.write(write, b'x')\nexcept BrokenPipeError:\n    print('told')\n"
+    )
+    made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (made.returncode, made.stdout) == (0, "told\n")

@@ -187,3 +187,80 @@ def test_a_lid_lies_inside_its_ring_and_outside_its_pool_however_long_its_edges(
     exact = sum(s * 0.5 * np.sum(r[:-1, 0] * np.diff(r[:, 1]) - r[:-1, 1] * np.diff(r[:, 0]))
                 for s, r in zip((1, -1), sides, strict=True))  # fmt: skip
     assert total_area(cover) == pytest.approx(exact, rel=0.05)
+
+
+@pytest.mark.parametrize("sides, kept", [(15, False), (16, True)])
+def test_chords_leave_a_ring_by_a_tenth_of_the_width_of_its_lid(sides, kept):
+    """R (1 − cos π/n) of R 10 m around a pool of 8 m: 0.219 m of n = 15 is more than 0.2 m, 0.192 m of 16 is not"""
+    from hakobune.meshing.lid import _true
+
+    angle = np.arange(480) * np.pi / 240
+    outer, inner = (r * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1) for r in (10.0, 8.0))
+    plan = _true(outer, [inner[::-1]], 2 * np.pi * 10 / sides)
+    assert (len(plan) == sides) == kept and len(plan) >= sides
+
+
+def test_a_disc_is_as_wide_as_what_lies_across_it():
+    """Its own corners count where the way along the rim is over 1.5 chords: x / sin x = 1.5 of half the angle"""
+    from scipy.optimize import brentq
+
+    from hakobune.meshing.lid import _width
+
+    angle = np.arange(720) * np.pi / 360
+    ring = 10 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    half = brentq(lambda x: x / np.sin(x) - 1.5, 0.5, 3)
+    np.testing.assert_allclose(_width(ring, []), 20 * np.sin(half), rtol=1e-3)
+    np.testing.assert_allclose(_width(ring, [ring * 0.9, ring * 0.5]), 1.0, rtol=1e-3)  # the nearer of two pools
+
+
+def test_a_lid_has_the_size_asked_for_and_by_default_a_third_of_the_panels():
+    """40 x 20 m: 8 x 4 panels of 5 m; of a hull of 96 panels 32 of √(800/32) = 5 m"""
+    hull = box(40, 20, 5, counts=(4, 2, 2), symmetry="")
+    assert len(hull) == 80
+    np.testing.assert_allclose(lid(hull, 5.0).areas, 25.0)
+    hull = box(40, 20, 5, counts=(3, 3, 2), symmetry="")
+    assert len(hull) == 84  # 28 wanted, √(800/28) = 5.35 m: 7 x 4
+    assert len(lid(hull)) == 28
+
+
+def test_filled_polygons_are_quadrilaterals_but_for_a_few_triangles():
+    cover = lid(ring_hull(curve(10), curve(5)), 1.0)
+    triangles = np.sum(cover.corners[:, 2] == cover.corners[:, 3])
+    assert triangles < 0.15 * len(cover)
+    wanted = total_area(cover)
+    assert len(cover) <= 1.2 * wanted * 1.5 and len(cover) > 0.5 * wanted
+
+
+def test_a_place_of_a_waterline_that_forks_is_told():
+    """Two boxes that touch in the corner x = 5, y = 2.5"""
+    one = box(10, 5, 2, counts=(1, 1, 1), symmetry="")
+    with pytest.raises(ValueError, match=r"the waterline forks at x = 5, y = 2.5 m"):
+        lid(joined([one, one.moved(dx=10, dy=5)]))
+
+
+def test_a_plan_keeps_its_corners_and_divides_what_is_between_them_evenly():
+    """A half disc of 10 m, its arc from the middle on: 31.4 m in three parts of its own, the straight side in one"""
+    from hakobune.meshing.lid import _simplified
+
+    angle = np.arange(181) * np.pi / 180
+    arc = 10 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    ring = np.concatenate([arc[90:], arc[:90]])
+    plan = _simplified(ring, 10.0)
+    expected = 10 * np.array([[np.cos(a), np.sin(a), 0] for a in np.pi / 3 * np.arange(4)])
+    assert len(plan) == 4 and {tuple(p) for p in plan.round(6)} == {tuple(p) for p in expected.round(6)}
+
+
+def test_a_ring_lies_in_another_where_its_first_point_does():
+    """An L by its two rectangles, and a triangle by the signs of three cross products, at random points"""
+    from hakobune.meshing.lid import _inside
+
+    L = np.array([[0, 0], [4, 0], [4, 1], [1.5, 1], [1.5, 3], [0, 3.0]])
+    triangle = np.array([[-1, 0.2], [3, -1], [2, 2.5]])
+    x = np.random.default_rng(3).uniform(-2, 5, (400, 2))
+    in_L = np.all((x > 0) & (x < (4, 1)), axis=1) | np.all((x > 0) & (x < (1.5, 3)), axis=1)
+    side = np.roll(triangle, -1, axis=0) - triangle
+    in_triangle = np.all(
+        side[:, 0] * (x[:, None] - triangle)[..., 1] > side[:, 1] * (x[:, None] - triangle)[..., 0], axis=1
+    )
+    for ring, expected in ((L, in_L), (L[::-1], in_L), (triangle, in_triangle)):
+        assert [_inside(point[None], ring) for point in x] == expected.tolist()

@@ -50,3 +50,20 @@ def test_a_hull_that_is_no_image_of_itself_stays_whole():
 def test_a_panel_across_the_plane_is_not_cut():
     one = PanelMesh([[-1, -1, -1], [-1, 1, -1], [1, 1, -1], [1, -1, -1]], [[0, 1, 2, 3]])
     assert folded(one) is one
+
+
+@pytest.mark.parametrize("share, found", [(0.8e-6, "xy"), (1.2e-6, "y")])
+def test_images_within_a_millionth_of_the_length_are_images(share, found):
+    """Of 300 m: one end moved down, which changes the area of panels of 15 m by half of that times 15 m"""
+    whole = box(300, 30, 3, counts=(10, 1, 1), grading=False).whole()
+    end = (whole.points[:, 0] == 150) & (whole.points[:, 2] == 0)
+    lower = whole.points - np.where(end[:, None], [0, 0, 300 * share], 0.0)
+    assert folded(PanelMesh(lower, whole.corners)).symmetry == found
+
+
+def test_points_near_a_plane_are_put_on_it():
+    whole = box(300, 30, 3, counts=(2, 1, 1), grading=False).whole()
+    off = whole.points - np.where(np.abs(whole.points[:, :1]) < 1, [1e-4, 0, 0], 0.0)
+    part = folded(PanelMesh(off, whole.corners))
+    assert part.symmetry == "xy" and part.points[:, :2].min() == 0.0
+    assert np.sum(part.points[:, 0] == 0.0) == 3  # keel, bilge and waterline of the plane

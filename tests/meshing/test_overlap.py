@@ -5,7 +5,7 @@ import pytest
 
 from hakobune.meshing.panels import joined
 from hakobune.meshing.quality import findings
-from hakobune.meshing.quality.overlap import connected, overlaps
+from hakobune.meshing.quality.overlap import _solid_angles, connected, overlaps
 from hakobune.meshing.shapes import box, buoy
 
 PONTOON = box(40, 10, 5, panels=120).whole()
@@ -53,3 +53,14 @@ def test_a_long_chain_in_any_order_is_one_part_and_two_of_them_are_two():
     chain = np.delete(np.arange(1999), 999)
     part = connected(order[chain], order[chain + 1], 2000)
     assert len(np.unique(part[order[:1000]])) == len(np.unique(part[order[1000:]])) == 1 and part.max() == 1
+
+
+def test_the_solid_angle_of_an_octant_is_an_eighth_of_all():
+    """And of a face of a cube from its middle a sixth, from a corner of it none of the three that meet there"""
+    octant = np.eye(3)[None]
+    assert _solid_angles(np.zeros((1, 3)), octant) == pytest.approx([1 / 8])
+    assert _solid_angles(np.zeros((1, 3)), 7.0 * octant) == pytest.approx([1 / 8])
+    face = np.array([[1, -1, -1], [1, 1, -1], [1, 1, 1], [1, -1, 1.0]])
+    assert _solid_angles(np.array([[0, 0, 0], [1 - 1e-9, 0, 0], [-1e6, 0, 0]]), face[[[0, 1, 2], [0, 2, 3]]]) == (
+        pytest.approx([1 / 6, 1 / 2, 0.0], abs=1e-6)
+    )

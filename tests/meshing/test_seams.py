@@ -9,6 +9,7 @@ from hakobune.meshing.files import read_mesh, write_mesh
 from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.panels import PanelMesh, joined, structured
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.seams import rings
 from hakobune.meshing.shapes import box, buoy
 
 
@@ -143,3 +144,22 @@ def test_dipole_panels_are_refused_by_name(tmp_path):
     (tmp_path / "a.gdf").write_text(gdf(buoy(5, 3, panels=40), tail="3 NPAND\n0 0 0 1 0 0 1 1 0 0 1 0"))
     with pytest.raises(ValueError, match=r"dipole panels \(NPAND\)"):
         read_mesh(tmp_path / "a.gdf")
+
+
+def test_two_rings_on_a_border_are_rings_of_their_own():
+    """A border 0 → 1 → 6 with the rings 1 → 2 → 3 → 1 and 1 → 4 → 5 → 1, each a right triangle of 3, 4 and 5 m"""
+    points = np.array([[-2, 0, 0], [0, 0, 0], [3, 0, 1], [3, 4, 1], [-3, 0, 5], [-3, -4, 5], [0, 0, -2.0]])
+    points[2:4, 2] = points[4:6, 2] = 0
+    start, end = np.array([0, 1, 2, 3, 1, 4, 5, 1]), np.array([1, 2, 3, 1, 4, 5, 1, 6])
+    found = rings(points, start, end)
+    assert len(found.length) == 3 and sorted(found.length.tolist()) == [4.0, 12.0, 12.0]
+    assert found.number[0] == found.number[7] and len(set(found.number[1:4])) == len(set(found.number[4:7])) == 1
+    closed = found.area[[found.number[1], found.number[4]]]
+    assert closed == pytest.approx([6.0, 6.0])
+
+
+def test_an_inward_hull_of_plates_beside_an_outward_one_is_found():
+    """Parts hang together by their own seams alone"""
+    one = five_faces(COUNTS)
+    said = [str(finding) for finding in findings(joined([one, one.moved(dy=30.0).flipped()]))]
+    assert said[0].startswith("error: the normals of 72 of 144 panels point into the body (volume -800 m³)")

@@ -119,3 +119,96 @@ def test_heave_added_mass_of_a_wigley_hull_is_that_of_another_code(tmp_path):
     assert cli.main([*words.split(), "--gravity", "9.81", "--output", str(tmp_path / "w.h5")]) == 0
     added_mass = np.asarray(open_database(tmp_path / "w.h5")["added_mass"])[0, 2, 2]
     assert added_mass == pytest.approx(0.4410 * 78.0, rel=0.02)
+
+
+def breadths(made, at):
+    """(p, 2) y, z of the points of a station, breadths as before they were scaled to the volume"""
+    y, z = made.points[np.abs(made.points[:, 0] - at) < 1e-6 * np.ptp(made.points[:, 0]), 1:].T
+    return np.stack([y, z], axis=1)
+
+
+@pytest.mark.parametrize("sizes, radius", [((300.0, 50.0, 18.0, 0.83), 4.5), ((300.0, 28.0, 18.0, 0.83), 3.5)])
+def test_the_middle_section_has_a_flat_bottom_a_round_bilge_and_a_straight_side(sizes, radius):
+    """r₀ a quarter of the draft, or of half the beam where that is less"""
+    _, beam, draft, _ = sizes
+    made = ship(*sizes, counts=(20, 4, 9))
+    y, z = breadths(made, 0.0).T
+    y = y * 0.5 * beam / y.max()
+    corner = 0.5 * beam - radius, radius - draft
+    flat, side = z == -draft, (z > corner[1] + 1e-9) & (z <= 0)
+    bilge = ~flat & ~side
+    assert (flat.sum(), bilge.sum(), side.sum()) == (5, 3, 6)
+    assert y[flat].max() == pytest.approx(corner[0]) and y[flat].min() == 0.0
+    np.testing.assert_allclose(y[side], 0.5 * beam)
+    np.testing.assert_allclose(np.hypot(y[bilge] - corner[0], z[bilge] - corner[1]), radius)
+    # graded towards the bilge and towards the waterline: sin of even angles
+    np.testing.assert_allclose(np.sort(y[flat]), corner[0] * np.sin(np.pi / 8 * np.arange(5)), atol=1e-9)
+    np.testing.assert_allclose(np.sort(z[side]), corner[1] * np.cos(np.pi / 12 * np.arange(1, 7)), atol=1e-9)
+
+
+def test_half_breadths_fall_as_a_power_along_entrance_and_run():
+    """1 − tᵖ, p = φ/(1 − φ): l = 0.4 and φ from C_B = C_M {1 − 2 l (1 − φ)}; x points to the bow"""
+    length, beam, draft, block = CONTAINER
+    middle = 1 - (1 - np.pi / 4) * 2 * 3.5**2 / (beam * draft)
+    phi = 1 - (1 - block / middle) / 0.8
+    made = ship(*CONTAINER, counts=(24, 3, 4))
+    stations = np.unique(made.points[:, 0].round(7))
+    y = np.array([breadths(made, x)[:, 0].max() for x in stations])
+    t = np.clip((np.abs(stations) / length - 0.1) / 0.4, 0, 1)
+    np.testing.assert_allclose(y / y.max(), 1 - t ** (phi / (1 - phi)), atol=1e-6)
+
+    bow, stern = 0.7, 0.55
+    share = (1 - block / middle) / (2 - bow - stern)
+    made = ship(*CONTAINER, bow=bow, stern=stern, counts=(24, 3, 4))
+    y = np.array([breadths(made, x)[:, 0].max() for x in stations])
+    t = np.clip((np.abs(stations) / length - (0.5 - share)) / share, 0, 1)
+    fullness = np.where(stations > 0, bow, stern)
+    np.testing.assert_allclose(y / y.max(), 1 - t ** (fullness / (1 - fullness)), atol=1e-6)
+
+
+def test_panels_at_the_ends_are_half_as_long_as_evenly_spaced():
+    """x/L = (u − ½)/2 − cos(πu)/4: slope ½ at the ends, curved by π²/4, and ½ + π/4 in the middle"""
+    steps = np.diff(np.unique(ship(*TANKER, counts=(200, 2, 3)).points[:, 0].round(7))) * 200 / 300
+    assert steps[[0, -1]] == pytest.approx(0.5 + np.pi**2 / 4 / 400, rel=1e-3)
+    assert steps[[99, 100]] == pytest.approx(0.5 + np.pi / 4, rel=1e-3)
+
+
+def test_panels_are_shared_out_by_the_roots_of_lengths():
+    """√4L : √(B/2) : √2d, of half the ship's panels; no edge longer than asked for, though panels may be more"""
+    length, beam, draft, _ = TANKER
+    along, across, down = counts_of_ship(ship(*TANKER, panels=20000))
+    assert along / across == pytest.approx(np.sqrt(4 * length / (beam / 2)), rel=0.04)
+    assert down / across == pytest.approx(np.sqrt(2 * draft / (beam / 2)), rel=0.04)
+    assert 0.97 * 20000 < 2 * along * (across + down) <= 20000
+    assert ship(*TANKER, panels=200, longest=12.0).sizes.max() <= 12.0 * 1.05
+    along, across, down = counts_of_ship(ship(*TANKER, panels=200, longest=12.0))
+    assert (along, across, down) == (40, 4, 3)  # ⌈π/2 · 300/12⌉, ⌈π/2 · 25/12⌉, ⌈π/2 · 18/12⌉
+
+
+def test_a_ship_is_named_by_its_numbers():
+    assert ship(*FERRY, counts=(8, 2, 3)).name == "ship 120 x 20 x 5.34 m, block coefficient 0.55"
+
+
+def test_limits_of_ships_from_both_sides():
+    def says(words, *sizes, **more):
+        with pytest.raises(ValueError, match=words):
+            ship(*sizes, counts=(8, 2, 3), **more)
+
+    length, beam, draft, block = CONTAINER
+    says("length is 0.0 m; allowed: a positive length", 0.0, beam, draft, block)
+    says("beam is -1", length, -1, draft, block)
+    says("draft is inf m", length, beam, np.inf, block)
+    ship(length, beam, draft, 0.95, counts=(8, 2, 3))
+    says("block coefficient is 0.951; allowed: 0.4 to 0.95", length, beam, draft, 0.951)
+    says("block coefficient is 0.399; allowed: 0.4 to 0.95", length, beam, draft, 0.399)
+    says("block coefficient 0.4 with fullness 0.25", length, beam, draft, 0.4)  # φ < 0.3
+    ship(length, beam, draft, 0.45, counts=(8, 2, 3))  # φ = 0.318
+    for bow, stern in ((0.3, 0.97), (0.97, 0.5)):
+        ship(length, beam, draft, 0.8, bow=bow, stern=stern, counts=(8, 2, 3))
+    says("fullness of the bow is 0.29; allowed: 0.3 to 0.97", length, beam, draft, 0.8, bow=0.29, stern=0.9)
+    says("fullness of the stern is 0.98; allowed: 0.3 to 0.97", length, beam, draft, 0.8, bow=0.5, stern=0.98)
+    # an entrance of 49 and of 51 % of the length
+    missing = 1 - block / (1 - (1 - np.pi / 4) * 2 * 3.5**2 / (beam * draft))
+    ship(*CONTAINER, bow=1 - missing / 0.98, stern=1 - missing / 0.98, counts=(8, 2, 3))
+    both = 1 - missing / 1.02
+    says("needs an entrance of 51 % of the length; allowed: up to 50 %", *CONTAINER, bow=both, stern=both)

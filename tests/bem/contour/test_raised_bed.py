@@ -120,3 +120,39 @@ def test_the_contour_method_takes_the_flattest_and_slenderest_bodies_over_their_
         assert bed is not None and raised_bed("buoy", tuple(np.array(sizes) ** 1.01), tolerance, 100.0) is None
         problem = ShapeProblem(method="contour", shape="buoy", sizes=sizes, tolerance=tolerance, bed=bed)
         assert problem.prepared().solver.depth == bed
+
+
+def test_the_bed_lies_as_deep_as_the_tolerance_asks_for_and_ten_times_the_body_at_least():
+    """h = d + F c, F = max(10, √(1.4 / tolerance)), c the larger of draft and half the smaller width"""
+    k = 2.0
+    for shape, sizes, half, draft in (("box", (40.0, 20.0, 5.0), 10.0, 5.0), ("buoy", (10.0, 5.0), 10.0, 5.0),
+                                      ("box", (40.0, 6.0, 8.0), 3.0, 8.0)):  # fmt: skip
+        for tolerance, factor in ((0.2, 10.0), (0.0141, 10.0), (0.0139, np.sqrt(1.4 / 0.0139)), (2e-3, np.sqrt(700))):
+            bed = raised_bed(shape, sizes, tolerance, k)
+            assert bed == pytest.approx(draft + factor * max(half, draft))
+            effect = 0.7 * (max(half, draft) / (bed - draft)) ** 2
+            assert effect_of_bed(shape, sizes, bed) == pytest.approx(effect)
+            assert factor == 10.0 or effect == pytest.approx(tolerance / 2)
+
+
+def test_waves_are_short_from_the_width_of_the_body_and_from_fourteen_radians_of_depth():
+    buoy, bed = (10.0, 5.0), 105.0
+    assert raised_bed("buoy", buoy, 0.2, 2 * np.pi / 20 * 0.999) is None
+    assert raised_bed("buoy", buoy, 0.2, 2 * np.pi / 20 * 1.001) == pytest.approx(bed)
+    long = (400.0, 2.0, 1.0)  # 11 m deep: kh of 14 is a wave of 5 m
+    assert raised_bed("box", (5.0, 2.0, 1.0), 0.2, 13.9 / 11) is None  # a wave of 4.97 m
+    assert raised_bed("box", (5.0, 2.0, 1.0), 0.2, 14.1 / 11) == pytest.approx(11.0)
+    assert raised_bed("box", long, 0.2, 14.1 / 11) == pytest.approx(11.0)
+
+
+def test_flat_and_slender_bodies_lose_digits_beyond_fourteen_thousand():
+    """F² max(b, d) / min(b, d), of F = 10: a ratio of 140"""
+    for sizes, works in (((139.0, 1.0), True), ((141.0, 1.0), False), ((1.0, 139.0), True), ((1.0, 141.0), False)):
+        assert (raised_bed("buoy", sizes, 0.2, 100.0) is not None) == works
+
+
+def test_a_third_of_the_tolerance_is_left_to_the_contour_method():
+    """Which takes half a digit more than it is asked for"""
+    problem = ShapeProblem(method="contour", shape="buoy", sizes=(10.0, 5.0), tolerance=0.03, bed=105.0)
+    assert problem.prepared().solver.tolerance == pytest.approx(0.01 * 10**-0.5)
+    assert replace(problem, bed=None, depth=105.0).prepared().solver.tolerance == pytest.approx(0.03 * 10**-0.5)

@@ -7,12 +7,13 @@ from scipy.special import h1vp
 
 from hakobune.bem import DOFS
 from hakobune.bem.checks import check, excitation_scale, radiation_scale
+from hakobune.bem.contour.accuracy import accuracy, finer, height
 from hakobune.bem.contour.one_frequency import ContourFrequency
 from hakobune.bem.contour.plan.maps import CLASSES
 from hakobune.bem.contour.plan.rectangle import Rectangle
 from hakobune.bem.contour.plan.wedge_diffraction import OPEN, asymptotic_map, edge_integral, edge_wave, wall_integral
 from hakobune.bem.contour.short_wave_frequency import ShortWaveFrequency
-from hakobune.bem.contour.short_waves import MOST_WAVES, share_below, unresolved, waves_along
+from hakobune.bem.contour.short_waves import MOST_WAVES, neglected, share_below, unresolved, waves_along
 from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
 from hakobune.bem.methods.shape_problem import ShapeProblem
 from hakobune.bem.waves import depth_factor
@@ -180,3 +181,46 @@ def test_a_far_field_of_waves_that_are_not_resolved_is_refused_in_one_line():
     body = prepare_box(100.0, 20.0, 2.0, 20.0)
     with pytest.raises(ValueError, match=r"too many waves along the body for a far field; leave out kochin and drift"):
         body.first_order(frequency(20.0, 20.0), [0.0], [0.0])
+
+
+def test_waves_without_an_answer_of_either_kind_are_those_beyond_what_was_measured():
+    """kb of 55 and kd of 0.5 of a box, with 201 waves along it"""
+    k = 2 * np.pi * 201 / 100
+    for beam, draft, known in ((54.5, 1.0, False), (55.5, 1.0, True), (60.0, 0.49, False), (60.0, 0.51, True)):
+        assert unresolved((100.0, beam / k, draft / k), k) == known
+        assert unresolved((beam / k, 100.0, draft / k), k) == known
+    assert unresolved((100.0, 90.0, 9.0), k * 100_000 / 201.001) and not unresolved(
+        (100.0, 90.0, 9.0), k * 100_000 / 200.9
+    )
+
+
+def test_what_is_neglected_is_of_the_corners_and_of_the_waves_under_the_keel():
+    """12/kb + 6E, and 12/kb + 6E/√(1 − |cos γ| + 1/ka) of the wall along which the wave runs more"""
+    k, a, b, share, beta = 2.0, 50.0, 30.0, 0.01, np.array([0.0, 0.3, np.pi / 2])
+    radiation, excitation = neglected(k, (a, b), share, beta)
+    assert radiation == pytest.approx(12 / 60 + 0.06)
+    along_x = 1 / np.sqrt(1 - np.cos(beta) + 1 / (k * a))
+    along_y = 1 / np.sqrt(1 - np.sin(beta) + 1 / (k * b))
+    assert excitation == pytest.approx(12 / 60 + 0.06 * np.maximum(along_x, along_y))
+
+
+def test_parts_of_the_contour_method_are_as_fine_as_its_docstring_says():
+    """Each part's error by its formula: with one step less it would not be reached"""
+    for digits, draft, gap, scale in ((4.0, 5.0, 3.0, 10.0), (6.0, 5.0, 200.0, 10.0), (2.0, 5.0, 0.1, 20.0)):
+        found, r, g = accuracy(digits, draft, gap, scale), gap / min(draft, scale), gap / scale
+        high = max(g / 4, 1)
+        assert height(gap, scale) == high
+
+        def of_gap(T, r=r):
+            return 8 * (1 + r) ** -0.7 + (T - 1) * (0.8 + 1.7 / (1 + r / 4))
+
+        assert of_gap(found.terms) >= digits and (found.terms == 1 or of_gap(found.terms - 1) < digits)
+        assert found.modes == pytest.approx(max(10.5, 15 * (digits - 1.5) / 1.2))
+        assert found.kappa == pytest.approx(max(1, (digits - 0.8 + np.log10(g**1.45 * high**1.5)) / 1.15))
+        assert found.plan == pytest.approx(max(3, (digits - 1.2 + 3.3 * np.log10(high)) / 1.3))
+        assert found.extra == max(1, np.ceil(1.5 * (digits - 2.4)))
+        assert found.smallest == pytest.approx(max(10 ** (-3 - digits), 1e-8) / high)
+        better = finer(found, draft, gap, scale)
+        assert better.digits == digits + 1 and better.further == 1 and better.extra == found.extra
+        assert better.plan >= found.plan + 1 / 1.3 - 1e-12 and better.kappa >= found.kappa + 1 / 1.15 - 1e-12
+        assert found.terms <= better.terms <= found.terms + 2

@@ -1,7 +1,9 @@
 """Mean drift by pressure on the hull: equal to that of the far field, and to what is known without either."""
 
+import warnings
 from dataclasses import replace
 from functools import lru_cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +15,8 @@ from hakobune.bem.drift import energy_defect
 from hakobune.bem.methods.near_field import near_field_drift, near_field_error
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.panels.pressure_drift.edges import coarsest_at_gap
+from hakobune.bem.panels.pressure_drift.mean_drift import check_panels
 from hakobune.bem.viscous import Quadratic, Viscous
 from hakobune.bem.waves import wavenumber
 from hakobune.meshing.lid import lid
@@ -321,3 +325,23 @@ def test_a_run_that_wants_too_little_is_refused():
         for question in (near_field_drift, near_field_error):
             with pytest.raises(ValueError, match="it has to want drift_force"):
                 question(body.run(0.7, [0.0], want, None, DOFS), moving)
+
+
+@pytest.mark.parametrize("gap, told", [(3.4, False), (3.2, True)])
+def test_panels_half_as_long_again_as_the_gap_is_high_are_too_long(gap, told):
+    """Bottom panels of 5 m and side panels of 2 m next to the keel; 5/1.5 = 3.33"""
+    mesh = box(100, 50, 10, counts=(10, 5, 5), grading=False)
+    problem = SimpleNamespace(nodes_per_panel=4, zero_draft=False, depth=10 + gap)
+    assert coarsest_at_gap(mesh, 10 + gap) == pytest.approx((5.0, gap))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        check_panels(problem, mesh)
+    assert len(caught) == told
+    if told:
+        assert "are 5 m long over a gap of 3.2 m; reliable: up to 4.8 m" in str(caught[0].message)
+    for wrong, words in (
+        ({"nodes_per_panel": 1}, "with 1 node a panel; allowed: 4"),
+        ({"zero_draft": True}, "at zero draft"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            check_panels(SimpleNamespace(**(vars(problem) | wrong)), mesh)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hakobune.bem import DOFS
-from hakobune.bem.checks import check, damping_error, largest_error
+from hakobune.bem.checks import at_least_haskind, check, damping_error, largest_error
 from hakobune.bem.methods.panel_problem import prepare
 from hakobune.bem.methods.shape_problem import ShapeProblem
 from hakobune.bem.panels.extrapolated import LEFT, TRUSTED, ExtrapolatedRun, left_over
@@ -76,3 +76,18 @@ def test_a_frequency_beyond_its_tolerance_is_extrapolated_before_it_takes_more_p
     assert runs[0][0].within_tolerance() is runs[0][0] and run.tolerances > 1
     assert isinstance(kept, ExtrapolatedRun) and kept.tolerances <= 1 and kept.run is run
     assert set(kept.result()) == set(run.result())
+
+
+def test_what_is_left_of_an_error_grows_with_the_square_of_panels_in_waves():
+    """0.12 + 4 (edge / wave)², at most all of it"""
+    for edge, left in ((0.0, 0.12), (0.2, 0.28), (0.4, 0.76), (0.5, 1.0)):
+        assert left_over(edge) == pytest.approx(left)
+
+
+def test_a_third_of_the_tolerance_is_trusted(runs):
+    run, _ = runs[0]
+    radiation, excitation = run.extrapolated.differences
+    errors = [largest_error(run.extrapolated, radiation, at_least_haskind(
+        excitation, run.extrapolated.excitation, run.extrapolated.haskind, run.dofs)),
+        damping_error(run.extrapolated, radiation) / 0.6]  # fmt: skip
+    assert run.extrapolated.tolerances == pytest.approx(3 * max(errors) / 0.01)

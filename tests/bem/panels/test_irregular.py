@@ -7,7 +7,7 @@ from scipy.special import jn_zeros
 
 from hakobune.bem import DOFS
 from hakobune.bem.methods.panel_problem import PanelProblem, prepare
-from hakobune.bem.panels.irregular_frequencies import SHARE, lid_needed_from, lowest_irregular
+from hakobune.bem.panels.irregular_frequencies import SHARE, extent, lid_needed_from, lowest_irregular
 from hakobune.meshing.lid import lid
 from hakobune.meshing.shapes import box, buoy
 from hakobune.pipelines.stress.scenes import irregular
@@ -88,3 +88,12 @@ def test_the_bound_turns_with_the_hull(mesh):
 def test_where_the_lid_is_left_out_the_step_is_below_the_estimate(depth):
     left, estimate = jump(panels(BOX, depth, 104), BORDER)
     assert left < min(estimate, DEFAULT), (left, estimate)
+
+
+def test_no_lid_is_needed_up_to_six_tenths_of_the_lowest_irregular_frequency():
+    """κ coth κd, κ = π √(1/L² + 1/B²)"""
+    kappa = np.pi * np.sqrt(1 / 100**2 + 1 / 50**2)
+    assert lid_needed_from(box(100, 50, 10, panels=104)) == pytest.approx(0.6 * kappa / np.tanh(10 * kappa))
+    assert extent(box(100, 50, 10, panels=104)) == pytest.approx([100, 50])
+    shifted = box(100, 50, 10, panels=104, symmetry="y").moved(dx=7.0)
+    assert extent(shifted) == pytest.approx([100, 50]) and extent(shifted.whole()) == pytest.approx([100, 50])

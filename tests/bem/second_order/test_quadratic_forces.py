@@ -15,6 +15,7 @@ from hakobune.bem.panels.influence import Geometry
 from hakobune.bem.panels.pressure_drift import hull_interpolation
 from hakobune.bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, unit_displacements
 from hakobune.bem.panels.pressure_drift.mean_drift import pressure_pairs
+from hakobune.bem.second_order import quadratic_forces as module
 from hakobune.bem.second_order import surface_near
 from hakobune.bem.second_order.body_forces import body_forces
 from hakobune.bem.second_order.bound_waves import bound_waves
@@ -27,8 +28,11 @@ from hakobune.bem.second_order.quadratic_forces import (
     QuadraticForces,
     QuadraticRun,
     _by_far_field,
+    frequencies_of,
     panel_errors,
     quadratic_forces,
+    resolution_errors,
+    share_of,
 )
 from hakobune.bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
 from hakobune.meshing.lid import lid
@@ -299,3 +303,103 @@ def test_uneven_frequencies_and_a_body_without_inertia_are_refused():
         quadratic_forces(floating(), [0.5, 0.6, 0.8], [0.0], 0.1, False)
     with pytest.raises(ValueError, match="without inertia"):
         quadratic_forces(PanelProblem(floating().mesh, depth=20.0), [0.5, 0.6], [0.0], 0.1, True)
+
+
+def test_estimated_errors_have_the_order_and_the_factors_that_were_fitted():
+    """1/(r^1.4 − 1) of the difference of two meshes; 0.08 in heave, roll and pitch, 1.9 times that of sums, 0.33 in
+    surge, sway and yaw, 1.3 of what motions make (`tests/bench/pair_errors.py`, `sum_errors.py`)"""
+    part = np.zeros((1, 3, 1, 1, 6), complex)
+    less = 1 / (3.0**1.4 - 1)
+    for kind, factor in ((DIFFERENCE, 0.08), (SUM, 0.08 * 1.9)):
+        fine = QuadraticForces(
+            np.arange(1.0, 4), np.zeros(1), np.zeros(1), part + 4.0, part, part + 5.0,
+            added=np.full((3, 1, 1, 3), 0.2) if kind is DIFFERENCE else None, kind=kind,
+        )  # fmt: skip
+        known = panel_errors(fine, fine.total + 0.7, 3.0, 0.5 + part)
+        steady = factor * np.sqrt(0.7 * less) * (4.0 * 9.0) ** 0.25
+        assert known[..., 2:5] == pytest.approx(np.hypot(steady, 1.3 * 0.5 * less))
+        if kind is DIFFERENCE:
+            assert known[..., [0, 1, 5]] == pytest.approx(0.33 * (0.7 * less * 4.0 * 0.2 * 0.7 * less) ** 0.25)
+    rough = resolution_errors(fine, fine.total + 0.7)
+    assert rough == pytest.approx(0.7)
+
+
+def test_errors_of_a_pair_are_means_with_its_neighbours_in_both_frequencies():
+    """Of squares, over those that are known: (1 + 0 + …)/n"""
+    total = np.zeros((3, 4, 1, 1, 6), complex)
+    total[2, 2:], total[1, 3:] = np.nan, np.nan
+    forces = QuadraticForces(np.arange(1.0, 5), np.arange(3.0), np.zeros(1), total, total, total)
+    other = total.copy()
+    other[1, 1] = 6.0
+    found = resolution_errors(forces, other)[:, :, 0, 0, 0]
+    # of neighbours 3 x 3, less what is beyond the ends or not known
+    counts = np.array([[4, 6, 6, 3], [6, 8, 6, 0], [4, 5, 0, 0]], float)
+    near = np.array([[1, 1, 1, 0], [1, 1, 1, 0], [1, 1, 0, 0]])
+    known = np.isfinite(total[:, :, 0, 0, 0])
+    for m in range(3):
+        for n in range(4):
+            if known[m, n]:
+                box_ = known[max(m - 1, 0) : m + 2, max(n - 1, 0) : n + 2]
+                counts[m, n] = box_.sum()
+    np.testing.assert_allclose(found[known], (6 * np.sqrt(near / np.maximum(counts, 1)))[known])
+
+
+def test_the_share_of_the_surface_is_of_root_mean_squares_in_surge_and_sway_of_equal_headings():
+    """Without the mean drift, which has none"""
+    part = np.zeros((2, 2, 2, 2, 6), complex)
+    surface = part.copy()
+    surface[1, 0, 0, 0, 0], surface[1, 0, 1, 1, 1], surface[1, 0, 0, 1, 0], surface[1, 0, 0, 0, 2] = 3.0, 4j, 50, 60
+    squares = part.copy()
+    squares[1, 0, 0, 0, 0], squares[0, 0, 0, 0, 0], squares[1, 0, 1, 1, 1] = 5.0, 99.0, 11j
+    forces = QuadraticForces(np.array([0.5, 0.6]), np.array([0, 0.1]), np.zeros(2), squares, part, part, surface)
+    assert share_of(forces) == pytest.approx(np.hypot(3, 4) / np.hypot(8, 15))
+
+
+def test_frequencies_of_the_force_are_those_of_even_steps_up_to_the_highest():
+    omega = np.array([0.5, 0.6, 0.7])
+    assert frequencies_of(omega, 0.15, DIFFERENCE) == pytest.approx([0.0, 0.1])
+    assert frequencies_of(omega, 9.0, DIFFERENCE) == pytest.approx([0.0, 0.1, 0.2])
+    assert frequencies_of(omega, 1.2, SUM) == pytest.approx([1.0, 1.1, 1.2])
+    assert frequencies_of(omega, 9.0, SUM) == pytest.approx([1.0, 1.1, 1.2, 1.3, 1.4])
+    with pytest.raises(ValueError, match=r"sums of frequencies up to 0.99 rad/s; allowed: 1 or above"):
+        frequencies_of(omega, 0.99, SUM)
+    frequencies_of(np.array([0.5, 0.6, 0.7 + 0.9e-7]), 0.1, DIFFERENCE)
+    for uneven in ([0.5, 0.6, 0.7 + 1.2e-7], [0.5], [0.7, 0.6, 0.5]):
+        with pytest.raises(ValueError, match="forces of pairs at uneven frequencies; allowed: two or more"):
+            frequencies_of(np.array(uneven), 0.1, DIFFERENCE)
+
+
+def test_pairs_that_tell_the_part_of_the_surface_lie_at_a_fifth_a_half_and_four_fifths_of_the_band(monkeypatch):
+    """Half the largest difference apart, in waves of the first heading"""
+    asked = []
+
+    def made(problem, omega, headings, highest, moving, surface):
+        asked.append((*omega, *headings, highest, surface))
+        part = np.ones((2, 2, 1, 1, 6), complex)
+        return QuadraticForces(np.array(omega), np.array([0, 0.1]), np.zeros(1), 3 * part, 0 * part, 0 * part, part)
+
+    monkeypatch.setattr(module, "quadratic_forces", made)
+    assert module.surface_share(None, [0.5, 1.0, 1.5], [0.3, 0.9], 0.4, False) == pytest.approx(0.25)
+    centres = 0.5 + 0.1 + np.array([0.2, 0.5, 0.8]) * 0.8
+    expected = [[c - 0.1, c + 0.1, 0.3, 0.3, True] for c in centres]
+    assert np.array(asked, float) == pytest.approx(np.array(expected, float))
+    asked.clear()
+    module.surface_share(None, [0.5, 1.5], 0.3, 9.0, False)  # not more than the band
+    assert asked[0][1] - asked[0][0] == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("kind", [DIFFERENCE, SUM])
+def test_mirror_planes_change_no_part_of_the_force(kind):
+    """A quarter, a half and the whole of a box; of first order they are alike to 1e-9, of second order but for stencils
+    that end at a mirror plane, which change them by less than the panels err, the less the finer these are"""
+    mesh = box(LENGTH, BEAM, DRAFT, counts=(3, 2, 2))
+    half = replace(replace(mesh, symmetry="x").whole(), symmetry="y")
+    found = []
+    for one in (mesh, half, mesh.whole()):
+        problem = PanelProblem(one, depth=20.0, inertia_matrix=INERTIA, hydrostatic_stiffness=STIFFNESS)
+        found.append(quadratic_forces(problem, [0.6, 0.75], [0.6], 9.0, True, kind=kind))
+    for part in ("squares", "bound_wave", "body"):
+        quarter, *others = (getattr(forces, part)[1, 0, 0, 0] for forces in found)
+        size = np.repeat([np.abs(quarter[:3]).max(), np.abs(quarter[3:]).max()], 3)
+        for other in others:
+            assert np.all(np.abs(other - quarter) < 1e-2 * size), part

@@ -43,3 +43,83 @@ def test_the_distance_from_an_outline_is_that_of_a_circle_and_of_a_rectangle():
     box = rectangle(10.0, 6.0)
     assert box.distance(8.0 + 10.0j) == pytest.approx(5.0) and box.distance(7.0 + 0.0j) == pytest.approx(2.0)
     assert box.distance(-5.0 - 3.0j) == pytest.approx(3.0)
+
+
+def test_an_arc_is_that_of_its_bulge():
+    """tan of a quarter of its angle: 1 is half a circle to the left; the bottom of one of 10 m from −5 to 5 is −5i"""
+    half = Edge(-5 + 0j, 5 + 0j, 1.0)
+    assert (
+        half.angle == pytest.approx(np.pi)
+        and half.center == pytest.approx(0)
+        and half.length == pytest.approx(5 * np.pi)
+    )
+    assert half.at(0.5) == pytest.approx(-5j) and half.slope(0.5) == pytest.approx(5 * np.pi)
+    quarter = Edge(5 + 0j, 5j, np.tan(np.pi / 8))
+    assert quarter.center == pytest.approx(0) and quarter.length == pytest.approx(2.5 * np.pi)
+    assert quarter.at(np.array([0.0, 0.5, 1.0])) == pytest.approx(5 * np.exp(0.25j * np.pi * np.arange(3)))
+    back = Edge(5j, 5 + 0j, -np.tan(np.pi / 8))
+    assert back.center == pytest.approx(0) and back.at(0.5) == pytest.approx(quarter.at(0.5))
+    third = quarter.part(1 / 3, 1.0)
+    assert third.start == pytest.approx(5 * np.exp(1j * np.pi / 6)) and third.end == 5j
+    assert third.angle == pytest.approx(np.pi / 3) and third.center == pytest.approx(0)
+    straight = Edge(1 + 1j, 4 + 5j)
+    assert straight.length == 5.0 and straight.at(0.25) == 1.75 + 2j and straight.slope(0.3) == 3 + 4j
+
+
+def test_edges_meet_a_height_where_they_reach_it():
+    half = Edge(-5 + 0j, 5 + 0j, 1.0)
+    found = half.at_height(-2.5)
+    assert half.at(np.array(found)).imag == pytest.approx([-2.5, -2.5]) and found == pytest.approx([1 / 6, 5 / 6])
+    assert half.at_height(1.0) == [] and half.at_height(-5.5) == []
+    assert Edge(1 - 1j, 4 + 3j).at_height(0.0) == [0.25] and Edge(1 - 1j, 4 - 1j).at_height(-1.0) == []
+    other = Edge(5 + 0j, -5 + 0j, -1.0).at_height(-2.5)
+    assert other == pytest.approx([1 / 6, 5 / 6])
+
+
+def test_the_height_of_a_section_counts_the_tops_of_its_arcs():
+    """A half disc of 5 m under a box of 2 m"""
+    made = closed(np.array([-5, 5, 5 + 2j, -5 + 2j]), (1.0, 0, 0, 0))
+    assert made.bottom == pytest.approx(-5.0) and made.height == pytest.approx(7.0)
+    wet = made.wetted(6.0)
+    assert wet.area == pytest.approx(12.5 * np.pi + 10) and wet.draft == 6.0 and wet.symmetric
+    # centre of a half disc 4r/3π below its straight side, which lies 1 m deep
+    assert wet.center.imag == pytest.approx((12.5 * np.pi * -(1 + 20 / (3 * np.pi)) - 10 * 0.5) / wet.area)
+    assert made.draft_of(12.5 * np.pi + 10) == pytest.approx(6.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("degrees, taken", [(0.95, False), (1.05, True)])
+def test_the_water_is_met_at_a_degree_or_more(degrees, taken):
+    rise = 3 * np.tan(np.radians(degrees))
+    made = closed(np.array([-2 - 3j, 2 - 3j, 2 - rise * 1j, 5, 5 + 2j, -2 + 2j]))
+    raised = closed(np.array([-2 - 3j, 2 - 3j, 2 - 0.5 * rise * 1j, 5 + 0.5j * rise, 5 + 2j, -2 + 2j]))
+    assert made is not raised
+    if taken:
+        assert raised.wetted(3.0).right == pytest.approx(3.5)
+    else:
+        with pytest.raises(OutlineError, match="at draft 3 m the section touches the water at an angle below 1°"):
+            raised.wetted(3.0)
+
+
+@pytest.mark.parametrize(
+    "make, words",
+    [
+        (lambda: Outline((Edge(0, 1),)), "the outline has 1 edges; allowed: 2 or more"),
+        (lambda: closed(np.array([0, 1, np.nan])), "edge 2 is not of finite numbers"),
+        (lambda: closed(np.array([0, 1, 1, 1j])), r"edge 2 has no length, from \(1, 0\) to itself"),
+        (lambda: closed(np.array([0, 1, 2 + 1e-12j, 3])), "crosses itself|encloses"),
+        (lambda: rectangle(2.0, 4.0).draft_of(8.0), "has to displace 8 m² and has 8; allowed: less than that"),
+        (lambda: rectangle(2.0, 4.0).draft_of(0.0), "has to displace 0 m²"),
+        (lambda: rectangle(2.0, 4.0).wetted(0.0), "draft is 0 m, the section is 4 m high; allowed: above 0"),
+    ],
+)
+def test_more_that_is_no_section_is_refused(make, words):
+    with pytest.raises(OutlineError, match=words):
+        make()
+
+
+def test_edges_that_touch_from_aside_are_found_and_those_of_one_line_apart_are_not():
+    with pytest.raises(OutlineError, match="crosses itself: edges 1 and 4"):
+        closed(np.array([0, 4, 4 + 2j, 3 + 2j, 2 + 0j, 1 + 2j, 0 + 2j]))  # a notch down to the bottom
+    closed(np.array([0, 4, 4 + 2j, 3 + 2j, 2 + 0.01j, 1 + 2j, 0 + 2j]))
+    box = rectangle(4.0, 2.0)
+    assert box.meets(-3 + 1j, 3 + 1j) and not box.meets(-3 + 3j, 3 + 3j) and not box.meets(-1 + 1j, 1 + 1j)

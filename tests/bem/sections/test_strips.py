@@ -6,7 +6,7 @@ import pytest
 from hakobune.bem import DOFS
 from hakobune.bem.frequency import solve_frequency
 from hakobune.bem.methods.panel_problem import PanelProblem, prepare
-from hakobune.bem.sections.coefficients import section
+from hakobune.bem.sections.coefficients import diffraction, section, section_flow
 from hakobune.bem.sections.strips import Strips
 from hakobune.bem.waves import incident_wave, wavenumber
 from hakobune.meshing.lid import lid
@@ -124,3 +124,34 @@ def test_strips_approach_the_panel_method_as_the_box_grows_longer():
     assert np.all(missed[1] < 0.75 * missed[0] + 0.01), missed
     assert np.all(missed[2] < 0.75 * missed[1] + 0.01), missed
     assert np.all(missed[2] < 0.07), missed
+
+
+def test_pitch_and_yaw_of_strips_are_heave_and_sway_with_the_square_of_their_arms():
+    """∫ x² Z dx = L³/12 Z of sections along, B³/12 of those across; surge is the sway of the others"""
+    along, across = section(20.0, 5.0, 9.0, 0.8), section(60.0, 5.0, 9.0, 0.8)
+    plain, turned = strips().first_order(0.8, [0.0]).radiation, strips(inverse=True).first_order(0.8, [0.0]).radiation
+    Z, Y = (one.added_mass + 1j * one.damping / 0.8 for one in (along, across))
+    assert plain[PITCH, PITCH] == pytest.approx(60.0**3 / 12 * Z[1, 1], rel=1e-4)
+    assert plain[YAW, YAW] == pytest.approx(60.0**3 / 12 * Z[0, 0], rel=1e-4)
+    assert plain[SURGE, SURGE] == pytest.approx(20.0 * Y[0, 0], rel=1e-4)
+    assert plain[SURGE, PITCH] == 0.0
+    assert turned[ROLL, ROLL] == pytest.approx(20.0**3 / 12 * Y[1, 1], rel=1e-4)
+    assert turned[YAW, YAW] == pytest.approx(20.0**3 / 12 * Y[0, 0], rel=1e-4)
+    assert turned[PITCH, PITCH] == pytest.approx(20.0 * Y[2, 2], rel=1e-4)
+    # sway–roll of the frame x′ = −y, y′ = x is surge–pitch of the box with the other sign: M_y′ = −x … of r × n
+    assert turned[SURGE, PITCH] == pytest.approx(-20.0 * Y[0, 2], rel=1e-4)
+    assert turned[SWAY, SWAY] == pytest.approx(60.0 * Z[0, 0], rel=1e-4)
+
+
+def test_diffraction_of_an_oblique_wave_is_the_integral_of_its_sections():
+    """Fⱼ = ∫ fⱼ exp(ikx cosβ) dx by Gauss's rule, pitch −∫ x f₃, yaw ∫ x f₂; fⱼ by Haskind's relation of a section"""
+    omega, beta = 0.8, np.array([0.4, 2.0])
+    flow = section_flow(20.0, 5.0, 9.0, omega, tolerance=1e-5)
+    f = diffraction(flow, RHO, np.sin(beta))
+    x, w = np.polynomial.legendre.leggauss(40)
+    x, w = 30 * x, 30 * w
+    wave = np.exp(1j * flow.k * np.outer(np.cos(beta), x))
+    even, odd = wave @ w, wave @ (w * x)
+    found = strips().first_order(omega, beta, density=RHO).diffraction
+    expected = np.stack([f[:, 0] * even, f[:, 1] * even, f[:, 2] * even, -f[:, 1] * odd, f[:, 0] * odd], axis=1)
+    assert found[:, 1:] == pytest.approx(expected, rel=1e-9)

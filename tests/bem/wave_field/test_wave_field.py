@@ -11,8 +11,19 @@ from scipy.special import h1vp, hankel1, jvp
 from hakobune.bem.frequency import solve_frequency
 from hakobune.bem.kochin import angles
 from hakobune.bem.methods.shape_problem import ShapeProblem
-from hakobune.bem.wave_field.around import at_waterline, beside_incident, waves_around
-from hakobune.bem.wave_field.sources import Sources, directions, rectangle, waves
+from hakobune.bem.wave_field.around import at_waterline, beside_incident, far_field, plan_of, waves_around
+from hakobune.bem.wave_field.sources import (
+    Sources,
+    contour,
+    covers,
+    directions,
+    perimeter,
+    rectangle,
+    regular_inverse,
+    shrunk,
+    slopes,
+    waves,
+)
 from hakobune.bem.wave_field.units import field, row
 from hakobune.bem.waves import wavenumber
 from hakobune.meshing.panels import PanelMesh
@@ -140,3 +151,88 @@ def test_the_plan_of_a_hull_does_not_load_scipy_spatial():
         "assert 'scipy.spatial' not in sys.modules",
     )
     subprocess.run([sys.executable, "-c", "\n".join(code)], check=True)
+
+
+def test_sources_stand_a_tenth_of_the_half_breadth_within_the_plan_eight_in_a_wave_or_twenty_four():
+    """Of 40 x 10 m: half a metre inwards, 96 m around; eight of each wave of it, two on each side at least"""
+    plan = rectangle(np.array([20.0, 5.0])) + [3.0, -2.0]
+    inner = shrunk(plan)
+    assert inner == pytest.approx(rectangle(np.array([19.5, 4.5])) + [3.0, -2.0])
+    assert perimeter(inner) == pytest.approx(96.0)
+    few, many = Sources(plan, 0.01, angles(0.01, 21.0)), Sources(plan, 1.0, angles(1.0, 21.0))
+    assert len(few.points) == 2 * (10 + 3)  # steps of 4 m: ⌈39/4⌉ and ⌈9/4⌉
+    step = 2 * np.pi / 8
+    assert len(many.points) == 2 * (int(np.ceil(39 / step)) + int(np.ceil(9 / step)))
+    along = np.sort(few.points[np.isclose(few.points[:, 1], -2.0 - 4.5), 0])
+    assert along == pytest.approx(3.0 - 19.5 + 3.9 * (np.arange(10) + 0.5))
+    assert few.sent == pytest.approx(np.exp(-0.01j * (directions(angles(0.01, 21.0)) @ few.points.T)))
+    long = contour(rectangle(np.array([50.0, 0.5])), 10)
+    assert np.sum(np.isclose(np.abs(long[:, 0]), 50.0)) == 4  # two at each end
+
+
+def test_combinations_that_send_less_than_a_thousandth_are_left_out():
+    rng = np.random.default_rng(2)
+    left, _ = np.linalg.qr(rng.normal(size=(9, 3)) + 1j * rng.normal(size=(9, 3)))
+    right, _ = np.linalg.qr(rng.normal(size=(3, 3)) + 1j * rng.normal(size=(3, 3)))
+    for least, kept in ((1.1e-3, 3), (0.9e-3, 2)):
+        size = np.array([2.0, 1.0, 2.0 * least])
+        found = regular_inverse((left * size) @ right.conj().T, 1e-3)
+        expected = (right[:, :kept] / size[:kept]) @ left[:, :kept].conj().T
+        assert found == pytest.approx(expected, abs=1e-6 * np.abs(expected).max())
+
+
+def test_slopes_of_waves_are_their_difference_quotients_and_none_at_a_source():
+    points, place, step = np.array([[0.0, 0.0], [3.0, -1.0]]), np.array([[2.0, 1.5]]), 1e-6
+    found = slopes(0.7, place, points)[0]
+    for axis in (0, 1):
+        move = step * np.eye(2)[axis]
+        quotient = (waves(0.7, place + move, points) - waves(0.7, place - move, points))[0] / (2 * step)
+        assert found[:, axis] == pytest.approx(quotient, rel=1e-7)
+    assert not slopes(0.7, points, points)[[0, 1], [0, 1]].any()
+
+
+def test_plans_are_the_hull_of_the_waterline_of_a_submerged_body_of_all_of_it_and_have_24_corners_at_most():
+    from hakobune.meshing.shapes import box, buoy
+
+    flare = box(20, 10, 4, counts=(2, 2, 2), symmetry="")
+    flared = PanelMesh(flare.points * (1 + 0.25 * np.outer(-flare.points[:, 2] / 4, [1, 1, 0])), flare.corners)
+    plan, pierces = plan_of(flared)
+    assert pierces and np.abs(plan).max(axis=0) == pytest.approx([10, 5])
+    under, pierces = plan_of(flared.moved(dz=-1.0))
+    assert not pierces and np.abs(under).max(axis=0) == pytest.approx([12.5, 6.25])
+    round_plan, _ = plan_of(buoy(10, 5, counts=(12, 2, 2)))
+    assert len(round_plan) == 24 and len(plan_of(buoy(10, 5, counts=(6, 2, 2)))[0]) == 24
+    radius = np.hypot(*round_plan.T)
+    assert radius.max() / radius.min() == pytest.approx(1.0, rel=2e-3) and perimeter(round_plan) > 0.99 * 20 * np.pi
+    covered = covers(plan, np.array([[9.9, 4.9], [10.1, 0], [0, -5.1], [-9.9, -4.9]]))
+    assert covered.tolist() == [True, False, False, True]
+
+
+def test_units_of_a_row_stand_a_pitch_apart_about_the_origin():
+    assert row(3, 5.0) == pytest.approx(np.array([[-5, 0], [0, 0], [5, 0]]))
+    assert row(2, 5.0) == pytest.approx(np.array([[-2.5, 0], [2.5, 0]]))
+
+
+def test_the_waves_of_a_moving_body_are_those_it_scatters_and_those_of_each_motion():
+    """H_D + Σ Xⱼ Hⱼ of the `OfCylinder`, whose motions send a dipole each"""
+    a, omega, beta = 10.0, 0.8, np.radians(50)
+    k = float(wavenumber(omega, OfCylinder.depth, OfCylinder.gravity))
+
+    class Moving(OfCylinder):
+        def far_field(self, omega, betas):
+            radiated, diffracted = super().far_field(omega, betas)
+            radiated = np.zeros((1, 6, radiated.shape[-1]), complex)
+            radiated[0, 0], radiated[0, 1] = np.cos(self.between.theta), 1j * np.sin(self.between.theta)
+            return radiated, diffracted
+
+        def motions(self, omega, headings):
+            return np.array([[[0.3, 0.2j, 0, 0, 0, 0]]])
+
+    reader = Moving(a, (0.0, 0.0), angles(k, 20.0), None)
+    found = far_field(reader, reader.motions(None, None)[0, 0], omega, beta)
+    theta = reader.between.theta
+    still = of_cylinder(k, a, np.array([beta]), theta)[0]
+    assert found == pytest.approx(still + 0.3 * np.cos(theta) - 0.2 * np.sin(theta))
+    assert far_field(reader, None, omega, beta) == pytest.approx(still)
+    both = far_field(reader, reader.motions(None, None)[0], omega, np.array([beta]))
+    assert both == pytest.approx(found[None])

@@ -1,0 +1,127 @@
+"""What is said between and beyond stored frequencies that no fit decides."""
+
+import numpy as np
+import pytest
+
+from hakobune.bem.database.between_frequencies import Between, BetweenError
+
+G = 9.80665
+OMEGA = np.array([0.4, 0.6, 0.8, 1.0, 1.2])
+OUTLINE = np.array([[-30.0, -5.0], [30.0, -5.0], [30.0, 5.0], [-30.0, 5.0]])
+
+
+def between(quantities, limits=None, **more):
+    given = {"depth": 20.0, "gravity": G, "headings": np.array([0.0, 0.7]), "theta": np.arange(8) * np.pi / 4}
+    return Between(OMEGA, quantities, outline=OUTLINE, limits=limits or {}, **(given | more))
+
+
+def mass(*values):
+    return np.array([np.diag([v, 2 * v, 3 * v, 100 * v, 400 * v, 200 * v]) for v in values])
+
+
+A = mass(5.0, 4.0, 3.5, 3.2, 3.0)
+ZERO, INFINITY = mass(6.0)[0], mass(2.0)[0]
+
+
+def test_added_mass_tends_to_its_limits_with_the_second_power_and_an_error_of_its_difference_from_the_first():
+    """A(0) + [A(ω₁) − A(0)] (ω/ω₁)², and likewise with ω_n/ω; errors |A(ω₁) − A(0)| s (1 − s)"""
+    known = between({"added_mass": A}, {"added_mass_zero": ZERO, "added_mass_infinity": INFINITY})
+    for omega, end, limit, share in ((0.1, A[0], ZERO, 0.25), (3.0, A[-1], INFINITY, 0.4)):
+        assert known.value([omega], "added_mass")[0] == pytest.approx(limit + (end - limit) * share**2)
+        assert known.error([omega], "added_mass")[0] == pytest.approx(np.abs(end - limit) * share * (1 - share))
+    assert known.value([0.0], "added_mass")[0] == pytest.approx(ZERO)
+    assert known.value(OMEGA[[0, 4]] * [1 - 1e-10, 1 + 1e-10], "added_mass") == pytest.approx(A[[0, 4]])
+
+
+def test_an_infinite_limit_keeps_the_end_value_with_an_infinite_error():
+    heave = ZERO.copy()
+    heave[2, 2] = np.inf
+    known = between({"added_mass": A}, {"added_mass_zero": heave})
+    value, error = known.value([0.2], "added_mass")[0], known.error([0.2], "added_mass")[0]
+    assert value[2, 2] == A[0, 2, 2] and np.isinf(error[2, 2]) and value[0, 0] == pytest.approx(6 - 0.25)
+    with pytest.raises(
+        BetweenError, match=r"omega is 1.3 rad/s \(period 4.833 s\), outside the stored 0.4 to 1.2 rad/s"
+    ):
+        known.value([1.3], "added_mass")
+    assert not between({"added_mass": A}, {"added_mass_zero": np.full((6, 6), np.inf)}).has_limit("added_mass_zero")
+
+
+def test_errors_are_relative_to_the_largest_of_each_motion_and_to_both_of_a_coupling():
+    """|A(ω₁) − A(0)| s (1 − s) over the largest diagonal of the band, √(ii · jj) of couplings; with less than 1e-4 of
+    the largest of its kind a motion moves no water"""
+    values, zero = A.copy(), ZERO.copy()
+    zero[0, 4] = 50.0
+    known = between({"added_mass": values}, {"added_mass_zero": zero})
+    coupling, own = 50.0 * 0.25 / np.sqrt(5.0 * 2000.0), 1.0 * 0.25 / 5.0
+    assert known.largest_error([0.2], ["added_mass"]) == pytest.approx([max(coupling, own)]) and coupling > own
+    assert known.largest_error([0.2, 0.6], ["added_mass"])[1] == 0.0
+    for share, counts in ((0.8e-4, False), (1.2e-4, True)):  # of √
+        values, zero = A.copy(), A[0].copy()
+        values[:, 5, 5], zero[5, 5] = share**2 * 2000.0, 3 * share**2 * 2000.0
+        found = between({"added_mass": values}, {"added_mass_zero": zero}).largest_error([0.2], ["added_mass"])
+        assert found == pytest.approx([0.5 if counts else 0.0])
+
+
+def test_drift_of_a_floating_body_may_hide_half_the_step_between_two_frequencies():
+    """½ |Δ| · 4 t (1 − t) more than the same numbers of a fixed body: a resonance leaves no trace there"""
+    force = np.cumsum([1.0, 0.5, -2.0, 3.0, 1.0])[:, None, None] * np.array([[1.0, 2.0, 5.0], [3.0, 0.0, 1.0]])
+    known = between({"drift_force": force, "drift_force_fixed": force})
+    at = np.array([0.45, 0.95, 1.1])
+    extra = known.error(at, "drift_force") - known.error(at, "drift_force_fixed")
+    t, step = np.array([0.25, 0.75, 0.5]), np.abs(np.diff(force, axis=0))[[0, 2, 3]]
+    assert extra == pytest.approx(0.5 * step * (4 * t * (1 - t))[:, None, None])
+    assert not known.error(OMEGA, "drift_force").any()
+
+
+def test_frequencies_are_stored_ones_within_a_thousand_millionth():
+    known = between({"added_mass": A})
+    assert known.stored(np.array([0.6 * (1 + 0.9e-9), 0.6 * (1 + 1.1e-9), 1.2])).tolist() == [1, -1, 4]
+    known.inside([0.4 * (1 - 0.9e-9), 1.2 * (1 + 0.9e-9)])
+    for w in (0.4 * (1 - 1.1e-9), 1.2 * (1 + 1.1e-9)):
+        with pytest.raises(BetweenError, match="outside the stored"):
+            known.inside([w])
+
+
+def test_four_frequencies_are_the_fewest_between_which_something_is_known():
+    for count in (3, 4):
+        few = Between(OMEGA[:count], {"added_mass": A[:count]}, 20.0, G, np.zeros(1), np.zeros(1), OUTLINE)
+        if count == 4:
+            assert few.inside([0.5]) == [0.5]
+            continue
+        with pytest.raises(BetweenError, match=r"omega is 0.5 rad/s and 3 frequencies are stored; .* at least 4"):
+            few.inside([0.5])
+
+
+def test_waves_meet_the_hull_at_its_point_farthest_ahead():
+    """Of a hull of 60 x 10 m: 30 m in head waves, 30 cos β + 5 sin β at an angle; Kochin functions along θ, and both"""
+    known = between({"excitation_force": np.zeros((5, 2, 6), complex)})
+    assert known.length == 60.0
+    assert known._lead("excitation_force")[:, 0] == pytest.approx([30.0, 30 * np.cos(0.7) + 5 * np.sin(0.7)])
+    theta = np.arange(8) * np.pi / 4
+    assert known._lead("kochin_radiation") == pytest.approx(30 * np.abs(np.cos(theta)) + 5 * np.abs(np.sin(theta)))
+    both = [30 * np.abs(np.cos(theta) - np.cos(b)) + 5 * np.abs(np.sin(theta) - np.sin(b)) for b in (0.0, 0.7)]
+    assert known._lead("kochin_diffraction") == pytest.approx(np.array(both))
+    assert known._lead("added_mass") == pytest.approx(0.0)
+
+
+def test_a_wall_adds_the_image_of_the_hull_to_what_waves_meet():
+    image = between({}, wall=40.0).met_by_waves
+    assert image[:4] == pytest.approx(OUTLINE)
+    assert image[4:] == pytest.approx(np.stack([OUTLINE[:, 0], 80 - OUTLINE[:, 1]], axis=1))
+    assert between({}).met_by_waves is not None and len(between({}).met_by_waves) == 4
+
+
+def test_added_mass_and_damping_are_fitted_as_one_impedance():
+    """B − iω [A − A(ω_max)], of which A and B are found again; errors of each are those of it over √2, and over ω"""
+    B = mass(1.0, 3.0, 2.5, 1.5, 1.0)
+    known = between({"added_mass": A, "radiation_damping": B})
+    Z = B - 1j * OMEGA[:, None, None] * (A - A[-1])
+    assert known._impedance == pytest.approx(Z)
+    at = np.array([0.7])
+    made = known._fit("impedance", at)[0]
+    assert known.value(at, "radiation_damping")[0] == pytest.approx(made.real)
+    assert known.value(at, "added_mass")[0] == pytest.approx(A[-1] - made.imag / 0.7)
+    assert known.error(at, "added_mass")[0] == pytest.approx(known.error(at, "radiation_damping")[0] / 0.7)
+    fit = known._interpolant("impedance")
+    deviation = fit.deviation(known._abscissa(at))[0].reshape(6, 6)
+    assert known.error(at, "radiation_damping")[0] == pytest.approx(deviation / np.sqrt(2))

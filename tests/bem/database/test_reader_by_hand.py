@@ -1,0 +1,187 @@
+"""A reader of made-up numbers, whose answers in stored waves and between are known, and what it refuses."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from exact.water_waves import group_factor, wavenumber
+
+from hakobune.bem.database import far_field_drift
+from hakobune.bem.database.between_frequencies import Between, BetweenError
+from hakobune.bem.database.natural_periods import natural_periods
+from hakobune.bem.database.reader import Reader
+from hakobune.bem.viscous import Quadratic, Viscous
+
+OMEGA, HEADINGS = np.linspace(0.4, 1.2, 5), np.array([0.0, 0.5])
+THETA = np.arange(16) * np.pi / 8
+RHO, G, DEPTH = 1000.0, 9.81, 20.0
+M = np.diag([4.0, 4, 4, 100, 200, 300.0]) * 1e5
+C = np.diag([0, 0, 6.0, 60, 90, 0]) * 1e5
+
+
+def coefficients():
+    A = np.array([np.diag([1, 1, 2.0 - w, 10, 20, 30]) for w in OMEGA]) * 1e5
+    B = np.array([np.diag([1, 1, w, 10, 20, 30]) for w in OMEGA]) * 1e4
+    return A, B
+
+
+def made(**more):
+    A, B = coefficients()
+    F = (1e4 + 2e4j) * np.arange(1, 61.0).reshape(5, 2, 6)
+    quantities = {"added_mass": A, "radiation_damping": B, "excitation_force": F} | more.pop("quantities", {})
+    outline = np.array([[-10.0, -4], [10, -4], [10, 4], [-10, 4]])
+    between = Between(OMEGA, quantities, DEPTH, G, HEADINGS, THETA, outline, more.pop("limits", {}))
+    return Reader(between, RHO, np.zeros(3), more.pop("inertia", M), more.pop("stiffness", C), np.zeros((6, 6)), **more)
+
+
+def test_motions_obey_their_equation_with_the_damping_and_stiffness_that_are_added():
+    extra_B, extra_C = np.diag([5, 0, 7.0, 0, 0, 9]) * 1e4, np.diag([3.0, 2, 0, 0, 0, 40]) * 1e5
+    held = made().restrained(extra_B, extra_C).restrained(damping=extra_B)
+    A, B = coefficients()
+    F = made().between.quantities["excitation_force"]
+    for i, w in enumerate(OMEGA):
+        Z = -(w**2) * (M + A[i]) - 1j * w * (B[i] + 2 * extra_B) + C + extra_C
+        assert held.motions(OMEGA[i : i + 1])[0] == pytest.approx(np.linalg.solve(Z, F[i].T).T)
+    assert not held.own and made().restrained().own and made().restrained(stiffness=np.zeros((6, 6))).own
+    assert held.dynamic_stiffness(OMEGA[:1], A[:1], B[:1])[0] == pytest.approx(
+        -(0.16) * (M + A[0]) - 0.4j * (B[0] + 2 * extra_B) + C + extra_C
+    )
+
+
+def test_stored_motions_are_those_of_the_body_alone():
+    X = np.ones((5, 2, 6), complex)
+    body = made(quantities={"rao": X})
+    assert np.array_equal(body.motions(OMEGA), X)
+    assert np.abs(body.restrained(stiffness=np.eye(6)).motions(OMEGA) - 1).min() > 1e-3
+    mixed = body.motions(np.array([0.4, 0.5]))
+    assert np.array_equal(mixed[0], X[0]) and np.abs(mixed[1] - 1).min() > 1e-3
+    towards = body.motions(OMEGA[:2], np.array([0.5, 0.0]))
+    assert np.array_equal(towards, X[:2])
+
+
+def test_critical_damping_is_that_of_the_motion_at_its_own_frequency():
+    """2 √(C (M + A)) with ω² (M + A) = C: heave of A = 2 − ω, (6 − ω) ω² = 6 in 1e5 kg"""
+    roots = np.roots([-1.0, 6.0, 0.0, -6.0])
+    w = float(min(r.real for r in roots if r.real > 0 and abs(r.imag) < 1e-12))
+    assert made().critical_damping(2) == pytest.approx(2 * 6e5 / w, rel=2e-4)  # of a fit to five frequencies
+    with pytest.raises(ValueError, match="surge has no restoring and so no critical damping; give a matrix"):
+        made().critical_damping(0)
+
+
+def test_added_mass_is_held_at_the_ends_of_what_is_known():
+    A, _ = coefficients()
+    assert made().held_added_mass([0.1, 3.0]) == pytest.approx(A[[0, -1]])
+    assert made().knows_added_mass([0.1, 0.4, 1.2, 1.3]).tolist() == [False, True, True, False]
+    both = made(limits={"added_mass_zero": 2 * A[0], "added_mass_infinity": 0.5 * A[-1]})
+    assert both.knows_added_mass([0.0, 0.1, 50.0]).all()
+    assert both.held_added_mass([0.2])[0] == pytest.approx(A[0] * (2 - 0.25))
+    assert both.held_added_mass([2.4])[0] == pytest.approx(A[-1] * (0.5 + 0.125))
+
+
+def test_haskinds_relation_gives_the_force_from_the_waves_sent_back():
+    """−4i ρg n/k² H(β + π)"""
+    order = np.array([1, -2, 0, 2, 1, -1])
+    H = np.exp(1j * order[:, None] * THETA) * np.arange(1, 7)[:, None] * (1 + 0.5j)
+    body = made(quantities={"kochin_radiation": np.tile(H, (5, 1, 1))})
+    found = body.of_haskind(OMEGA[[1]], np.array([0.3, 2.0]))[0]
+    k = wavenumber(0.6, DEPTH, G)
+    for p, beta in enumerate((0.3, 2.0)):
+        ahead = np.exp(1j * order * (beta + np.pi)) * np.arange(1, 7) * (1 + 0.5j)
+        assert found[p] == pytest.approx(-4j * RHO * G * group_factor(k, DEPTH) / k**2 * ahead)
+
+
+def test_the_body_without_its_drift_keeps_its_motions():
+    zero = np.zeros((5, 2, 3))
+    body = made(quantities={"drift_force": zero, "drift_force_fixed": zero, "kochin_diffraction": np.zeros((5, 2, 16))})
+    assert body.knows_drift and not body.without_drift().knows_drift
+    assert set(body.without_drift().between.quantities) == {"added_mass", "radiation_damping", "excitation_force"}
+    assert made().radius == pytest.approx(np.hypot(10, 4))
+
+
+@pytest.mark.parametrize(
+    "ask, words",
+    [
+        (lambda: made(inertia=None).motions([0.5]), "the database has no inertia of the body; give --gyration"),
+        (lambda: made(stiffness=None).floating(), "the database has no inertia of the body"),
+        (lambda: natural_periods(made(inertia=None)), "natural periods need the inertia of the body; give --gyration"),
+        (lambda: made().restrained(damping=np.inf * np.ones((6, 6))), r"damping matrix .* allowed: \(6, 6\), finite"),
+        (lambda: made().at(0.5, "pressure", [0.0]), "pressure is known at stored headings only"),
+        (lambda: made().drift([0.5]), "kochin_radiation, kochin_diffraction must be stored for drift_force"),
+        (lambda: made(quantities={"drift_force": np.zeros((5, 2, 3))}).restrained(stiffness=np.eye(6)).drift([0.5]),
+         "drift of a body with added damping or stiffness is rebuilt from Kochin functions"),
+        (lambda: made().at(0.5, "drift_force_fixed"), "drift_force_fixed is not stored, and does not follow"),
+    ],
+)  # fmt: skip
+def test_what_is_not_known_is_named_with_the_way_out(ask, words):
+    with pytest.raises(ValueError, match=words):
+        ask()
+
+
+def test_what_was_solved_for_some_motions_alone_is_no_basis_for_all():
+    A, _ = coefficients()
+    A[:, 5, 5] = np.nan
+    body = made(quantities={"added_mass": A})
+    for ask in (body.floating, lambda: body.motions([0.4])):
+        with pytest.raises(BetweenError, match="added_mass is not known for all motions; solve again without a choice"):
+            ask()
+    less = {name: value for name, value in made().between.quantities.items() if name != "excitation_force"}
+    body = made()
+    with pytest.raises(BetweenError, match="excitation_force must be stored for motions"):
+        replace(body, between=replace(body.between, quantities=less)).floating()
+
+
+def test_what_the_far_field_misses_is_straight_between_stored_frequencies():
+    """And held at the ends; 0 where the drift of the fixed body is not stored"""
+    missed = np.cumsum(np.arange(30.0)).reshape(5, 2, 3)
+    body = SimpleNamespace(
+        omega=OMEGA, missed_drift=missed, between=SimpleNamespace(quantities={"drift_force_fixed": missed})
+    )
+    at = np.array([0.4, 0.45, 0.75, 1.2])
+    expected = [[[np.interp(w, OMEGA, missed[:, j, c]) for c in range(3)] for j in (0, 1)] for w in at]
+    assert far_field_drift._amiss(body, at, None) == pytest.approx(np.array(expected))
+    one = SimpleNamespace(omega=OMEGA[:1], missed_drift=missed[:1], between=body.between)
+    assert far_field_drift._amiss(one, OMEGA[:1], None) == pytest.approx(missed[:1])
+    body.between.quantities = {}
+    assert far_field_drift._amiss(body, at, None) == 0.0
+
+
+def series_of(theta, several):
+    return np.array([[sum(c * np.exp(1j * m * theta) for m, c in one.items()) for one in row] for row in several])
+
+
+@pytest.mark.parametrize("damped", [False, True])
+def test_drift_of_a_damped_body_counts_the_power_that_it_takes(damped):
+    """Re H(β) from energy, −(1/2π)∫|H|² − kP/(2ρgC_g), P = ½ω² X* B′ X; the slope ahead from the series"""
+    w, beta = 0.7, 0.5
+    k = wavenumber(w, DEPTH, G)
+    n = group_factor(k, DEPTH)
+    scattered = {-1: 0.2 - 0.1j, 0: -0.3, 2: 0.1j}
+    radiated = [{1: 0.02 * (i + 1), -2: 0.01j} for i in range(6)]
+    X = np.array([0.5, 0.2j, -0.4, 0.1, 0.0, 0.3])
+    H, R = series_of(THETA, [[scattered]]), series_of(THETA, [radiated])
+    damping = 3e4 * np.diag([1.0, 2, 3, 0, 0, 5]) * damped
+    body = replace(made(), damping=damping, rotation_center=np.array([3.0, -2.0, 0]))
+    found = far_field_drift.of_far_field(body, np.array([w]), np.array([beta]), R, H, X[None, None])[0, 0]
+    total = dict(scattered)
+    for x, one in zip(X, radiated, strict=True):
+        for m, c in one.items():
+            total[m] = total.get(m, 0) + x * c
+    power = 0.5 * w**2 * (X.conj() @ damping @ X).real
+    forward = -sum(abs(c) ** 2 for c in total.values()) - k * power / (2 * RHO * G * n * w / k)
+    both = 2 * np.pi * sum(c * np.conj(total.get(m + 1, 0)) for m, c in total.items())
+    steep = sum(1j * m * c * np.exp(1j * m * beta) for m, c in total.items())
+    x = -2 * np.pi * np.cos(beta) * forward - both.real
+    y = -2 * np.pi * np.sin(beta) * forward - both.imag
+    m = -2 * np.pi * steep.imag - 2 * np.pi * sum(m * abs(c) ** 2 for m, c in total.items())
+    x, y, m = RHO * G * n / (np.pi * k) * np.array([x, y, m / k])
+    assert found == pytest.approx([x, y, m - (3.0 * y + 2.0 * x)])
+
+
+def test_damping_that_grows_with_the_motion_takes_power_by_its_amplitude_in_the_wave():
+    """N = (8/3π) ω a N₂ of a = 1.5 m times |X|, for waves of 1.5 m"""
+    law = Viscous({"Heave": Quadratic(2e4)}, 1.5)
+    body = replace(made(), viscous=law, damping=np.diag([1e3] * 6))
+    X = np.array([[[0, 0, 0.4 + 0.3j, 0, 0, 0.1]]])
+    expected = 0.5 * 0.49 * (1e3 * (0.25 + 0.01) + 8 / (3 * np.pi) * 0.7 * 1.5 * 0.5 * 2e4 * 0.25)
+    assert far_field_drift._absorbed(body, np.array([0.7]), X)[0, 0] == pytest.approx(expected)

@@ -1,0 +1,102 @@
+"""Parts of the search for resonances, each by hand."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from scipy.linalg import eigh
+
+from hakobune.bem.database.resonances import _places, about, by_motion, natural_modes, resonances, zeros
+
+
+def test_natural_modes_are_those_of_the_generalised_eigenvalue_problem():
+    rng = np.random.default_rng(1)
+    M, C = (a @ a.T + np.eye(6) for a in rng.normal(size=(2, 6, 6)))
+    values, vectors = natural_modes(np.stack([M, 2 * M]), C)
+    exact = eigh(C, M, eigvals_only=True)
+    assert values[0] == pytest.approx(exact) and values[1] == pytest.approx(exact / 2)
+    for one in vectors[0].T:
+        left = C @ one
+        assert left == pytest.approx((one @ C @ one) * (M @ one), abs=1e-9)
+        assert one @ M @ one == pytest.approx(1.0)
+
+
+def test_modes_are_called_by_the_motions_that_together_carry_most_of_their_energy():
+    """Not each by its largest: the first two both have most in surge, and one has to be sway"""
+    energies = np.eye(6)[[0, 0, 4, 2, 3, 5]] * 10.0
+    energies[0, 1], energies[1, 1] = 8.0, 1.0
+    assert by_motion(energies).tolist() == [1, 0, 3, 4, 2, 5]
+    energies[2] *= 100  # shares count, whatever a mode is scaled by
+    assert by_motion(energies).tolist() == [1, 0, 3, 4, 2, 5]
+
+
+def test_zeros_of_several_functions_are_found_at_once():
+    roots = np.array([0.3, 0.5, 2.0])
+
+    def functions(x):
+        return np.array([x[0] ** 3 - 0.027, np.exp(x[1]) - np.exp(0.5), 4 - x[2] ** 2])
+
+    low, high = np.array([0.1, 0.0, 1.0]), np.array([1.0, 3.0, 2.5])
+    assert zeros(functions, low, functions(low), high, functions(high)) == pytest.approx(roots, rel=1e-11)
+
+
+def test_places_show_a_peak_at_shares_of_its_width_up_to_three_tenths_of_its_frequency():
+    """ω (1 ± ζ/8, ζ/4 … 128 ζ)"""
+    found = _places(2.0, 0.001) / 2.0 - 1
+    away = 0.001 * 2.0 ** np.arange(-3, 8)
+    assert found == pytest.approx(np.concatenate([-away[::-1], [0], away]))
+    wide = _places(2.0, 0.02) / 2.0 - 1
+    assert wide.min() == pytest.approx(-0.3) and wide.max() == pytest.approx(0.3) and len(wide) == 2 * 8 + 1
+    body = SimpleNamespace(between=SimpleNamespace(span=(1.9, 2.1)))
+    peaks = [SimpleNamespace(omega=2.0, damping=0.001)]
+    inside = about(body, peaks)
+    assert inside == pytest.approx(2 * (1 + found[np.abs(found) < 0.05])) and len(inside) == 2 * 9 + 1
+
+
+class OneMotion:
+    """A body that answers in heave alone, of constant added mass and damping, excited by 1 N/m"""
+
+    omega, headings, viscous = np.linspace(0.5, 2.0, 16), np.array([0.0]), None
+    inertia, stiffness = np.diag([1.0] * 6), np.diag([0, 0, 2.0, 0, 0, 0])  # M + A = 2: resonance at 1 rad/s
+
+    def __init__(self, zeta, force=1.0, other=0.0):
+        self.zeta, self.force, self.other = zeta, force, other
+        self.damping = np.zeros((6, 6))
+        self.between = SimpleNamespace(span=(0.5, 2.0))
+
+    def held_added_mass(self, omega):
+        return np.tile(np.eye(6), (len(omega), 1, 1))
+
+    def coefficients(self, omega):
+        B = np.zeros((len(omega), 6, 6))
+        B[:, 2, 2] = 4 * self.zeta  # 2ζ ω (M + A)
+        return self.held_added_mass(omega), B
+
+    def motions(self, omega):
+        omega = np.asarray(omega)
+        X = np.zeros((len(omega), 1, 6), complex)
+        X[:, 0, 2] = self.force / (2 - 2 * omega**2 - 4j * self.zeta * omega)
+        X[:, 0, 0] = self.other
+        return X
+
+    def at(self, omega, name):
+        return self.motions(omega), 0.1 * np.abs(self.motions(omega))
+
+
+def test_a_peak_has_the_height_of_force_over_damping():
+    (found,) = resonances(OneMotion(0.05))
+    assert found.mode == 2 and found.damping == pytest.approx(0.05) and not found.viscous
+    highest = 1 / (4 * 0.05 * np.sqrt(1 - 0.05**2))
+    assert found.peak == pytest.approx(highest, rel=1e-3) and found.omega == pytest.approx(1.0, rel=5e-3)
+    assert found.error == pytest.approx(0.1 * found.peak) and found.period == pytest.approx(2 * np.pi / found.omega)
+
+
+def test_a_quarter_of_critical_damping_leaves_no_peak():
+    assert len(resonances(OneMotion(0.245))) == 1 and resonances(OneMotion(0.255)) == []
+
+
+def test_a_peak_below_a_thousandth_of_the_largest_motion_of_its_kind_is_none():
+    """Surge of 1 m/m everywhere beside a peak of heave"""
+    height = 4 * 0.05 * np.sqrt(1 - 0.05**2)
+    assert len(resonances(OneMotion(0.05, 1.05e-3 * height, 1.0))) == 1
+    assert resonances(OneMotion(0.05, 0.95e-3 * height, 1.0)) == []

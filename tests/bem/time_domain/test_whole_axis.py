@@ -1,0 +1,96 @@
+"""Damping beyond the band, by the powers that are believed, and the added mass of known pairs."""
+
+import numpy as np
+import pytest
+
+from hakobune.bem.time_domain.whole_axis import _above, _below, monopole_damping, whole_axis, without_negative
+
+OMEGA = np.linspace(0.2, 2.0, 400)
+
+
+def damped(*powers):
+    """(n, 6, 6) of ω to these powers on the diagonal, and their geometric means between the first two"""
+    B = np.zeros((len(OMEGA), 6, 6))
+    for i, p in enumerate(powers):
+        B[:, i, i] = (i + 1.0) * OMEGA**p
+    B[:, 0, 1] = B[:, 1, 0] = 0.5 * np.sqrt(B[:, 0, 0] * B[:, 1, 1])
+    return B
+
+
+def test_below_the_band_damping_follows_its_own_power_between_one_and_twelve():
+    """Slopes at ω₁; couplings with the mean of both"""
+    axis, found = _below(OMEGA, damped(4.0, 6.0, 0.5, 14.0, 2.0), None)
+    first, x = OMEGA[0], axis / OMEGA[0]
+    assert axis[0] == 0.0 and len(axis) == 60 and axis[1] == pytest.approx(1e-3 * first)
+    slopes = [first * (b[1] - b[0]) / (OMEGA[1] - OMEGA[0]) / b[0] for b in damped(4.0, 6.0).diagonal(0, 1, 2).T[:2]]
+    for i, power in ((0, slopes[0]), (1, slopes[1]), (2, 1.0), (3, 12.0)):
+        np.testing.assert_allclose(found[:, i, i], damped(4.0, 6.0, 0.5, 14.0, 2.0)[0, i, i] * x**power, rtol=1e-9)
+    np.testing.assert_allclose(found[:, 0, 1], 0.5 * np.sqrt(2) * first**5 * x ** (0.5 * sum(slopes)), rtol=1e-9)
+
+
+@pytest.mark.parametrize("depth", [20.0, np.inf])
+def test_a_body_that_changes_its_volume_sends_the_waves_of_a_source(depth):
+    """ρ ω q qᵀ / 4h, in deep water ρ ω³ q qᵀ / 2g; what is left has a power of its own, a dipole's 3 at least"""
+    q = np.array([0, 0, 200.0, 10.0, -300.0, 0])
+    source = monopole_damping(q, 1025.0, depth, 9.80665)
+    w = np.array([0.1, 0.3])
+    share = w / 80 if np.isfinite(depth) else w**3 / (2 * 9.80665)
+    np.testing.assert_allclose(source(w), 1025.0 * share[:, None, None] * np.outer(q, q))
+    rest = 1e5 * np.diag([1.0, 0.8, 0.6, 0.5, 0.3, 0.2])
+    damping = source(OMEGA) + (OMEGA / OMEGA[0])[:, None, None] ** 2 * rest
+    axis, found = _below(OMEGA, damping, source)
+    x = (axis / OMEGA[0])[:, None]
+    left = (found - source(axis)).diagonal(0, 1, 2)
+    strong = np.diag(source(OMEGA[:1])[0]) > 0.1 * np.diag(damping[0])
+    slope = (OMEGA[1] / OMEGA[0]) ** 2 - 1
+    power = np.where(strong, max(1.0, slope * OMEGA[0] / (OMEGA[1] - OMEGA[0])), 3.0)
+    assert strong.tolist()[2] and not strong[[0, 1, 5]].any()
+    np.testing.assert_allclose(left, np.diag(rest) * x**power, rtol=1e-6, atol=1e-6)
+
+
+def test_above_the_band_damping_falls_with_the_slope_of_its_last_seventh_from_three_to_twelve():
+    """Of frequencies from ω₁ + 0.85 (Ω − ω₁) on; up to 300 Ω"""
+    early = np.where(OMEGA < 0.2 + 0.85 * 1.8, OMEGA, 0.2 + 0.85 * 1.8) ** 8.0  # rises, then stays
+    B = damped(-4.0, -8.0, -2.0, -14.0)
+    B[:, 4, 4] = early * np.where(OMEGA < 0.2 + 0.85 * 1.8, 1.0, (OMEGA / (0.2 + 0.85 * 1.8)) ** -5.0)
+    axis, found = _above(OMEGA, B)
+    x = 2.0 / axis
+    assert axis[-1] == pytest.approx(600.0) and axis[0] > 2.0 and len(axis) == 599
+    for i, power in ((0, 4.0), (1, 8.0), (2, 3.0), (3, 12.0), (4, 5.0)):
+        np.testing.assert_allclose(found[:, i, i], B[-1, i, i] * x**power, rtol=0.02, atol=1e-12 * B[-1, i, i])
+    np.testing.assert_allclose(found[:, 0, 1], B[-1, 0, 1] * x**6.0, rtol=1e-6, atol=1e-20)
+
+
+def test_what_gives_energy_is_taken_out_and_the_rest_is_as_it_was():
+    """Of [[1, 2], [2, 1]] the eigenvalue −1 along (1, −1), in units of the largest damping of each motion"""
+    unit = np.diag([1.0, 3.0, 1, 1, 1, 1])
+    known = unit @ np.diag([1.0, 1.0, 1, 1, 1, 0]) @ unit
+    known[0, 1] = known[1, 0] = 0.1
+    wrong = known.copy()
+    wrong[0, 1] = wrong[1, 0] = 2 * 3.0
+    found = without_negative(np.stack([known, wrong]), known[None])
+    np.testing.assert_array_equal(found[0], known)
+    np.testing.assert_allclose(found[1][:2, :2], np.diag([1, 3.0]) @ np.full((2, 2), 1.5) @ np.diag([1, 3.0]))
+    assert found[1, 2, 2] == pytest.approx(1.0) and found[1, 5, 5] == 0.0
+
+
+def test_added_mass_of_damping_that_goes_on_beyond_the_band_is_found_with_its_limit():
+    """K = exp(−at) cos bt: B = Re, A = A∞ − Im/ω of ½ Σ 1/(a − i(ω ± b)); a hump within the band and its tail"""
+    a, b, infinity = 0.3, 0.9, 7.0
+
+    def transform(w):
+        return 0.5 * (1 / (a - 1j * (w - b)) + 1 / (a - 1j * (w + b))) - 1 / (a - 1j * w) * a**2 / (a**2 + b**2)
+
+    exact = transform(OMEGA)
+    shape = np.diag([1.0, 2.0, 0, 0, 0, 0])
+    A, B = np.multiply.outer(infinity - exact.imag / OMEGA, shape), np.multiply.outer(exact.real, shape)
+    free, held = whole_axis(OMEGA, A, B), whole_axis(OMEGA, A, B, infinity * shape)
+    size = np.abs(exact).max()
+    assert np.abs(free.added_mass_infinity - infinity * shape)[:2, :2].max() < 0.1 * size
+    assert held.added_mass_infinity[1, 1] == 2 * infinity
+    at = np.array([0.501, 0.903, 1.502])
+    for one in (free, held):
+        off = np.abs(one.transform(at)[:, 0, 0] - transform(at))
+        assert off.max() < 0.05 * size
+        np.testing.assert_allclose(one.transform(at)[:, 1, 1], 2 * one.transform(at)[:, 0, 0], rtol=1e-6)
+        assert not one.damping[:, 2:].any()

@@ -1,0 +1,160 @@
+"""Panels one by one, by the geometry of plane figures."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from hakobune.meshing.hydrostatics import hydrostatics
+from hakobune.meshing.panels import PanelMesh, joined, structured
+from hakobune.meshing.shapes import box
+
+
+def one(*corners, **more):
+    return PanelMesh(np.array(corners, float), [[0, 1, 2, 3] if len(corners) == 4 else [0, 1, 2, 2]], **more)
+
+
+TRAPEZOID = one((5, 1, -2), (9, 1, -2), (8, 4, -2), (6, 4, -2))  # parallel sides 4 and 2 m, 3 m apart
+
+
+def test_a_trapezoid_has_the_area_and_centroid_of_one():
+    """ȳ = h/3 · (a + 2b) / (a + b) from the side a"""
+    assert TRAPEZOID.areas == pytest.approx([9.0])
+    np.testing.assert_allclose(TRAPEZOID.centroids, [[7, 1 + 4 / 3, -2]])
+    np.testing.assert_allclose(TRAPEZOID.normals, [[0, 0, 1]])
+
+
+def test_the_centroid_of_a_kite_lies_on_the_side_of_its_larger_triangle():
+    """Triangles of height 1 and 5 over a diagonal: (−1·1/3 + 5·5/3) / 6 from it; whichever corner comes first"""
+    corners = [(-1, 0, -9), (0, -1, -9), (1, 0, -9), (0, 5, -9)]
+    for first in range(4):
+        kite = one(*np.roll(corners, -first, axis=0))
+        np.testing.assert_allclose(kite.centroids, [[0, 4 / 3, -9]], atol=1e-12)
+
+
+def test_a_triangle_has_three_sides_and_its_centroid_at_the_mean_of_its_corners():
+    triangle = one((0, 0, -1), (3, 0, -1), (0, 4, -1))
+    np.testing.assert_allclose(triangle.edge_lengths, [[3, 5, 0, 4]])
+    assert triangle.sizes == pytest.approx([5.0]) and triangle.areas == pytest.approx([6.0])
+    np.testing.assert_allclose(triangle.centroids, [[1, 4 / 3, -1]])
+
+
+def test_a_skew_panel_is_represented_by_its_mean_plane():
+    """Corners 0.3 m above and below the plane by turns; the vector area is that of the plane square"""
+    skew = one((10, 20, -4.7), (12, 20, -5.3), (12, 22, -4.7), (10, 22, -5.3))
+    np.testing.assert_allclose(skew.flat_vertices[0, :, 2], -5.0, rtol=1e-12)
+    np.testing.assert_allclose(skew.flat_vertices[0, :, :2], skew.vertices[0, :, :2])
+    np.testing.assert_allclose(skew.area_vectors, [[0, 0, 4]], atol=1e-12)
+
+
+def test_a_hull_says_its_panels_its_wetted_area_and_its_volume():
+    """100 · 50 + 2 (100 + 50) 10 m²"""
+    hull = box(100, 50, 10, counts=(5, 2, 3))
+    assert repr(hull) == "<PanelMesh 124 panels, 8000 m² wetted, 50000 m³>"
+    assert (hull.copies, replace(hull, symmetry="x").copies, replace(hull, symmetry="").copies) == (4, 2, 1)
+
+
+def test_a_hull_moved_out_of_a_mirror_plane_is_written_out():
+    hull = box(10, 6, 2, panels=40)
+    half = replace(replace(hull, symmetry="y").whole(), symmetry="x")
+    assert half.moved(dy=3).symmetry == "x" and half.moved(dz=-1).symmetry == "x" and half.moved(dx=1).symmetry == ""
+    assert hull.moved(dy=3).symmetry == "" and hull.moved(dy=3).total == hull.total
+    np.testing.assert_allclose(
+        hydrostatics(hull.moved(dx=4, dy=3, dz=0.5).clipped()).center_of_buoyancy, (4, 3, -0.75), rtol=1e-12
+    )
+
+
+def test_a_quarter_turn_takes_x_to_y_and_y_to_minus_x():
+    turned = one((1, 2, -3), (2, 2, -3), (2, 3, -3), (1, 3, -3)).rotated(np.pi / 2)
+    np.testing.assert_allclose(turned.vertices, [[(-2, 1, -3), (-2, 2, -3), (-3, 2, -3), (-3, 1, -3)]], atol=1e-12)
+    np.testing.assert_allclose(turned.normals, [[0, 0, 1]], atol=1e-12)
+
+
+def test_a_model_to_scale_has_the_cube_of_the_volume():
+    hull = box(10, 6, 2, panels=40)
+    assert hull.scaled(3.0).volume == pytest.approx(27 * 120)
+    assert hull.scaled((1, 2, 0.5)).volume == pytest.approx(120) and hull.scaled((1, 2, 0.5)).draft == 1.0
+    assert hull.scaled(3.0).symmetry == "xy"
+
+
+def test_the_draft_is_that_of_points_that_panels_have():
+    assert replace(TRAPEZOID, points=np.vstack([TRAPEZOID.points, [0, 0, -50]])).draft == 2.0
+
+
+def test_a_half_is_mirrored_and_what_lies_on_both_sides_is_not():
+    half = one((0, 1, -1), (2, 1, -1), (2, 3, -1), (0, 3, -1))
+    assert half.mirrored("y").symmetry == "y" and half.mirrored("y").mirrored("x").symmetry == "xy"
+    assert half.moved(dy=-4).mirrored("y").total == 2  # all on the other side
+    for hull, axis in ((half.moved(dx=-1), "x"), (half.moved(dy=-2), "y"), (half.mirrored("y"), "y")):
+        with pytest.raises(ValueError, match=f"both sides of {axis} = 0 already"):
+            hull.mirrored(axis)
+    assert half.moved(dx=-1).mirrored("y").symmetry == "y"
+
+
+def test_a_panel_that_the_surface_cuts_keeps_what_is_below():
+    """A kite from z = −3 to 1, 2 m wide at −1: 4 m² about z = −1, less a triangle of 1/2 m² about 1/3"""
+    kite = one((0, 7, -3), (1, 7, -1), (0, 7, 1), (-1, 7, -1)).clipped()
+    assert kite.areas.sum() == pytest.approx(3.5)
+    assert kite.areas @ kite.centroids[:, 2] == pytest.approx(-4 - 1 / 6)
+    np.testing.assert_allclose(kite.normals, np.tile([0, -1, 0], (len(kite), 1)), atol=1e-12)
+    assert kite.points[:, 2].max() == 0.0 and sorted(kite.points[kite.points[:, 2] == 0, 0]) == [-0.5, 0.5]
+
+
+@pytest.mark.parametrize(
+    "corners, area",
+    [
+        ([(0, 0, -1), (4, 0, -1), (4, 0, 3), (0, 0, 3)], 4.0),  # two below: 4 x 1
+        ([(0, 0, -1), (3, 0, 2), (0, 0, 5), (-3, 0, 2)], 1.0),  # one below: 2 x 1 / 2
+        ([(0, 0, -1), (4, 0, -1), (2, 0, 1)], 3.0),  # of a triangle: from 4 to 2 m
+        ([(0, 0, 1), (2, 0, -1), (-2, 0, -1)][::-1], 3.0),
+        ([(0, 0, -1), (4, 0, -1), (4, 0, 0), (0, 0, 0)], 4.0),  # up to the surface
+        ([(0, 0, -1), (4, 0, 0), (0, 0, 1)], 2.0),  # through a corner
+    ],
+)
+def test_areas_below_the_surface(corners, area):
+    clipped = one(*corners).clipped()
+    assert clipped.areas.sum() == pytest.approx(area) and clipped.vertices[..., 2].max() == 0.0
+
+
+def test_a_wall_that_stands_out_of_the_water_is_cut_to_a_box_whose_points_are_shared():
+    tall = box(10, 6, 5, counts=(3, 2, 4), grading=False).moved(dz=1.7)
+    cut = tall.clipped()
+    assert cut.volume == pytest.approx(10 * 6 * 3.3, rel=1e-12) and cut.symmetry == "xy" and cut.name == tall.name
+    assert np.ptp(hydrostatics(cut).volumes) < 1e-9 and len(np.unique(cut.points.round(9), axis=0)) == len(cut.points)
+    with pytest.raises(ValueError, match="nothing of the hull lies below z = 0, its lowest point is at 1 m"):
+        tall.moved(dz=4.3).clipped()
+
+
+def test_points_nearer_than_the_tolerance_are_one():
+    corners = [(0, 0, -1), (10, 0, -1), (10, 10, -1), (0, 10, -1)]
+    for away, points in ((2e-4, 4), (2e-2, 5)):
+        loose = PanelMesh([*corners, (10 + away, 10, -1)], [[0, 1, 2, 3], [1, 4, 2, 2]])
+        assert len(loose.merged(1e-3 / 10).points) == points  # 1e-3 m of 10 m
+
+
+def test_meshes_are_joined_with_the_points_that_they_share():
+    left, right = (
+        one((0, 0, -1), (1, 0, -1), (1, 1, -1), (0, 1, -1)),
+        one((1, 0, -1), (2, 0, -1), (2, 1, -1), (1, 1, -1)),
+    )
+    pair = joined([left, right, right.moved(dx=1)])
+    assert len(pair) == 3 and len(pair.points) == 8
+    np.testing.assert_allclose(np.sort(pair.centroids[:, 0]), (0.5, 1.5, 2.5))
+    with pytest.raises(ValueError, match="different symmetry"):
+        joined([left, replace(right, symmetry="x")])
+
+
+def test_a_grid_faces_the_side_from_which_its_axes_turn_to_the_left():
+    x, y = np.meshgrid([0.0, 1.0, 3.0], [0.0, 2.0], indexing="ij")
+    grid = structured(np.stack([x, y, 0 * x - 1], axis=-1))
+    np.testing.assert_allclose(grid.area_vectors, [[0, 0, 2], [0, 0, 4]])
+
+
+def test_what_is_no_mesh_is_named():
+    with pytest.raises(ValueError, match="symmetry is 'z'"):
+        one((0, 0, 0), (1, 0, 0), (1, 1, 0), symmetry="z")
+    PanelMesh(np.zeros((3, 3)), [[0, 1, 2, 2]])
+    with pytest.raises(ValueError, match="names point 3, the mesh has points 0 to 2"):
+        PanelMesh(np.zeros((3, 3)), [[0, 1, 2, 3]])
+    with pytest.raises(ValueError, match="the mesh has points 0 to 2"):
+        PanelMesh(np.zeros((3, 3)), [[0, 1, 2, -1]])
