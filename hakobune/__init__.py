@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
+    from hakobune.pipelines.breakwater.result import breakwater as breakwater
     from hakobune.pipelines.line_dynamics.result import line_dynamics as line_dynamics
     from hakobune.pipelines.lines.line_result import line as line
     from hakobune.pipelines.lines.lines_result import lines as lines
@@ -30,6 +31,7 @@ if (_CHECKOUT / "pyproject.toml").is_file():
     __path__.append(str(_CHECKOUT))
 
 _PUBLIC = {  # name: module that has it
+    "breakwater": "pipelines.breakwater.result",
     "line": "pipelines.lines.line_result",
     "line_dynamics": "pipelines.line_dynamics.result",
     "lines": "pipelines.lines.lines_result",

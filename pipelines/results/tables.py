@@ -17,6 +17,7 @@ from ..printing.number import NOTHING, number
 from .quantity import READ_IN, read_in
 
 WIDTH = 20  # characters of a heading
+LONG, PRINTED = 40, 12  # rows of a table over numbers, and how many of them are printed where there are more
 FEW = 3  # rows, that are printed as columns where these are more than twice as many
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
 
@@ -117,7 +118,10 @@ def rich_table(shown, labels):
     """A table of rich"""
     from rich.table import Table
 
-    table = Table(title=shown.title or None, title_justify="left")
+    rows, title = _printed_rows(shown, labels), shown.title
+    if len(rows) < len(shown.labels):
+        title = f"{title}, {len(rows)} of {len(shown.labels)} rows".removeprefix(", ")
+    table = Table(title=title or None, title_justify="left")
     if not shown.axis:
         for name in ("quantity", "value", "unit"):
             table.add_column(name, justify="right" if name == "value" else "left", no_wrap=True)
@@ -141,10 +145,19 @@ def rich_table(shown, labels):
             _heading(column.heading, "" if len(column.units) > 1 else words[0]), justify="right", no_wrap=True
         )
         cells.append(filled)
-    for row, label in enumerate(shown.labels):
+    for row in rows:
+        label = shown.labels[row]
         said = _cell(label, size) if head.numeric else str(label)
         table.add_row(f"{said}, {units[row]}" if by_row else said, *(column[row] for column in cells))
     return table
+
+
+def _printed_rows(shown, labels):
+    """Numbers of the rows that are printed: all, or some evenly of a long table over numbers"""
+    count = len(shown.labels)
+    if not shown.axis or count <= LONG or not labels[shown.axis].numeric:
+        return list(range(count))
+    return np.linspace(0, count - 1, PRINTED).round().astype(int).tolist()
 
 
 def _turned(table, shown, head):

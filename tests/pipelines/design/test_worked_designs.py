@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
-import h5py
 import msgspec
 import numpy as np
 import pytest
@@ -19,6 +18,7 @@ from hakobune.pipelines.design.command import made
 from hakobune.pipelines.design.kinds.breakwater import _numbers as breakwater_numbers
 from hakobune.pipelines.design.project import read_project
 from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.results.file import read
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 COARSE = {"periods": [6.0, 8.0, 11.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
@@ -189,8 +189,8 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, 
     study, _, _ = read_study(out / "cases" / "extreme_30_deg_current_+30.toml")
     best = preferred(equilibria(make(study, open_database(out / "databases" / "mean.h5")).point))
     np.testing.assert_allclose(intact.numbers.static, [*best.hawser, *best.lines.tension], rtol=1e-9)
-    with h5py.File(intact.path) as file:  # waves without their slow drift, for which the report (3.6) adds a fifth
-        pulled = file["run/line_tension"][()].max(axis=0)
+    # waves without their slow drift, for which the report (3.6) adds a fifth
+    pulled = read(intact.path, "single-point")["run.line_tension"].max(axis=0)
     np.testing.assert_allclose(intact.numbers.largest[1:], 1.2 * pulled, rtol=1e-9)
     monkeypatch.setattr(
         "hakobune.pipelines.design.kinds.single_point._found", None
