@@ -7,7 +7,7 @@ import numpy as np
 from hakobune.mooring.breakwater.holdings import mean_drift
 
 from ..results.quantity import Quantity
-from ..results.result import labels
+from ..results.result import labels, records, rows
 from .build import KN
 from .curves import sections
 from .results import design
@@ -18,9 +18,13 @@ PARTS = {  # of a Response, over the amplitude of the waves: unit, description, 
     "transmission": ("", "K_T", "transmission"), "reflection": ("", "reflection", ""), "sway": ("m/m", "sway", ""),
     "heave": ("m/m", "heave", ""), "roll": ("rad/m", "roll", ""),
 }  # fmt: skip
+TIDE = {  # of a Tide: unit, description
+    "rise": ("m", "rise"), "change": ("N/m", "change of P₀"), "front": ("N/m", "front"),
+    "front_at": ("s", "front, at"), "back": ("N/m", "back"), "back_at": ("s", "back, at"),
+}  # fmt: skip
 PULLS = "amplitudes of tension for each metre of wave amplitude"
 ANCHOR_UNITS = {"kN": ("N", KN), "kN/m": ("N/m", KN), "m apart": ("m", 1.0)}
-DESIGN = {"draft": ("m", 1.0), "width": ("m", 1.0), "angle_deg": ("rad", np.pi / 180)}
+DESIGN = {"draft": ("m", 1.0, "draft"), "width": ("m", 1.0, "width"), "angle_deg": ("rad", np.pi / 180, "lines at")}
 
 
 def curves_of(asked, found):
@@ -68,54 +72,41 @@ def pretension_of(asked, found):
     tides, held = found.tides, found.pretension
     if tides is None:
         return {}, {}
-    title = f"greatest amplitudes of tension in waves of {asked.study.waves.height:g} m" if held is not None else ""
-    rows = {
-        "rise": ("m", "rise"), "change": ("N/m", "change of P₀"), "front": ("N/m", "front"),
-        "front_at": ("s", "front, at"), "back": ("N/m", "back"), "back_at": ("s", "back, at"),
-    }  # fmt: skip
-    made = {
-        f"tide.{name}": Quantity([getattr(one, name) for one in tides], ("level",), unit, words, title)
-        for name, (unit, words) in rows.items()
-    }
+    title = "" if held is None else f"greatest amplitudes of tension in waves of {asked.study.waves.height:g} m"
+    columns = {name: [getattr(one, name) for one in tides] for name in TIDE}
+    made = rows(title, {f"tide.{name}": (columns[name], *TIDE[name]) for name in TIDE}, "level")
     axes = labels("level", [one.level for one in tides]) | labels("end", ENDS)
     return (made, axes) if held is None else (made | _pretension(asked.study, held), axes)
 
 
 def _pretension(study, held):
-    title = f"pretension P₀ of {', '.join(design(study))}"
-    rows = {
-        "least": (held.least, "least that keeps lines taut"),
-        "used": (held.used, "that is used" if held.given is None else "of the body"),
-        "most": (held.most, "most within the allowable tension"),
+    given = {
+        "pretension.least": (held.least, "N/m", "least that keeps lines taut"),
+        "pretension.used": (held.used, "N/m", "that is used" if held.given is None else "of the body"),
+        "pretension.most": (held.most, "N/m", "most within the allowable tension"),
     }
-    made = {
-        f"pretension.{name}": Quantity(float(value), (), "N/m", words, title)
-        for name, (value, words) in rows.items()
-        if value is not None
-    }
-    made["pretension.greatest"] = Quantity(
-        held.greatest, ("end",), "N/m", "greatest tension", "lines with this pretension"
+    greatest = {"pretension.greatest": (held.greatest, "N/m", "greatest tension")}
+    known = {name: row for name, row in given.items() if row[0] is not None}
+    return rows(f"pretension P₀ of {', '.join(design(study))}", known) | rows(
+        "lines with this pretension", greatest, "end"
     )
-    return made
 
 
 def anchors_of(asked, found):
     """What anchors have to be, and what is provided"""
-    rows = found.anchors
-    if not rows:
+    if not found.anchors:
         return {}, {}
-    units = [ANCHOR_UNITS[one.unit] for one in rows]
-    sizes = np.array([size for _, size in units])
-    provided = np.array([np.nan if one.provided is None else one.provided for one in rows])
-    used = [np.nan if one.utilisation is None else one.utilisation for one in rows]
-    unit = tuple(unit for unit, _ in units)
-    unit, known = unit[0] if len(unit) == 1 else unit, "anchors" if np.isfinite(provided).any() else ""
-    return {
-        "anchor.needed": Quantity(sizes * [one.needed for one in rows], ("anchor",), unit, "needed", "anchors"),
-        "anchor.size": Quantity([one.note for one in rows], ("anchor",), "", "size", "anchors"),
-        "anchor.provided": Quantity(sizes * provided, ("anchor",), unit, "provided", known),
-        "anchor.used": Quantity(used, ("anchor",), "", "used", known, share=True),
-    }, labels("anchor", [one.name for one in rows])
+    units, sizes = zip(*(ANCHOR_UNITS[one.unit] for one in found.anchors), strict=True)
+    parts = ((one.provided, one.utilisation) for one in found.anchors)
+    provided, used = np.array([[np.nan if part is None else part for part in row] for row in parts]).T
+    unit, known = units[0] if len(units) == 1 else units, "anchors" if np.isfinite(provided).any() else ""
+    needed = {
+        "anchor.needed": (np.array(sizes) * [one.needed for one in found.anchors], unit, "needed"),
+        "anchor.size": ([one.note for one in found.anchors], "", "size"),
+    }
+    given = {"anchor.provided": (sizes * provided, unit, "provided"), "anchor.used": (used, "%", "used")}
+    axes = labels("anchor", [one.name for one in found.anchors])
+    return rows("anchors", needed, "anchor") | rows(known, given, "anchor"), axes
 
 
 def behind_of(asked, found):
@@ -126,28 +117,25 @@ def behind_of(asked, found):
     names, heights = list(sea.heights), np.array(list(sea.heights.values()))
     title, density = f"sea of {sea.cells.height:.4g} m", sea.cells.energy / sea.cells.width
     over = np.stack(list(sea.transmission.values()), axis=1) if names else np.zeros((len(density), 0))
-    made = {
-        "sea.height": Quantity(float(sea.cells.height), (), "m", "significant height"),
-        "sea.waves": Quantity(float(sea.waves), (), "", "number of waves"),
-        "sea.behind": Quantity(heights, ("behind",), "m", "4√m₀ behind", title),
-        "sea.share": Quantity(heights / sea.cells.height, ("behind",), "", "of the height", title, share=True),
-        "sea.spectrum": Quantity(density, ("omega",), "m2 s/rad", "spectrum before", record=True),
-        "sea.spectrum_behind": Quantity(
-            over**2 * density[:, None], ("omega", "behind"), "m2 s/rad", "spectrum behind", record=True
-        ),
-    }
+    made = rows("", {
+        "sea.height": (float(sea.cells.height), "m", "significant height"),
+        "sea.waves": (float(sea.waves), "", "number of waves"),
+    })  # fmt: skip
+    made |= rows(title, {
+        "sea.behind": (heights, "m", "4√m₀ behind"),
+        "sea.share": (heights / sea.cells.height, "%", "of the height"),
+    }, "behind")  # fmt: skip
+    made |= records({
+        "sea.spectrum": (density, ("omega",), "m2 s/rad", "spectrum before"),
+        "sea.spectrum_behind": (over**2 * density[:, None], ("omega", "behind"), "m2 s/rad", "spectrum behind"),
+    })  # fmt: skip
     if sea.greatest is not None:
-        title = f"lines in the greatest of {sea.waves:.0f} waves of the sea"
-        rows = {
-            "deviation": (sea.deviation, "N/m", "standard deviation", ""),
-            "amplitude": (sea.greatest, "N/m", "greatest amplitude", title),
-            "tension": (sea.tension, "N/m", "greatest tension at the worst level", title),
-            "slack": (sea.slack, "", "slack in of the cycles", title),
-        }
-        made |= {
-            f"sea.{name}": Quantity(values, ("end",), unit, words, table, name == "slack")
-            for name, (values, unit, words, table) in rows.items()
-        }
+        made |= rows(f"lines in the greatest of {sea.waves:.0f} waves of the sea", {
+            "sea.amplitude": (sea.greatest, "N/m", "greatest amplitude"),
+            "sea.tension": (sea.tension, "N/m", "greatest tension at the worst level"),
+            "sea.slack": (sea.slack, "%", "slack in of the cycles"),
+        }, "end")  # fmt: skip
+        made |= rows("", {"sea.deviation": (sea.deviation, "N/m", "standard deviation")}, "end")
         made["sea.least_pretension"] = Quantity(sea.least, (), "N/m", "least pretension that keeps lines taut in it")
     return made, labels("behind", names) | labels("omega", sea.cells.omega, "rad/s") | labels("end", ENDS)
 
@@ -158,13 +146,12 @@ def snapping_of(asked, found):
         return {}, {}
     level, period, snap = found.snapping
     title = f"lines that snap, in time, {period:.4g} s at {level} water"
-    return {
-        "snap.level": Quantity(level, (), "", "level"),
-        "snap.period": Quantity(float(period), (), "s", "period"),
-        "snap.largest": Quantity(snap.largest, ("end",), "N/m", "snaps to", title),
-        "snap.mean": Quantity(snap.peaks, ("end",), "N/m", "mean of the cycles", title),
-        "snap.slack": Quantity(snap.slack, ("end",), "", "slack of the time", title, share=True),
-    }, {}
+    when = {"snap.level": (level, "", "level"), "snap.period": (float(period), "s", "period")}
+    return rows("", when) | rows(title, {
+        "snap.largest": (snap.largest, "N/m", "snaps to"),
+        "snap.mean": (snap.peaks, "N/m", "mean of the cycles"),
+        "snap.slack": (snap.slack, "%", "slack of the time"),
+    }, "end"), {}  # fmt: skip
 
 
 def front_of(asked, found):
@@ -172,20 +159,15 @@ def front_of(asked, found):
     front = found.front
     if front is None:
         return {}, {}
-    title, sea = f"best of {front.trials} designs", asked.study.sea is not None
-    made = {
-        "design.tension": Quantity(front.tension, ("design",), "N/m", "greatest tension", title),
-        "design.behind": Quantity(
-            front.behind, ("design",), "m" if sea else "", "4√m₀ behind" if sea else "greatest K_T", title
-        ),
-    }
+    behind = ("m", "4√m₀ behind") if asked.study.sea is not None else ("", "greatest K_T")
+    made = {"tension": (front.tension, "N/m", "greatest tension"), "behind": (front.behind, *behind)}
     for name, values in zip(front.names, front.designs.T, strict=True):
-        unit, size = DESIGN[name]
-        word = name.removesuffix("_deg")
-        made[f"design.{word}"] = Quantity(
-            values * size, ("design",), unit, "lines at" if word == "angle" else word, title
-        )
-    return made, labels("design", np.arange(1, len(front.tension) + 1))
+        unit, size, words = DESIGN[name]
+        made[name.removesuffix("_deg")] = values * size, unit, words
+    made = {f"design.{name}": row for name, row in made.items()}
+    return rows(f"best of {front.trials} designs", made, "design"), labels(
+        "design", np.arange(1, len(front.tension) + 1)
+    )
 
 
 def lee_of(asked, found):
@@ -203,9 +185,10 @@ def lee_of(asked, found):
     axes = labels("leeward", leeward, "m") | labels("map_x", lee.x, "m") | labels("map_y", lee.y, "m")
     axes |= labels("unit", np.arange(1, len(lee.units) + 1)) | labels("xy", ["x", "y"])
     if lee.tension is not None:
-        title = "lines of a unit alone, for each metre of wave amplitude"
         made["lee.tension"] = Quantity(lee.tension, ("end", "along"), "N/m2", "amplitude of tension")
-        made["lee.largest"] = Quantity(lee.tension.max(axis=1), ("end",), "N/m2", "largest amplitude", title)
-        made["lee.largest_at"] = Quantity(lee.lines[lee.tension.argmax(axis=1)], ("end",), "m", "at x", title)
+        made |= rows("lines of a unit alone, for each metre of wave amplitude", {
+            "lee.largest": (lee.tension.max(axis=1), "N/m2", "largest amplitude"),
+            "lee.largest_at": (lee.lines[lee.tension.argmax(axis=1)], "m", "at x"),
+        }, "end")  # fmt: skip
         axes |= labels("along", lee.lines, "m") | labels("end", ENDS)
     return made, axes

@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 
 from hakobune.mooring.lines.dynamics.figures import LOSSES, Figures, figures, judged_by_regime
+from hakobune.mooring.studies.moving_in_air import warn_of_air
 
 from ..common.anchors import warn_of_anchors
 from ..common.quantities import StudyError
@@ -17,10 +18,9 @@ from ..results.given import given, words_of
 from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
-from ..results.result import Result, labels
+from ..results.result import Result, labels, records, rows
 from .effort import check_effort, check_finest, check_reach, frames_of
 from .findings import findings
-from .in_air import warn_of_air
 from .motion import course_of
 from .parts import current_of, line_of, wave_of
 from .study import LineDynamicsStudy, make_line_dynamics, read_line_dynamics
@@ -159,8 +159,7 @@ def _work(found):
 def _regime(found):
     if isinstance(found, str):
         return {"regime": Quantity(f"not judged, {found}", (), "", "regime")}
-    title = "simplified method, SR179 (1982) 3.2.1"
-    rows = {
+    given = {
         "regime": (REGIMES[int(found.regime)], "", "regime"),
         "regime.acceleration": (found.acceleration, "", "acceleration α, of g"),
         "regime.harmonic": (found.harmonic, "", "harmonic from α"),
@@ -168,8 +167,8 @@ def _regime(found):
         "regime.fall": (found.fall, "", "free fall from α"),
     }
     if found.regime <= 2:
-        rows["regime.largest"] = (found.largest, "N", "largest tension")
-    return {name: Quantity(value, (), unit, words, title) for name, (value, unit, words) in rows.items()}
+        given["regime.largest"] = (found.largest, "N", "largest tension")
+    return rows("simplified method, SR179 (1982) 3.2.1", given)
 
 
 def _notes(found):
@@ -182,36 +181,36 @@ def _nearest(run):
     if used is None:
         return {}
     title = "where the line is nearest to parting" if len(run.strength.breaking) > 1 else ""
-    return {
-        "nearest.used": Quantity(used.share, (), "", "breaking load used", title, share=True),
-        "nearest.tension": Quantity(used.tension, (), "N", "tension", title),
-        "nearest.breaking_load": Quantity(used.breaking, (), "N", "breaking load", title),
-        "nearest.time": Quantity(used.time, (), "s", "at t", title),
-        "nearest.segment": Quantity(used.segment + 1, (), "", "segment", title),
-        "nearest.type": Quantity(run.strength.names[used.segment], (), "", "type", title),
-    }
+    return rows(title, {
+        "nearest.used": (used.share, "%", "breaking load used"),
+        "nearest.tension": (used.tension, "N", "tension"),
+        "nearest.breaking_load": (used.breaking, "N", "breaking load"),
+        "nearest.time": (used.time, "s", "at t"),
+        "nearest.segment": (used.segment + 1, "", "segment"),
+        "nearest.type": (run.strength.names[used.segment], "", "type"),
+    })  # fmt: skip
 
 
 def _steps(run):
-    title, result = "error of the largest tensions", run.result
-    return {
-        "error.elements": Quantity(result.mesh_error, (), "", "of the elements", title, share=True),
-        "error.steps": Quantity(result.step_error, (), "", "of the steps", title, share=True),
-        "steps": Quantity(result.steps, (), "", "steps"),
-        "steps.repeated": Quantity(result.rejected, (), "", "steps repeated"),
+    r = run.result
+    known = {
+        "error.elements": (r.mesh_error, "%", "of the elements"),
+        "error.steps": (r.step_error, "%", "of the steps"),
     }
+    counts = {"steps": (r.steps, "", "steps"), "steps.repeated": (r.rejected, "", "steps repeated")}
+    return rows("error of the largest tensions", known) | rows("", counts)
 
 
 def _records(run):
     result, line = run.result, run.line
     places = np.array([run.course.motion.at(t)[0] for t in result.time])
-    made = {
-        "history.fairlead": Quantity(result.tension_fairlead, ("time",), "N", "tension at the fairlead", record=True),
-        "history.anchor": Quantity(result.tension_anchor, ("time",), "N", "tension at the anchor", record=True),
-        "history.largest": Quantity(result.largest_tension, ("time",), "N", "largest tension anywhere", record=True),
-        "fairlead.place": Quantity(places, ("time", "xyz"), "m", "place of the fairlead", record=True),
-        "line.place": Quantity(result.frames, ("frame", "node", "xyz"), "m", "places of the line", record=True),
-    }
+    made = records({
+        "history.fairlead": (result.tension_fairlead, ("time",), "N", "tension at the fairlead"),
+        "history.anchor": (result.tension_anchor, ("time",), "N", "tension at the anchor"),
+        "history.largest": (result.largest_tension, ("time",), "N", "largest tension anywhere"),
+        "fairlead.place": (places, ("time", "xyz"), "m", "place of the fairlead"),
+        "line.place": (result.frames, ("frame", "node", "xyz"), "m", "places of the line"),
+    })  # fmt: skip
     axes = labels("time", result.time, "s") | labels("frame", result.frame_time, "s", "time of a frame")
     axes |= labels("node", line.nodes, "m", "length from the anchor") | labels("xyz", ["x", "y", "z"])
     return made, axes

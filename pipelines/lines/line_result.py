@@ -6,6 +6,7 @@ import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.lines.one_line import OneLine, tension_curve
+from hakobune.mooring.lines.system.findings import LONGEST_STRAIN
 
 from ..common.quantities import DEEPEST, HEAVIEST, LONGEST, ROUGHEST, StudyError
 from ..common.units import KN
@@ -14,7 +15,6 @@ from ..results.given import words_of
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
-from .overloads import LONGEST_STRAIN
 
 STEEPEST = 1.5  # rad, of a bed that `mooring.catenary` knows
 FLAGS = {  # unit, its size, whether a value is good, what is allowed

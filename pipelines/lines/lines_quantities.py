@@ -6,12 +6,13 @@ import numpy as np
 
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
-from ..results.result import Result, labels
+from ..results.result import Result, labels, records, rows
 
 REST, BODIES, POINTS = "lines at rest", "bodies at rest", "free points at rest"
 MOTION = dict(zip(("x", "y", "z", "roll", "pitch", "yaw"), 3 * ["m"] + 3 * ["rad"], strict=True))
 FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
+OFFSETS = ("offset", "direction")
 LEAST_ARM = 1e-3  # m, that turns a stiffness of shifts into one of rotations where all of these are rounding
 LINE = {  # name: (unit, description, table, of LineForces)
     "tension.a": ("N", "tension a", REST, lambda at: at.tension_a),
@@ -88,15 +89,14 @@ def curves_at(curves):
     def stacked(of):
         return np.stack([of(curve) for curve in curves], axis=1)
 
-    two = ("offset", "direction")
-    return {
-        "curve.restoring": Quantity(stacked(lambda c: c.restoring), two, "N", "restoring", title),
-        "curve.tension": Quantity(stacked(lambda c: c.tension.max(axis=1)), two, "N", "largest tension", title),
-        "curve.line_tension": Quantity(stacked(lambda c: c.tension), (*two, "line"), "N", "tension", record=True),
-        "curve.line_grounded": Quantity(
-            stacked(lambda c: c.grounded_length), (*two, "line"), "m", "on the bed", record=True
-        ),
-    }
+    made = rows(title, {
+        "curve.restoring": (stacked(lambda c: c.restoring), "N", "restoring"),
+        "curve.tension": (stacked(lambda c: c.tension.max(axis=1)), "N", "largest tension"),
+    }, "offset", "direction")  # fmt: skip
+    return made | records({
+        "curve.line_tension": (stacked(lambda c: c.tension), (*OFFSETS, "line"), "N", "tension"),
+        "curve.line_grounded": (stacked(lambda c: c.grounded_length), (*OFFSETS, "line"), "m", "on the bed"),
+    })  # fmt: skip
 
 
 def lost(state, losses, name):
@@ -115,14 +115,13 @@ def lost(state, losses, name):
         shift[row] = np.nan if i is None else np.linalg.norm(left.position[i, :3] - state.position[i, :3])
     largest = np.fmax.reduce(tension, axis=1)
     worst = [names[int(np.nanargmax(row))] if np.isfinite(row).any() else "" for row in tension]
-    title = "one line broken"
-    return {
-        "loss.tension": Quantity(largest, ("lost",), "N", "largest tension", title),
-        "loss.worst": Quantity(worst, ("lost",), "", "in", title),
-        "loss.used": Quantity(used, ("lost",), "", "used", title, share=True),
-        "loss.shift": Quantity(shift, ("lost",), "m", f"{name or 'body'} moves", title if name else ""),
-        "loss.line_tension": Quantity(tension, ("lost", "line"), "N", "tension"),
-    }
+    made = rows("one line broken", {
+        "loss.tension": (largest, "N", "largest tension"),
+        "loss.worst": (worst, "", "in"),
+        "loss.used": (used, "%", "used"),
+    }, "lost")  # fmt: skip
+    made |= rows("one line broken" if name else "", {"loss.shift": (shift, "m", f"{name or 'body'} moves")}, "lost")
+    return made | rows("", {"loss.line_tension": (tension, "N", "tension")}, "lost", "line")
 
 
 def line_alone(state, name):
@@ -130,17 +129,12 @@ def line_alone(state, name):
     from hakobune.mooring.lines.system.characteristic import characteristic
 
     found = characteristic(state, name)
-    title = f"{name}, from slack to taut"
-    rows = {
+    made = rows(f"{name}, from slack to taut", {
         "characteristic.horizontal": (found.horizontal, "N", "horizontal"),
         "characteristic.tension": (found.tension, "N", "tension"),
         "characteristic.grounded": (found.grounded, "m", "on the bed"),
-        "characteristic.used": (found.utilisation, "", "used"),
-    }
-    made = {
-        key: Quantity(values, ("at_span",), unit, words, title, words == "used")
-        for key, (values, unit, words) in rows.items()
-    }
+        "characteristic.used": (found.utilisation, "%", "used"),
+    }, "at_span")  # fmt: skip
     made["characteristic.span"] = Quantity(found.rest, (), "m", f"span of {name} as it hangs")
     return made, labels("at_span", found.span, "m", "span")
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.studies.overloads import overloads
 
 from ..common.bounds import MOST, Pace, check_count, check_seconds, told
 from ..common.quantities import StudyError
@@ -16,7 +17,6 @@ from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.result import Result
 from .lines_quantities import at_rest, axes_of, curves_at, line_alone, lost, parts_alone, periods_of, stiffness_on
-from .overloads import overloads
 from .system_file import read_given
 
 FARTHEST = 1e5  # m

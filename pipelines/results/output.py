@@ -15,6 +15,8 @@ MARK = "# result of hakobune "
 
 CSV, HEAD = ".csv", "# tables of hakobune {}, in SI"
 
+CSV, HEAD = ".csv", "# tables of hakobune {}, in SI"
+
 
 def check_result(path, kind, inputs=()):
     """Raise ValueError unless a result of a `kind` can be written to a path.

@@ -7,9 +7,9 @@ import numpy as np
 from hakobune.mooring.criteria.overuse import overused
 from hakobune.mooring.loads.turning import FITTED
 from hakobune.mooring.single_point.equilibria import bow
+from hakobune.mooring.single_point.in_time import largest_of
 
 from ..common.quantities import force
-from .running import largest_of
 
 HELP = "give a stronger type or more lines"
 

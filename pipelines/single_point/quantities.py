@@ -8,11 +8,12 @@ from hakobune.mooring.lines.system.parts import UniformLine
 from hakobune.mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
 from hakobune.mooring.single_point.equilibria import bow
 from hakobune.mooring.single_point.history import wave_deviations
+from hakobune.mooring.single_point.in_time import ropes_of
 from hakobune.mooring.single_point.scope import length_without_uplift
 from hakobune.mooring.single_point.yaw_criteria import yaw_stability
 
 from ..results.quantity import Quantity
-from ..results.result import labels
+from ..results.result import labels, records, rows
 from . import running
 
 REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
@@ -65,7 +66,7 @@ def state_of(found):
     """The heading it comes to, its slewing, and published criteria of it"""
     one = found.best
     (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading it comes to"
-    rows = {
+    state = {
         "heading": (float(turned(one.heading)), "rad", "heading, from +x to the bow"),
         "place.x": (x, "m", "centre of mass, x"),
         "place.y": (y, "m", "centre of mass, y"),
@@ -73,13 +74,11 @@ def state_of(found):
         "buoy.y": (one.buoy[1], "m", "buoy, y"),
         "pull": (one.pull, "N", "steady pull"),
         "slewing": ("stable" if s.stable else "unstable", "", "slewing"),
-        "slewing.growth": (s.growth, "1/s", "growth, below 0 where it decays"),
         "slewing.time": (1 / abs(s.growth), "s", f"{'grows' if s.growth > 0 else 'decays'} by a factor e in"),
         "slewing.period": (s.period, "s", "period"),
     }
-    made = {name: Quantity(value, (), unit, words, title) for name, (value, unit, words) in rows.items()}
-    made["slewing.growth"] = Quantity(s.growth, (), "1/s", rows["slewing.growth"][2])
-    return made | _scope(found) | _criteria(one), {}
+    growth = {"slewing.growth": (s.growth, "1/s", "growth, below 0 where it decays")}
+    return rows(title, state) | rows("", growth) | _scope(found) | _criteria(one), {}
 
 
 def _scope(found):
@@ -90,19 +89,19 @@ def _scope(found):
         return {}
     height = one.lines.position[0, 2] + system.depth
     need = float(length_without_uplift(one.lines.tension.max(), line.type.weight, height))
-    return {
-        "scope.depths": Quantity(need / system.depth, (), "", "depths", title),
-        "scope.length": Quantity(need, (), "m", "length", title),
-        "scope.line": Quantity(float(line.length), (), "m", "length of the line", title),
-    }
+    return rows(title, {
+        "scope.depths": (need / system.depth, "", "depths"),
+        "scope.length": (need, "m", "length"),
+        "scope.line": (float(line.length), "m", "length of the line"),
+    })  # fmt: skip
 
 
 def _criteria(one):
     if one.quartic is None:
         return {}
-    m, title = one.lateral, "criteria of slewing"
-    y = yaw_of(one)
-    rows = {
+    m, y = one.lateral, yaw_of(one)
+    straight = {"criterion.straight_line": (y.straight_line, "N2 s2", "Y_v N_r − N_v (Y_r − MU)")}
+    return rows("criteria of slewing", {
         "criterion.line": (m.length, "m", "effective line"),
         "criterion.routh_hurwitz": (STABLE[bool(routh_hurwitz(one.quartic))], "", "Routh–Hurwitz"),
         "criterion.undamped": (STABLE[bool(undamped_stable(undamped(one.quartic)))], "", "undamped"),
@@ -110,12 +109,7 @@ def _criteria(one):
         "criterion.lever": (y.lever, "m", "side force of a small heading ahead of it"),
         "criterion.static": ("stable" if y.static else "unstable", "", "in yaw, statically"),
         "criterion.straight": (bool(y.straight_line > 0), "", "running free keeps a straight line"),
-        "criterion.straight_line": (y.straight_line, "N2 s2", "Y_v N_r − N_v (Y_r − MU)"),
-    }
-    return {
-        name: Quantity(value, (), unit, words, "" if name.endswith("straight_line") else title)
-        for name, (value, unit, words) in rows.items()
-    }
+    }) | rows("", straight)  # fmt: skip
 
 
 def yaw_of(one):
@@ -126,43 +120,36 @@ def yaw_of(one):
 
 def lines_at(found):
     """Hawsers and lines at the heading it comes to"""
-    one, title = found.best, f"lines at {bow(found.best):.4g}°"
+    one = found.best
     lines = one.lines.lines
-    rows = {
+    made = rows(f"lines at {bow(one):.4g}°", {
         "line.tension": (one.lines.tension, "N", "tension"),
         "line.grounded": (lines.grounded_length, "m", "on the bed"),
-        "line.used": (lines.utilisation, "", "used"),
-    }
-    made = {
-        name: Quantity(values, ("line",), unit, words, title, words == "used")
-        for name, (values, unit, words) in rows.items()
-    }
-    made["line.breaking_load"] = Quantity(one.point.system.breaking_load, ("line",), "N", "breaking load")
-    return made | {"allowable": Quantity(float(found.study.allowable), (), "", "allowable", "", share=True)}, {}
+        "line.used": (lines.utilisation, "%", "used"),
+    }, "line")  # fmt: skip
+    made |= rows("", {"line.breaking_load": (one.point.system.breaking_load, "N", "breaking load")}, "line")
+    return made | rows("", {"allowable": (float(found.study.allowable), "%", "allowable")}), {}
 
 
 def cycle_of(found):
     """The limit cycle, where the body slews"""
-    c, title = found.cycle, "limit cycle"
+    c = found.cycle
     if c is None:
         return {}, {}
     pull = np.linalg.norm(c.hawser, axis=1)
-    rows = {
+    made = rows("limit cycle", {
         "cycle.amplitude": (c.amplitude, "rad", "heading to either side"),
         "cycle.middle": (float(turned(c.middle)), "rad", "of"),
         "cycle.period": (c.period, "s", "period"),
         "cycle.least_pull": (pull.min(), "N", "least pull"),
         "cycle.largest_pull": (pull.max(), "N", "largest pull"),
         "cycle.largest_line": (c.lines.max(), "N", "largest line"),
-    }
-    made = {name: Quantity(value, (), unit, words, title) for name, (value, unit, words) in rows.items()}
-    made |= {
-        "cycle.state": Quantity(
-            c.states, ("in_cycle", "state"), "m, m, rad, m/s, m/s, rad/s", "state of the body", record=True
-        ),
-        "cycle.hawser": Quantity(c.hawser, ("in_cycle", "hawser"), "N", "pull", record=True),
-        "cycle.lines": Quantity(c.lines, ("in_cycle", "line"), "N", "tension", record=True),
-    }
+    })  # fmt: skip
+    made |= records({
+        "cycle.state": (c.states, ("in_cycle", "state"), "m, m, rad, m/s, m/s, rad/s", "state of the body"),
+        "cycle.hawser": (c.hawser, ("in_cycle", "hawser"), "N", "pull"),
+        "cycle.lines": (c.lines, ("in_cycle", "line"), "N", "tension"),
+    })  # fmt: skip
     names = ["x", "y", "heading", "ahead", "to port", "turning"]
     return made, labels("in_cycle", c.time, "s", "time") | labels("state", names)
 
@@ -175,34 +162,29 @@ def run_of(found):
     r, c, title = run.record, run.cycle, f"{run.record.time[-1]:.6g} s in time"
     made = {
         f"run.{name}": Quantity(values, ("rope",), "N", words, table)
-        for name, values in running.ropes_of(run).items()
+        for name, values in ropes_of(run).items()
         for words, table in [_of_rope(name, title, run.drifts)]
     }
-    rows = {
-        "run.amplitude": (c.amplitude, "rad", "heading to either side at the end"),
-        "run.period": (c.period, "s", "period at the end"),
-        "run.settled": (run.settled, "s", "within 0.2° of rest after"),
-        "run.radius": (run.radius, "m", "watch circle about the buoy at rest, radius"),
-    }
-    made |= {
-        name: Quantity(float(value), (), unit, words, f"{title}, motion") for name, (value, unit, words) in rows.items()
-    }
+    made |= rows(f"{title}, motion", {
+        "run.amplitude": (float(c.amplitude), "rad", "heading to either side at the end"),
+        "run.period": (float(c.period), "s", "period at the end"),
+        "run.settled": (float(run.settled), "s", "within 0.2° of rest after"),
+        "run.radius": (float(run.radius), "m", "watch circle about the buoy at rest, radius"),
+    })  # fmt: skip
     wave, motions = wave_deviations(r, run.full_waves), ["surge", "sway", "heave", "roll", "pitch", "yaw"]
     made["run.wave_sigma"] = Quantity(
         wave, ("motion",), tuple(3 * ["m"] + 3 * ["rad"]), "standard deviation",
         "motion in the waves" if np.any(wave > 0) else "",
     )  # fmt: skip
-    records = {
-        "place": (r.place, ("time", "xy"), "m", "centre of mass in slow motion"),
-        "heading_in_time": (r.heading, ("time",), "rad", "heading in slow motion"),
-        "wave_motion": (r.wave, ("time", "motion"), "m, m, m, rad, rad, rad", "motion in the waves"),
-        "buoy": (r.buoy, ("time", "xy"), "m", "buoy"),
-        "hawser_tension": (r.hawser, ("time", "hawser"), "N", "tension"),
-        "line_tension": (r.lines, ("time", "line"), "N", "tension"),
-        "wind_speed": (r.wind_speed, ("time",), "m/s", "wind"),
-    }
-    for name, (values, axes, unit, words) in records.items():
-        made[f"run.{name}"] = Quantity(values, axes, unit, words, record=True)
+    made |= records({
+        "run.place": (r.place, ("time", "xy"), "m", "centre of mass in slow motion"),
+        "run.heading_in_time": (r.heading, ("time",), "rad", "heading in slow motion"),
+        "run.wave_motion": (r.wave, ("time", "motion"), "m, m, m, rad, rad, rad", "motion in the waves"),
+        "run.buoy": (r.buoy, ("time", "xy"), "m", "buoy"),
+        "run.hawser_tension": (r.hawser, ("time", "hawser"), "N", "tension"),
+        "run.line_tension": (r.lines, ("time", "line"), "N", "tension"),
+        "run.wind_speed": (r.wind_speed, ("time",), "m/s", "wind"),
+    })  # fmt: skip
     ropes = [*hawsers_of(found.point), *found.point.system.line_names]
     return made, labels("rope", ropes) | labels("time", r.time, "s") | labels("motion", motions)
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
 from hakobune.mooring.single_point.equilibria import Equilibrium, equilibria, preferred
+from hakobune.mooring.single_point.in_time import Run
 from hakobune.mooring.single_point.limit_cycle import LimitCycle, limit_cycle
 
 from ..results.given import database_of, given
@@ -23,7 +24,7 @@ from .tables import Study, make_study, read_study
 class Found(NamedTuple):
     """study : Study; point : SinglePoint; rest : all Equilibrium; best : that it comes to; cycle : LimitCycle or None
 
-    run : `running.Run` or None; maps : a Map each
+    run : `mooring.single_point.in_time.Run` or None; maps : a Map each
     """
 
     study: Study
@@ -31,7 +32,7 @@ class Found(NamedTuple):
     rest: list[Equilibrium]
     best: Equilibrium
     cycle: LimitCycle | None
-    run: running.Run | None
+    run: Run | None
     maps: tuple[Map, ...]
 
 

@@ -8,18 +8,14 @@ steady + ⅔ of the largest amplitude.
 from __future__ import annotations
 
 import warnings
-from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.mooring.environment.gusts import MissingVariance, gust_record
 from hakobune.mooring.lines.ropes import RopePart
 from hakobune.mooring.motion.buoy import BuoyBody
 from hakobune.mooring.on_current.waves import in_water
 from hakobune.mooring.response.viscous import in_sea
-from hakobune.mooring.single_point.equilibria import Equilibrium
 from hakobune.mooring.single_point.history import (
-    Cycle,
     Record,
     cycle,
     line_tensions,
@@ -27,8 +23,8 @@ from hakobune.mooring.single_point.history import (
     watch_circle,
     wave_deviations,
 )
+from hakobune.mooring.single_point.in_time import Run, gusty, of_contact
 from hakobune.mooring.single_point.one_equation import body_at, run_in_one
-from hakobune.mooring.single_point.scope import significant
 from hakobune.mooring.single_point.slewing import slew, turned_state
 from hakobune.mooring.single_point.two_scale import Steps, two_scale, wave_body
 from hakobune.mooring.single_point.waves import GROWS, mean_frequency, slow_part, split_frequency
@@ -39,30 +35,9 @@ from ..common.weather.seas import sea_of
 from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
-GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
-ALOFT = 104729  # added to the seed of the waves for that of the gusts
 MOST_SAMPLES = 1_000_000
 FULL_STEP = 0.5  # s, of the record in one equation
 MISSED = 0.05  # share of the energy of the waves
-SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
-
-
-class Run(NamedTuple):
-    """record : with waves, or the slow motion alone; steady : Equilibrium it began beside
-
-    cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
-    drifts : whether slow drift is in the run; findings : one line each
-    full_waves : s, from which on waves have their height, inf without
-    """
-
-    record: Record
-    steady: Equilibrium
-    cycle: Cycle
-    settled: float
-    radius: float
-    drifts: bool = False
-    findings: tuple[str, ...] = ()
-    full_waves: float = np.inf
 
 
 def check(study, db=None):
@@ -84,7 +59,9 @@ def run(study, point, steady, db=None) -> Run:
     elif waves:
         start, body = turned_state(point, steady.state, np.radians(s.offset_deg)), _wave_body(study, db)
         fast = 2 * np.pi / body.mean_omega / 30 if s.step is None else s.step
-        record = two_scale(point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, _wind(point, s))
+        record = two_scale(
+            point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, gusty(point, s.duration, s.seed)
+        )
         full = s.waves_after + GROWS * 2 * np.pi / body.mean_omega
     else:
         slow = _slow(study, point, steady, 1.0 if s.step is None else s.step)
@@ -103,7 +80,7 @@ def _with_waves(study, db):
 def _slow(study, point, steady, step):
     s = study.slewing
     start = turned_state(point, steady.state, np.radians(s.offset_deg))
-    return slew(point, start, s.duration, step, tolerance=s.tolerance, wind_speed=_wind(point, s))
+    return slew(point, start, s.duration, step, tolerance=s.tolerance, wind_speed=gusty(point, s.duration, s.seed))
 
 
 def _wave_body(study, db):
@@ -138,7 +115,7 @@ def _in_one(study, point, steady, db, waves):
         slow = slow_part(slow, FULL_STEP if s.step is None else s.step, split)
     wave = found.motion.copy()
     wave[:, [0, 1, 5]] -= slow
-    buoy, hawser, lines = _of_contact(point, found, center) if contact else (
+    buoy, hawser, lines = of_contact(point, found, center) if contact else (
         found.buoy[:, :2] + point.system.bodies[0].position[:2], found.hawser, found.buoy_lines)  # fmt: skip
     left = ()
     if study.waves is not None and not waves:
@@ -146,15 +123,6 @@ def _in_one(study, point, steady, db, waves):
     told = dict.fromkeys((*(str(one.message) for one in caught), *moved.findings, *left, *found.findings))
     record = Record(found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed)
     return record, (bool(mean), tuple(told)), sum(grown) if waves else np.inf
-
-
-def _of_contact(point, found, center):
-    """Place (n, 2) m of a contact buoy, the pull on it (n, 1) and tensions (n, lines) N of a Realisation"""
-    heading, end = found.motion[:, 5], point.ends[0]
-    cos, sin = np.cos(heading), np.sin(heading)
-    at = found.motion[:, :2] + center + np.stack([cos * end[0] - sin * end[1], sin * end[0] + cos * end[1]], axis=1)
-    pull = np.array([[np.hypot(*point.pull(place).force)] for place in at])
-    return at, pull, found.tension
 
 
 def _buoy_and_rope(study):
@@ -173,23 +141,6 @@ def _buoy_and_rope(study):
     if stiff is not None:
         return body, RopePart(stiff, 1.0)
     return body, RopePart(load, positive("hawser.strain", h.strain), positive("hawser.exponent", h.exponent))
-
-
-def ropes_of(run: Run):
-    """{column: (k + n,) N} of hawsers and lines: steady, mean, significant, largest, significant with the fifth"""
-    steady = np.concatenate([run.steady.hawser, run.steady.lines.tension])
-    record = np.concatenate([run.record.hawser, run.record.lines], axis=1)
-    values = significant(record, steady)
-    return {
-        "steady": steady, "mean": record.mean(axis=0), "significant": values, "largest": record.max(axis=0),
-        "significant_with_drift": SLOW_DRIFT * values,
-    }  # fmt: skip
-
-
-def largest_of(run: Run, waves):
-    """Largest tensions of hawsers (k,) and lines (n,), N, with the report's fifth where `waves` lack slow drift"""
-    more = SLOW_DRIFT if waves and not run.drifts else 1.0
-    return more * run.record.hawser.max(axis=0), more * run.record.lines.max(axis=0)
 
 
 def words(run: Run):
@@ -266,19 +217,6 @@ def _check(s):
         raise StudyError(f"slewing has more than {MOST_SAMPLES} samples; give a longer step")
     if not (s.components >= 1 and s.seed >= 0):
         raise StudyError("slewing: components are at least 1, the seed is a whole number from 0")
-
-
-def _wind(point, s):
-    """Callable of s → m/s of the gusty wind, None for a steady one"""
-    wind = point.loads.wind
-    if wind is None or wind.gusts is None:
-        return None
-    low, high, count = 2 * np.pi * GUSTS[0], 2 * np.pi * GUSTS[1], GUSTS[2]
-    t = np.arange(0.0, s.duration + 2.0, 0.5)
-    with warnings.catch_warnings():  # the report's band, beyond which no hull is moved
-        warnings.simplefilter("ignore", MissingVariance)
-        record = wind.speed + gust_record(wind.gusts, t, s.seed + ALOFT, low, high, count)
-    return lambda at: float(np.interp(at, t, record))
 
 
 def _sea(study, db):

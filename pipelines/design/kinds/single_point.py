@@ -158,7 +158,7 @@ def _found(raw, database, path):
 
 
 def _numbers(study, best, stable, ran, hawsers, line_names, warnings):
-    from ...single_point.running import largest_of
+    from hakobune.mooring.single_point.in_time import largest_of
 
     lines, system = best.lines, best.lines.system
     anchors, tops = lines.points[system.arrays.ends].swapaxes(0, 1)

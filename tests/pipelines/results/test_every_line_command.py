@@ -8,7 +8,9 @@ import shlex
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
+import xarray
 
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.keys.kinds import SCENES
@@ -48,6 +50,10 @@ def test_csv_json_and_file_of_a_command_have_the_same_quantities_to_the_bit(comm
     for column in (column for shown in tables(result, True) for column in shown.columns):
         wanted = [value for value in column.values.tolist() if isinstance(value, float) and math.isfinite(value)]
         assert set(wanted) <= set(numbers), column.name
+    with xarray.open_dataset("found.h5", engine="h5netcdf") as data:
+        assert set(result) <= set(data.variables) and set(data.dims) == set(result.labels)
+        for name, one in result.quantities.items():
+            assert data[name].dims == one.axes and np.array_equal(data[name].values, one.values, one.numeric), name
 
 
 def _alike(one, other):

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.single_point.equilibria import bow, equilibria, preferred
+from hakobune.mooring.single_point.in_time import ropes_of
 from hakobune.pipelines import cli
 from hakobune.pipelines.common.weather.streams import with_files
 from hakobune.pipelines.results.file import read
 from hakobune.pipelines.single_point.maps import _named, with_value
 from hakobune.pipelines.single_point.result import single_point
-from hakobune.pipelines.single_point.running import ropes_of
 from hakobune.pipelines.single_point.study import make
 from hakobune.pipelines.single_point.tables import make_study
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.mooring.criteria.failing import fails
-from hakobune.mooring.lines.system.findings import LONGEST_STRAIN, beyond_tables, strains
-from hakobune.mooring.response.findings import LINES_NAMED, some
+from ..criteria.failing import fails
+from ..lines.system.findings import LONGEST_STRAIN, beyond_tables, strains
+from ..response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.lines.overloads import overloads
+from hakobune.mooring.studies.overloads import overloads
 
 
 def state(used, strain=0.0, tension=1e5):

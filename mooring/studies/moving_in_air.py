@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 
-from hakobune.mooring.studies.in_air import IN_AIR
+from .in_air import IN_AIR
 
 
 def warn_of_air(line, result):

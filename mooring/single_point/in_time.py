@@ -1,0 +1,77 @@
+"""A body at a single point in time: gusts that it meets, the buoy it touches, and the statistics of a run.
+
+Significant values are the SR179 report's (1982, 3.6): steady + ⅔ of the largest amplitude.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from ..environment.gusts import MissingVariance, gust_record
+from .equilibria import Equilibrium
+from .history import Cycle, Record
+from .scope import significant
+
+GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
+ALOFT = 104729  # added to the seed of the waves for that of the gusts
+SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
+
+
+class Run(NamedTuple):
+    """record : with waves, or the slow motion alone; steady : Equilibrium it began beside
+
+    cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
+    drifts : whether slow drift is in the run; findings : one line each
+    full_waves : s, from which on waves have their height, inf without
+    """
+
+    record: Record
+    steady: Equilibrium
+    cycle: Cycle
+    settled: float
+    radius: float
+    drifts: bool = False
+    findings: tuple[str, ...] = ()
+    full_waves: float = np.inf
+
+
+def gusty(point, duration, seed):
+    """Callable of s → m/s of the gusty wind over a duration, s; None for a steady one"""
+    wind = point.loads.wind
+    if wind is None or wind.gusts is None:
+        return None
+    low, high, count = 2 * np.pi * GUSTS[0], 2 * np.pi * GUSTS[1], GUSTS[2]
+    t = np.arange(0.0, duration + 2.0, 0.5)
+    with warnings.catch_warnings():  # the report's band, beyond which no hull is moved
+        warnings.simplefilter("ignore", MissingVariance)
+        record = wind.speed + gust_record(wind.gusts, t, seed + ALOFT, low, high, count)
+    return lambda at: float(np.interp(at, t, record))
+
+
+def of_contact(point, found, center):
+    """Place (n, 2) m of a contact buoy, the pull on it (n, 1) and tensions (n, lines) N of a Realisation"""
+    heading, end = found.motion[:, 5], point.ends[0]
+    cos, sin = np.cos(heading), np.sin(heading)
+    at = found.motion[:, :2] + center + np.stack([cos * end[0] - sin * end[1], sin * end[0] + cos * end[1]], axis=1)
+    pull = np.array([[np.hypot(*point.pull(place).force)] for place in at])
+    return at, pull, found.tension
+
+
+def ropes_of(run: Run):
+    """{column: (k + n,) N} of hawsers and lines: steady, mean, significant, largest, significant with the fifth"""
+    steady = np.concatenate([run.steady.hawser, run.steady.lines.tension])
+    record = np.concatenate([run.record.hawser, run.record.lines], axis=1)
+    values = significant(record, steady)
+    return {
+        "steady": steady, "mean": record.mean(axis=0), "significant": values, "largest": record.max(axis=0),
+        "significant_with_drift": SLOW_DRIFT * values,
+    }  # fmt: skip
+
+
+def largest_of(run: Run, waves):
+    """Largest tensions of hawsers (k,) and lines (n,), N, with the report's fifth where `waves` lack slow drift"""
+    more = SLOW_DRIFT if waves and not run.drifts else 1.0
+    return more * run.record.hawser.max(axis=0), more * run.record.lines.max(axis=0)
