@@ -113,6 +113,7 @@ def read_project(path):
     _check_limits(project, kind.finds(study))
     _check_own_rules(project, kind.finds(study), folder)
     _check_needs(kind.needs(study), criteria)
+    _check_hawsers(project, kind.needs(study))
     _check_used(project, criteria)
     _check_values(project, criteria)
     _check_earthquakes(project, study, folder)
@@ -324,6 +325,14 @@ def _check_needs(needs, criteria):
                 f"the study has {need.what} and no criterion chosen judges them; allowed: a rule set that does, or "
                 f"[[limits]] of {need.quantities[0]!r}{subject}"
             )
+
+
+def _check_hawsers(project, needs):
+    """Raises StudyError for a limit of hawsers where a study has none: nothing would be judged by it"""
+    if not any(need.hawser for need in needs):
+        for i, one in enumerate(project.limits):
+            if one.subject == HAWSER:
+                raise StudyError(f"limits[{i}].subject is {HAWSER!r} and the study has none; allowed: left out")
 
 
 def _check_used(project, criteria):
