@@ -44,14 +44,7 @@ class Map(NamedTuple):
 
 def computed(raw, number, db):
     """Map number `number` of a study given as nested dictionaries.  Raises StudyError."""
-    table = make_study(raw).maps[number]
-    axes = [table.x] if table.y is None else [table.x, table.y]
-    values = [_values(f"maps[{number}]", axis) for axis in axes]
-    for axis, value in zip(axes, values, strict=True):
-        with_value(raw, axis.key, float(value[0]))
-    x, y = values[0], np.full(1, np.nan) if len(values) == 1 else values[1]
-    if len(x) * len(y) > MOST:
-        raise StudyError(f"maps[{number}] has {len(x) * len(y)} places; allowed: {MOST}")
+    axes, (x, y) = axes_of(raw, number)
     shape, failed, reason = (len(y), len(x)), 0, ""
     growth, period, heading = (np.full(shape, np.nan) for _ in range(3))
     pace = Pace(f"{len(x) * len(y)} places of a map take", len(x) * len(y), "give a smaller count")
@@ -69,6 +62,19 @@ def computed(raw, number, db):
     if failed == growth.size:
         raise StudyError(f"maps[{number}]: no place of it has an answer: {reason}")
     return Map(tuple(axis.key for axis in axes), x, y, growth, period, heading, failed, reason)
+
+
+def axes_of(raw, number):
+    """[AxisTable] of a map and the values (m,), (k,) of them, one nan without a second.  Raises StudyError."""
+    table = make_study(raw).maps[number]
+    axes = [table.x] if table.y is None else [table.x, table.y]
+    values = [_values(f"maps[{number}]", axis) for axis in axes]
+    for axis, value in zip(axes, values, strict=True):
+        with_value(raw, axis.key, float(value[0]))
+    x, y = values[0], np.full(1, np.nan) if len(values) == 1 else values[1]
+    if len(x) * len(y) > MOST:
+        raise StudyError(f"maps[{number}] has {len(x) * len(y)} places; allowed: {MOST}")
+    return axes, (x, y)
 
 
 def with_value(raw, key, value):
