@@ -178,15 +178,15 @@ class Reader:
         stored = self.between.value(self.inside(omega), name)
         if headings is None:
             return stored
-        on_ring, over = self._ring.of_forces(stored), self.to_headings(omega, headings)
+        on_ring, over = self.ring.of_forces(stored), self.to_headings(omega, headings)
         if name == "diffraction_force" and set(FORCES) <= set(self.between.quantities):
             return self.forces(omega, headings) - self.forces(omega, headings, "Froude_Krylov_force")
         if name != "excitation_force" or "kochin_radiation" not in self.between.quantities:
             return over.value(on_ring, "force")
-        there = self.of_haskind(omega, np.concatenate([self._ring.headings, over.folded]))
+        there = self.of_haskind(omega, np.concatenate([self.ring.headings, over.folded]))
         if np.any(np.isnan(there)):
             return over.value(on_ring, "force")
-        round_ = len(self._ring.headings)
+        round_ = len(self.ring.headings)
         return over.unfolded(there[:, round_:], "force") + over.value(on_ring - there[:, :round_], "force")
 
     def far_field(self, omega, headings=None):
@@ -195,7 +195,7 @@ class Reader:
         radiated, diffracted = (_known(name, self.between.value(omega, name)) for name in KOCHIN)
         if headings is None:
             return radiated, diffracted
-        return radiated, self.to_headings(omega, headings).value(self._ring.of_kochin(diffracted), "kochin")
+        return radiated, self.to_headings(omega, headings).value(self.ring.of_kochin(diffracted), "kochin")
 
     def motions(self, omega, headings=None):
         """(q, p, 6) complex motion about rotation_center per unit wave amplitude, m/m and rad/m.
@@ -247,7 +247,7 @@ class Reader:
 
     def ring_of(self, name):
         """`Ring` of stored waves and mirror images; what depends on the motions has the mirrors of the moving body"""
-        return self._moving_ring if name in ("rao", DRIFT[1]) else self._ring
+        return self._moving_ring if name in ("rao", DRIFT[1]) else self.ring
 
     def to_headings(self, omega, headings, name=""):
         """`AtHeadings` that takes a quantity from its ring to headings (p,) rad at omega (q,) rad/s"""
@@ -292,7 +292,8 @@ class Reader:
         return far_field_drift.missed(self)
 
     @cached_property
-    def _ring(self):
+    def ring(self):
+        """`Ring` of the stored waves, and of their images, that forces are known in"""
         return self._ring_with(())
 
     @cached_property

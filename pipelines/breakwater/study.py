@@ -9,6 +9,7 @@ import numpy as np
 from ..common.bounds import check_count
 from ..common.quantities import StudyError, positive, water_depth
 from ..common.typed import typed
+from ..common.weather.seas import spectrum_of, spreading_of
 from ..site.link import BREAKWATER, read_study_at_site
 from .tables import THEORIES, BreakwaterStudy, SpanTable
 
@@ -39,6 +40,9 @@ def make_breakwater(raw):
     if study.loss is not None and not 0 <= study.loss.coefficient <= LARGEST_LOSS:
         raise StudyError(f"loss.coefficient is {study.loss.coefficient:g}; allowed: 0 to {LARGEST_LOSS:g}")
     periods(study)
+    if study.sea is not None:
+        spreading_of("sea", study.sea, spectrum_of("sea", study.sea, study.water.depth))
+        positive("sea.duration_hours", study.sea.duration_hours)
     _check_needs(study)
     if study.optimisation is not None:
         _check_optimisation(study)

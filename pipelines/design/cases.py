@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .project import MEAN
+from .tables import MEAN
 
 WEATHER = ("wind", "current", "waves")
 

@@ -60,6 +60,7 @@ from ..common.typed import read_toml, typed
 from ..common.weather.seas import spectrum_of
 from ..common.weather.streams import coefficients_of, wind_table, with_files
 from ..site.link import laid_in, named, site_file
+from .checking import check_cases, check_project, check_worn
 from .kinds.choose import kind_of
 from .kinds.needs import SCOPE
 from .tables import MEAN, Project
@@ -68,6 +69,7 @@ STATES = ("normal", "abnormal")
 LINES = ("intact", "one lost")
 KNOWN_OF_PROJECT = "service life", "return period", SCOPE
 FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), *KNOWN_OF_PROJECT)  # by load cases, the project
+STATISTICS = ("largest", "amplitude", "peak to peak")
 USED = {"wear": WORN, "anchors": HOLDING}  # tables that one quantity alone knows
 DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
@@ -102,6 +104,7 @@ def read_project(path):
     kind = kind_of(folder / own.study)
     study, study_text = kind.read(folder / own.study)
     _check_bodies(own, kind)
+    check_project(project)
     _check_states(project, study["water"]["depth"])
     kind.check(project, study)
     _check_wear(project, study)
@@ -110,11 +113,13 @@ def read_project(path):
     _check_limits(project, kind.finds(study))
     _check_own_rules(project, kind.finds(study), folder)
     _check_needs(kind.needs(study), criteria)
+    _check_hawsers(project, kind.needs(study))
     _check_used(project, criteria)
     _check_values(project, criteria)
     _check_earthquakes(project, study, folder)
     read = Read(project, raw, text, study, study_text, criteria, folder, kind)
-    scenes(read)
+    check_worn(worn_diameters(project, study))
+    check_cases(read, scenes(read))
     return read
 
 
@@ -156,11 +161,34 @@ def _at_site(raw, folder):
 
 
 def _with_files(raw, path):
-    """Tables of a project with the numbers of the files of coefficients that its states name.  Raises StudyError."""
-    states = raw.get("states")
-    if not isinstance(states, list):
-        return raw
-    return {**raw, "states": [with_files(one, "", path)[0] if isinstance(one, dict) else one for one in states]}
+    """Tables of a project with the numbers of the files of coefficients that its states name, and the whole paths of
+    those that its simulation names, whose studies lie elsewhere.  Raises StudyError.
+    """
+    states, simulation, made = raw.get("states"), raw.get("simulation"), dict(raw)
+    if isinstance(states, list):
+        made["states"] = [_of_state(i, one, path) for i, one in enumerate(states)]
+    if isinstance(simulation, dict):
+        made["simulation"] = _placed(simulation, path.parent)
+    return made
+
+
+def _of_state(i, state, path):
+    if not isinstance(state, dict):
+        return state
+    try:
+        return with_files(state, "", path)[0]
+    except StudyError as error:
+        raise StudyError(f"states[{i}].{error}") from None
+
+
+def _placed(table, folder):
+    """A raw table in which each "file" has its whole path"""
+    if isinstance(table, list):
+        return [_placed(one, folder) for one in table]
+    if not isinstance(table, dict):
+        return table
+    placed = {key: _placed(value, folder) for key, value in table.items()}
+    return placed | ({"file": str(folder / table["file"])} if isinstance(table.get("file"), str) else {})
 
 
 def worn_diameters(project, study):
@@ -299,6 +327,14 @@ def _check_needs(needs, criteria):
             )
 
 
+def _check_hawsers(project, needs):
+    """Raises StudyError for a limit of hawsers where a study has none: nothing would be judged by it"""
+    if not any(need.hawser for need in needs):
+        for i, one in enumerate(project.limits):
+            if one.subject == HAWSER:
+                raise StudyError(f"limits[{i}].subject is {HAWSER!r} and the study has none; allowed: left out")
+
+
 def _check_used(project, criteria):
     """Raises StudyError where a table is given that no criterion asks for"""
     asked = {one.quantity for one in criteria}
@@ -324,14 +360,14 @@ def _check_values(project, criteria):
 
 
 def _check_earthquakes(project, study, folder):
-    from ..earthquake.study import read_study
+    from .kinds.earthquake import check_study
 
     if project.earthquakes and not study.get("fender"):
         raise StudyError("earthquakes are given and the study has no fenders; lines leave the hull its long periods")
     for i, one in enumerate(project.earthquakes):
         if [other.name for other in project.earthquakes].count(one.name) > 1:
             raise StudyError(f"earthquakes[{i}].name is {one.name!r} as of another; allowed: each its own")
-        read_study(folder / one.study)
+        check_study(folder / one.study)
 
 
 def _criteria(project, folder):
@@ -356,6 +392,7 @@ def _limit(where, table):
         raise StudyError(f"{where}: allowed: one of at_most, at_least")
     _one(f"{where}.state", table.state, KNOWN_STATES)
     _one(f"{where}.lines", table.lines, KNOWN_LINES)
+    _one(f"{where}.statistic", table.statistic, STATISTICS)
     if table.subject not in ("", HAWSER):
         raise StudyError(f"{where}.subject is {table.subject!r}; allowed: {HAWSER}, or left out for all other lines")
     sense = "at most" if table.at_least is None else "at least"

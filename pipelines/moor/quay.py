@@ -20,22 +20,30 @@ def body_of(study, db):
     quay, wall = study.quay, db.wall
     if quay is None:
         return db.reader, () if wall is None else (f"{db.path} is of a wall at y = {wall:g} m: {NO_DRIFT}",)
+    if method_of(quay, wall, db.path) == "panels":
+        return db.reader, (f"quay at y = {quay.y:g} m: by panels with the wall; {NO_DRIFT}",)
+    return by_far_field(db, quay.y)
+
+
+def method_of(quay, wall, name):
+    """far-field or panels, of a QuayTable.  Raises StudyError where quay and body do not fit.
+
+    wall : m, y of that which the body is solved with, None for open water; name : of its database or scene
+    """
     method = quay.method or ("far-field" if wall is None else "panels")
     if method not in METHODS:
         raise StudyError(f"quay.method is {method!r}; allowed: {', '.join(METHODS)}")
-    if method == "panels":
-        if wall is None or abs(wall - quay.y) > SAME:
-            has = "of open water" if wall is None else f"of a wall at y = {wall:g} m"
-            raise StudyError(
-                f'quay.method is "panels" with a quay at y = {quay.y:g} m, and {db.path} is {has}; solve it again with '
-                f"--wall {quay.y:g}"
-            )
-        return db.reader, (f"quay at y = {quay.y:g} m: by panels with the wall; {NO_DRIFT}",)
-    if wall is not None:
+    if method == "panels" and (wall is None or abs(wall - quay.y) > SAME):
+        has = "of open water" if wall is None else f"of a wall at y = {wall:g} m"
         raise StudyError(
-            f'quay.method is "far-field", and {db.path} is of a wall at y = {wall:g} m; allowed: of open water'
+            f'quay.method is "panels" with a quay at y = {quay.y:g} m, and {name} is {has}; solve it again with '
+            f"--wall {quay.y:g}"
         )
-    return by_far_field(db, quay.y)
+    if method == "far-field" and wall is not None:
+        raise StudyError(
+            f'quay.method is "far-field", and {name} is of a wall at y = {wall:g} m; allowed: of open water'
+        )
+    return method
 
 
 def by_far_field(db, y):

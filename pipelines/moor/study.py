@@ -21,7 +21,7 @@ from hakobune.mooring.loads.on_hull import current_on, wind_on
 from hakobune.mooring.studies.conditions import Conditions, ExposedBox, Waves
 from hakobune.mooring.studies.wave_effects import METHODS
 
-from ..common.line_tables import TypeTable, hawser_at_tension, line_of
+from ..common.line_tables import TypeTable, check_types, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, force, positive, water_depth
 from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
 from ..common.typed import typed
@@ -95,17 +95,22 @@ class Study(Table):
     def remarks(self, hull, db):
         """What comes first of what a reader has to know of an `ExposedBox` and the database of its hull, a line each
 
-        raises : StudyError where wind or current have no coefficients for such a hull, before anything is run
+        raises : StudyError as `check_streams`
         """
-        given, volume = self.conditions(), db.displaced_volume
+        self.check_streams(hull, db.density)
+        volume = db.displaced_volume
+        return [] if volume is None else no_box(volume / (hull.length * hull.beam * hull.draft), hull, self)
+
+    def check_streams(self, hull, density):
+        """Raises StudyError for weather that cannot be, or that has no coefficients for an `ExposedBox`; kg/m³"""
+        given = self.conditions()
         try:
             if given.wind:
                 wind_on(given.wind, hull)
             if given.current:
-                current_on(given.current, hull, db.density, self.water.depth)
+                current_on(given.current, hull, density, self.water.depth)
         except ValueError as error:
             raise StudyError(str(error)) from None
-        return [] if volume is None else no_box(volume / (hull.length * hull.beam * hull.draft), hull, self)
 
     @property
     def at_berth(self):
@@ -133,6 +138,7 @@ class Study(Table):
 
         its axes at `center` (3,) m; density : kg/m³; gravity : m/s²
         """
+        check_types(self.types, density, gravity)
         if not self.spreads and not self.lines:
             if self.at_berth:
                 return None

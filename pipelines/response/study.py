@@ -316,15 +316,21 @@ def _of_file(where, table, folder):
 
 def damping_of(where, ratios, body):
     """(6, 6) SI of ratios {motion: of critical} of a Body.  Raises StudyError."""
-    extra, names = np.zeros((6, 6)), [dof.lower() for dof in DOFS]
+    extra = np.zeros((6, 6))
+    for mode, ratio in checked_ratios(where, ratios).items():
+        extra[mode, mode] = ratio * body.critical_damping(mode)
+    return extra
+
+
+def checked_ratios(where, ratios):
+    """{number of a motion: of critical} of ratios by its name.  Raises StudyError."""
+    names = [dof.lower() for dof in DOFS]
     for name, ratio in ratios.items():
         if name not in names:
             raise StudyError(f"{where}.damping_ratio.{name} is unknown; allowed: {', '.join(names)}")
         if not 0 <= ratio < 1:
             raise StudyError(f"{where}.damping_ratio.{name} is {ratio:g}; allowed: 0 to 1")
-        mode = names.index(name)
-        extra[mode, mode] = ratio * body.critical_damping(mode)
-    return extra
+    return {names.index(name): ratio for name, ratio in ratios.items()}
 
 
 def climate_of(table, beside, depth):

@@ -25,15 +25,16 @@ from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.on_current.waves import carrier_of, check_blocked, in_water
 from hakobune.mooring.response.seas import energy_outside
 
-from ..common.quantities import StudyError, direction, positive
+from ..common.quantities import StudyError, direction, level_of, positive
 from ..common.weather.gusts import gusts_of
 from ..moor.tables import SimulationTable
-from ..response.study import damping_of
+from ..response.study import checked_ratios, damping_of
 from .berth import check_harbour
 
 LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave part
 MOST_SEEDS, FEWEST, MOST_SAMPLES = 10_000, 8, 2_000_000
 MOST_COMPONENTS = 100_000
+MOVING = ("auto", "all")  # words for lines that move
 MOST_OF_RECORD = 20_000  # waves, at which an hour takes minutes
 MISSED = 0.01  # share of the energy outside the stored frequencies that is not named; above MOST_MISSED refused
 MOST_MISSED = 0.25
@@ -71,6 +72,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
         raise StudyError("the study has no [simulation]; give it one with duration (s), or --duration")
     table = SimulationTable() if table is None else table
     settings = _settings(table, _duration(table, duration))
+    _check_damping(table)
     if study.harbour is not None:
         check_harbour(study.harbour.periods)
     conditions = study.conditions()
@@ -93,6 +95,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
             f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
             f"{2 * np.pi / omega[0]:.4g} s; solve them too"
         )
+    level_of_pairs(study, bool(seas), settings.slow_drift)
     streams = conditions.wind, gusts_of(study.wind), conditions.current
     carrier = carrier_of(conditions.current)
     for one in (*seas, *([] if waves is None else [waves])):
@@ -112,6 +115,30 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
         split = float(components.omega[np.searchsorted(np.cumsum(energy), LOWEST * energy.sum())])
         mean = 2 * np.pi * float(energy.sum() / (energy @ components.omega))
     return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings)
+
+
+def level_of_pairs(study, seas, drift):
+    """Of `mooring.response.pair_levels`, what a study asks for beside Newman's rule, "auto" where that may be more
+
+    seas : whether there are irregular waves; drift : slow_drift of the settings.  Raises StudyError.
+    """
+    level = level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
+    if level not in ("newman", "auto") and study.quay is not None:
+        raise StudyError(f'simulation.qtf is {level!r} before a quay; allowed: "newman", "auto"')
+    if level not in ("newman", "auto") and not seas:
+        raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, auto, or with irregular waves")
+    return "newman" if level == "auto" and (study.quay is not None or drift != "newman") else level
+
+
+def check_names(settings, names):
+    """Raises StudyError where settings name a line that is none of `names`"""
+    asked = [("lines_lost", name) for name, _ in settings.lines_lost]
+    if not isinstance(settings.dynamic_lines, str):
+        asked += [("dynamic_lines", name) for name in settings.dynamic_lines]
+    for key, name in asked:
+        if name not in names:
+            known = ", ".join(names) or "none"
+            raise StudyError(f"simulation.{key}: there is no line {name!r}; allowed: {known}")
 
 
 def force_files(study, folder):
@@ -169,6 +196,13 @@ def damping(study, body):
     return ratios + np.diag(_by_motion("linear_damping", study.simulation.linear_damping))
 
 
+def _check_damping(table):
+    """Raises StudyError for a motion that there is not"""
+    checked_ratios("simulation", table.damping_ratio)
+    for key in ("linear_damping", "quadratic_damping"):
+        _by_motion(key, getattr(table, key))
+
+
 def quadratic(study):
     """(6,) SI of the quadratic damping of a study"""
     return _by_motion("quadratic_damping", study.simulation.quadratic_damping if study.simulation else {})
@@ -213,6 +247,8 @@ def _settings(table, duration):
     dynamic = moving_lines(table)
     if table.components is not None and table.components > MOST_COMPONENTS:
         raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
+    if isinstance(dynamic, str) and dynamic not in MOVING:
+        raise StudyError(f"simulation.dynamic_lines is {dynamic!r}; allowed: {', '.join(MOVING)}, none, or names")
     if table.dynamic_water != "still" and not dynamic:
         raise StudyError(
             f"simulation.dynamic_water is {table.dynamic_water!r} and no line moves by itself; allowed: with "

@@ -13,13 +13,13 @@ import numpy as np
 from hakobune.bem import DOFS
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
-from ..common.quantities import StudyError, level_of
+from ..common.quantities import StudyError
 from ..executors.memory import give_back
 from ..moor.quay import body_of
 from ..moor.study import Study
 from ..results.given import database_of
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
-from .study import damping, plan_of, quadratic
+from .study import check_names, damping, level_of_pairs, plan_of, quadratic
 
 QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
     "wave": "m",
@@ -66,11 +66,8 @@ def prepared(task, db=None):
         hull = study.hull_of(db.dimensions)
         first = study.remarks(hull, db)
         system = study.system(hull, db.rotation_center, db.density, db.gravity)
-        names = () if system is None else system.line_names
-        unknown = [name for name, _ in plan.settings.lines_lost if name not in names]
-        if unknown:
-            known = ", ".join(names) or "none"
-            raise StudyError(f"simulation.lines_lost: there is no line {unknown[0]!r}; allowed: {known}")
+        check_names(plan.settings, () if system is None else system.line_names)
+        berth = study.berth(hull, db.rotation_center)
         reader, of_quay = body_of(study, db)
         memory = no_memory(reader) if of_quay and task.memory is None else task.memory
         extra, drag = damping(study, reader.floating()), quadratic(study)
@@ -79,7 +76,6 @@ def prepared(task, db=None):
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            berth = study.berth(hull, db.rotation_center)
             body = moored(
                 reader, system, hull, memory=memory, damping=extra, quadratic=drag, berth=berth,
                 linearised_in=plan.weather.waves,
@@ -137,13 +133,7 @@ def _with_pairs(plan, study, db, reader):
     from hakobune.mooring.response.pair_levels import beside_newman
 
     weather, drift = plan.weather, plan.settings.slow_drift
-    level = level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
-    if level not in ("newman", "auto") and study.quay is not None:
-        raise StudyError(f'simulation.qtf is {level!r} before a quay; allowed: "newman", "auto"')
-    if level not in ("newman", "auto") and not weather.seas:
-        raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, auto, or with irregular waves")
-    if level == "auto" and (study.quay is not None or drift != "newman"):
-        level = "newman"
+    level = level_of_pairs(study, bool(weather.seas), drift)
     try:
         found, notes = [], []
         for sea in weather.seas:

@@ -41,7 +41,7 @@ def make(study, db=None) -> Made:
     depth = water_depth("water.depth", study.water.depth)
     _check_hull(study, depth)
     if db is not None:
-        _check_database(study.hull, depth, db)
+        check_database(study.hull, depth, db)
     density = DENSITY if db is None else db.density
     mass, center = _mass(study, db, density)
     loads, findings = loads_of(study, db, density, center, mass)
@@ -65,7 +65,7 @@ def _check_hull(study, depth):
         raise StudyError(f"hull.center is {h.center:g} m from midship; allowed: within {0.5 * h.length:g} m")
 
 
-def _check_database(hull, depth, db):
+def check_database(hull, depth, db):
     """Masses, drift and memory of another hull, or of other water, are not those of the study"""
     if not math.isclose(depth, db.water_depth, rel_tol=SAME):
         raise StudyError(f"water.depth is {depth:g} m, the database is for {db.water_depth:g} m")

@@ -264,7 +264,12 @@ class Study(Table):
 def read_study(path):
     """The Study of a TOML file, its nested dictionaries and its text.  Raises StudyError."""
     raw, text = with_files(*read_study_at_site(Path(path), "a study"), path)
-    return make_study(raw), raw, text
+    study = make_study(raw)
+    if study.maps:
+        from .maps import check_maps
+
+        check_maps(raw, study)
+    return study, raw, text
 
 
 def make_study(raw):

@@ -225,6 +225,11 @@ def site_values(study, folder):
         probability = float(probability_not_exceeded(own.service_life, years))
     except ValueError as error:
         raise StudyError(f"site: {error}") from None
+    quake = study.earthquake
+    try:
+        seismic = None if quake is None else seismic_coefficient(quake.rule, **quake.factors)
+    except ValueError as error:
+        raise StudyError(f"earthquake: {error}") from None
     wind = _extreme("wind", study.wind, "speed", years, own.confidence, folder, findings)
     waves = _extreme("waves", study.waves, "height", years, own.confidence, folder, findings)
     wind_10 = None if wind is None else _wind_10(study.wind, wind.value)
@@ -239,11 +244,6 @@ def site_values(study, folder):
     levels = levels_of(study.levels, own.depth)
     if study.levels is not None and study.levels.tsunami_period is not None:
         states["tsunami"] = tsunami_state(study.levels, own.depth)
-    quake = study.earthquake
-    try:
-        seismic = None if quake is None else seismic_coefficient(quake.rule, **quake.factors)
-    except ValueError as error:
-        raise StudyError(f"earthquake: {error}") from None
     return SiteValues(
         years, probability, wind, wind_10, waves, climate, profile, levels, states, seismic, tuple(findings)
     )

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from hakobune.bem.database.results import check_version
 
+from ..results.given import database_of
 from . import file
 from .one_case import given_to, one_case
 from .study import StudyError, cases, check_keys, varied
@@ -39,6 +40,8 @@ def sweep(table, text, folder, output, executor, say, fresh=False):
     raw, keys, values = tomllib.loads(study_text), [one.key for one in table.vary], cases(table)
     check_keys(table.command, varied(raw, keys, values[0]))
     given = given_to(table.command, table.arguments)
+    if given.get("database") is not None:
+        database_of(given["database"])  # which every case would open
     texts = {"sweep": text, "study": study_text}
     if output.exists() and not fresh:
         _check_same(output, texts)

@@ -55,7 +55,8 @@ def _check_ends(system):
     for line in system.lines:
         for end in (line.a, line.b):
             if end not in names:
-                raise LineSystemError(f"line {line.name}: its end {end!r} is no point of the system")
+                known = ", ".join(sorted(names))
+                raise LineSystemError(f"line {line.name}: its end {end!r} is no point of the system; allowed: {known}")
         if line.a == line.b:
             raise LineSystemError(f"line {line.name}: both ends are at {line.a!r}; allowed: two different points")
         used |= {line.a, line.b}

@@ -5,6 +5,7 @@
     read(path)                 raw tables and text of a study, checked
     base(raw, db)              tables of the study, in which all that may be lost has a name and stays where it is laid
     at(base, depth, weather)   tables of a load case; weather : raw tables wind, current, waves, with incidence_deg
+    checked(study, body, folder)  raises ValueError for a load case that could not be run on a `moor.checked.Body`
     words(project, raw)        the command that gives a case's numbers again, where they are, what the method is
     needs(raw), finds(raw)     [`Need`] of what the study has; quantities beyond tensions that its cases may find
     lost(study)                names of what may be lost; without(study, name) the tables without one of them

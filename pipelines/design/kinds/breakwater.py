@@ -92,6 +92,13 @@ def at(base, depth, weather):
     return {**study, "sea": sea, "waves": waves}
 
 
+def checked(study, body, folder):
+    """Raises ValueError for a load case that no run could take."""
+    from ...breakwater.build import Breakwater
+
+    Breakwater(make_breakwater(study))
+
+
 def words(_, raw):
     """The door that gives a case's numbers again, where they are, and what the method leaves out"""
     return "hakobune breakwater cases/NAME.toml", SOURCES, METHOD

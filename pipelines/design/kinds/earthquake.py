@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ...common.fender_tables import fender_of
-from ...earthquake.study import quake_of, read_study
+from ...earthquake.study import BodyTable, quake_of, read_study
 from .berth import dolphin_of
 from .needs import COEFFICIENT, DOLPHIN, OF_ALLOWABLE, TOTAL
 from .numbers import Numbers
@@ -26,6 +26,14 @@ def run(path, database, place):
     base = None if database is None else Path(database)
     made = lambda: plain(_found(study, path.parent, None if study.body else database))  # noqa: E731
     return read_numbers(kept(place, lambda: key_of(text, base, record), made))
+
+
+def check_study(path):
+    """Raises StudyError for what an earthquake study could not be run with, but for the database of its body."""
+    import msgspec
+
+    study = read_study(path)
+    quake_of(study if study.body else msgspec.structs.replace(study, body=BodyTable(mass=1.0)), path.parent)
 
 
 def _found(study, folder, database):

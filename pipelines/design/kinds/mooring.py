@@ -19,9 +19,11 @@ from hakobune.bem import DOFS
 from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.lines.system.hawser import Hawser
 from hakobune.mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
+from hakobune.mooring.studies.places import check_places
 
 from ...common.quantities import StudyError
 from ...common.weather.streams import OF_HULL, STREAMS, with_hull
+from ...moor.checked import check_simulation, check_weather
 from ...moor.study import make_study, read_raw
 from .needs import COEFFICIENT, DOLPHIN, OF_FENDERS, Need, of_lines
 from .numbers import Numbers
@@ -53,7 +55,7 @@ IN_TIME_SOURCES = (
     "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
 )
 BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."
-KEPT = ("hull", "types", "fender", "dolphin", "rope", "harbour")
+KEPT = ("hull", "types", "fender", "dolphin", "rope", "harbour", "quay")
 
 
 def read(path):
@@ -67,7 +69,10 @@ def check(project, raw):
     """Raises StudyError where a project asks what this kind has not."""
     if project.database_with_levels:
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
-    if project.simulation is None and make_study(raw).at_berth:
+    made = make_study(raw)
+    if made.quay is not None and not made.at_berth:
+        raise StudyError("the study has a quay and neither fenders nor ropes; a project knows a quay at a berth alone")
+    if project.simulation is None and made.at_berth:
         raise StudyError("the study has fenders or ropes, which are judged in time; give the project [simulation]")
 
 
@@ -93,6 +98,15 @@ def at(base, depth, weather):
                 x, y, z = table[place]
                 table[place] = [x, y, z - rise]
     return study
+
+
+def checked(study, body, folder):
+    """Raises ValueError for a load case that no run could take, but for lines that do not reach at its level."""
+    made = make_study(study)
+    hull = check_weather(made, body)
+    made.berth(hull, body.rotation_center)
+    if made.simulation is not None:
+        check_simulation(made, body, lost({"lines": study["lines"]}), folder)
 
 
 def words(project, raw):
@@ -134,9 +148,11 @@ def without(study, name):
 def laid_lines(raw, db):
     """Raw tables of the lines of a study, each with name, fairlead and anchor"""
     typed = make_study(raw)
-    system = typed.system(typed.hull_of(db.dimensions), db.rotation_center, db.density, db.gravity)
+    hull = typed.hull_of(db.dimensions)
+    system = typed.system(hull, db.rotation_center, db.density, db.gravity)
     if system is None:
         return []
+    check_places(system, hull)
     points = {point.name: point for point in system.points}
     center = np.asarray(db.rotation_center, float)
     laid = []

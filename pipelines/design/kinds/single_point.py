@@ -83,6 +83,13 @@ def at(base, depth, weather):
     return {**study, **{key: with_hull(table, of_hull[key]) for key, table in weather.items()}}
 
 
+def checked(study, body, folder):
+    """Raises ValueError for a load case that no run could take."""
+    from ...single_point.checked import checked as check_study
+
+    check_study(make_study(study), body)
+
+
 def words(_, raw):
     """The door that gives a case's numbers again, where they are, and what the method leaves out"""
     return "hakobune single-point cases/NAME.toml", SOURCES, METHOD

@@ -1,0 +1,103 @@
+"""A mooring study checked whole before any work: every name in it, and what its weather needs on its hull."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.bem.database.between_frequencies import DRIFT, KOCHIN, RADIATION, BetweenError
+from hakobune.bem.database.between_headings import Ring, ring
+
+from ..common.quantities import StudyError
+from .quay import method_of
+
+SYMMETRY = {"box": "xy", "buoy": "xy", "ship": "y"}  # planes of the shapes of a scene
+
+
+class Body(NamedTuple):
+    """What is known of a body before its waves are solved.
+
+    name : of its database or scene, for messages; dimensions : {name: m}, of a mesh file none
+    rotation_center : (3,) m; density : kg/m³; gravity : m/s²; water_depth : m
+    omega : (n,) rad/s, of which the first and last are its band; wall : m, y, or None
+    ring : `Ring` of the waves that are solved for, None where symmetry is not known, of a mesh file
+    stored : names of what is solved for; has_inertia : whether its radii of gyration are known
+    """
+
+    name: str
+    dimensions: dict
+    rotation_center: np.ndarray
+    density: float
+    gravity: float
+    water_depth: float
+    omega: np.ndarray
+    wall: float | None
+    ring: Ring | None
+    stored: frozenset
+    has_inertia: bool
+
+
+def body_of_database(db):
+    """Body of an open database"""
+    water = db.density, db.gravity, db.water_depth
+    waves = db.reader.omega, db.wall, db.reader.ring, frozenset(db.reader.between.quantities)
+    return Body(db.path, db.dimensions, db.rotation_center, *water, *waves, db.inertia_matrix is not None)
+
+
+def body_of_scene(name, scene):
+    """Body of a Scene"""
+    water, shape, planes = scene.water, scene.body.shape, SYMMETRY.get(scene.body.shape)
+    of_water = water.density, water.gravity, water.depth
+    if planes is not None:
+        planes = planes if scene.wall is None else planes.replace("y", "")
+        planes = ring(scene.headings(), (), planes, shape == "buoy" and scene.wall is None, wall=scene.wall)
+    center = np.array(scene.rotation_center)
+    waves = scene.omegas(), scene.wall, planes, frozenset(scene.names())
+    return Body(name, scene.dimensions, center, *of_water, *waves, scene.motions_known)
+
+
+def check_stored(body, in_waves):
+    """Raises StudyError where the motions of a Body, or the drift of waves, cannot follow from what is solved for"""
+    if not body.has_inertia:
+        raise StudyError(f"{body.name}: the radii of gyration are missing; give gyration (m) and solve it with them")
+    lacking = [name for name in (*RADIATION, "excitation_force") if name not in body.stored]
+    if in_waves and DRIFT[1] not in body.stored and not set(KOCHIN) <= body.stored:
+        lacking.append(DRIFT[1])
+    if lacking:
+        raise StudyError(
+            f"{body.name}: want leaves out {', '.join(lacking)}; allowed: with radiation, diffraction, motions and "
+            "drift, or no want"
+        )
+
+
+def check_headings(body, seas):
+    """Raises StudyError for waves, each with a direction, that the body is not solved for"""
+    if body.ring is None:
+        return
+    try:
+        body.ring.inside([one.direction for one in seas])
+    except BetweenError as error:
+        raise StudyError(f"{body.name}: {error}") from None
+
+
+def check_weather(study, body):
+    """ExposedBox of a `Study` on a Body.  Raises ValueError for a hull, weather or quay that does not fit."""
+    if not math.isclose(study.water.depth, body.water_depth, rel_tol=1e-6):
+        raise StudyError(f"water.depth is {study.water.depth:g} m, {body.name} is for {body.water_depth:g} m")
+    hull = study.hull_of(body.dimensions)
+    study.check_streams(hull, body.density)
+    check_stored(body, study.waves is not None)
+    sea = study.conditions().sea
+    check_headings(body, () if sea is None else getattr(sea, "systems", (sea,)))
+    if study.quay is not None:
+        method_of(study.quay, body.wall, body.name)
+    return hull
+
+
+def check_simulation(study, body, names, folder):
+    """Raises ValueError for what no run in time could take; names : of the lines; folder : of files"""
+    from ..simulate.study import check_names, plan_of
+
+    check_names(plan_of(study, body.omega, folder=folder).settings, names)

@@ -1,0 +1,31 @@
+"""A single-point study checked whole before anything is solved, on what is known of its body by then."""
+
+from __future__ import annotations
+
+import msgspec
+
+from ..common.quantities import direction
+from ..common.weather.seas import sea_of
+from ..moor.checked import check_headings
+from .running import check
+from .study import check_database, make
+from .tables import MassTable
+
+
+def checked(study, body=None):
+    """Raises StudyError for what no run of a Study could take
+
+    body : `moor.checked.Body` of its database or scene, None without
+    """
+    known = study
+    if body is not None:
+        check_database(study.hull, study.water.depth, body)
+        if study.mass is None:  # that of the body follows from its waves
+            hull = msgspec.structs.replace(study.hull, center=float(body.rotation_center[0]))
+            known = msgspec.structs.replace(study, mass=MassTable(0.0, 0.0, 0.0), hull=hull)
+        if study.waves is not None and study.waves.drift_tonf_per_m2 is None:
+            check_headings(body, [sea_of("waves", study.waves, direction("waves", study.waves), study.water.depth)])
+            known = msgspec.structs.replace(known, waves=None)
+    make(known)
+    if study.slewing is not None:
+        check(study, body)

@@ -1,0 +1,371 @@
+"""A project is read once and checked whole: with one thing wrong in it, it is refused before anything is solved.
+
+Every fault is one change of a sound project, its study or its scene; the command ends with 2, in one line that names
+the thing and what is allowed, and leaves no file.
+"""
+
+import copy
+
+import pytest
+import tomli_w
+
+from hakobune.pipelines.cli import main
+
+SCENE = {
+    "water": {"depth": 20.0},
+    "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [15.5, 29.4, 32.3]}],
+    "waves": {"periods": [5, 6, 7, 8, 10, 12, 15, 20, 30, 60], "headings_deg": [0, 30, 60, 90]},
+    "method": "contour",
+    "tolerance": 0.02,
+}
+CORNERS = {"fore port": (1, 1), "fore starboard": (1, -1), "aft port": (-1, 1), "aft starboard": (-1, -1)}
+LINES = [
+    {"name": name, "type": "chain", "length": 260.0, "fairlead": [50.0 * x, 25.0 * y, 0.0],
+     "anchor": [230.0 * x, 205.0 * y]}
+    for name, (x, y) in CORNERS.items()
+]  # fmt: skip
+CHAIN = {"catalogue": "R3 studlink 76 mm", "bed_friction": 0.6}
+MOORING = {"water": {"depth": 20.0}, "hull": {"freeboard": 10.0}, "types": {"chain": CHAIN}, "lines": LINES}
+STATES = [
+    {"name": "storm", "state": "abnormal", "incidence_deg": [60.0], "levels": ["mean", "high"],
+     "lines": ["intact", "one lost"], "wind": {"speed": 30.0, "gusts": "davenport"}, "current": {"speed": 1.0},
+     "waves": {"height": 1.0, "period": 7.0}},
+    {"name": "work", "state": "normal", "incidence_deg": [0.0, 30.0], "current": {"speed_knots": 1.0}},
+]  # fmt: skip
+OWN = {"study": "study.toml", "scene": "scene.toml", "service_life": 20.0, "probability": 0.82}
+LINES_PROJECT = {
+    "project": {"name": "box on chains", **OWN},
+    "levels": {"high": 1.5},
+    "states": STATES,
+    "simulation": {"duration": 600.0, "seeds": 1},
+    "rules": [{"rule": "JSCE", "subject": "chain of a multi-point mooring"}],
+}
+
+
+def _rope(name, side):
+    return {"name": name, "fairlead": [40.0 * side, 20.0, 9.0], "bollard": [60.0 * side, 60.0, 5.0],
+            "pretension_kN": 100.0, "breaking_load_kN": 1600.0, "break_strain": 0.1}  # fmt: skip
+
+
+CONE = {"family": "cone", "height": 2.0, "rated_reaction": 2500.0}
+BERTH = {
+    "water": {"depth": 20.0},
+    "hull": {"freeboard": 10.0},
+    "dolphin": [{"name": "D1", "stiffness": 6e4, "yield_force": 6000.0, "stiffness_beyond": 2e4}],
+    "fender": [{"name": "F1", "on": "D1", "position": [-25.0, 25.0, 2.0], "friction": 0.2, "shear": 5e3, **CONE},
+               {"name": "F2", "position": [25.0, 25.0, 2.0], **CONE}],
+    "rope": [_rope("head", 1), _rope("stern", -1)],
+}  # fmt: skip
+BERTH_PROJECT = {
+    **{key: value for key, value in LINES_PROJECT.items() if key != "rules"},
+    "limits": [
+        {"quantity": "fender strain / allowable strain", "at_most": 1.0, "source": "maker"},
+        {"quantity": "tension / breaking load", "at_most": 0.5, "source": "port"},
+        {"quantity": "design load of a dolphin / fender reaction", "at_least": 1.0, "source": "port"},
+    ],
+}
+POINT = {
+    "water": {"depth": 20.0},
+    "hull": {"length": 100.0, "beam": 50.0, "draft": 10.0, "freeboard": 10.0},
+    "attachment": {"x": 50.0},
+    "hawser": {"length": 30.0, "breaking_load_tonf": 700.0, "strain": 0.4},
+    "buoy": {"z": -3.0},
+    "types": {"chain": {"catalogue": "R3 studlink 92 mm"}},
+    "mooring": {"type": "chain", "length": 250.0, "count": 6, "first_deg": 30.0, "top_tension_tonf": 25.0},
+    "current": {"speed_knots": 1.0, "incidence_deg": 30.0, "turning": {"beam_over_draft": 10.0}},
+}
+POINT_PROJECT = {
+    **{key: value for key, value in LINES_PROJECT.items() if key != "simulation"},
+    "states": [
+        {**STATES[0], "levels": ["mean"], "wind": {"speed": 20.0}, "current": {"speed_knots": 1.0}},
+        STATES[1],
+    ],
+    "rules": [{"rule": "SR179", "subject": "chain of a single-point mooring"}, {"rule": "SR179", "subject": "hawser"}],
+}
+BREAKWATER = {
+    "name": "breakwater",
+    "holdings": ["fixed", "taut"],
+    "theories": ["potential flow"],
+    "water": {"depth": 10.0},
+    "section": {"shape": "rectangle", "beam": 10.0, "height": 6.667, "draft": 5.0},
+    "body": {"free_draft": 3.367, "center_of_gravity": 3.417, "gyration": 4.4},
+    "lines": {"angle_deg": 44.0, "attachment": 5.0, "spacing": 5.0, "allowable_kN": 3000.0},
+    "waves": {"height": 1.5, "periods": [6.0, 8.0]},
+    "design": {"holding": "taut"},
+}
+BREAKWATER_PROJECT = {
+    "project": {"name": "breakwater", "study": "study.toml"},
+    "states": [{"name": "storm", "state": "normal", "incidence_deg": [0.0], "waves": {"height": 1.0, "period": 5.0}}],
+    "limits": [{"quantity": "tension / allowable tension", "at_most": 1.0, "source": "owner"}],
+}
+SOUND = {
+    "lines": (LINES_PROJECT, MOORING),
+    "berth": (BERTH_PROJECT, BERTH),
+    "single point": (POINT_PROJECT, POINT),
+    "breakwater": (BREAKWATER_PROJECT, BREAKWATER),
+}
+
+
+def at(path, value):
+    """The change that puts a value, or with ... nothing, at a path of the project, the study or the scene"""
+
+    def change(tables):
+        *way, last = path
+        for step in way:
+            tables = tables[step]
+        if value is ...:
+            del tables[last]
+        elif isinstance(tables, list) and last == len(tables):
+            tables.append(value)
+        else:
+            tables[last] = value
+
+    return change
+
+
+def project(*path):
+    return ("project", *path)
+
+
+def study(*path):
+    return ("study", *path)
+
+
+def scene(*path):
+    return ("scene", *path)
+
+
+def simulation(key):
+    return project("simulation", key)
+
+
+def storm(*path):
+    return project("states", 0, *path)
+
+
+LIMIT = {"quantity": "surge", "at_most": 1.0, "source": "owner"}
+ANCHOR = {"quantity": "holding capacity / horizontal force", "at_least": 1.0, "source": "owner"}
+# kind of the project, changes, words that the line must have: the thing and what is allowed
+FAULTS = {
+    "line type": ("lines", [(study("lines", 0, "type"), "chian")], ("lines[0].type is 'chian'", "allowed: chain")),
+    "catalogue of a type without lines": (
+        "lines", [(study("types", "wire"), {"catalogue": "R9 76 mm"})], ("types.wire.catalogue: 'R9 76 mm'", "R3"),
+    ),
+    "name of two lines": ("lines", [(study("lines", 1, "name"), "fore port")], ("'fore port' is used twice", "once")),
+    "anchor of a line": ("lines", [(study("lines", 1, "anchor"), ...)], ("lines[1] (fore starboard)", "anchor")),
+    "line that is lost": (
+        "lines", [(simulation("lines_lost"), [{"line": "bow", "time": 3.0}])],
+        ("simulation.lines_lost: there is no line 'bow'", "allowed: fore port"),
+    ),
+    "line that moves": (
+        "lines", [(simulation("dynamic_lines"), ["bow"])],
+        ("simulation.dynamic_lines: there is no line 'bow'", "allowed: fore port"),
+    ),
+    "word for lines that move": ("lines", [(simulation("dynamic_lines"), "some")], ("dynamic_lines is 'some'", "auto")),
+    "motion that is damped": (
+        "lines", [(simulation("damping_ratio"), {"rol": 0.1})], ("damping_ratio.rol is unknown", "roll, pitch"),
+    ),
+    "motion that is damped linearly": (
+        "lines", [(simulation("linear_damping"), {"swai": 1.0})], ("there is no motion 'swai'", "sway"),
+    ),
+    "slow drift": ("lines", [(simulation("slow_drift"), "neuman")], ("slow_drift is 'neuman'", "newman")),
+    "pairs of waves": ("lines", [(simulation("qtf"), "ful")], ("simulation.qtf is 'ful'", "bound-wave, body, full")),
+    "pairs without waves": ("lines", [(simulation("qtf"), "full")], ("work", "simulation.qtf is 'full'", "irregular")),
+    "memory": ("lines", [(simulation("memory"), "state")], ("memory is 'state'", "states, constant")),
+    "duration": ("lines", [(simulation("duration"), ...)], ("simulation: neither is given", "duration_hours")),
+    "file of a force": ("lines", [(simulation("force"), [{"file": "tug.csv"}])], ("tug.csv does not exist",)),
+    "direction of a further sea": (
+        "lines", [(simulation("sea"), [{"height": 1.0, "period": 9.0}])], ("simulation.sea", "one of direction_deg"),
+    ),
+    "type of a ship for the wind": (
+        "lines", [(storm("wind", "ship"), "tankr")], ("states[0].wind.ship is 'tankr'", "tanker, loaded"),
+    ),
+    "ship of the hull's wind": ("lines", [(study("wind"), {"ship": "tankr"})], ("wind.ship is 'tankr'", "tanker")),
+    "file of wind coefficients": (
+        "lines", [(storm("wind", "file"), "w.csv")], ("states[0].wind.file", "does not exist"),
+    ),
+    "lever of a current all round": (
+        "lines",
+        [(storm("current", "coefficients"),
+          {"angles_deg": [0, 90, 180], "x": [1, 0, -1], "y": [0, 1, 0], "lever": [0, 0, 0]})],
+        ("states[0].current.coefficients.lever is given", "angles_deg to 90"),
+    ),
+    "gusts": ("lines", [(storm("wind", "gusts"), "davenprt")], ("wind.gusts is 'davenprt'", "davenport, hino")),
+    "key of other gusts": ("lines", [(storm("wind", "gust_height"), 9.0)], ("wind.gust_height", "surface_drag")),
+    "waves on the current": ("lines", [(storm("current", "waves"), "moving")], ("current.waves is 'moving'", "still")),
+    "method of the waves": ("lines", [(storm("waves", "method"), "regular")], ("method is 'regular'", "regular_wave")),
+    "spectrum": (
+        "lines", [(storm("waves", "spectrum"), "jonswp")], ("states[0].waves.spectrum is 'jonswp'", "jonswap"),
+    ),
+    "spreading": ("lines", [(storm("waves", "spreading"), "cos:4")], ("waves.spreading is 'cos:4'", "cosine:N")),
+    "waves that are not solved for": (
+        "lines", [(storm("waves", "period"), 200.0)], ("storm", "outside the stored frequencies", "allowed: 25 %"),
+    ),
+    "direction that is not solved for": (
+        "lines", [(scene("waves", "headings_deg"), [0, 30])], ("wave direction 240°", "at most 45° apart", "add it"),
+    ),
+    "radii of gyration": ("lines", [(scene("bodies", 0, "gyration"), ...)], ("radii of gyration", "give gyration")),
+    "what of the waves is wanted": (
+        "lines", [(scene("want"), ["radiation", "diffraction"])], ("want leaves out drift_force", "no want"),
+    ),
+    "shape": ("lines", [(scene("bodies", 0, "shape"), "bax")], ("bodies[0].shape is 'bax'", "box, buoy")),
+    "size of another hull": ("lines", [(study("hull", "length"), 90.0)], ("hull.length is 90 m", "100 m")),
+    "scene": ("lines", [(project("project", "scene"), "sc.toml")], ("sc.toml does not exist",)),
+    "study": ("lines", [(project("project", "study"), "s.toml")], ("s.toml does not exist",)),
+    "database": (
+        "lines",
+        [(project("project", "scene"), ...), (project("project", "database"), "b.h5"), (project("levels"), {}),
+         (storm("levels"), ["mean"])],
+        ("b.h5 does not exist",),
+    ),
+    "level": ("lines", [(storm("levels"), ["hihg"])], ("states[0].levels is 'hihg'", "allowed: mean, high")),
+    "level in the ground": ("lines", [(project("levels", "high"), -21.0)], ("levels.high is -21 m", "above the bed")),
+    "level of the keel": ("lines", [(project("levels", "high"), -12.0)], ("draft is 10.0", "below the depth")),
+    "kind of a state": ("lines", [(storm("state"), "calm")], ("states[0].state is 'calm'", "normal, abnormal")),
+    "which line is lost": ("lines", [(storm("lost"), "best")], ("states[0].lost is 'best'", "worst, each")),
+    "states of one file": (
+        "lines", [(project("states", 1, "name"), "storm!"), (project("states", 1, "incidence_deg"), [60.0])],
+        ("'storm' and 'storm!'", "each its own"),
+    ),
+    "weather of no site": ("lines", [(storm("weather"), "extreme")], ("project.site is not given", "give its file")),
+    "site": ("lines", [(project("project", "site"), "bay.toml")], ("bay.toml does not exist",)),
+    "rule set": ("lines", [(project("rules", 0, "rule"), "JSCEE")], ("rule set 'JSCEE' is unknown", "JSCE, JSRA")),
+    "subject": ("lines", [(project("rules", 0, "subject"), "chains")], ("nothing on 'chains'", "multi-point mooring")),
+    "file of rules": ("lines", [(project("rules", 1), {"rule": "x", "file": "r.csv"})], ("r.csv does not exist",)),
+    "quantity": (
+        "lines", [(project("limits"), [{**LIMIT, "quantity": "surg"}])], ("quantity is 'surg'", "surge; sway"),
+    ),
+    "statistic": (
+        "lines", [(project("limits"), [{**LIMIT, "statistic": "mean"}])],
+        ("limits[0].statistic is 'mean'", "largest, amplitude, peak to peak"),
+    ),
+    "hawser that there is not": (
+        "lines", [(project("limits"), [{**LIMIT, "quantity": "tension / breaking load", "subject": "hawser"}])],
+        ("limits[0].subject is 'hawser'", "the study has none"),
+    ),
+    "quantity of a value": (
+        "lines", [(project("values"), [{"quantity": "gust", "value": 1.0, "source": "x"}])],
+        ("values[0].quantity is 'gust'", "allowed, of the criteria chosen"),
+    ),
+    "line of an anchor": (
+        "lines", [(project("anchors"), {"holding_kN": 1e4, "lines": {"bow": 1e4}}), (project("limits"), [ANCHOR])],
+        ("anchors.lines: there is no line 'bow'", "allowed: fore port"),
+    ),
+    "holding capacity": (
+        "lines", [(project("anchors"), {"holding_kN": -1.0}), (project("limits"), [ANCHOR])],
+        ("anchors.holding_kN is -1", "above 0"),
+    ),
+    "wear": (
+        "lines",
+        [(project("wear"), {"mm_per_year": 3.0}),
+         (project("limits"), [{**LIMIT, "quantity": "tension / breaking load, worn"}])],
+        ("wear of type 'chain'", "at least half of the diameter"),
+    ),
+    "service life": ("lines", [(project("project", "service_life"), -1.0)], ("service_life is -1", "above 0")),
+    "probability": ("lines", [(project("project", "probability"), 2.0)], ("probability is 2", "below 1")),
+    "curve of fatigue": ("lines", [(project("fatigue"), {"curve": "x"})], ("fatigue.curve is 'x'", "DNV studless")),
+    "line that does not reach": (
+        "lines", [(study("lines", 0, "length"), 90.0)], ("line fore port is 90 m long", "limit 50 %", "longer line"),
+    ),
+    "no lines": ("lines", [(study("lines"), ...)], ("the study has no lines", "at least one")),
+    "quay without a berth": ("lines", [(study("quay"), {"y": 30.0})], ("has a quay", "at a berth alone")),
+    "freeboard": ("lines", [(study("hull", "freeboard"), -1.0)], ("hull.freeboard is -1", "above 0")),
+    "earthquake of lines": ("lines", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("no fenders",)),
+    "dolphin of a fender": ("berth", [(study("fender", 0, "on"), "D9")], ("no dolphin 'D9'", "allowed: D1")),
+    "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)], ("'D1' carries no fender", "one")),
+    "family of a fender": (
+        "berth", [(study("fender", 1, "family"), "coen")], ("'coen' is unknown", "cell, v, h, cone"),
+    ),
+    "place of a fender": (
+        "berth", [(study("fender", 1, "position"), [25.0, 45.0, 2.0])], ("fender[1] (F2)", "at most 10 m off"),
+    ),
+    "name of two ropes": ("berth", [(study("rope", 1, "name"), "head")], ("'head' is the name of two", "its own")),
+    "tail of a rope": (
+        "berth", [(study("rope", 1, "tail_length"), 9.0)], ("rope stern", "tail_break_strain is missing"),
+    ),
+    "strain of a rope": ("berth", [(study("rope", 1, "break_strain"), -0.1)], ("rope stern", "strain -0.1", "0 to 2")),
+    "period of the harbour": (
+        "berth", [(study("harbour"), {"periods": [-3.0]})], ("harbour.periods[0] is -3", "above 0"),
+    ),
+    "method of a quay": (
+        "berth", [(study("quay"), {"y": 30.0, "method": "far"})], ("quay.method is 'far'", "far-field, panels"),
+    ),
+    "quay of panels in open water": (
+        "berth", [(study("quay"), {"y": 30.0, "method": "panels"})], ("scene.toml is of open water", "--wall 30"),
+    ),
+    "pairs before a quay": (
+        "berth", [(study("quay"), {"y": 30.0}), (simulation("qtf"), "full")], ("'full' before a quay", "newman"),
+    ),
+    "rope that is lost": (
+        "berth", [(simulation("lines_lost"), [{"line": "head", "time": 1.0}])], ("no line 'head'", "allowed: none"),
+    ),
+    "berth that is not simulated": ("berth", [(project("simulation"), ...)], ("judged in time", "[simulation]")),
+    "earthquake": ("berth", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("q.toml does not exist",)),
+    "line type at a single point": (
+        "single point", [(study("mooring", "type"), "chian")], ("mooring.type is 'chian'", "allowed: chain"),
+    ),
+    "coefficients of a current": (
+        "single point", [(study("current", "turning"), {"beam_over_draft": 90.0})],
+        ("current", "beam_over_draft = 10"),
+    ),
+    "scheme": ("single point", [(study("slewing"), {"scheme": "fast"})], ("slewing.scheme is 'fast'", "two_scale")),
+    "hawsers": ("single point", [(study("hawser", "count"), 3)], ("hawser.count is 3", "1 or 2")),
+    "wind without a freeboard": (
+        "single point", [(study("hull", "freeboard"), ...)], ("freeboard is missing", "give it"),
+    ),
+    "simulation of a single point": (
+        "single point", [(project("simulation"), {"duration": 600.0})], ("simulation is given", "[slewing]"),
+    ),
+    "holding of a breakwater": ("breakwater", [(study("design", "holding"), "tight")], ("is 'tight'", "fixed, taut")),
+    "wind on a breakwater": (
+        "breakwater", [(storm("wind"), {"speed": 9.0})], ("states[0].wind is given", "waves alone"),
+    ),
+    "spectrum at a breakwater": ("breakwater", [(storm("waves", "spectrum"), "isc")], ("is 'isc'", "issc")),
+    "body deeper than it floats": (
+        "breakwater", [(study("body", "free_draft"), 6.0)], ("body.free_draft is 6 m", "give a lighter body"),
+    ),
+}  # fmt: skip
+
+
+class Reached(Exception):
+    """Work began"""
+
+
+@pytest.fixture
+def designed(tmp_path, monkeypatch, capsys):
+    """Runs design on a sound project with changes, where no work may begin; gives its status and its line"""
+
+    def reached(*_, **__):
+        raise Reached
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("hakobune.pipelines.solve.run.solve", reached)
+    monkeypatch.setattr("hakobune.pipelines.design.command.made", reached)
+
+    def run(kind, changes):
+        tables = dict(zip(("project", "study"), copy.deepcopy(SOUND[kind]), strict=True)) | {
+            "scene": copy.deepcopy(SCENE)
+        }
+        for path, value in changes:
+            at(path, value)(tables)
+        for name, table in tables.items():
+            (tmp_path / f"{name}.toml").write_text(tomli_w.dumps(table))
+        return main(["design", "project.toml", "--output", "out"]), capsys.readouterr()
+
+    return run
+
+
+@pytest.mark.parametrize("kind", SOUND)
+def test_work_begins_on_a_sound_project(kind, designed):
+    with pytest.raises(Reached):
+        designed(kind, [])
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_is_one_line_before_anything_is_solved(fault, designed, tmp_path):
+    kind, changes, words = FAULTS[fault]
+    status, said = designed(kind, changes)
+    assert status == 2 and said.out == "", said
+    assert said.err.startswith("hakobune design: ") and said.err.count("\n") == 1, said.err
+    assert all(word in said.err for word in words), said.err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["project.toml", "scene.toml", "study.toml"]
