@@ -95,6 +95,7 @@ def at(base, depth, weather):
 def checked(study, body, folder):
     """Raises ValueError for a load case that no run could take."""
     from ...breakwater.build import Breakwater
+    from ...breakwater.study import make_breakwater
 
     Breakwater(make_breakwater(study))
 
