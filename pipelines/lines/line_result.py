@@ -14,7 +14,7 @@ from ..printing.number import significant
 from ..results.given import words_of
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
-from ..results.result import Result, labels
+from ..results.result import Result, labels, rows
 
 STEEPEST = 1.5  # rad, of a bed that `mooring.catenary` knows
 FLAGS = {  # unit, its size, whether a value is good, what is allowed
@@ -31,13 +31,6 @@ FLAGS = {  # unit, its size, whether a value is good, what is allowed
         f"above −{np.degrees(STEEPEST):.2f} and below {np.degrees(STEEPEST):.2f}",
     ),
 }  # fmt: skip
-SLACK_TO_TAUT = "from slack to taut"
-CURVE = {  # name: (unit, description, share, of a LineSolution and a breaking load)
-    "curve.horizontal": ("N", "horizontal", False, lambda found, _: found.horizontal_fairlead),
-    "curve.tension": ("N", "tension", False, lambda found, _: found.tension_fairlead),
-    "curve.grounded": ("m", "", False, lambda found, _: found.grounded_length),
-    "curve.used": ("", "used", True, lambda found, breaking: found.tension_fairlead / breaking),
-}
 
 
 def line(
@@ -148,7 +141,7 @@ def _solved(one, span, tension):
 
 def _forces(one, span, found):
     kind, lies = one.type, "length that floats" if one.floats else "length on the bed"
-    rows = {
+    given = {
         "state": (one.state(found), "", "state"),
         "span": (span, "m", "span"),
         "length": (one.length, "m", "length"),
@@ -170,24 +163,18 @@ def _forces(one, span, found):
         unknown += ("axial_stiffness",)
     return {
         name: Quantity(np.asarray(value), (), unit, words, "" if name in unknown else kind.name, name == "used")
-        for name, (value, unit, words) in rows.items()
+        for name, (value, unit, words) in given.items()
     }
 
 
 def _curves(one, found):
-    lies = "floats" if one.floats else "on the bed"
     breaking = one.type.breaking_load if np.isfinite(one.type.breaking_load) else np.nan
-    return {
-        name: Quantity(
-            of(found, breaking),
-            ("at_span",),
-            unit,
-            words or lies,
-            "" if share and np.isnan(breaking) else SLACK_TO_TAUT,
-            share,
-        )
-        for name, (unit, words, share, of) in CURVE.items()
-    }
+    return rows("from slack to taut", {
+        "curve.horizontal": (found.horizontal_fairlead, "N", "horizontal"),
+        "curve.tension": (found.tension_fairlead, "N", "tension"),
+        "curve.grounded": (found.grounded_length, "m", "floats" if one.floats else "on the bed"),
+        "curve.used": (found.tension_fairlead / breaking, "%", "used"),
+    }, "at_span")  # fmt: skip
 
 
 def _overloads(one, found):

@@ -48,9 +48,14 @@ def tables(result, all_of_them=False):
     """[Shown, …] of a result, in the order of its quantities; with those that are not printed if all_of_them"""
     groups = {}
     for name, one in result.quantities.items():
-        if not one.record and (one.table or all_of_them):
+        if not one.record and (all_of_them or (one.table and not _unknown(one))):
             groups.setdefault((one.table, one.axes[:1]), []).append((name, one))
     return [_shown(result, title, axes, members) for (title, axes), members in groups.items()]
+
+
+def _unknown(one):
+    """Whether a share, as of a breaking load that is not given, is known of nothing"""
+    return one.share and one.values.dtype.kind == "f" and bool(np.isnan(one.values).all())
 
 
 def _shown(result, title, axes, members):
