@@ -61,12 +61,13 @@ lint: venv
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 
+# where an environment forbids files of bytecode, each process of many would compile all sources again; and
 # each process has one BLAS thread: two wait for each other where the cores are taken (16 minutes of processor time, 10)
 test: lint
-	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(PROCESSES)
+	PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(PROCESSES) --from-both-ends
 
 test-quick: lint
-	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python tests/quick.py --processes $(PROCESSES)
+	PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python tests/quick.py --processes $(PROCESSES)
 
 # numpy warns where compiled code gives NaN or infinity in silence
 test-nojit: venv
