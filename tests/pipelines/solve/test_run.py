@@ -126,7 +126,7 @@ def test_ctrl_c_before_the_first_result_leaves_everything_pending(tmp_path):
     assert set(frequencies(again)) <= {0.4, 0.8, 1.2}
 
 
-def test_ctrl_c_at_the_last_frequency_leaves_all_of_it_and_stops_what_follows(tmp_path):
+def test_ctrl_c_at_the_last_frequency_leaves_all_of_it_and_stops_what_follows(tmp_path, heard):
     class Pressed(Future):
         def result(self, timeout=None):
             signal.raise_signal(signal.SIGINT)

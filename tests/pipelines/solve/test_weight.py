@@ -89,3 +89,75 @@ def test_a_scene_refused_for_its_weight_leaves_no_file_and_a_held_one_solves(tmp
     assert main([*command, "--trimmed"]) == 0
     before = path.read_bytes()
     assert main(command) == 2 and path.read_bytes() == before
+
+
+def made_up(mass=1025.0 * 50_000, heights=(1.0, 1.0), place=(0.0, 0.0, 0.0)):
+    """Properties of a body whose trim and heel have 4 and 2 GN m of stiffness"""
+    stiffness = np.diag([0, 0, 0, 2e9, 4e9, 0.0])
+    return {"mass": mass, "displaced_volume": 50_000.0, "center_of_mass": place, "center_of_buoyancy": (0.0, 0.0, -5.0),
+            "transverse_metacentric_height": heights[0], "longitudinal_metacentric_height": heights[1],
+            "hydrostatic_stiffness": stiffness}  # fmt: skip
+
+
+def remarks(**given):
+    scene = make_scene({"water": {"depth": 20.0}, "waves": {"omegas": [0.5]},
+                        "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0}]})  # fmt: skip
+    return list(weight_remarks(scene, MESH, made_up(**given)))
+
+
+@pytest.mark.parametrize(("factor", "told"), [(0.989, True), (0.991, False), (1.009, False), (1.011, True)])
+def test_mass_that_is_off_by_a_hundredth_is_told(factor, told):
+    said = remarks(mass=factor * 1025 * 50_000)
+    mass = f"mass {factor * 1025 * 50_000:.6g} kg is not the displaced 5.125e+07 kg; allowed where lines"
+    assert [line.startswith(mass) for line in said] == [True] * told
+
+
+@pytest.mark.parametrize("which", [0, 1])
+def test_metacentric_heights_that_are_not_positive_are_told(which):
+    names, heights = ("transverse", "longitudinal"), [1.0, 1.0]
+    for height, told in ((1e-3, False), (0.0, True), (-0.5, True)):
+        heights[which] = height
+        said = remarks(heights=tuple(heights))
+        text = f"{names[which]} metacentric height {height:.4g} m is not positive: the body capsizes"
+        assert said == [text] * told
+
+
+@pytest.mark.parametrize(("axis", "name", "stiffness"), [(0, "trim", 4e9), (1, "heel", 2e9)])
+def test_trim_and_heel_follow_from_moment_and_stiffness(axis, name, stiffness):
+    """tan θ = m g x / C, told above 0.1°"""
+    for angle in (0.099, 0.101):
+        place = np.zeros(3)
+        place[axis] = stiffness * np.tan(np.radians(angle)) / (1025 * 50_000 * 9.80665)
+        said = remarks(place=place)
+        assert len(said) == (angle > 0.1)
+        moment = stiffness * np.tan(np.radians(angle))
+        assert all(f"{place[axis]:.4g} m off" in line and f"{moment:.4g} N m, 0.101° of static {name}" in line
+                   for line in said)  # fmt: skip
+
+
+@pytest.mark.parametrize(("longest", "told", "refused"), [
+    (5.04, False, False), (5.06, True, False), (6.24, True, False), (6.26, True, True),
+])  # fmt: skip
+def test_the_third_radius_of_gyration_is_at_most_what_the_others_allow(longest, told, refused):
+    """√(3² + 4²) = 5: a hundredth above it is told, a quarter refused"""
+    if refused:
+        with pytest.raises(SceneError, match=f"gyration has {longest} m, but the other two allow any body at most 5 m"):
+            told_of(longest)
+        return
+    said = [line for line in told_of(longest) if "gyration" in line]
+    assert len(said) == told and all("larger than the 5 m that the other two allow" in line for line in said)
+
+
+def told_of(longest):
+    return told(gyration=[3.0, 4.0, longest])
+
+
+@pytest.mark.parametrize(("z", "good"), [(99.0, True), (101.0, False), (-109.0, True), (-111.0, False)])
+def test_a_centre_of_gravity_may_lie_as_far_off_as_the_body_is_long(z, good):
+    """Its wetted hull from −10 to 0 m, 100 m long"""
+    if good:
+        told(center_of_gravity=[0.0, 0.0, z])
+        return
+    out = z if z > 0 else -10 - z
+    with pytest.raises(SceneError, match=rf"has z = {z:g} m, {out:g} m outside the wetted hull \(-10 to 0 m\)"):
+        told(center_of_gravity=[0.0, 0.0, z])

@@ -1,0 +1,222 @@
+"""`hakobune berth` with fenders that are springs, so that every number it prints is one of a mass on a spring."""
+
+import csv
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hakobune.mooring import berthing
+from hakobune.pipelines.cli import main
+
+L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.0, 220_000.0, 0.12, 40.0  # m, t, m/s
+K = 20 * 1000.0  # kN/m: twenty fenders of 2 m, 1000 kN at half the height
+C_M = 1.8
+SOFTEST, STIFFEST = 0.9 * 1.0 * 1.0 * 0.8 * 0.95, 1.1 * 1.05 * 1.1 * 0.9 * 1.25  # SR179 report (1982), chapter 3.4
+STUDY = f"""
+depth = {DEPTH}
+[ship]
+length = {L}
+beam = {B}
+draft = {D}
+displacement = {MASS}
+[approach]
+speed = {SPEED}
+offset = {OFFSET}
+virtual_mass = {C_M}
+"""
+FENDER = '[[fender]]\ntable = "linear.csv"\nheight = 2.0\nrated_strain = 0.4\ncount = 20\n'
+
+
+def written(folder, text):
+    (folder / "linear.csv").write_text("strain,reaction_kN\n0,0\n0.25,500\n0.5,1000\n")
+    path = folder / "berth.toml"
+    path.write_text(text)
+    return path
+
+
+def numbers(text):
+    return [float(word) for word in re.findall(r"-?\d+\.?\d*(?:e[+-]?\d+)?", text)]
+
+
+def line_of(said, words):
+    return next(line for line in said.splitlines() if words in line)
+
+
+def course_of(path):
+    names, *rows = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    return dict(zip(names.split(","), np.array([row.split(",") for row in rows], float).T, strict=True))
+
+
+def test_every_number_of_a_berthing_on_a_spring_behind_which_a_dolphin_yields(tmp_path, asked):
+    """E = ½ C_M M V² C_e; R = √(2E k'), 1/k' = 1/k + 1/κ; the fender is pressed R/k of its 2 m, the dolphin goes R/κ;
+    a fender with f of the reaction has f k; rated at 40 % of the height"""
+    kappa = 34000.0
+    path = written(tmp_path, STUDY + FENDER + f"dolphin = {kappa}\nx = {OFFSET}\n")
+    (table,), said = asked("berth", path)
+    C_e = 1 / (1 + (OFFSET / (L / 4)) ** 2)
+    block = MASS / (1.025 * L * B * D)
+    assert numbers(line_of(said, "C_e")) == pytest.approx([MASS, block, SPEED, OFFSET, C_e], rel=1e-3)
+    rated = (0.8 * K) ** 2 * (1 / K + 1 / kappa) / 2
+    assert f"rated {rated:.0f} kJ, {0.8 * K:.0f} kN" in table["title"]
+    assert table["rows"][0]["virtual mass"] == "given"
+
+    def reaction(energy, factor=1.0):
+        return math.sqrt(2 * energy / (1 / (factor * K) + 1 / kappa))
+
+    for row in table["rows"]:
+        E = float(row["energy kJ"])
+        assert float(row["reaction kN"]) == pytest.approx(reaction(E), rel=1e-3)
+        assert float(row["fender %"]) == pytest.approx(100 * reaction(E) / K / 2, abs=0.06)
+        assert float(row["dolphin m"]) == pytest.approx(reaction(E) / kappa, abs=6e-4)
+    E = 0.5 * C_M * MASS * SPEED**2 * C_e
+    softer = (0.9 * 0.8 * K) ** 2 * (1 / (0.9 * K) + 1 / kappa) / 2
+    by_hand = [C_M, E, 100 * E / rated, 100 * E / softer, 0.9]
+    assert numbers(line_of(said, "of the rated energy")) == pytest.approx(by_hand, abs=0.51)
+    assert ", enough" in said
+    assert numbers(line_of(said, "it pushes with")) == pytest.approx([1.1, reaction(E, 1.1)], rel=1e-3)
+    found = numbers(line_of(said, "by manufacture"))
+    by_hand = [v for f in (SOFTEST, STIFFEST) for v in (100 * reaction(E, f) / (f * K) / 2, reaction(E, f))]
+    assert found == pytest.approx(by_hand, abs=0.51)
+    assert "springs" not in said  # Ueda's closed form is of buckling fenders
+
+
+def test_the_course_on_one_spring_is_a_quarter_of_a_sine(tmp_path, asked, pictures):
+    """Of the mass m = C_M M/(1 + (l/r)²) that a force at the contact moves: R = V √(m k) sin ωt, ω = √(k/m), largest
+    after π/2ω, ½ m V² into the fender, nothing into waves where no database tells of them; up to then the impulse m V
+    has slowed the ship and turned it"""
+    path = written(tmp_path, STUDY + FENDER + f"x = {OFFSET}\n")
+    _, said = asked("berth", path, "--output", tmp_path / "c.csv", "--plot", tmp_path / "p.png")
+    r = L / 4
+    m = C_M * MASS / (1 + (OFFSET / r) ** 2)
+    omega, R = math.sqrt(K / m), SPEED * math.sqrt(m * K)
+    energy = 0.5 * m * SPEED**2
+    told = numbers(line_of(said, "in time"))
+    assert told[:5] == pytest.approx([C_M, energy, C_M, R, math.pi / 2 / omega], abs=0.6)
+    assert told[5] == 0.0 and told[6] < 1e-5
+    course = course_of(tmp_path / "c.csv")
+    t = course["t"]
+    pressed = t <= math.pi / omega
+    assert course["reaction_1"][pressed] == pytest.approx(1e3 * R * np.sin(omega * t[pressed]), abs=2e-3 * 1e3 * R)
+    assert course["deflection_1"][pressed] == pytest.approx(R / K * np.sin(omega * t[pressed]), abs=2e-3 * R / K)
+    taken = 1e3 * energy * np.sin(omega * t[pressed]) ** 2
+    assert course["energy_fenders"][pressed] == pytest.approx(taken, abs=2e-3 * 1e3 * energy)
+    assert np.all(course["energy_waves"] == 0)
+    stopped = (
+        np.interp(math.pi / 2 / omega, t, course["sway_velocity"]),
+        np.interp(math.pi / 2 / omega, t, course["yaw_velocity"]),
+    )
+    impulse = m * SPEED  # of the force up to then; C_M M and C_M M r² are what it moves and turns
+    assert stopped[0] == pytest.approx(SPEED - impulse / (C_M * MASS), rel=2e-3)
+    assert abs(stopped[1]) == pytest.approx(impulse * OFFSET / (C_M * MASS * r**2), rel=2e-3)
+    assert course["yaw"][-1] == pytest.approx(np.trapezoid(course["yaw_velocity"], t), rel=1e-3)
+    force, deep, energies = pictures[0].axes
+    assert [axis.get_ylabel() for axis in pictures[0].axes] == ["reaction, kN", "deflection, m", "energy, kJ"]
+    assert energies.get_xlabel() == "time from contact, s"
+    assert force.lines[0].get_xydata() == pytest.approx(
+        np.stack([t, course["reaction_1"] / 1e3], 1), rel=1e-6, abs=1e-6
+    )
+    assert deep.lines[0].get_xydata() == pytest.approx(np.stack([t, course["deflection_1"]], 1), rel=1e-6, abs=1e-6)
+    drawn = {line.get_label(): line.get_ydata() for line in energies.lines}
+    assert drawn["in fenders and lost in them"] == pytest.approx(course["energy_fenders"] / 1e3, rel=1e-6, abs=1e-6)
+    assert np.all(drawn["in waves"] == 0)
+    assert drawn["kinetic-energy method"][0] == pytest.approx(energy, rel=1e-9)
+
+
+def test_a_second_fender_behind_the_first_takes_part_when_its_gap_is_closed(tmp_path, asked):
+    """Both at midship, 0.1 m apart: up to there ½ k x², then ½ k (x² + (x − 0.1)²) = ½ m V²"""
+    text = STUDY.replace(f"offset = {OFFSET}", "offset = 0.0")
+    path = written(tmp_path, text + FENDER + "x = 0.0\n" + FENDER + "x = 0.0\ngap = 0.1\n")
+    _, said = asked("berth", path)
+    # k x² − 0.1 k x + 0.005 k − ½ m V² = 0
+    c = 0.005 - 0.5 * C_M * MASS * SPEED**2 / K
+    x = (0.1 + math.sqrt(0.01 - 4 * c)) / 2
+    lines = [line for line in said.splitlines() if "at x = 0 m" in line]
+    for line, deep in zip(lines, (x, x - 0.1), strict=True):
+        found = numbers(line.split("m:")[1])
+        assert found == pytest.approx([deep, 100 * deep / 2, K * deep], rel=2e-3, abs=0.06)
+    whole = numbers(line_of(said, "in time"))
+    assert whole[3] == pytest.approx(K * (2 * x - 0.1), rel=2e-3)
+
+
+def test_a_ship_that_comes_at_an_angle_meets_the_fender_ahead_first(tmp_path, asked):
+    """Bow nearer above 0: the gap at x is less by x tan α, so that of two fenders that ahead is met first"""
+    for angle, first in ((2.0, 60.0), (-2.0, -60.0)):
+        text = STUDY.replace(f"offset = {OFFSET}\n", f"angle_deg = {angle}\n")
+        path = written(tmp_path, text + FENDER + "x = -60.0\n" + FENDER + "x = 60.0\n")
+        _, said = asked("berth", path)
+        C_e = 1 / (1 + (first / (L / 4)) ** 2)
+        assert numbers(line_of(said, "C_e"))[3:] == pytest.approx([first, C_e], rel=1e-3)
+
+
+def test_the_eccentricity_is_of_the_contact_from_the_centre_of_gravity(tmp_path, asked):
+    """A fender at x = 40 m of a ship whose centre lies 5 m ahead of midship is met 35 m from it; and the offset of an
+    eccentricity is r √(1/C_e − 1), here of a radius of gyration that is given"""
+    text = STUDY.replace(f"offset = {OFFSET}\n", "").replace("[approach]", "center = 5.0\n[approach]")
+    _, said = asked("berth", written(tmp_path, text + FENDER + "x = 40.0\n"))
+    found = numbers(line_of(said, "C_e"))
+    assert found[3] == pytest.approx(35.0) and found[4] == pytest.approx(1 / (1 + (35 / 75) ** 2), abs=6e-4)
+    text = STUDY.replace(f"offset = {OFFSET}", "eccentricity = 0.64")
+    text = text.replace("[approach]", "gyration = 80.0\n[approach]")
+    _, said = asked("berth", written(tmp_path, text + FENDER))
+    assert numbers(line_of(said, "C_e"))[3:] == pytest.approx([80.0 * math.sqrt(1 / 0.64 - 1), 0.64], rel=1e-3)
+
+
+@pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])
+def test_a_dolphin_fails_above_the_force_at_which_it_yields(tmp_path, asked, share, status):
+    """At 1.1 of its reaction the fender pushes √(2E k'), 1/k' = 1/(1.1 k) + 1/κ, as long as the dolphin is elastic"""
+    kappa, C_e = 34000.0, 1 / (1 + (OFFSET / (L / 4)) ** 2)
+    R = math.sqrt(C_M * MASS * SPEED**2 * C_e / (1 / (1.1 * K) + 1 / kappa))
+    dolphin = f"dolphin = {kappa}\ndolphin_yield = {R / share:.3f}\ndolphin_beyond = {kappa / 4}\nx = {OFFSET}\n"
+    _, said = asked("berth", written(tmp_path, STUDY + FENDER + dolphin), status=status)
+    assert ("FAILS: at 1.1 of its reaction the fender pushes the dolphin with" in said) is bool(status)
+    if status:
+        pushes, yields = numbers(line_of(said, "pushes the dolphin"))[1:3]
+        assert yields == pytest.approx(R / share, rel=1e-3) and yields < pushes < R * 1.001
+
+
+@pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])
+def test_a_fender_in_the_course_in_time_fails_above_what_the_softest_of_its_batch_takes(tmp_path, asked, share, status):
+    """The second of two at midship, 0.02 m behind, that is rated at 10 % of its height: ½ 0.9 k 0.2² kJ against
+    ½ k x₂², times the factors of the study, which the course in time knows nothing of"""
+    limit, k2 = math.sqrt(0.9) * 0.2, K
+    x = limit * math.sqrt(share / 1.2) + 0.02  # of the first
+    speed = math.sqrt((K * x**2 + k2 * (x - 0.02) ** 2) / (C_M * MASS))
+    text = STUDY.replace(f"offset = {OFFSET}", "offset = 0.0\nabnormal = 1.2").replace(
+        f"speed = {SPEED}", f"speed = {speed:.8f}"
+    )
+    second = FENDER.replace("rated_strain = 0.4", "rated_strain = 0.1")
+    path = written(tmp_path, text + FENDER + "x = 0.0\n" + second + "x = 0.0\ngap = 0.02\n")
+    _, said = asked("berth", path, status=status)
+    assert ("FAILS: energy in time of the fender at x = 0 m" in said) is bool(status)
+
+
+def test_fifty_berthings_have_these_medians_and_quartiles(capsys):
+    """Of the printed energies and sizes, again: E = ½ C_M M V²/(1 + (l/r)²), M in ktonf of g = 9.8, ρ = 1.03 tonf/m³;
+    within what cut speeds allow: absorbed between E of V and of V + 1 cm/s"""
+    folder = Path(berthing.__file__).parent / "tables"
+    text = [line for line in (folder / "field.csv").read_text().splitlines() if not line.startswith("#")]
+    ratios = {"older": [], "Ueda 1981": []}
+    inside = {"older": [], "Ueda 1981": []}
+    for row in csv.DictReader(text):
+        keys = ("displacement_ktonf", "length_m", "draft_m", "speed_cm_s", "gyration_m", "offset_m", "absorbed_tonfm")
+        if row["doubt"] or not all(row[key] for key in (*keys, "beam_m", "eccentricity")):
+            continue
+        W, length, draft, v, r, offset, absorbed = (float(row[key]) for key in keys)
+        if not absorbed > 0:
+            continue
+        for name, share in (("older", math.pi / 4), ("Ueda 1981", math.pi / 2)):
+            virtual = W + share * 1.03e-3 * draft**2 * length  # ktonf
+            effective = 0.5 * virtual * 1e3 / 9.8 * (v / 100) ** 2 / (1 + (offset / r) ** 2)  # tonf m
+            ratios[name].append(absorbed / effective)
+            inside[name].append(1 <= absorbed / effective <= ((v + 1) / v) ** 2)
+    assert main(["berth", "--measured"]) == 0
+    first, *lines = capsys.readouterr().out.splitlines()
+    assert first.startswith("50 ships, 100 contacts")
+    for line, (name, values) in zip(lines, ratios.items(), strict=True):
+        assert name in line
+        median, low, high, count, share = numbers(line.split("median")[1])
+        assert [low, median, high] == pytest.approx(np.quantile(values, [0.25, 0.5, 0.75]), rel=0.015)
+        assert count == len(values) and share == pytest.approx(100 * np.mean(inside[name]), abs=0.51)

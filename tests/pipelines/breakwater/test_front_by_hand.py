@@ -1,0 +1,93 @@
+"""The best designs of a breakwater where tension and height behind are known functions of what varies."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.pipelines.breakwater import pareto
+from hakobune.pipelines.common.quantities import StudyError
+
+
+def study(samples=8, limits=3, **ranges):
+    asked = {key: None for key in pareto.KEYS} | ranges
+    return SimpleNamespace(optimisation=SimpleNamespace(samples=samples, limits=limits, **asked))
+
+
+def known(monkeypatch, of, asked):
+    """The `Front` where objectives are `of`; appends (values, few) of every call to asked"""
+
+    def objectives(study, values, few):
+        asked.append((dict(values), few))
+        return of(values)
+
+    monkeypatch.setattr(pareto, "objectives", objectives)
+
+
+def test_the_front_has_what_no_other_design_beats(monkeypatch):
+    """Tension rises with draft and with width off 10 m, which gains nothing: every design of the front is 10 m wide"""
+    asked = []
+    known(monkeypatch, lambda v: (1e3 * v["draft"] * (1 + (v["width"] - 10) ** 2), 1 / v["draft"]), asked)
+    found = pareto.front(study(samples=16, limits=4, draft=(4.0, 6.0), width=(8.0, 12.0)))
+    assert set(found.names) == {"draft", "width"}
+    at = {name: found.designs[:, i] for i, name in enumerate(found.names)}
+    assert found.tension == pytest.approx(1e3 * at["draft"] * (1 + (at["width"] - 10) ** 2))
+    assert found.behind == pytest.approx(1 / at["draft"])
+    assert np.all(np.diff(found.tension) > 0) and np.all(np.diff(found.behind) < 0)
+    assert np.all((at["draft"] >= 4) & (at["draft"] <= 6)) and np.median(abs(at["width"] - 10)) < 0.1
+    tried = {tuple(values.values()) for values, few in asked if few}
+    assert found.trials == len(tried) >= 16 and len([1 for _, few in asked if few]) == len(tried)  # each once
+    for values in tried:  # nothing that was tried is better in both
+        tension, behind = 1e3 * values[0] * (1 + (values[1] - 10) ** 2), 1 / values[0]
+        assert not np.any((tension < found.tension * (1 - 1e-9)) & (behind < found.behind * (1 - 1e-9)))
+    whole = [values for values, few in asked if not few]
+    assert len(whole) >= len(found.designs)
+
+
+def test_every_sample_is_tried_before_the_best_are_refined(monkeypatch):
+    """Sobol's points in one direction: of eight, one in each eighth of the range"""
+    asked = []
+    known(monkeypatch, lambda v: (v["draft"], 1.0), asked)
+    found = pareto.front(study(draft=(4.0, 8.0)))
+    first = np.sort([values["draft"] for values, _ in asked[:8]])
+    assert np.floor((first - 4) / 0.5).tolist() == list(range(8))
+    assert len(found.tension) == 1 and found.tension[0] == min(values["draft"] for values, few in asked if few)
+
+
+def test_designs_that_do_not_hold_are_left_out_and_none_is_refused(monkeypatch):
+    known(monkeypatch, lambda v: None if v["draft"] < 6 else (v["draft"], 1 / v["draft"]), [])
+    found = pareto.front(study(draft=(4.0, 8.0)))
+    assert found.designs.min() >= 6 and found.designs.max() == pytest.approx(8.0, abs=0.1)
+    known(monkeypatch, lambda v: None, [])
+    with pytest.raises(StudyError, match="none of 8 designs holds its lines taut; give other ranges"):
+        pareto.front(study(draft=(4.0, 8.0)))
+
+
+@pytest.mark.parametrize("one, other, better", [
+    ((1, 1), (2, 2), True), ((1, 2), (1, 3), True), ((1, 2), (2, 2), True), ((1, 2), (1, 2), False),
+    ((1, 3), (2, 2), False), ((2, 1), (1, 1), False),
+])  # fmt: skip
+def test_a_design_is_better_where_it_is_worse_in_neither(one, other, better):
+    assert pareto._better(one, other) is better
+
+
+@pytest.mark.parametrize("holding, width, draft", [("free", 6.0, 3.0), ("taut", 8.0, 5.0), ("fixed", 8.0, 5.0)])
+@pytest.mark.parametrize("given, taken", [(None, 0.75), (0.2, 0.2)])
+def test_the_keel_that_loses_head_is_that_of_the_body_as_it_floats(monkeypatch, holding, width, draft, given, taken):
+    """Without lines it floats higher and narrower; amplitudes are half the waves' height where none is given"""
+    from hakobune.mooring.breakwater import loss
+    from hakobune.pipelines.breakwater.curves import _with_loss
+
+    monkeypatch.setattr(loss, "with_loss", lambda made, *others: (made, *others))
+    water, study = SimpleNamespace(gravity=9.8), SimpleNamespace(loss=SimpleNamespace(coefficient=1.5))
+    study.water, study.waves = water, SimpleNamespace(height=1.5)
+    held, afloat = (SimpleNamespace(waterline=w, draft=d) for w, d in ((8.0, 5.0), (6.0, 3.0)))
+    body = SimpleNamespace(study=study, loses_exactly=False, depth=lambda rise: 10.0 + rise, mirrored=lambda one: one,
+                           wetted=lambda rise: held, afloat=lambda rise: (None, afloat))  # fmt: skip
+    made, coefficient, amplitude, omega, keel = _with_loss(body, "made", holding, 1.0, "omega", given)
+    assert (made, coefficient, amplitude, omega) == ("made", 1.5, taken, "omega")
+    assert tuple(keel) == (width / 2, draft, 11.0, 9.8)
+    body.loses_exactly = True
+    assert _with_loss(body, "made", holding, 1.0, "omega", given) == "made"
+    study.loss, body.loses_exactly = None, False
+    assert _with_loss(body, "made", holding, 1.0, "omega", given) == "made"

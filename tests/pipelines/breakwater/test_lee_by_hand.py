@@ -1,0 +1,249 @@
+"""Waves behind units of finite length: what holds a unit, which waves come, which databases are refused, by hand."""
+
+import math
+import tomllib
+from dataclasses import dataclass
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.pipelines.breakwater import lee, report
+from hakobune.pipelines.breakwater.build import Breakwater
+from hakobune.pipelines.breakwater.study import make_breakwater
+from hakobune.pipelines.common.quantities import StudyError
+
+RHO, G, BEAM, DRAFT, DEPTH, L, ANGLE, SPACING = 1025.0, 9.80665, 10.0, 5.0, 10.0, 40.0, math.radians(60), 4.0
+FREE, CENTER, GYRATION, EA = 3.4, 3.0, 4.4, 2e4  # m, m, m, kN
+MASS, LINE = RHO * BEAM * FREE, (DEPTH - DRAFT) / math.sin(ANGLE)  # kg/m, m
+PULL = RHO * G * BEAM * (DRAFT - FREE) / (2 * math.sin(ANGLE))  # N/m
+STUDY = f"""
+name = "wall"
+holdings = ["HOLDING"]
+[water]
+depth = {DEPTH}
+density = {RHO}
+gravity = {G}
+[section]
+shape = "rectangle"
+beam = {BEAM}
+height = 6.7
+draft = {DRAFT}
+[body]
+free_draft = {FREE}
+center_of_gravity = {CENTER}
+gyration = {GYRATION}
+[lines]
+angle_deg = 60.0
+attachment = 5.0
+spacing = {SPACING}
+axial_stiffness_kN = {EA}
+[waves]
+height = 0.5
+obliquity_deg = 20.0
+periods = [6.0, 8.0, 10.0]
+"""
+SEA = (
+    '[sea]\nspectrum = "mitsuyasu_bretschneider"\nheight = 1.0\nsignificant_period = 7.0\nduration_hours = 2.0\n'
+    "obliquity_deg = 10\n"
+)
+SHORT, LONG = 3.0, 20.0  # s
+
+
+def breakwater(holding, more="[map]\nperiod = 7.0\n"):
+    return Breakwater(make_breakwater(tomllib.loads(STUDY.replace("HOLDING", holding) + more)))
+
+
+@dataclass(frozen=True)
+class Unit:
+    rotation_center: tuple = (0.0, 0.0, 0.0)
+    inertia: object = None
+    stiffness: object = None
+    damping: object = 1.0
+    own: bool = True
+    viscous: object = 1.0
+    between: object = None
+
+
+def unit(short=SHORT, long=LONG):
+    return Unit(between=SimpleNamespace(span=(2 * math.pi / long, 2 * math.pi / short)))
+
+
+def test_a_unit_afloat_has_its_weight_and_the_stiffness_of_water():
+    """C₃₃ = ρgLB, C₄₄ and C₅₅ = ρgL B (B² or L²)/12 + ρgV (z_B − z_G), z_G 0.4 m under water, no lines' stiffness"""
+    held = lee.held(breakwater("free"), unit(), L)
+    weight, z = RHO * G * L * BEAM * FREE, CENTER - FREE
+    righting = weight * (-FREE / 2 - z)
+    area = RHO * G * L * BEAM
+    expected = np.diag([0, 0, area, area * BEAM**2 / 12 + righting, area * L**2 / 12 + righting, 0])
+    assert held.stiffness == pytest.approx(expected, rel=1e-9)
+    mass = MASS * L
+    assert np.diag(held.inertia)[:4] == pytest.approx([mass, mass, mass, mass * (GYRATION**2 + z**2)])
+    half = mass * GYRATION**2 / 2
+    assert np.diag(held.inertia)[4:] == pytest.approx([half + mass * (L**2 / 12 + z**2), half + mass * L**2 / 12])
+    assert held.inertia[0, 4] == pytest.approx(mass * z) and held.inertia[1, 3] == pytest.approx(-mass * z)
+    assert np.all(held.damping == 0) and (held.own, held.viscous) == (False, None)
+
+
+def test_elastic_lines_add_their_springs_to_the_stiffness_of_water():
+    """Per metre of body EA/S = 2 · 10⁴ kN over spacing and length; pretension P₀/S across the line"""
+    held = lee.held(breakwater("elastic"), unit(), L)
+    along, across = 1e3 * EA / SPACING / LINE, PULL / LINE
+    s2, c2 = math.sin(ANGLE) ** 2, math.cos(ANGLE) ** 2
+    assert held.stiffness[2, 2] == pytest.approx(RHO * G * BEAM * L + 2 * L * (along * s2 + across * c2))
+    assert held.stiffness[1, 1] == pytest.approx(2 * L * (along * c2 + across * s2))
+    assert held.stiffness[0, 0] == pytest.approx(2 * L * across)
+    places = (np.arange(10) + 0.5) * SPACING - L / 2
+    yaw = 2 * SPACING * np.sum(places**2 * (along * c2 + across * s2) + 5.0**2 * across)
+    turned = 2 * L * PULL * 5.0 * math.cos(ANGLE)  # a pull outwards at arms of 5 m turns the unit back
+    assert held.stiffness[5, 5] == pytest.approx(yaw + turned, rel=1e-9)
+
+
+def test_taut_lines_are_a_million_times_as_stiff_as_the_water():
+    held = lee.held(breakwater("taut"), unit(), L)
+    assert held.stiffness[2, 2] == pytest.approx(2 * L * 1e6 * RHO * G * BEAM * math.sin(ANGLE) ** 2, rel=1e-5)
+
+
+def test_a_database_about_a_point_off_the_middle_is_refused():
+    for center in ((0.1, 0, 0), (0, -0.1, 0)):
+        with pytest.raises(StudyError, match="off the middle"):
+            lee.held(breakwater("free"), Unit(center), L)
+
+
+def test_tensions_of_a_unit_are_what_its_motions_stretch():
+    """1 m up stretches both lines by sin α; 1 m to leeward the front one by cos α, the back one shortens"""
+    assert lee._pulls(breakwater("free"), L, 0.0) == lee._pulls(breakwater("fixed"), L, 0.0) == (None, None)
+    where, pulled = lee._pulls(breakwater("elastic"), L, 0.0)
+    assert where == pytest.approx((np.arange(10) + 0.5) * SPACING - L / 2)
+    along = 1e3 * EA / SPACING / LINE
+    assert pulled(np.eye(6)[[2]])[0] == pytest.approx(np.full((2, 10), along * math.sin(ANGLE)))
+    front, back = pulled(np.eye(6)[[1]])[0]
+    assert front == pytest.approx(along * math.cos(ANGLE)) and back == pytest.approx(-along * math.cos(ANGLE))
+    pitch = pulled(np.eye(6)[[4]])[0]  # bow down: what lies at x rises by −x
+    assert pitch == pytest.approx(np.tile(-along * math.sin(ANGLE) * where, (2, 1)))
+
+
+def test_regular_waves_come_at_the_study_s_obliquity():
+    """90° is to leeward, 20° of obliquity 70°"""
+    omega, ways, share, words = lee.waves_of(breakwater("free").study, unit())
+    assert (omega[0], ways[0, 0], share[0]) == pytest.approx((2 * math.pi / 7, math.radians(70), 1.0))
+    assert words == "regular waves of 7 s at 20° with the normal"
+
+
+@pytest.mark.parametrize("period, inside", [(2.99, False), (3.01, True), (19.9, True), (20.1, False)])
+def test_regular_waves_outside_the_database_are_refused(period, inside):
+    study = breakwater("free", f"[map]\nperiod = {period}\n").study
+    if inside:
+        assert lee.waves_of(study, unit())[0] == pytest.approx([2 * math.pi / period])
+        return
+    with pytest.raises(StudyError, match=f"map.period is {period} s; the database has 3 to 20"):
+        lee.waves_of(study, unit())
+
+
+def energy(short, long, height=1.0, period=7.0):
+    """Share of Bretschneider–Mitsuyasu's energy between two periods: exp(−1.03 (T/T₁/₃)⁴), from the shortest wave"""
+    return math.exp(-1.03 * (short / period) ** 4) - math.exp(-1.03 * (long / period) ** 4)
+
+
+def test_a_sea_in_the_database_is_parted_into_cells_of_equal_energy():
+    omega, ways, share, words = lee.waves_of(breakwater("free", SEA + "[map]\n").study, unit(0.5, 60.0))
+    assert len(omega) == 16 and share == pytest.approx(np.full(16, 1 / 16), rel=1e-4) and np.all(np.diff(omega) > 0)
+    assert ways == pytest.approx(np.full((16, 1), math.radians(80.0)))
+    assert words == "the sea, long crests, at 10° with the normal"
+    each = [1 - energy(0.0, 2 * math.pi / w) for w in omega]  # energy of all that is longer than its middle
+    assert np.array(each) == pytest.approx(
+        (np.arange(16) + 0.5) / 16, abs=0.03
+    )  # outermost cells: middle by its logarithm
+
+
+@pytest.mark.parametrize("short, cells", [(3.0, 15), (4.43, 14)])
+def test_nine_tenths_of_a_sea_are_to_be_in_the_database(short, cells):
+    """15 of 16 cells are enough, 14 are not: 94 and 88 %"""
+    study, there = breakwater("free", SEA + "[map]\n").study, unit(short, 60.0)
+    if cells == 15:
+        omega, _, share, words = lee.waves_of(study, there)
+        assert len(omega) == 15 and share.sum() == pytest.approx(1)
+        assert words == "the sea, long crests, at 10° with the normal, 94% of it, in the database"
+        return
+    with pytest.raises(StudyError, match=f"has {short} to 60 s, 88% of the sea's energy; allowed: 90%"):
+        lee.waves_of(study, there)
+
+
+def test_crests_that_are_short_come_from_ways_of_equal_energy():
+    spread = SEA.replace("obliquity_deg = 10", 'obliquity_deg = 0\nspreading = "cosine:2"')
+    study = breakwater("free", spread + "[map]\n").study
+    _, ways, _, words = lee.waves_of(study, unit(0.5, 60.0))
+    assert ways.shape == (16, 10) and ways.mean(axis=1) == pytest.approx(np.full(16, math.pi / 2))
+    assert words.startswith("the sea, cosine:2, at 0°")
+    assert np.sin(ways - np.pi / 2).std(axis=1) == pytest.approx(
+        np.full(16, 0.5), abs=0.02
+    )  # ⟨sin²⟩ of 2/π cos² is 1/4
+
+
+def test_maps_show_as_far_behind_as_the_row_is_long():
+    x, y = lee._grid(breakwater("free").study.map, 80.0, 5.0)
+    assert (x[0], x[-1], y[0], y[-1], len(x), len(y)) == pytest.approx((-60, 60, -40, 120, 61, 61))
+    x, y = lee._grid(breakwater("free", "[map]\nperiod=7\nx=[-1,2]\ny=[3,4]\npoints=3\n").study.map, 80.0, 5.0)
+    assert list(x) == [-1, 0.5, 2] and list(y) == [3, 3.5, 4]
+
+
+def database(beam=BEAM, draft=DRAFT, volume=BEAM * DRAFT * L, depth=DEPTH, density=RHO, gravity=G):
+    points = np.array([[x, y, z] for x in (-L / 2, L / 2) for y in (-beam / 2, beam / 2) for z in (-draft, 0)])
+    return SimpleNamespace(
+        mesh=SimpleNamespace(whole=lambda: SimpleNamespace(points=points)),
+        water_depth=depth,
+        density=density,
+        gravity=gravity,
+        displaced_volume=volume,
+    )
+
+
+@pytest.mark.parametrize("key, name, value", [
+    ("depth", "depth", DEPTH), ("density", "density", RHO), ("gravity", "gravity", G), ("draft", "draft", DRAFT),
+    ("volume", "displaced volume", BEAM * DRAFT * L), ("beam", "breadth", BEAM),
+])  # fmt: skip
+def test_a_database_may_differ_by_two_per_cent_from_the_study(key, name, value):
+    asked = breakwater("free")
+    for factor in (0.985, 1.015):
+        assert lee._check_same(asked, database(**{key: value * factor})) == pytest.approx(L)
+    for factor in (0.975, 1.025):
+        with pytest.raises(StudyError, match=f"the database has {name} {value * factor:.5g}, the study {value:.5g}"):
+            lee._check_same(asked, database(**{key: value * factor}))
+
+
+def test_a_database_of_deep_water_is_refused():
+    for depth in (None, math.inf):
+        with pytest.raises(StudyError, match="is of deep water"):
+            lee._check_same(breakwater("free"), database(depth=depth))
+
+
+def test_gaps_below_the_depth_and_far_fields_that_are_missed_are_told():
+    """Waves that decay over the depth keep e^(−πg/h) over a gap"""
+    asked = breakwater("free")
+    row = [f"[map]\nperiod = 7\nunits = 2\ngap = {gap}\n" for gap in (5.0, 10.0)]
+    near, far = (breakwater("free", text).study.map for text in row)
+    said = list(lee._remarks(asked, near, 0.0199))
+    assert len(said) == 1 and "map.gap is 5 m, less than the depth of 10 m" in said[0]
+    assert f"{math.exp(-math.pi / 2):.0%} of them" in said[0]
+    assert list(lee._remarks(asked, far, 0.02)) == list(lee._remarks(asked, asked.study.map, 0.0)) == []
+    assert next(iter(lee._remarks(asked, far, 0.0201))).startswith("the waves close to the body are fitted to 2.0% of")
+
+
+def test_what_is_told_of_waves_behind():
+    found = SimpleNamespace(
+        front=None, sea=None, pretension=None, snapping=None,
+        lee=SimpleNamespace(
+            units=np.zeros((3, 2)), half=np.array([20.0, 5.0]), waves="waves", behind=[(15.0, 0.5), (65.0, 0.75)],
+            lines=np.array([-10.0, 0.0, 10.0]), tension=np.array([[1e3, 2e3, 5e3], [4e3, 3e3, 2e3]]),
+        ),
+    )  # fmt: skip
+    said = list(report._lines(None, found))
+    assert said == [
+        "behind 3 units of 40 m in waves, K over their breadth, height over that of the waves that come:",
+        "  0.500 at 15 m, 0.750 at 65 m",
+        "  tensions of a unit alone, kN/m for each metre of wave amplitude, the largest along it: front 5 at x = 10 m, "
+        "back 4 at x = -10 m",
+    ]
+    found.lee.units, found.lee.tension = np.zeros((1, 2)), None
+    assert next(iter(report._lines(None, found))).startswith("behind 1 unit of 40 m")
+    assert len(list(report._lines(None, found))) == 2

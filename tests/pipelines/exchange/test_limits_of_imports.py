@@ -1,0 +1,87 @@
+"""Which flags, hulls and numbers `hakobune import` takes, each on both sides of its limit."""
+
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.bem.database.schema import DOFS
+from hakobune.bem.formats.values import FormatError
+from hakobune.pipelines.exchange import importing
+
+SILENT = ("water_depth", "density", "gravity", "length_unit")
+KNOWN = {"water_depth": 20.0, "density": 1025.0, "gravity": 9.8, "length_unit": None}
+
+
+def check(folder, silent=SILENT, name="out.h5", fresh=False, place="in.1", **known):
+    return importing._check(SimpleNamespace(silent=silent), KNOWN | known, folder / name, fresh, folder / place)
+
+
+@pytest.mark.parametrize("known, says", [
+    ({}, None), ({"water_depth": None}, "--depth is missing"), ({"water_depth": 0.0}, "water_depth is 0; allowed"),
+    ({"water_depth": np.inf}, None), ({"density": 0.0}, "density is 0; allowed"),
+    ({"gravity": -9.8}, "gravity is -9.8"),
+    ({"length_unit": 1e-3}, None), ({"length_unit": 0.0}, "--length-unit is 0 m; allowed: above 0"),
+    ({"length_unit": np.inf}, "--length-unit is inf m"), ({"length_unit": -1.0}, "--length-unit is -1 m"),
+])  # fmt: skip
+def test_what_files_do_not_say_is_to_be_given(tmp_path, known, says):
+    if says is None:
+        check(tmp_path, **known)
+        return
+    with pytest.raises(ValueError, match=re.escape(says)):
+        check(tmp_path, **known)
+
+
+def test_what_files_say_is_not_asked_and_their_unit_not_given(tmp_path):
+    check(tmp_path, silent=(), water_depth=None, density=0.0)
+    with pytest.raises(ValueError, match="--length-unit is given, and these files say their units"):
+        check(tmp_path, silent=(), length_unit=1.0)
+
+
+def test_a_file_that_is_there_is_replaced_by_fresh_alone_and_never_the_source(tmp_path):
+    (tmp_path / "out.h5").write_text("")
+    check(tmp_path, fresh=True)
+    with pytest.raises(ValueError, match=r"out.h5 is there already; give --fresh"):
+        check(tmp_path)
+    with pytest.raises(ValueError, match="is there already"):
+        check(tmp_path, fresh=True, place="out.h5")
+
+
+def values(sway=1.0, inertia=None):
+    added = np.zeros((2, 6, 6))
+    added[1] = np.diag([1, sway, 1, 1, 1, 1])
+    held = {"added_mass": added, "inertia_matrix": inertia}
+    return SimpleNamespace(get=held.__getitem__)
+
+
+def test_motions_without_added_mass_and_missing_inertia_are_told():
+    assert list(importing._remarks(Path("a.1"), (), values(inertia=np.eye(6)))) == []
+    (said,) = importing._remarks(Path("a.1"), (), values(0.0, np.eye(6)))
+    assert said == f"{DOFS[1]} has no added mass in the files, which is stored as 0: the motion is not in them"
+    (said,) = importing._remarks(Path("a.1"), (), values())
+    assert said.startswith("no inertia_matrix in it: no motions follow from this database; give --gyration")
+    told = list(importing._remarks(Path("a.1"), ("ULEN 1 m of a.gdf", "ULEN 2 m of a.gdf"), values(inertia=np.eye(6))))
+    assert told == ["ULEN 2 m of a.gdf is taken"]
+    assert importing._sizes(values(-3.0)) == pytest.approx([1, 3, 1, 1, 1, 1])
+
+
+def test_frequencies_with_a_number_that_is_not_finite_are_left_out_everywhere():
+    from dataclasses import dataclass
+
+    @dataclass
+    class Values:
+        omega: np.ndarray
+        quantities: dict
+
+    a, b = np.arange(6.0).reshape(3, 2), np.arange(3.0)
+    made = Values(np.array([0.1, 0.2, 0.3]), {"a": a, "b": b})
+    assert importing._finite(made) == (made, {})
+    a[1, 1], b[2] = np.nan, np.inf
+    kept, left = importing._finite(made)
+    assert list(kept.omega) == [0.1] and left == {"a": "0.2", "b": "0.3"}
+    assert kept.quantities["a"].tolist() == [[0, 1]] and kept.quantities["b"].tolist() == [0]
+    a[0, 0] = np.inf
+    with pytest.raises(FormatError, match="no frequency has only finite numbers: a, b"):
+        importing._finite(made)

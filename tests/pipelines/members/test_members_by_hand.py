@@ -1,0 +1,124 @@
+"""`hakobune members` in a low wave, by hand: forces, phases, moments, totals, and its picture; limits on both sides."""
+
+import math
+
+import numpy as np
+import pytest
+
+from hakobune.pipelines.cli import main
+
+RHO, G, DEPTH, PERIOD, HEIGHT, D, C_M = 1025.0, 9.80665, 12.0, 8.0, 0.02, 1.2, 2.0
+W = 2 * math.pi / PERIOD
+K = W * W / G
+for _ in range(300):
+    K = W * W / (G * math.tanh(K * DEPTH))
+
+
+def pile(name, x, y=0.0, top=3.0, **more):
+    words = {"drag": 0.0, "width": D, "shape": '"circular"'} | more
+    table = "".join(f"{key} = {value}\n" for key, value in words.items())
+    return f'[[members]]\nname = "{name}"\nstart = [{x}, {y}, -{DEPTH}]\nend = [{x}, {y}, {top}]\n{table}'
+
+
+def written(folder, *tables, height=HEIGHT, direction="direction_deg = 0"):
+    path = folder / "study.toml"
+    wave = f"[wave]\nheight = {height}\nperiod = {PERIOD}\n{direction}\n" if height else ""
+    path.write_text(f"[water]\ndepth = {DEPTH}\n{wave}{''.join(tables)}")
+    return path
+
+
+def inertia(width=D, coefficient=C_M):
+    """kN, amplitude of ρ g a C_M A tanh kh"""
+    return RHO * G * HEIGHT / 2 * coefficient * math.pi / 4 * width**2 * math.tanh(K * DEPTH) / 1e3
+
+
+ARM = DEPTH - (1 - 1 / math.cosh(K * DEPTH)) / (K * math.tanh(K * DEPTH))  # of inertia above the foot
+
+
+def rows_of(table):
+    return {row.pop(""): {key: float(value) for key, value in row.items()} for row in table["rows"]}
+
+
+def test_inertia_of_piles_that_stand_apart_adds_with_their_phases(tmp_path, asked, pictures):
+    """At x the force is sin(kx − ωt): 90° ahead of the crest; two apart by kx = φ make 2 cos φ/2 of one"""
+    x = 9.0
+    path = written(tmp_path, pile("here", 0.0), pile("there", x))
+    (table,), said = asked("members", path, "--plot", tmp_path / "p.png")
+    rows, F = rows_of(table), inertia()
+    phase = math.degrees(K * x)
+    for name, at in (("here", 0.0), ("there", phase)):
+        assert rows[name]["force kN"] == pytest.approx(F, rel=2e-3)
+        assert abs(rows[name]["Fx kN"]) == pytest.approx(F, rel=2e-3) and abs(rows[name]["Fy kN"]) < 1e-6
+        found = rows[name]["force kN at phase °"]
+        assert min(abs((found - at - 90) % 180), 180 - abs((found - at - 90) % 180)) < 1.6
+        assert rows[name]["moment kN m"] == pytest.approx(F * ARM, rel=3e-3)
+    both = rows["all in the water"]
+    assert both["force kN"] == pytest.approx(2 * F * abs(math.cos(K * x / 2)), rel=2e-3)
+    assert both["moment kN m"] == pytest.approx(2 * F * ARM * abs(math.cos(K * x / 2)), rel=3e-3)
+    length = 2 * math.pi / K
+    assert f"wave of {HEIGHT:g} m, {length:.4g} m long; linear theory up to the surface (Wheeler)" in said
+    (axis,) = pictures[0].axes
+    lines = {line.get_label(): line.get_data() for line in axis.lines}
+    degrees, force = lines["here"]
+    assert degrees == pytest.approx(np.arange(360)) and force == pytest.approx(
+        F * np.abs(np.sin(np.radians(degrees))), abs=3e-3 * F
+    )
+    assert lines["all in the water"][1].max() == pytest.approx(both["force kN"], rel=1e-3)
+    assert (axis.get_xlabel(), axis.get_ylabel()) == ("phase, °, crest at the origin at 0", "force, kN")
+
+
+@pytest.mark.parametrize("change, share", [
+    ({"growth": 0.15}, (1.5 / 1.2) ** 2),  # grows all around
+    ({"inertia": 1.7}, 0.85), ({"shape": '"square"'}, 2.19 * 4 / (2 * math.pi)),  # DNV-RP-C205, appendix D
+])  # fmt: skip
+def test_growth_coefficients_and_shapes_change_inertia_by_the_section(tmp_path, asked, change, share):
+    (table,), _ = asked("members", written(tmp_path, pile("one", 0.0, **change)))
+    assert rows_of(table)["one"]["force kN"] == pytest.approx(share * inertia(), rel=3e-3)
+
+
+def test_waves_that_come_from_the_side_push_the_other_way(tmp_path, asked):
+    """incidence 90° is from +y: towards −y; a pile aside of the origin makes a moment about z"""
+    path = written(tmp_path, pile("one", 5.0), direction="incidence_deg = 90")
+    (table,), _ = asked("members", path)
+    rows, F = rows_of(table), inertia()
+    assert abs(rows["one"]["Fy kN"]) == pytest.approx(F, rel=2e-3) and abs(rows["one"]["Fx kN"]) < 1e-6
+    assert rows["one"]["moment kN m"] == pytest.approx(F * ARM, rel=3e-3)
+    assert rows["all in the water"]["moment kN m"] == pytest.approx(F * math.hypot(ARM, 5.0), rel=3e-3)
+
+
+@pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])
+def test_a_member_as_wide_as_a_fifth_of_the_wave_scatters_it(tmp_path, asked, share, status):
+    width = 0.2 * 2 * math.pi / K * share
+    _, said = asked("members", written(tmp_path, pile("wide", 0.0, width=width)), status=status)
+    assert (f"FAILS: wide: {width:.3g} m wide, limit 0.2 of the wave's {2 * math.pi / K:.3g} m" in said) is bool(status)
+
+
+@pytest.mark.parametrize("share, refused", [(0.99, False), (1.01, True)])
+def test_a_wave_breaks_above_the_limit_of_miche(tmp_path, capsys, share, refused):
+    """0.142 λ tanh kh"""
+    limit = 0.142 * 2 * math.pi / K * math.tanh(K * DEPTH)
+    status = main(["members", str(written(tmp_path, pile("one", 0.0, top=9.0), height=limit * share))])
+    assert (status == 2) is refused
+    assert not refused or f"a wave of 8 s breaks at {limit:.3g} m in 12 m of water" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("growth, says", [(0.0, None), (1.0, None), (1.01, "growth is 1.01 m; allowed: 0 to 1"),
+                                          (-0.01, "growth is -0.01 m; allowed: 0 to 1")])  # fmt: skip
+def test_growth_is_a_metre_at_most(tmp_path, capsys, growth, says):
+    status = main(["members", str(written(tmp_path, pile("one", 0.0, growth=growth)))])
+    assert (status == 2) is (says is not None)
+    assert says is None or says in capsys.readouterr().err
+
+
+def test_what_lacks_members_water_or_wind_is_refused(tmp_path, capsys):
+    wind = '[[wind_members]]\nname = "a"\ndrag = 1.0\narea = 1.0\nposition = [0, 0, 5]\n'
+    for tables, height, says in (
+        ((), HEIGHT, "there are no members; allowed: [[members]], [[wind_members]]"),
+        ((pile("one", 0.0),), 0, "nothing moves the water; allowed: [wave], [current] or both"),
+        ((wind,), HEIGHT, "wind is missing; needed by [[wind_members]]"),
+        ((pile("one", 0.0).replace("[0.0, 0.0, 3.0]", "[0.0, 0.0, -12.0]"),), HEIGHT, "two finite places, apart"),
+        ((pile("one", 0.0), "[wind]\nspeed = 30\ndirection_deg = 0\n", wind.replace("drag = 1.0\n", "")), HEIGHT,
+         "wind member 'a': allowed: one of shape, drag"),
+    ):  # fmt: skip
+        assert main(["members", str(written(tmp_path, *tables, height=height))]) == 2
+        assert says in capsys.readouterr().err

@@ -1,0 +1,200 @@
+"""What `hakobune qtf` says of forces of pairs that are made up: root mean squares, units, errors, limits."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+from hakobune.pipelines.qtf import question, report, running
+
+OMEGA = np.array([0.4, 0.5, 0.6])
+
+
+def pairs(value, d=2, modes=6):
+    """(d, n, m, m, 6) of pairs: there is none where ω + Ω lies beyond the band"""
+    made = np.full((d, len(OMEGA), 1, 1, modes), complex(value))
+    for m in range(d):
+        made[m, len(OMEGA) - m :] = np.nan
+    return made
+
+
+def forces(kind=DIFFERENCE, squares=4e3, bound=3e3, body=2e3, surface=None, added=None, d=2):
+    parts = {"squares": pairs(squares, d), "bound_wave": pairs(bound * 1j, d), "body": pairs(body, d)}
+    total = sum(parts.values()) + (0 if surface is None else pairs(surface, d))
+    frequency = np.array([0.0, 0.1, 0.2][:d]) if kind is DIFFERENCE else 0.8 + 0.1 * np.arange(d)
+    return SimpleNamespace(omega=OMEGA, frequency=frequency, headings=np.array([math.pi]), kind=kind, total=total,
+                           added=added, surface=None if surface is None else pairs(surface, d), **parts)  # fmt: skip
+
+
+def stored(made, share=0.031, errors=None, method="panel", held=True):
+    return SimpleNamespace(forces=made, share=share, errors=errors, method=method,
+                           held=SimpleNamespace(name="", floats=held))  # fmt: skip
+
+
+def numbers(line):
+    return [float(word) for word in line.split("Ω")[1].split()]
+
+
+def test_rows_are_root_mean_squares_in_kilonewtons_with_each_part_added():
+    """Newman 4; with the bound wave |4 + 3i| = 5; squares in its place the same; + body |6 + 3i|; the moments of yaw in
+    MN m: thousandths of the numbers"""
+    said = list(report.told(stored(forces()), None))
+    assert (
+        said[0]
+        == "floating body, 3 frequencies 0.4 to 0.6 rad/s, differences to 0.1 rad/s, 1 headings and all their pairs"
+    )
+    surge = [line for line in said if " surge Ω" in line]
+    assert len(surge) == 2 and surge[0].startswith("     180° surge Ω 0.000")
+    for line, omega in zip(surge, (0.0, 0.1), strict=True):
+        assert numbers(line) == pytest.approx([omega, 4, 5, 5, math.hypot(6, 3)], rel=1e-3)
+    yaw = next(line for line in said if " yaw " in line)
+    assert numbers(yaw) == pytest.approx([0.0, 4e-3, 5e-3, 5e-3, math.hypot(6, 3) / 1e3], rel=1e-3)
+    assert said[-1] == (
+        "left out: the forcing of the surface around the body, estimated from few pairs: 3.1 % of the force in surge "
+        "and sway; --level full"
+    )
+    assert "no estimated error" in said[-2]
+
+
+def test_the_surface_is_a_column_and_errors_are_shares():
+    """A tenth of the error of each pair over |T| = |7 + 3i|"""
+    made = forces(surface=1e3)
+    said = list(report.told(stored(made, errors=pairs(500.0), method="contour"), None))
+    surge = next(line for line in said if " surge Ω" in line)
+    assert numbers(surge)[-1] == pytest.approx(math.hypot(7, 3), rel=1e-3)
+    whole = 100 * 500 / (1e3 * math.hypot(7, 3))
+    assert f"estimated error of the contour method, root mean square of the force's: surge {whole:.2g} %" in said[-2]
+    assert said[-1] == "the forcing of the surface around the body is 3.1 %" + (
+        " of the force in surge and sway, root mean square"
+    )
+
+
+def test_newmans_rule_is_the_signed_root_of_the_product_of_the_diagonal():
+    """−√(1 · 4) of two that are both against the waves, 0 of two of other signs"""
+    made = forces()
+    made.squares[0, :, 0, 0, 0] = [-1.0, -4.0, 9.0]
+    rule = report.newman(made, 0, 0)
+    assert rule[0] == pytest.approx([-1.0, -4.0, 9.0]) and rule[1, :2] == pytest.approx([-2.0, 0.0])
+    assert np.isnan(rule[1, 2])
+
+
+@pytest.mark.parametrize("gap, told", [(0.049, False), (0.051, True)])
+def test_mean_drift_by_pressure_is_within_a_twentieth_of_the_largest(gap, told):
+    added = np.zeros((3, 1, 1, 6))
+    added[1, 0, 0, 1] = gap * 4e3
+    made = forces(added=added)
+    said = list(report.failures(stored(made)))
+    assert bool(said) is told
+    assert not told or said[0].startswith(
+        "FAILS: mean drift by pressure differs from that of the far field by 5.1 % of the"
+    )
+    assert f"by pressure it differs by {100 * gap:.2g} % of the largest" in list(report.told(stored(made), None))[1]
+    assert list(report.failures(stored(forces(SUM)))) == []
+
+
+def test_sums_are_root_mean_squares_over_their_pairs():
+    """|4|, |4 + 3i|, |6 + 3i| kN/m², moments in MN m/m²"""
+    said = list(report.told(stored(forces(SUM), errors=pairs(300.0)), None))
+    assert "sums to 0.9 rad/s" in said[0]
+    heave = next(line for line in said if " heave " in line)
+    assert numbers(heave) == pytest.approx([0.8, 4, 5, math.hypot(6, 3)], rel=1e-3)
+    pitch = next(line for line in said if " pitch " in line)
+    assert numbers(pitch) == pytest.approx([0.8, 4e-3, 5e-3, math.hypot(6, 3) / 1e3], rel=1e-3)
+    share = 100 * 300 / (1e3 * math.hypot(6, 3))
+    assert f"of the largest force and moment: surge {share:.2g} %" in said[-2]
+    assert said[-1].endswith("a large part of the force at sums; --level full")
+
+
+def test_the_highest_sum_is_that_of_a_wave_three_panels_long():
+    """k = 2π/3 of the largest panel; ω² = gk tanh kh"""
+    mesh = SimpleNamespace(sizes=np.array([1.0, 2.5]))
+    k = 2 * math.pi / 7.5
+    assert question.carried_by(mesh, 4.0, 9.8) == pytest.approx(math.sqrt(9.8 * k * math.tanh(4 * k)))
+    assert question.carried_by(mesh, math.inf, 9.8) == pytest.approx(math.sqrt(9.8 * k))
+
+
+def database(low=0.3, high=1.2):
+    return SimpleNamespace(omega=np.linspace(low, high, 10), wave_direction=np.array([0.0, math.pi]), path="box.h5",
+                           mesh=SimpleNamespace(sizes=np.array([3.0])), water_depth=20.0, gravity=9.8)  # fmt: skip
+
+
+def test_differences_go_to_two_fifths_of_the_mean_of_the_band_by_default():
+    omega, headings, most = question.waves_of(database(), "0.4:1.0:7", None, None)
+    assert omega == pytest.approx(np.linspace(0.4, 1.0, 7)) and headings == pytest.approx([0.0, math.pi])
+    assert most == pytest.approx(0.4 * 0.7)
+    assert question.waves_of(database(), "0.4:1.0:7", "0,90", 9.0)[2] == pytest.approx(0.6)  # the band is no wider
+    assert question.waves_of(database(), "0.4:1.0:7", "0,90,360", 0.2)[1] == pytest.approx([0.0, math.pi / 2])
+
+
+def test_sums_lie_between_twice_the_lowest_and_the_highest_frequency():
+    _, _, most = question.waves_and_sums_of(database(), "0.4:1.0:7", None, 1.5)
+    assert most == 1.5 and question.waves_and_sums_of(database(), "0.4:1.0:7", None, 9.0)[2] == pytest.approx(2.0)
+    with pytest.raises(ValueError, match=r"--highest is 0\.79; allowed: 0\.8 rad/s, twice the lowest"):
+        question.waves_and_sums_of(database(), "0.4:1.0:7", None, 0.79)
+    assert question.waves_and_sums_of(database(), "0.4:1.0:7", None, 0.8)[2] == 0.8
+
+
+@pytest.mark.parametrize("headings, good", [(15, True), (16, False)])
+def test_waves_of_a_question_fit_into_memory(headings, good):
+    """100 frequencies with up to 15 headings are 1500"""
+    words = ",".join(f"{20 * i}" for i in range(headings))
+    if good:
+        question.waves_of(database(), "0.4:1.0:100", words, None)
+        return
+    with pytest.raises(ValueError, match="100 frequencies and 16 headings are asked for; allowed: 1500 waves"):
+        question.waves_of(database(), "0.4:1.0:100", words, None)
+
+
+@pytest.mark.parametrize("share, level, adds", [(0.051, "auto", True), (0.049, "auto", False), (None, "auto", False),
+                                                (0.0, "full", True), (1.0, "body", False)])  # fmt: skip
+def test_the_surface_is_added_where_it_is_a_twentieth_or_asked_for(share, level, adds):
+    one = question.Question(OMEGA, np.zeros(1), 0.1, SimpleNamespace(name="", floats=True), level, "auto", True)
+    assert one.adds_surface(share) is adds
+
+
+def diagonal(squares, added):
+    """Two headings, whose own pairs alone count; the moment does not"""
+    made = np.zeros((2, 3, 2, 2, 6), complex)
+    made[0, :, 0, 0, 0], made[0, :, 1, 1, 1], made[0, :, 0, 1, 0] = squares, -squares / 2, 100 * squares
+    made[1, :, 0, 0, 0] = 50 * squares
+    more = np.zeros((3, 2, 2, 6), complex)
+    more[1, 0, 0, 0], more[2, 1, 1, 1], more[:, 0, 1, 0], more[..., 5] = added / 2, -added, 9e9, 9e9
+    return SimpleNamespace(squares=made, added=more, headings=np.zeros(2), kind=DIFFERENCE)
+
+
+@pytest.mark.parametrize("share", [0.05, 0.2, 0.5])
+def test_the_gap_of_pressure_and_far_field_is_of_the_largest_mean_drift(share):
+    assert report.diagonal_gap(diagonal(4e3, share * 4e3)) == pytest.approx(share)
+    one = diagonal(4e3, 1.0)
+    one.added = None
+    assert report.diagonal_gap(one) is None
+
+
+def test_newman_s_force_is_the_signed_root_of_two_drifts():
+    """Drifts 1, 4, 9: √(1·4) = 2, √(4·9) = 6; of unlike signs nothing, of both negative −2"""
+    squares = np.zeros((2, 3, 1, 1, 6), complex)
+    squares[0, :, 0, 0, 0], squares[0, :, 0, 0, 1] = [1.0, 4.0, 9.0], [-1.0, -4.0, 9.0]
+    made = SimpleNamespace(squares=squares, frequency=np.array([0.0, 0.1]))
+    surge, sway = report.newman(made, 0, 0), report.newman(made, 1, 0)
+    assert surge[0] == pytest.approx([1, 4, 9]) and surge[1, :2] == pytest.approx([2, 6]) and np.isnan(surge[1, 2])
+    assert sway[0] == pytest.approx([-1, -4, 9]) and sway[1, :2] == pytest.approx([-2, 0])
+
+
+@pytest.mark.parametrize("changed", ["omega", "headings", "held", "method", "coarser", None])
+def test_stored_forces_answer_a_question_of_the_same_waves_body_and_method_alone(monkeypatch, changed):
+    there = SimpleNamespace(
+        forces=SimpleNamespace(omega=np.array([0.4, 0.5]), headings=np.array([0.0, 1.0])), method="panel",
+        held=SimpleNamespace(same_as=lambda other: other == "held"), coarser=None,
+    )  # fmt: skip
+    asked = SimpleNamespace(kind=DIFFERENCE, omega=np.array([0.4, 0.5]), headings=np.array([0.0, 1.0]), held="held")
+    body = SimpleNamespace(method="panel", rough=None)
+    for of, key, value in ((asked, "omega", np.array([0.4, 0.6])), (asked, "headings", np.array([0.0, 2.0])),
+                           (asked, "held", "free"), (body, "method", "contour")):  # fmt: skip
+        if changed == key:
+            setattr(of, key, value)
+    if changed == "coarser":
+        body.rough = "a coarser mesh"
+    monkeypatch.setattr(running, "read_forces", lambda db, kind: there)
+    assert running._of_same_waves(None, asked, body) is (there if changed is None else None)

@@ -1,0 +1,261 @@
+"""What `hakobune simulate` says, judges and draws of runs that are sines: each message on both sides of its limit."""
+
+import math
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from test_simulate import folder, plan, simulate  # noqa: F401 - a fixture among them
+
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.simulate import berth, over_runs, report
+from hakobune.pipelines.simulate.file import SUMMARY, opened
+from hakobune.pipelines.simulate.pictures import draw, spectrum
+from hakobune.pipelines.simulate.study import MISSED, MOST_MISSED, _outside
+
+OMEGA = 0.6  # rad/s, of the oscillator; its waves have an amplitude w of about 1 m, motion j 0.01 (j + 1) w
+
+
+def made_up(duration=600.0, depth=20.0, length=100.0, draft=10.0, slow=0.0, wave=0.1):
+    """A file of a run with such attributes; slow and wave σ of surge, sway, yaw"""
+    row = [slow if key == "slow" else wave if key == "wave" else 0.0 for key in SUMMARY]
+    names = np.array(["surge", "sway", "yaw"])
+    made = {"quantity": SimpleNamespace(asstr=lambda: names), "summary": np.array([row] * 3),
+            "statistics": np.zeros((1, 3, 12)), "stored": np.zeros(1)}  # fmt: skip
+
+    class File(dict):
+        pass
+
+    file = File(made)
+    file.attrs = {"duration": duration, "water_depth": depth, "hull": [length, 50.0, draft]}
+    return file
+
+
+@pytest.fixture
+def quiet(monkeypatch):
+    """Findings without those on rare largest values, of runs that differ"""
+    monkeypatch.setattr(report, "rare_findings", lambda file: ())
+    monkeypatch.setattr(report, "differ", lambda file: True)
+
+
+@pytest.mark.parametrize("duration, told", [(1010.0, False), (990.0, True)])
+def test_a_run_shorter_than_ten_of_the_slowest_periods_is_told_with_how_uncertain_it_is(quiet, duration, told):
+    """σ of N independent halves of a period is known to 1/√(2N), N = duration over period"""
+    said = [
+        line for line in report.findings(made_up(duration), {"Surge": 100.0, "Yaw": np.nan}, None) if "holds" in line
+    ]
+    assert bool(said) is told
+    if told:
+        share = 100 / math.sqrt(2 * duration / 100)
+        assert (
+            f"holds 9.9 of the slowest natural periods (100 s), wanted 10: its σ is uncertain by about {share:.0f} %; "
+        )
+        assert said[0].endswith(f"uncertain by about {share:.0f} %; simulate 1e+03 s")
+        assert "a run of 990 s holds 9.9 of the slowest natural periods (100 s), wanted 10" in said[0]
+
+
+@pytest.mark.parametrize("depth, words", [
+    (20.0, "in up to 20 m of water take the simulation"), (20.1, "between 20 and 40 m of water take the larger"),
+    (39.9, "between 20 and 40 m of water take the larger"), (40.0, "from 40 m of water on the simplified method"),
+])  # fmt: skip
+def test_the_method_follows_the_depth_as_in_section_5_5_3(quiet, depth, words):
+    """SR179 report (1982): up to 20 m the simulation, from 40 m the simplified method, between the larger of both"""
+    (said,) = report.findings(made_up(1e6, depth), {"Surge": 80.0, "Heave": 8.0}, 8.0)
+    assert words in said and f"depth over draft {depth / 10:.3g}; natural over wave period: surge 10, heave 1;" in said
+
+
+@pytest.mark.parametrize("length, told", [(49.9, True), (50.1, False)])
+def test_limits_in_metres_are_of_large_floaters(quiet, length, told):
+    (said,) = report.findings(made_up(1e6, 20.0, length), {"Surge": 80.0}, 8.0)
+    assert ("the report's limits in metres of water are for floaters of 100 to 200 m, not for this one" in said) is told
+
+
+@pytest.mark.parametrize("slow, wave, told", [
+    (0.201, 0.1, True), (0.199, 0.1, False),  # twice the linear answer of 0.1
+    (0.3, 0.61, False), (0.3, 0.59, True),  # half of the motion with the waves
+])  # fmt: skip
+def test_slow_motion_far_beyond_the_linear_answer_is_told(slow, wave, told):
+    said = list(report.slow_findings(made_up(slow=slow, wave=wave), (0.1, np.nan, 1e3)))
+    assert bool(said) is told
+    assert not told or said[0].startswith(
+        f"slow surge has σ {slow:.3g} m, slow forces on springs as stiff as the lines"
+    )
+
+
+def test_slow_yaw_is_told_in_degrees():
+    said = list(report.slow_findings(made_up(slow=math.radians(3.0)), (np.nan, np.nan, math.radians(1.0))))
+    assert said[0].startswith("slow yaw has σ 3 °") and "mean loads give 1 °" in said[0]
+
+
+@pytest.mark.parametrize("own, near", [(119.0, True), (121.0, False), (81.0, True), (79.0, False)])
+def test_a_berth_within_a_fifth_of_a_period_of_the_harbour_resonates(own, near):
+    told, findings = berth.lines_on_periods([own, np.nan, 8.0], [100.0])
+    assert told == f"natural periods of small motions at the berth: surge {own:.3g} s, yaw 8 s"
+    assert bool(findings) is near
+    assert not near or findings[0].startswith(f"surge swings with {own:.3g} s at the berth, the harbour with 100 s")
+    assert berth.lines_on_periods([np.nan] * 3, [])[0].endswith("none, nothing holds them at rest")
+
+
+@pytest.mark.parametrize("share, fails", [(0.99, False), (1.01, True)])
+def test_a_fender_fails_beyond_what_it_may_be_strained(share, fails):
+    """1 m of a height of 2 m, of which 0.45 are allowed; another is pressed less but allowed less"""
+
+    def fender(name, allowable):
+        return SimpleNamespace(name=name, fender=SimpleNamespace(height=2.0, own_allowable=allowable, own=lambda x: x))
+
+    row = dict.fromkeys(SUMMARY, 0.0)
+    summary = np.array([[*(row | {"largest": 0.9 * share}).values()], [*(row | {"largest": 0.1}).values()]])
+    file = {"quantity": SimpleNamespace(asstr=lambda: np.array(["deflection F1", "deflection F2"])), "summary": summary}
+    told, failed = berth.lines_on_fenders(file, [fender("F1", 0.45), fender("F2", 0.2)])
+    assert told == f"fenders: F1 is strained most, to {45 * share:.3g} % of its height; allowed: 45 %"
+    assert bool(failed) is fails
+    assert not fails or failed[0].startswith(f"FAILS: F1 is pressed to {45 * share:.4g} % of its height; allowed: 45 %")
+
+
+def test_windows_have_half_the_significant_height_and_the_period_of_their_waves():
+    """Surge of 8 s and 2 m, then of 10 s and 1 m; sway is still; yaw of 0.02 rad in degrees"""
+    t = np.arange(0, 400.0, 0.5)
+    surge = np.where(t < 200, 2 * np.sin(2 * np.pi * t / 8), np.sin(2 * np.pi * t / 10)) + 5.0
+    motion = np.zeros((len(t) + 1, 6))
+    motion[:-1, 0], motion[:-1, 5] = surge, 0.02 * np.sin(2 * np.pi * t / 8)
+    motion[-1] = motion[-2]
+    first, second = berth.windows(motion, 0.5, 200.0)
+    assert (first[0], second[0]) == (0.0, 200.0)
+    assert first[1][:2] == pytest.approx([2.0, 8.0], rel=0.01)
+    assert second[1][:2] == pytest.approx([1.0, 10.0], rel=0.01)
+    assert first[1][4:] == pytest.approx([math.degrees(0.02), 8.0], rel=0.01) and np.all(np.isnan(first[1][2:4]))
+    assert len(berth.windows(motion, 0.5, 150.0)) == 2  # the last 100 s are no whole window
+
+
+@pytest.mark.parametrize("length, good", [(2.5, True), (2.4, False), (600.0, True), (601.0, False)])
+def test_windows_hold_five_samples_and_lie_within_a_run(length, good):
+    asked = SimpleNamespace(settings=SimpleNamespace(step=0.5, duration=600.0), keep_series=1)
+    if good:
+        berth.check_windows(length, asked)
+        return
+    with pytest.raises(StudyError, match=rf"--windows is {length:g} s; allowed: 2.5 s to the duration, 600 s"):
+        berth.check_windows(length, asked)
+
+
+@pytest.mark.parametrize("keep, good", [(1, True), (0, False)])
+def test_windows_need_a_record(keep, good):
+    asked = SimpleNamespace(settings=SimpleNamespace(step=0.5, duration=600.0), keep_series=keep)
+    if good:
+        berth.check_windows(10.0, asked)
+        return
+    with pytest.raises(StudyError, match="no record is stored"):
+        berth.check_windows(10.0, asked)
+
+
+@pytest.mark.parametrize("share", [0.9 * MISSED, 1.1 * MISSED, 0.99 * MOST_MISSED, 1.01 * MOST_MISSED])
+def test_energy_outside_the_stored_band_is_told_above_one_per_cent_and_refused_above_a_quarter(share):
+    """P(ω < x) of an ISSC spectrum is exp(−B/x⁴), with 4B/5 = (2π/Tp)⁴"""
+    from hakobune.mooring.environment.spectra import issc
+
+    sea = issc(2.0, peak_period=10.0)
+    B = 1.25 * (2 * np.pi / 10.0) ** 4
+    low = (B / -math.log(share)) ** 0.25
+    omega = np.linspace(low, 60.0, 50)
+    if share > MOST_MISSED:
+        with pytest.raises(StudyError, match=r"25\.\d % of the waves' energy lies outside .* allowed: 25 %; solve"):
+            _outside(sea, omega)
+    else:
+        said = _outside(sea, omega)
+        assert bool(said) is (share > MISSED)
+        for number in re.findall(r"([\d.]+) %", said[0])[:2] if said else ():  # ISSC prints two digits of its constants
+            assert float(number) == pytest.approx(100 * share, abs=0.15)
+        assert not said or ("and is left out; solve" in said[0] and f"% below {low:.4g}" in said[0])
+
+
+SETTINGS = [
+    ("duration = 600.0", None), ("duration = 4.0\nstep = 0.5", None),
+    ("duration = 3.9\nstep = 0.5", "simulation has 3.9 s; allowed: at least 4 s, 8 samples"),
+    ("duration_hours = 0.5", None), ("duration = 600.0\nduration_hours = 1.0", "both are given; allowed: one of"),
+    ("seeds = 2", "neither is given; allowed: one of duration"),
+    ("duration = 600.0\nseeds = 10000", None), ("duration = 600.0\nseeds = 10001", "there are 10001 seeds"),
+    ("duration = 600.0\nseeds = 0", "there are 0 seeds; allowed: 1 to 10000"),
+    ("duration = 600.0\nseeds = [0, 3]", None), ("duration = 600.0\nseeds = [-1, 3]", "whole numbers from 0"),
+    ("duration = 600.0\nseeds = [3, 3]", "whole numbers from 0, each once"),
+    ("duration = 600.0\nkeep_series = 0", None), ("duration = 600.0\nkeep_series = -1", "keep_series is -1"),
+    ("duration = 600.0\ncomponents = 100000", None),
+    ("duration = 600.0\ncomponents = 100001", "simulation.components is 100001; allowed: 1 to 100000"),
+    ("duration = 1e6\nstep = 0.5\nramp = 0.0", None),
+    ("duration = 1000001\nstep = 0.5\nramp = 1.0", "samples; allowed: 2000000; give a longer step"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("table, says", SETTINGS)
+def test_settings_are_taken_up_to_their_limits(table, says):
+    text = f"[simulation]\n{table}\n"
+    if says is None:
+        plan(text)
+        return
+    with pytest.raises(StudyError, match=re.escape(says)):
+        plan(text)
+
+
+def test_durations_in_hours_are_seconds_and_seeds_count_from_one():
+    made = plan("[simulation]\nduration_hours = 0.5\nseeds = 4\n")
+    assert made.settings.duration == 1800.0 and made.seeds == (1, 2, 3, 4)
+    assert plan("[simulation]\nduration = 700.0\nseeds = [7, 2]\n").seeds == (7, 2)
+
+
+@pytest.mark.parametrize("runs, words", [
+    (4, "largest: what was simulated in 4 runs; up to 44 % of such runs go beyond it (confidence 90 %); give 5 seeds"),
+    (5, "median extreme: half of such runs go beyond it"),
+])  # fmt: skip
+def test_five_runs_have_a_median_extreme(folder, runs, words):  # noqa: F811
+    """1 − 0.1^(1/n): the largest of four is gone beyond by at most 44 % of runs with a confidence of 90 %"""
+    simulate(runs)
+    with opened("run.h5") as file:
+        said = " ".join(over_runs.notes(file))
+    assert words in said
+    assert f"{100 * (1 - 0.1 ** (1 / runs)):.2g} % of such runs" in said
+
+
+def test_records_and_offsets_are_drawn_in_the_units_of_their_axes(folder, pictures):  # noqa: F811
+    simulate(1)
+    with opened("run.h5") as file:
+        assert draw(file, folder / "run.h5")[0] == "run_records.png"
+        time, motion = file["time"][()], file["motion"][0].astype(float)
+        tension, wave = file["tension"][0].astype(float), file["wave"][0].astype(float)
+        fairlead, anchor = file["fairlead"][()], file["anchor"][()]
+        names = file["line"].asstr()[()]
+    records, spectra, offsets, extremes = pictures
+    axes = records.axes
+    units = ["wave, m", "surge, m", "sway, m", "heave, m", "roll, °", "pitch, °", "yaw, °"]
+    assert [one.get_ylabel() for one in axes[:7]] == units
+    worst = int(np.argmax(tension.max(axis=0)))
+    assert axes[7].get_ylabel() == f"tension, kN\n{names[worst]}" and axes[7].get_xlabel() == "s after the ramp"
+    for one, values in ((axes[0], wave), (axes[3], motion[:, 2]), (axes[4], np.degrees(motion[:, 3])),
+                        (axes[6], np.degrees(motion[:, 5])), (axes[7], tension[:, worst] / 1e3)):  # fmt: skip
+        t, drawn = one.lines[0].get_data()
+        assert np.interp(t, time, values) == pytest.approx(drawn, abs=1e-6 * np.abs(values).max())
+        assert t[-1] - t[0] == pytest.approx(600.0)
+    assert not axes[3].lines[1:] and len(axes[1].lines) == 2  # the slow part of surge, sway and yaw alone
+    plan_, curve = offsets.axes
+    points = plan_.lines[0].get_xydata()
+    assert points[:, 1] == pytest.approx(2 * points[:, 0], rel=1e-4)  # sway is twice the surge
+    radius = np.hypot(*(motion[:, :2] - motion[:, :2].mean(axis=0)).T).max()
+    assert plan_.get_title() == f"watch circle, radius {radius:.3g} m about the mean"
+    away = fairlead[worst, :2] - anchor[worst, :2]
+    away /= np.hypot(*away)
+    x, pull = curve.lines[0].get_data()
+    yaw = motion[:, 5]
+    arm = fairlead[worst, :2]
+    turned = np.stack([np.cos(yaw) * arm[0] - np.sin(yaw) * arm[1], np.sin(yaw) * arm[0] + np.cos(yaw) * arm[1]], 1)
+    offset = (motion[:, :2] + turned - arm) @ away
+    assert x == pytest.approx(offset, abs=1e-5) and pull == pytest.approx(tension[:, worst] / 1e3, rel=1e-5)
+    assert curve.get_ylabel() == "tension, kN" and "1 run" in curve.get_title()
+    assert len(spectra.axes) == 8 and len(extremes.axes) == 2
+
+
+def test_a_spectrum_of_one_sine_has_its_variance_at_its_frequency():
+    """∫ S dω = a²/2 of each of two runs, of 1 and 2 m: their mean 1.25"""
+    t = np.arange(0, 2048) * 0.5
+    records = np.stack([np.sin(0.5 * t), 2 * np.sin(0.5 * t)])
+    omega, density = spectrum(records, 0.5)
+    step = omega[1] - omega[0]
+    assert density.sum() * step == pytest.approx(1.25, rel=0.02)
+    assert omega[np.argmax(density)] == pytest.approx(0.5, abs=step)

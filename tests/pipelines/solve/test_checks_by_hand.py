@@ -1,0 +1,111 @@
+"""What a run and `hakobune check` judge of stored numbers: the largest, where it is, and both sides of each limit."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.pipelines.exchange.command import FORMATS, _left_out
+from hakobune.pipelines.solve import report
+
+OMEGA = np.array([0.4, 0.5, 0.6])
+
+
+def database(tolerance=0.01, **checks):
+    return SimpleNamespace(checks=lambda: {name: np.array(values) for name, values in checks.items()}, omega=OMEGA,
+                           attributes={"tolerance": tolerance}, names=())  # fmt: skip
+
+
+def test_a_check_tells_its_largest_value_and_how_many_lie_above_its_limit():
+    one = report._check("energy", np.array([0.01, np.nan, 0.03]), OMEGA, 0.02)
+    assert (one.largest, one.omega, one.exceeding, one.passed) == (0.03, 0.6, 1, False)
+    none = report._check("energy", np.full(3, np.nan), OMEGA, 0.02)
+    assert np.isnan(none.largest) and none.passed
+    rows = list(zip(*(column.cells for column in report.checks_table([one, none]).columns), strict=True))
+    assert rows[0] == ("energy", "waves carried away", "3.0e-02", "0.6", "2e-02", "[red]1 above")
+    assert rows[1][2:] == ("", "", "2e-02", "not applied")
+
+
+@pytest.mark.parametrize("share, told", [(0.99, False), (1.01, True)])
+def test_laws_are_held_to_the_tolerance_and_linear_systems_to_a_millionth(share, told):
+    for name, limit in (("reciprocity", 0.01), ("residual", 1e-6)):
+        said = report.failed_laws(database(**{name: [0.0, limit * share, 0.0]}), False)
+        assert bool(said) is told
+        assert not told or said.startswith(
+            f"checks failed: {name} is broken by {limit * share:.2g} at ω = 0.5 rad/s, limit"
+        )
+
+
+@pytest.mark.parametrize("value, told", [(0.249, False), (0.251, True)])
+def test_laws_of_own_panels_are_held_to_a_quarter(value, told):
+    said = report.failed_laws(database(energy=[value, 0.0, 0.0]), True)
+    assert bool(said) is told and (not told or "energy is broken by 0.25 at ω = 0.4 rad/s, limit 0.25" in said)
+
+
+@pytest.mark.parametrize("value, told", [(0.0099, False), (0.0101, True)])
+def test_an_estimated_error_is_held_to_the_tolerance_that_was_asked_for(value, told):
+    said = report.missed_tolerance(database(estimated_error=[0.001, value, value]))
+    assert bool(said) is told
+    assert not told or said.startswith(
+        "the estimated error is 0.01 at ω = 0.5 rad/s, above the tolerance 0.01 at 2 of 3"
+    )
+    assert report.missed_tolerance(database(energy=[9.0])) == ""
+    assert report.failed_laws(database(estimated_error=[9.0, 9.0, 9.0]), False) == ""  # an estimate is no law
+
+
+def test_what_fails_of_a_run_has_frequencies_laws_and_tolerance():
+    outcome = SimpleNamespace(failures=[(0.5, "it diverges"), ("limits", "no mesh")], stored=2)
+    said = list(report.failures(outcome, database(energy=[0.5, 0, 0], estimated_error=[0.5, 0, 0]), False))
+    assert said[:2] == ["FAILS: ω = 0.5 rad/s is not solved: it diverges", "FAILS: limits is not solved: no mesh"]
+    assert len(said) == 4 and "energy is broken by 0.5" in said[2] and "the estimated error is 0.5" in said[3]
+    said = list(report.failures(outcome, database(energy=[0.5, 0, 0], estimated_error=[0.5, 0, 0]), True))
+    assert len(said) == 3  # of own panels no tolerance is promised
+    nothing = SimpleNamespace(failures=[], stored=0)
+    assert list(report.failures(nothing, database(energy=[0.5, 0, 0]), False)) == []
+
+
+def test_the_table_of_a_body_is_in_tonnes_metres_and_seconds():
+    db = SimpleNamespace(
+        dimensions={"length": 100.0}, water_depth=np.inf, density=1025.0, displaced_volume=50_000.0, mass=4.9e7,
+        center_of_mass=(0.0, -0.0, 1.5), center_of_buoyancy=(0.0, 0.0, -5.0), rotation_center=(1.0, 2.0, -3.0),
+        waterplane_area=5000.0, transverse_metacentric_height=16.25, longitudinal_metacentric_height=78.5,
+        reader=SimpleNamespace(inertia=None), names=(), omega=OMEGA,
+    )  # fmt: skip
+    rows = {name: (value, unit) for name, value, unit in report._body_rows(db)}
+    assert rows == {
+        "length": ("100", "m"), "water depth": ("inf", "m"), "displaced mass": ("51250", "t"), "mass": ("49000", "t"),
+        "center of gravity": ("0, 0, 1.5", "m"), "center of buoyancy": ("0, 0, -5", "m"),
+        "rotation center": ("1, 2, -3", "m"), "waterplane": ("5000", "m²"), "GM transverse": ("16.25", "m"),
+        "GM longitudinal": ("78.5", "m"),
+    }  # fmt: skip
+
+
+def stored(names=(), rows=(True, True), about=(0, 0, 0), **values):
+    class Stored(dict):
+        pass
+
+    db = Stored(values)
+    db.rows, db.names, db.path, db.complete = np.array(rows), tuple(names), "box.h5", all(rows)
+    return db, SimpleNamespace(rotation_center=np.array(about, float))
+
+
+@pytest.mark.parametrize("to, names, says", [
+    ("bemio", ("rao", "drift_force", "drift_force_fixed"), "bemio has no place for rao, drift_force_fixed"),
+    ("capytaine", ("rao", "drift_force"), "capytaine has no place for rao, drift_force"),
+    ("orcaflex", ("rao", "drift_force", "added_mass_zero"), "orcaflex has no place for drift_force, added_mass_zero"),
+    ("wamit", ("rao", "drift_force", "drift_force_fixed"), "wamit has no place for drift_force_fixed"),
+    ("hams", ("rao", "drift_force"), None),
+])  # fmt: skip
+def test_what_a_format_has_no_place_for_is_named(to, names, says):
+    limits = {name: np.ones(1) for name in names if name == "added_mass_zero"}
+    said = list(_left_out(*stored(names, **limits), to))
+    assert said == ([] if says is None else [says]) and to in FORMATS
+
+
+def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told():
+    said = list(_left_out(*stored(rows=(True, False), about=(1.0, 0.0, -2.5)), "wamit"))
+    assert said[0].startswith("FAILS: box.h5 has 1 of 2 frequencies solved, which alone are written")
+    assert said[1].startswith("moments and rotations are about (1, 0, -2.5) m, which these files do not say")
+    assert list(_left_out(*stored(about=(1.0, 0.0, 0.0)), "bemio")) == []
+    endless = stored(("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
+    assert "added_mass_infinity is not finite and left out" in list(_left_out(*endless, "wamit"))
