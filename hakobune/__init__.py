@@ -28,9 +28,8 @@ if TYPE_CHECKING:
     from hakobune.pipelines.response.result import response as response
     from hakobune.pipelines.simulate.result import simulate as simulate
 
-_CHECKOUT = Path(__file__).parents[1]
-if (_CHECKOUT / "pyproject.toml").is_file():
-    __path__.append(str(_CHECKOUT))
+if not (Path(__file__).parent / "bem").is_dir():  # in a checkout
+    __path__.append(str(Path(__file__).parents[1]))
 
 _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
@@ -45,7 +44,7 @@ _PUBLIC = {  # name: module that has it
     "response": "pipelines.response.result",
     "simulate": "pipelines.simulate.result",
 }
-__all__ = [*_PUBLIC]
+__all__ = [*_PUBLIC]  # pyright: ignore[reportUnsupportedDunderAll]
 
 
 def __getattr__(name):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,7 +14,7 @@ from hakobune.mooring.lines.dynamics.figures import LOSSES, Figures, figures, ju
 
 from ..common.anchors import warn_of_anchors
 from ..common.quantities import StudyError
-from ..results.given import given, words_of
+from ..results.given import File, Tables, given, words_of
 from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
@@ -52,7 +53,13 @@ class Run(NamedTuple):
     strength: object
 
 
-def line_dynamics(study, *, duration=None, tolerance=None, progress=None):
+def line_dynamics(
+    study: File | Tables | LineDynamicsStudy,
+    *,
+    duration: float | None = None,
+    tolerance: float | None = None,
+    progress: Callable[[float], Callable[[float], None]] | None = None,
+) -> Result:
     """Tensions, slack and work of one mooring line whose fairlead moves.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.line_dynamics.study.LineDynamicsStudy`

@@ -41,9 +41,19 @@ CURVE = {  # name: (unit, description, share, of a LineSolution and a breaking l
 
 
 def line(
-    *, length, depth, type=None, weight=None, stiffness=None, fairlead_z=0.0, span=None, tension=None, friction=0.0,
-    slope=0.0, characteristic=False,
-):  # fmt: skip
+    *,
+    length: float,
+    depth: float,
+    type: str | None = None,
+    weight: float | None = None,
+    stiffness: float | None = None,
+    fairlead_z: float = 0.0,
+    span: float | None = None,
+    tension: float | None = None,
+    friction: float = 0.0,
+    slope: float = 0.0,
+    characteristic: bool = False,
+) -> Result:
     """Forces of one mooring line, from its anchor on the bed to its fairlead.
 
     length : m, unstretched; depth : m, of water at the anchor; fairlead_z : m, above still water

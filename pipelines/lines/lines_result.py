@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,7 +13,7 @@ from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import MOST, Pace, check_count, check_seconds, told
 from ..common.quantities import StudyError
-from ..results.given import database_of
+from ..results.given import File, Tables, database_of
 from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.result import Result
@@ -19,15 +21,27 @@ from .lines_quantities import at_rest, axes_of, curves_at, line_alone, lost, par
 from .overloads import overloads
 from .system_file import read_given
 
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+    from hakobune.mooring.lines.system.graph import System
+
 FARTHEST = 1e5  # m
 MOST_DIRECTIONS = 360
 OF_POINTS = 2e-3  # s for the square of the number of free points, where they are hard to bring to rest
 
 
 def lines(
-    system, *, depth=None, body=None, force=None, offset=None, directions=(0.0, np.pi / 2), characteristic=None,
-    broken=False, database=None,
-):  # fmt: skip
+    system: File | Tables | System,
+    *,
+    depth: float | None = None,
+    body: str | None = None,
+    force: Sequence[float] | None = None,
+    offset: float | None = None,
+    directions: Sequence[float] = (0.0, np.pi / 2),
+    characteristic: str | None = None,
+    broken: bool = False,
+    database: File | Database | None = None,
+) -> Result:
     """Equilibrium of a system of lines.
 
     system : path of a TOML, MoorDyn or MoorPy file, its tables as a dictionary, or a

@@ -74,11 +74,11 @@ def read(path, kind=None):
         raise DatabaseError(f"{path} is no file of a result")
     check_version(path, schema(kind))
     with opened_result(path, schema(kind)) as file:
-        names, axes = (json.loads(file.attrs[key]) for key in ("quantities", "axes"))
+        names, axes = (json.loads(str(file.attrs[key])) for key in ("quantities", "axes"))
         lines = {key: tuple(filter(None, str(file.attrs[key]).split("\n"))) for key in LINES}
         return Result(
             kind, {name: _got(file[name]) for name in names}, {axis: _got(file[axis]) for axis in axes},
-            provenance=json.loads(file.attrs["provenance"]), **lines,
+            provenance=json.loads(str(file.attrs["provenance"])), **lines,
         )  # fmt: skip
 
 
