@@ -18,31 +18,45 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.berth.result import berth as berth
+    from hakobune.pipelines.breakwater.result import breakwater as breakwater
     from hakobune.pipelines.damping.result import damping as damping
+    from hakobune.pipelines.design.result import design as design
+    from hakobune.pipelines.earthquake.result import earthquake as earthquake
     from hakobune.pipelines.fender.result import fender as fender
     from hakobune.pipelines.line_dynamics.result import line_dynamics as line_dynamics
     from hakobune.pipelines.lines.line_result import line as line
     from hakobune.pipelines.lines.lines_result import lines as lines
+    from hakobune.pipelines.members.result import members as members
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.reading import read as read
     from hakobune.pipelines.response.result import response as response
+    from hakobune.pipelines.sections.result import sections as sections
     from hakobune.pipelines.simulate.result import simulate as simulate
+    from hakobune.pipelines.single_point.result import single_point as single_point
+    from hakobune.pipelines.site.result import site as site
 
 if not (Path(__file__).parent / "bem").is_dir():  # in a checkout
     __path__.append(str(Path(__file__).parents[1]))
 
 _PUBLIC = {  # name: module that has it
     "berth": "pipelines.berth.result",
+    "breakwater": "pipelines.breakwater.result",
     "damping": "pipelines.damping.result",
+    "design": "pipelines.design.result",
+    "earthquake": "pipelines.earthquake.result",
     "fender": "pipelines.fender.result",
     "line": "pipelines.lines.line_result",
     "line_dynamics": "pipelines.line_dynamics.result",
     "lines": "pipelines.lines.lines_result",
+    "members": "pipelines.members.result",
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.reading",
     "response": "pipelines.response.result",
+    "sections": "pipelines.sections.result",
     "simulate": "pipelines.simulate.result",
+    "single_point": "pipelines.single_point.result",
+    "site": "pipelines.site.result",
 }
 __all__ = [*_PUBLIC]  # pyright: ignore[reportUnsupportedDunderAll]
 

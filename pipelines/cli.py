@@ -35,10 +35,10 @@ from .printing.console import new_console, tables_as, taken
 from .printing.verdict import tell
 from .qtf.command import qtf
 from .reports.compare_command import compare
-from .reports.sections_command import sections
 from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
+from .sections.command import sections
 from .series.flags import series
 from .simulate.flags import simulate
 from .single_point.flags import single_point
@@ -203,13 +203,8 @@ def check(
 
     Status 1 if one fails.
     """
-    from .simulate.file import is_run
-    from .solve.checking import check
+    from .checking import check
 
-    if is_run(file) and not repair:
-        from .simulate.checking import check_run
-
-        return check_run(file, print)
     return check(file, new_console(), repair)
 
 

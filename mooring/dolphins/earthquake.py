@@ -191,7 +191,7 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
 
     def answer(u):
         found = equivalent(law, 0.0, u, points=128)
-        omega = _natural(floater, found.stiffness)
+        omega = natural(floater, found.stiffness)
         A, B = (float(x[0]) for x in floater.water(omega))
         mass = floater.mass + A
         ratio = (B * omega + found.loss) / (2 * found.stiffness)
@@ -215,7 +215,7 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
     return Spectral(period, ratio, deflection, fenders.count * float(fender.reaction(deflection)), acceleration)
 
 
-def _natural(floater, stiffness):
+def natural(floater, stiffness):
     """rad/s of a body on a spring, with the added mass of that frequency"""
     omega = np.sqrt(stiffness / (floater.mass + floater.added_mass))
     for _ in range(ROUNDS):

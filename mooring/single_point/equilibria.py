@@ -168,3 +168,13 @@ def _derivatives(point, heading):
     by_v, by_r = by(np.array([1e-4, 0.0])), by(np.array([0.0, 2e-6]))
     inertia = (point.mass[1, 1] - (0.0 if loads.water.turning else point.mass[0, 0])) * u  # of axes that do not turn
     return by_v[0], by_r[0] + inertia, by_psi[0], by_v[1], by_r[1], by_psi[1]
+
+
+def preferred(found):
+    """The stable Equilibrium that decays fastest; the one that grows least where none is stable"""
+    return min(found, key=lambda one: one.slewing.growth)
+
+
+def bow(one):
+    """° from +x to the bow of an Equilibrium, 0 up to 360, to a hundredth"""
+    return float(np.round(np.degrees(one.heading), 2) % 360) + 0.0

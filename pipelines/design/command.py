@@ -7,8 +7,6 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from hakobune.mooring.criteria.failing import fails
-
 
 def design(
     project: Annotated[Path, Parameter(help="project (TOML)")],
@@ -22,19 +20,16 @@ def design(
 
     Status 1 where a criterion is not met or not judged, a line parts, or a case could not be run.
     """
-    from ..common.outputs import check_folder
-    from ..executors.choice import executor_of
     from ..printing.console import new_console
-    from .project import read_project
+    from ..results.tables import printed
+    from .result import design as found
 
-    console, read = new_console(), read_project(project)
-    check_folder(output)
-    workers = executor_of(executor)
-    try:
-        verdict, names, change = made(read, output, workers, console, advice)
-    finally:
-        workers.shutdown(wait=False, cancel_futures=True)
-    return _show(console, verdict, change, [output / name for name in names])
+    console = new_console()
+    result = found(project, output, executor=executor, advice=advice, console=console)
+    status = printed(result, console)
+    words = ", ".join(str(output / name) for name in result.detail[1])
+    console.print(f"written: {words}", highlight=False, markup=False, soft_wrap=True)
+    return status
 
 
 def made(read, folder, workers, console, advice=True):
@@ -76,28 +71,3 @@ class _Counting:
     def __exit__(self, *_):
         if self.status:
             self.status.stop()
-
-
-def _show(console, verdict, change, written):
-    """Print a Verdict and what was written; returns the exit status"""
-    from ..printing.verdict import tell
-    from .report_tables import WORDS
-    from .report_words import advice_words, percent, summary
-
-    failed = []
-    for one in verdict.judged:
-        c, use = one.criterion, one.governing
-        found = f"{percent(use.utilisation)}, {use.item}, {use.case}" if use else one.missing
-        line = f"{c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}"
-        if one.met:
-            console.print(f"{WORDS[True]:>10}  {line}", highlight=False, markup=False, soft_wrap=True)
-        else:
-            failed.append(fails(f"{WORDS[one.met]}, {line}"))
-    failed += [fails(f"{one.case.name} could not be run: {one.fault}") for one in verdict.ran if one.numbers is None]
-    status = tell([*failed, *verdict.broken], console)
-    console.print(f"the mooring {verdict.word}{summary(verdict)}", highlight=False, markup=False, soft_wrap=True)
-    for line in advice_words(change, verdict):
-        console.print(line, highlight=False, markup=False, soft_wrap=True)
-    words = ", ".join(map(str, written))
-    console.print(f"written: {words}", highlight=False, markup=False, soft_wrap=True)
-    return status

@@ -13,7 +13,7 @@ def earthquake(
     /,
     *,
     database: Annotated[Path | None, Parameter(help="of the body, for its mass and the memory of the water")] = None,
-    output: Annotated[Path | None, Parameter(help="course in time, .csv")] = None,
+    output: Annotated[Path | None, Parameter(help="course in time, .csv, or everything, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Reaction of the fenders of a floating body when the ground under its dolphins moves.

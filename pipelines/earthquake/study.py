@@ -15,17 +15,18 @@ factors = { coefficient = 0.2 }
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from hakobune.mooring.dolphins.earthquake import UNEVEN, EarthquakeError, Fenders, Floater, ground_of_record
+from hakobune.mooring.dolphins.methods import Quake
 from hakobune.mooring.site.seismic import seismic_coefficient
 
 from ..common.fender_tables import FenderTable, fender_of, pair_of
 from ..common.quantities import StudyError, Table, below, positive
 from ..common.typed import typed
+from ..results.given import database_of
 from ..site.link import EARTHQUAKE, SiteLink, read_study_at_site
 from ..site.study import EarthquakeTable
 
@@ -101,26 +102,18 @@ class EarthquakeStudy(Table):
     site: SiteLink | None = None
 
 
-@dataclass(frozen=True, eq=False)
-class Quake:
-    """What a study and a database make: values of `mooring.dolphins.earthquake`
-
-    ground, spectrum : None where it is not given; spectrum : function of the period; ratio : its damping
-    coefficient : of the rule, or None
-    """
-
-    motion: str
-    floater: Floater
-    fenders: Fenders
-    ground: object
-    spectrum: object
-    ratio: float
-    coefficient: float | None
-
-
 def read_study(path):
-    """The EarthquakeStudy of a TOML file.  Raises StudyError."""
-    study = typed(read_study_at_site(Path(path), "an earthquake study", EARTHQUAKE)[0], EarthquakeStudy, StudyError)
+    """The EarthquakeStudy of a TOML file, its record with the whole path, and its text.  Raises StudyError."""
+    raw, text = read_study_at_site(Path(path), "an earthquake study", EARTHQUAKE)
+    record = raw.get("record")
+    if isinstance(record, dict) and isinstance(record.get("file"), str):
+        raw = raw | {"record": record | {"file": str(Path(path).resolve().parent / record["file"])}}
+    return make_study(raw), text
+
+
+def make_study(raw):
+    """The EarthquakeStudy of nested dictionaries.  Raises StudyError."""
+    study = typed(raw, EarthquakeStudy, StudyError)
     if study.motion not in MOTIONS:
         raise StudyError(f"motion is {study.motion!r}; allowed: {', '.join(MOTIONS)}")
     if study.rule is not None and study.coefficient is not None:
@@ -132,8 +125,8 @@ def read_study(path):
     return study
 
 
-def quake_of(study, folder, database=None):
-    """`Quake` of a study whose files lie in a folder.  Raises StudyError or EarthquakeError."""
+def quake_of(study, folder=".", database=None):
+    """`Quake` of a study whose files lie in a folder, or have whole paths.  Raises StudyError or EarthquakeError."""
     fender = pair_of(study.fender, fender_of(_one(study.fender)))
     if not 0 <= study.fender.clearance <= WIDEST:
         raise StudyError(f"fender.clearance is {study.fender.clearance:g} m; allowed: 0 to {WIDEST:g}")
@@ -170,10 +163,9 @@ def _floater(study, database):
             if not 0 <= getattr(body, name) < math.inf:
                 raise StudyError(f"body.{name} is {getattr(body, name):g}; allowed: 0 or more, finite")
         return Floater(1e3 * positive("body.mass", body.mass), 1e3 * body.added_mass, 1e3 * body.damping)
-    from hakobune.bem.database import open_database
     from hakobune.bem.time_domain.memory import memory_of_database
 
-    db, i = open_database(database), MOTIONS.index(study.motion)
+    db, i = database_of(database), MOTIONS.index(study.motion)
     memory = memory_of_database(db, 3e-3)
     a, b, c = memory.matrices
     keep = np.flatnonzero((b[:, i] != 0) | (c[i] != 0))

@@ -35,8 +35,8 @@ def animate(
     from hakobune.bem.database.results import check_any_version, has_schema, schema_of
 
     from ..printing.verdict import tell
+    from ..results.file import schema
     from ..simulate.file import is_run
-    from ..single_point.command import SCHEMA as SINGLE_POINT
 
     findings = []
     of_run = {"seed": seed, "start": start, "length": length, "step": step}
@@ -49,7 +49,7 @@ def animate(
         "field": field,
     }
     check_any_version(file, schema_of(file))
-    if has_schema(file, SINGLE_POINT):
+    if has_schema(file, schema("single-point")):
         from .of_single_point import film_of_single_point
 
         _check_none({**regular, "seed": seed}, "another film", file, "a single point")

@@ -10,10 +10,9 @@ import tomllib
 
 import numpy as np
 
-from hakobune.bem.database.results import opened_result
 from hakobune.mooring.lines.system.bodies import rotation
 
-from ..single_point.command import SCHEMA
+from ..results.file import read
 from ..single_point.study import system_of
 from ..single_point.tables import make_study
 from .gif import check_film, write_film
@@ -26,28 +25,25 @@ FRAMES = 150  # of a film whose step is not asked for
 def film_of_single_point(path, output, start=None, length=None, step=None):
     """Write the film, by default of the whole run in FRAMES frames; returns their number.  Raises ValueError."""
     check_film(output, (path,))
-    with opened_result(path, SCHEMA) as file:
-        if "run" not in file:
-            raise ValueError(f"{path} has no run; give its study [slewing]")
-        if "hull" not in file["run"].attrs:
-            raise ValueError(f"{path} does not know its hull; run hakobune single-point again")
-        run = file["run"]
-        time = run["time"][()]
-        length = float(time[-1] - time[0]) if length is None else length
-        step = length / FRAMES if step is None else step
-        check_times(time, start, length, step)
-        start = float(time[0]) if start is None else start
-        at = np.arange(start, min(start + length, time[-1]) + 1e-9, step)
-        place, heading, wave, buoy = (_at(run[name], time, at) for name in ("place", "heading", "wave_motion", "buoy"))
-        given = dict(run.attrs)
-        study = make_study(tomllib.loads(file.attrs["study"]))
+    found = read(path, "single-point")
+    if "run.place" not in found:
+        raise ValueError(f"{path} has no run; give its study [slewing]")
+    time = found.labels["time"].values
+    length = float(time[-1] - time[0]) if length is None else length
+    step = length / FRAMES if step is None else step
+    check_times(time, start, length, step)
+    start = float(time[0]) if start is None else start
+    at = np.arange(start, min(start + length, time[-1]) + 1e-9, step)
+    names = ("place", "heading_in_time", "wave_motion", "buoy")
+    place, heading, wave, buoy = (_at(found[f"run.{name}"], time, at) for name in names)
+    study = make_study(tomllib.loads(found.provenance["study"]))
     motion = wave.copy()
     motion[:, :2] += place
     motion[:, 5] += heading
     buoys = np.column_stack([buoy, np.full(len(at), study.buoy.z)])
-    system, _ = system_of(study, float(given["water_depth"]), float(given["density"]))
-    stage = _stage(given, _lines(system, buoys[0]))
-    ends = np.column_stack([given["hawser_ends"], np.full(len(given["hawser_ends"]), study.attachment.z)])
+    system, _ = system_of(study, float(found["water.depth"]), float(found["water.density"]))
+    stage = _stage(found, _lines(system, buoys[0]))
+    ends = np.column_stack([found["hawser.end"], np.full(len(found["hawser.end"]), study.attachment.z)])
 
     def threads(i):
         made_fast = motion[i, :3] + ends @ rotation(*motion[i, 3:]).T
@@ -58,19 +54,18 @@ def film_of_single_point(path, output, start=None, length=None, step=None):
     return len(at)
 
 
-def _at(data, time, at):
+def _at(values, time, at):
     """(n, …) of a record (t, …) at times (n,)"""
-    values = data[()]
     flat = values.reshape(len(time), -1)
     return np.column_stack([np.interp(at, time, column) for column in flat.T]).reshape(len(at), *values.shape[1:])
 
 
-def _stage(given, lines):
-    length, beam, draft, freeboard = given["hull"]
-    x, y = given["hull_middle"]
+def _stage(found, lines):
+    length, beam, draft, freeboard = found["hull.size"]
+    x, y = found["hull.middle"]
     box = (x - length / 2, x + length / 2, y - beam / 2, y + beam / 2, -draft, freeboard)
     places = np.concatenate([*lines, [[-1.5 * length] * 3, [1.5 * length] * 3]])[:, :2]
-    return Stage(box, np.zeros(3), float(np.ptp(places, axis=0).max()), float(given["water_depth"]))
+    return Stage(box, np.zeros(3), float(np.ptp(places, axis=0).max()), float(found["water.depth"]))
 
 
 def _lines(system, buoy):

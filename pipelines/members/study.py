@@ -12,14 +12,13 @@ direction_deg = 0  [wind]                  end = [0.0, 0.0, 3.0]
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import msgspec
 import numpy as np
 
 from hakobune.mooring.environment.current_profile import power_law
 from hakobune.mooring.loads import members as wind_loads
-from hakobune.mooring.loads.morison import Section, circular, plate, square
+from hakobune.mooring.loads.morison import circular, plate, square
+from hakobune.mooring.loads.over_wave import Member
 from hakobune.mooring.loads.regular_wave import RegularWave
 from hakobune.mooring.seas.breaking import breaking_height
 
@@ -132,18 +131,15 @@ class MembersStudy(Table):
     wind_members: list[WindMemberTable] = msgspec.field(default_factory=list)
 
 
-class Placed(NamedTuple):
-    """A member: name; its `Section`, growth included; start, end (3,) m"""
-
-    name: str
-    section: Section
-    start: np.ndarray
-    end: np.ndarray
-
-
 def read_study(path):
-    """The MembersStudy of a TOML file.  Raises StudyError."""
-    study = typed(read_toml(path, "a study of members", StudyError)[0], MembersStudy, StudyError)
+    """The MembersStudy of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a study of members", StudyError)
+    return make_study(raw), text
+
+
+def make_study(raw):
+    """The MembersStudy of nested dictionaries.  Raises StudyError."""
+    study = typed(raw, MembersStudy, StudyError)
     if not study.members and not study.wind_members:
         raise StudyError("there are no members; allowed: [[members]], [[wind_members]], one or more")
     if len(study.members) > MOST:
@@ -173,7 +169,7 @@ def wave_of(study):
 
 
 def placed(study):
-    """[`Placed`] of a study.  Raises StudyError naming the member."""
+    """[`mooring.loads.over_wave.Member`] of a study.  Raises StudyError naming the member."""
     return [_placed(member, study.water.depth) for member in study.members]
 
 
@@ -194,7 +190,7 @@ def _placed(member, depth):
         section = SHAPES[member.shape](member.width + 2 * member.growth, member.drag, *inertia)
     except ValueError as error:
         raise StudyError(f"{where}: {error}") from None
-    return Placed(member.name, section, start, end)
+    return Member(member.name, section, start, end)
 
 
 def wind_on(study):

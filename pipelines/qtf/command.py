@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
@@ -45,10 +46,10 @@ def qtf(
     from hakobune.bem.second_order.stored import Held
 
     from ..common.picture import PLOTS, check_picture
-    from ..printing.verdict import tell
+    from ..results.tables import printed
     from .problem import METHODS
     from .question import Question, waves_and_sums_of, waves_of
-    from .report import failures, told
+    from .result import result_of
 
     if plot is not None:
         check_picture(plot, PLOTS)
@@ -73,9 +74,7 @@ def qtf(
         from .plot import draw
 
         draw(stored.forces, db, stored.held.floats, plot)
-    for line in told(stored, db):
-        print(line)
-    status = tell(failures(stored))
+    status = printed(result_of(stored, db))
     if plot is not None:
         print(plot)
     return status
@@ -99,7 +98,7 @@ def _answer(db, question, moored, fresh):
     if moored is not None:
         question = replace(question, held=replace(question.held, lines=_stiffness(moored, db)))
     solve(db, question, fresh)
-    print(f"{db.path}: group {GROUPS[question.kind]}")
+    print(f"{db.path}: group {GROUPS[question.kind]}", file=sys.stderr)
     return read_forces(open_database(db.path), question.kind)
 
 

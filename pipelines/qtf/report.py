@@ -43,8 +43,8 @@ def failures(stored):
         )
 
 
-def told(stored, db):
-    """Lines of text about `StoredForces` of an opened database"""
+def notes(stored):
+    """Lines of text about `StoredForces` beside their table"""
     forces, share = stored.forces, stored.share
     yield (
         f"{_held(stored.held)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
@@ -60,12 +60,6 @@ def told(stored, db):
             f"mean drift on the diagonal is that of the far field; by pressure it differs by {100 * gap:.2g} % of the "
             "largest"
         )
-    yield "root mean square over frequencies, kN/m² (yaw MN m/m²), by Newman's rule and with each next part:"
-    last = "" if forces.surface is None else "  + surface"
-    yield f"{'':29}Newman  + bound wave  + squares in its place  + body{last}"
-    for h, beta in enumerate(forces.headings):
-        for mode, name in zip(MODES, NAMES, strict=True):
-            yield from _rows(forces, h, beta, mode, name)
     if stored.errors is None:
         yield "no estimated error: there is no mesh of half as many panels"
     else:
@@ -81,20 +75,6 @@ def told(stored, db):
 def _of_sums(stored):
     """Lines about forces at sums of frequencies"""
     forces = stored.forces
-    last = "" if forces.surface is None else "  + surface"
-    yield "root mean square over pairs of a sum, kN/m² (moments MN m/m²), of the squares and with each next part:"
-    yield f"{'':28}squares  + bound wave  + body{last}"
-    for h, beta in enumerate(forces.headings):
-        for mode, name in enumerate(ALL):
-            found, unit = parts_of_sums(forces, mode, h), 1e3 if mode < 3 else 1e6
-            if np.nanmax(np.abs(forces.total[:, :, h, h, mode])) < 1e-6 * np.nanmax(np.abs(forces.total[:, :, h, h])):
-                continue
-            for m in sorted({*np.linspace(0, len(forces.frequency) - 1, 4).astype(int)}):
-                rms = [np.sqrt(np.nanmean(np.abs(value[m]) ** 2)) / unit for value in found.values()]
-                yield (
-                    f"  {np.degrees(beta):6.4g}° {name:5} Ω {forces.frequency[m]:.3f} {rms[0]:12.4g} {rms[1]:13.4g} "
-                    f"{rms[2]:7.4g}" + "".join(f" {value:10.4g}" for value in rms[3:])
-                )
     if stored.errors is None:
         yield "no estimated error: there is no mesh of half as many panels"
     else:
@@ -154,17 +134,3 @@ def levels(forces, mode, heading):
     if forces.surface is not None:
         out["+ surface"] = out["+ body"] + forces.surface[:, :, heading, heading, mode]
     return out
-
-
-def _rows(forces, h, beta, mode, name):
-    found, arm = levels(forces, mode, h), 1.0 if mode < 5 else 1e-2
-    whole = np.nanmax(np.abs(forces.total[:, :, h, h, :2]))
-    if np.nanmax(np.abs(found["+ body"])) * arm < 1e-6 * whole:
-        return
-    unit = 1e3 if mode < 5 else 1e6
-    for m in sorted({*np.linspace(0, len(forces.frequency) - 1, 5).astype(int)}):
-        rms = [np.sqrt(np.nanmean(np.abs(level[m]) ** 2)) / unit for level in found.values()]
-        yield (
-            f"  {np.degrees(beta):6.4g}° {name:5} Ω {forces.frequency[m]:.3f} {rms[0]:12.4g} {rms[1]:13.4g} "
-            f"{rms[2]:23.4g} {rms[3]:7.4g}" + "".join(f" {value:10.4g}" for value in rms[4:])
-        )

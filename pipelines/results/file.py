@@ -74,6 +74,8 @@ def read(path, kind=None):
         raise DatabaseError(f"{path} is no file of a result")
     check_version(path, schema(kind))
     with opened_result(path, schema(kind)) as file:
+        if "quantities" not in file.attrs:
+            raise DatabaseError(f"{path} fills case by case; hakobune.read reads it")
         names, axes = (json.loads(str(file.attrs[key])) for key in ("quantities", "axes"))
         lines = {key: tuple(filter(None, str(file.attrs[key]).split("\n"))) for key in LINES}
         return Result(

@@ -13,6 +13,8 @@ CSV = ".csv"
 FORMS = (*DATABASE, CSV)
 MARK = "# result of hakobune "
 
+CSV, HEAD = ".csv", "# tables of hakobune {}, in SI"
+
 
 def check_result(path, kind, inputs=()):
     """Raise ValueError unless a result of a `kind` can be written to a path.
@@ -51,3 +53,22 @@ def picture_or_result(result, path, draw):
         result.write(path)
     else:
         draw()
+
+
+def check_result_or_csv(path, kind, inputs=()):
+    """Raise ValueError unless a result of a `kind`, or as its ending says its tables, can be written to a path"""
+
+    def is_one(place):
+        if place.suffix.lower() == CSV:
+            return opening(place)[0].startswith(HEAD.format(kind))
+        return has_schema(place, schema(kind))
+
+    check_output(path, "the result of a study", is_one, (CSV, *DATABASE), inputs)
+
+
+def result_or_csv(result, path):
+    """Write a result, or its tables as CSV with a first line that says of what they are"""
+    if path.suffix.lower() == CSV:
+        write_sealed(path, f"{HEAD.format(result.kind)}\n{result.to_csv()}")
+    else:
+        result.write(path)

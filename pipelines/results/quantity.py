@@ -9,7 +9,7 @@ import numpy as np
 KILO, TURN = 1e3, np.pi / 180
 READ_IN = {  # unit of SI: (unit in print, its size); a thousand times larger ones only where numbers reach them
     "N": ("kN", KILO), "N m": ("kN m", KILO), "N/m": ("kN/m", KILO), "N m/rad": ("kN m/rad", KILO), "J": ("kJ", KILO),
-    "N/rad": ("kN/rad", KILO), "N m/m": ("kN m/m", KILO),
+    "N/rad": ("kN/rad", KILO), "N m/m": ("kN m/m", KILO), "N/m2": ("kN/m²", KILO),
     "Pa": ("kPa", KILO), "kg": ("t", KILO), "N s/m": ("kN s/m", KILO), "N s2/m2": ("kN s²/m²", KILO),
     "N m s": ("kN m s", KILO), "N m s2": ("kN m s²", KILO), "kg m2": ("t m²", KILO), "kg m": ("t m", KILO),
     "rad": ("°", TURN), "rad/m": ("°/m", TURN), "%": ("%", 0.01),

@@ -27,9 +27,14 @@ def check_records(path, kind, inputs=()):
     check_output(path, f"a course of {kind}", is_one, (".csv", *DATABASE), inputs)
 
 
+def is_hdf5(path):
+    """Whether its name says that a file has the whole result"""
+    return path.suffix.lower() in DATABASE
+
+
 def write_records(result, path, axis="time"):
     """Write the records on an axis, in SI, or the whole result where the name says HDF5."""
-    if path.suffix.lower() in DATABASE:
+    if is_hdf5(path):
         result.write(path)
         return
     head = result.labels[axis]

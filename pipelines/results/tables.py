@@ -17,6 +17,7 @@ from ..printing.number import NOTHING, number
 from .quantity import READ_IN, read_in
 
 WIDTH = 14  # characters of a heading
+LONG, PRINTED = 40, 12  # rows of a table over numbers, and how many of them are printed where there are more
 FEW = 3  # rows, that are printed as columns where these are more than twice as many
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
 
@@ -53,29 +54,33 @@ def tables(result, all_of_them=False):
 
 
 def _shown(result, title, axes, members):
+    common = _common([one for _, one in members])
     if not axes:
         columns = tuple(
-            Column(name, one.description or name, one.values[None], one.units(), _read_in_beside(one, members))
+            Column(name, one.description or name, one.values[None], one.units(), _read_in(one, common))
             for name, one in members
         )
         return Shown(title, "", tuple(n for n, _ in members), columns)
     axis = axes[0]
-    columns = [column for name, one in members for column in columns_of(result, name, one)]
+    columns = [column for name, one in members for column in columns_of(result, name, one, common)]
     return Shown(title, axis, tuple(result.labels[axis].values.tolist()), tuple(columns))
 
 
-def columns_of(result, name, one):
-    """[Column, …] of a quantity with a first axis, one for each label of its further ones"""
-    words = one.description or name
+def columns_of(result, name, one, common=None):
+    """[Column, …] of a quantity with a first axis, one for each label of its further ones
+
+    common : sizes by unit of those that it is read beside
+    """
+    words, units = one.description or name, _read_in(one, common or _common([one]))
     if one.values.ndim == 1:
-        yield Column(name, words, one.values, one.units(), _read_in(one))
+        yield Column(name, words, one.values, one.units(), units)
         return
     for place in itertools.product(*map(range, one.values.shape[1:])):
         at = [(result.labels[axis], k) for axis, k in zip(one.axes[1:], place, strict=True)]
         exact = ", ".join(str(labels.values[k]) for labels, k in at)
         said = ", ".join(_label(labels.values[k], labels.unit) for labels, k in at)
         values = one.values[(slice(None), *place)]
-        yield Column(f"{name}[{exact}]", f"{words} {said}".strip(), values, one.units(), _read_in(one))
+        yield Column(f"{name}[{exact}]", f"{words} {said}".strip(), values, one.units(), units)
 
 
 def _label(value, unit):
@@ -86,16 +91,18 @@ def _label(value, unit):
     return f"{value / size:.6g}{name if name == '°' else f' {name}' if name else ''}"
 
 
-def _read_in(one):
-    return read_in(one.units()[0], _sizes(one.values), one.share)
+def _common(quantities):
+    """{unit: sizes of all values that have it}, which are read in one unit where they stand beside each other"""
+    found = {}
+    for one in quantities:
+        if not isinstance(one.unit, tuple):
+            found.setdefault(one.unit, []).append(_sizes(one.values).ravel())
+    return {unit: np.concatenate(sizes) for unit, sizes in found.items()}
 
 
-def _read_in_beside(one, members):
-    """As `_read_in`; nothing, as a force of 0, is read in what the others of its unit are"""
-    if one.values.dtype.kind != "f" or one.values != 0:
-        return _read_in(one)
-    alike = [float(other.values) for _, other in members if other.unit == one.unit and other.share == one.share]
-    return read_in(one.unit, np.abs(alike), one.share)
+def _read_in(one, common):
+    unit = one.units()[0]
+    return read_in(unit, common.get(unit, _sizes(one.values)), one.share)
 
 
 def printed(result, console=None):
@@ -118,13 +125,17 @@ def rich_table(shown, labels):
     """A table of rich"""
     from rich.table import Table
 
-    table = Table(title=shown.title or None, title_justify="left")
+    rows, title = _printed_rows(shown, labels), shown.title
+    if len(rows) < len(shown.labels):
+        title = f"{title}, {len(rows)} of {len(shown.labels)} rows".removeprefix(", ")
+    table = Table(title=title or None, title_justify="left")
     if not shown.axis:
         for name in ("quantity", "value", "unit"):
             table.add_column(name, justify="right" if name == "value" else "left", no_wrap=True)
+        largest = _largest(shown)
         for column in shown.columns:
-            unit, size = column.read_in
-            table.add_row(column.heading, _cell(column.values[0], size), unit)
+            (unit,), (cell,) = _filled(column, largest)
+            table.add_row(column.heading, cell, unit)
         return table
     by_row = next((column.units for column in shown.columns if len(column.units) > 1), None)
     if by_row is None and len(shown.labels) <= FEW and len(shown.columns) > 2 * len(shown.labels):
@@ -141,10 +152,19 @@ def rich_table(shown, labels):
             _heading(column.heading, "" if len(column.units) > 1 else words[0]), justify="right", no_wrap=True
         )
         cells.append(filled)
-    for row, label in enumerate(shown.labels):
+    for row in rows:
+        label = shown.labels[row]
         said = _cell(label, size) if head.numeric else str(label)
-        table.add_row(f"{said}, {units[row]}" if by_row else said, *(column[row] for column in cells))
+        table.add_row(f"{said}, {units[row]}" if by_row and units else said, *(column[row] for column in cells))
     return table
+
+
+def _printed_rows(shown, labels):
+    """Numbers of the rows that are printed: all, or some evenly of a long table over numbers"""
+    count = len(shown.labels)
+    if not shown.axis or count <= LONG or not labels[shown.axis].numeric:
+        return list(range(count))
+    return np.linspace(0, count - 1, PRINTED).round().astype(int).tolist()
 
 
 def _turned(table, shown, head):

@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from hakobune.bem.database import open_database
 from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.criteria.failing import fails
-from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.equilibria import equilibria, preferred
 from hakobune.mooring.single_point.scope import length_without_uplift, peak, significant
 
 from ..common.outputs import check_folder, check_output, opening
@@ -22,7 +22,6 @@ from ..common.quantities import StudyError
 from ..common.units import TONF
 from ..common.weather.seas import sea_of
 from ..printing.verdict import tell
-from ..single_point.report import preferred
 from ..single_point.running import run
 from ..single_point.study import make
 from ..single_point.tables import make_study

@@ -20,6 +20,6 @@ def single_point(
 
     A study with [[maps]] draws how the slewing grows over its numbers; one with [slewing] runs in time.
     """
-    from .command import single_point
+    from .command import single_point_command
 
-    return single_point(study, database, output, picture)
+    return single_point_command(study, database, output, picture)

@@ -13,12 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.equilibria import equilibria, preferred
 
 from ..common.bounds import Pace
 from ..common.picture import save
 from ..common.quantities import StudyError
-from .report import preferred
 from .study import make
 from .tables import make_study
 
@@ -42,9 +41,15 @@ class Map(NamedTuple):
     reason: str
 
 
-def computed(raw, number, db):
-    """Map number `number` of a study given as nested dictionaries.  Raises StudyError."""
-    table = make_study(raw).maps[number]
+def check_maps(raw, study):
+    """Raise StudyError for a map that cannot be; raw : nested dictionaries of the study"""
+    for i in range(len(study.maps)):
+        _axes(raw, study, i)
+
+
+def _axes(raw, study, number):
+    """Keys of a map, and values of each"""
+    table = study.maps[number]
     axes = [table.x] if table.y is None else [table.x, table.y]
     values = [_values(f"maps[{number}]", axis) for axis in axes]
     for axis, value in zip(axes, values, strict=True):
@@ -52,13 +57,19 @@ def computed(raw, number, db):
     x, y = values[0], np.full(1, np.nan) if len(values) == 1 else values[1]
     if len(x) * len(y) > MOST:
         raise StudyError(f"maps[{number}] has {len(x) * len(y)} places; allowed: {MOST}")
+    return tuple(axis.key for axis in axes), x, y
+
+
+def computed(raw, number, db):
+    """Map number `number` of a study given as nested dictionaries.  Raises StudyError."""
+    keys, x, y = _axes(raw, make_study(raw), number)
     shape, failed, reason = (len(y), len(x)), 0, ""
     growth, period, heading = (np.full(shape, np.nan) for _ in range(3))
     pace = Pace(f"{len(x) * len(y)} places of a map take", len(x) * len(y), "give a smaller count")
     for i, j in np.ndindex(shape):
-        changed = with_value(raw, axes[0].key, float(x[j]))
-        if len(axes) == 2:
-            changed = with_value(changed, axes[1].key, float(y[i]))
+        changed = with_value(raw, keys[0], float(x[j]))
+        if len(keys) == 2:
+            changed = with_value(changed, keys[1], float(y[i]))
         try:
             best = preferred(equilibria(make(make_study(changed), db).point))
             growth[i, j], period[i, j] = best.slewing.growth, best.slewing.period
@@ -68,7 +79,7 @@ def computed(raw, number, db):
         pace.step()
     if failed == growth.size:
         raise StudyError(f"maps[{number}]: no place of it has an answer: {reason}")
-    return Map(tuple(axis.key for axis in axes), x, y, growth, period, heading, failed, reason)
+    return Map(keys, x, y, growth, period, heading, failed, reason)
 
 
 def with_value(raw, key, value):

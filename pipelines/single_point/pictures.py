@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from hakobune.mooring.single_point.equilibria import bow, preferred
+
 from ..common.picture import save
 from ..common.quantities import direction
 from ..common.units import KN
-from .report import bow, preferred
 
 
 def draw_plan(study, point, found, path):

@@ -44,11 +44,6 @@ ALOFT = 104729  # added to the seed of the waves for that of the gusts
 MOST_SAMPLES = 1_000_000
 FULL_STEP = 0.5  # s, of the record in one equation
 MISSED = 0.05  # share of the energy of the waves
-STORED = {  # datasets of a file: unit, field of a Record
-    "time": ("s", "time"), "place": ("m", "place"), "heading": ("rad", "heading"),
-    "wave_motion": ("m, m, m, rad, rad, rad", "wave"), "buoy": ("m", "buoy"), "hawser_tension": ("N", "hawser"),
-    "line_tension": ("N", "lines"), "wind_speed": ("m/s", "wind_speed"),
-}  # fmt: skip
 SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
 
 
@@ -180,13 +175,15 @@ def _buoy_and_rope(study):
     return body, RopePart(load, positive("hawser.strain", h.strain), positive("hawser.exponent", h.exponent))
 
 
-def table_of(run: Run):
-    """(name, steady, mean, significant, largest, with the report's fifth) of hawsers and lines, N"""
-    names = [f"hawser {i}" for i in range(1, run.record.hawser.shape[1] + 1)] + run.steady.point.system.line_names
+def ropes_of(run: Run):
+    """{column: (k + n,) N} of hawsers and lines: steady, mean, significant, largest, significant with the fifth"""
     steady = np.concatenate([run.steady.hawser, run.steady.lines.tension])
     record = np.concatenate([run.record.hawser, run.record.lines], axis=1)
     values = significant(record, steady)
-    yield from zip(names, steady, record.mean(axis=0), values, record.max(axis=0), SLOW_DRIFT * values, strict=True)
+    return {
+        "steady": steady, "mean": record.mean(axis=0), "significant": values, "largest": record.max(axis=0),
+        "significant_with_drift": SLOW_DRIFT * values,
+    }  # fmt: skip
 
 
 def largest_of(run: Run, waves):
@@ -213,37 +210,9 @@ def words(run: Run):
         yield f"the heading decays from {first:.2g}° to within 0.2° of rest in {run.settled:.0f} s"
     else:
         yield f"the heading is still {np.degrees(c.amplitude):.2g}° about its mean at the end of the run"
-    wave = wave_deviations(run.record, run.full_waves)
-    if np.any(wave > 0):
-        names = "surge", "sway", "heave", "roll", "pitch", "yaw"
-        shown = [f"{name} {value:.2g} m" for name, value in zip(names[:3], wave[:3], strict=True)]
-        shown += [f"{name} {np.degrees(value):.2g}°" for name, value in zip(names[3:], wave[3:], strict=True)]
-        yield f"wave motion, standard deviations: {', '.join(shown)}"
-        if not run.drifts:
-            yield "slow drift is not in the run; the report adds 20 % for it"
-    yield f"watch circle of the centre of mass about the buoy at rest: {run.radius:.1f} m"
+    if not run.drifts and np.any(wave_deviations(run.record, run.full_waves) > 0):
+        yield "slow drift is not in the run; the report adds 20 % for it"
     yield from run.findings
-
-
-def show(console, run: Run):
-    """Table of tensions and words"""
-    from rich.table import Table
-
-    table = Table(title=f"{run.record.time[-1]:.0f} s in time, kN", title_justify="left")
-    columns = ["", "steady", "mean", "significant", "largest", *(() if run.drifts else ("significant + 20 %",))]
-    for column in columns:
-        table.add_column(column, justify="right")
-    for name, *values in table_of(run):
-        values = values[: len(columns) - 1]
-        table.add_row(name, *(f"{value / KN:.4g}" for value in values))
-    console.print(table)
-    for line in words(run):
-        console.print(line, highlight=False, soft_wrap=True, markup=False)
-
-
-def datasets(run: Run):
-    """{name: (unit, values)} of a file"""
-    return {name: (unit, getattr(run.record, field)) for name, (unit, field) in STORED.items()}
 
 
 def draw(study, run: Run, path):

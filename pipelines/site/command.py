@@ -12,43 +12,31 @@ def site(
     site: Annotated[Path, Parameter(help="site (TOML)")],
     /,
     *,
-    output: Annotated[Path, Parameter(help=".toml of the values; the page stands beside it as .html")],
+    output: Annotated[
+        Path, Parameter(help=".toml of the values for studies, the page stands beside it as .html; or the result, .h5")
+    ],
 ):
     """Return period, extremes, levels and seismic coefficient of a site, as one page and one file for studies."""
-    from ..common.outputs import check_output
-    from ..printing.console import new_console
-    from .report import page, values_text, written_by_site
-    from .study import read_site, site_values
-
-    check_output(output, "values of a site", written_by_site, (".toml",), [site])
-    study, text = read_site(site)
-    values = site_values(study, site.parent)
     from hakobune.meshing.whole_files import write_whole
 
-    write_whole(output, values_text(study, values))
-    write_whole(output.with_suffix(".html"), page(study, values, text))
-    show = new_console().print
-    show(_table(values))
-    for text in values.findings:
-        show(text, highlight=False, soft_wrap=True, style="yellow")
-    show(f"written: {output}, {output.with_suffix('.html')}", highlight=False, soft_wrap=True)
-    return 0
+    from ..common.outputs import DATABASE, check_output
+    from ..results.output import check_result
+    from ..results.tables import printed
+    from .report import page, values_text, written_by_site
+    from .result import site as found
 
-
-def _table(values):
-    """Return period and values of each state, in the units of the file that studies read"""
-    from ..printing.number import values_table
-
-    rows = [("return period", values.years, "years", "")]
-    rows += [(f"{kind} water level", level, "m", "above still water") for kind, level in values.levels.items()]
-    for state, tables in values.states.items():
-        for table, numbers in tables.items():
-            rows += [(f"{table} {name}", value, _unit(name), state) for name, value in numbers.items()]
-    return values_table("values of the site", rows)
-
-
-def _unit(key):
-    """Of a key of a state: lengths in m, speeds in m/s, periods in s"""
-    if key.endswith("_deg"):
-        return "°"
-    return "m/s" if "speed" in key else "s" if "period" in key else "m" if key == "height" else ""
+    whole = output.suffix.lower() in DATABASE
+    if whole:
+        check_result(output, "site", [site])
+    else:
+        check_output(output, "values of a site", written_by_site, (".toml",), [site])
+    result = found(site)
+    study, text, values = result.detail
+    if whole:
+        result.write(output)
+    else:
+        write_whole(output, values_text(study, values))
+        write_whole(output.with_suffix(".html"), page(study, values, text))
+    status = printed(result)
+    print(f"written: {output}" + ("" if whole else f", {output.with_suffix('.html')}"))
+    return status

@@ -22,19 +22,16 @@ from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
 from ..view.gaps import gaps_of
 from .report import CHECKED, checked, checks_table, resonances_of
-from .result_files import check_result, is_result
 
 
 def check(path, console, repair=False):
-    """Print checks and findings of a database, or whether a result is whole; 0 if all is there and holds, else 1.
+    """Print checks and findings of a database; 0 if all is there and holds, else 1.
 
     repair : what is damaged of a database is marked as unsolved before
     raises : ValueError for a file that is neither; damage, also of what a database is known by, is an answer and no
         wrong question
     """
     say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
-    if is_result(path):
-        return check_result(path, say, repair)
     try:
         if repair:
             say(_repaired(path))

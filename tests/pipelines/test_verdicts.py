@@ -279,7 +279,7 @@ CASES = {
     "line": (
         "line --type 'R3 studless 76 mm' --length 300 --depth 60 --span 280",
         "line --type 'R3 studless 76 mm' --length 300 --depth 60 --span 400",
-        r"the tension is \d+.\d+ kN, \d+.?\d* % of the breaking load 4884.278 kN: the line parts",
+        r"the tension is \d+ kN, \d+ % of the breaking load 4884 kN: the line parts",
     ),
     "lines": (
         lambda: f"lines {written('system.toml', LINES.format(load=5000))}",
@@ -289,7 +289,7 @@ CASES = {
     "line-dynamics": (
         lambda: f"line-dynamics {line_that_moves(4800.0)}",
         lambda: f"line-dynamics {line_that_moves(50.0)}",
-        r"the tension is \d+ kN at t = \S+ s, \d+.?\d* % of the breaking load 50 kN: the line parts",
+        r"the tension is \d+\.?\d* kN at t = \S+ s, \d+.?\d* % of the breaking load 50 kN: the line parts",
     ),
     "fender": (
         "fender --family v --height 0.5 --length 2 --energy 80",
@@ -389,10 +389,11 @@ def of_database(missed):
 def pairs(gap):
     def change(patch):
         patch.setattr("hakobune.pipelines.qtf.report.diagonal_gap", lambda forces: gap)
-        patch.setattr("hakobune.pipelines.qtf.report.told", lambda *_: ())
-        patch.setattr(
-            "hakobune.pipelines.qtf.command._answer", lambda *_: SimpleNamespace(forces=SimpleNamespace(kind=None))
-        )
+        patch.setattr("hakobune.pipelines.qtf.result.diagonal_gap", lambda forces: gap)
+        patch.setattr("hakobune.pipelines.qtf.result.notes", lambda *_: ())
+        patch.setattr("hakobune.pipelines.qtf.result._rows", lambda *_: [])
+        forces = SimpleNamespace(kind=SimpleNamespace(name="difference"))
+        patch.setattr("hakobune.pipelines.qtf.command._answer", lambda *_: SimpleNamespace(forces=forces, share=None))
 
     return change
 
@@ -402,7 +403,10 @@ def designed(*warnings):
     from hakobune.pipelines.design.verdict import FAILS as FAILING
     from hakobune.pipelines.design.verdict import PASSES, Verdict, broken_in
 
-    gale, numbers = SimpleNamespace(name="gale", factor=1.0), SimpleNamespace(warnings=warnings)
+    gale, numbers = (
+        SimpleNamespace(name="gale", factor=1.0),
+        SimpleNamespace(warnings=warnings, largest=np.array([1e6])),
+    )
     case = SimpleNamespace(case=gale, numbers=numbers, fault="")
     broken = tuple(broken_in([case]))
     verdict = Verdict([case], broken, (), None, FAILING if broken else PASSES, ())

@@ -15,7 +15,7 @@ import tomli_w
 
 from hakobune.meshing.whole_files import write_whole
 
-from ...breakwater.study import make_breakwater, read_breakwater
+from ...breakwater.study import read_breakwater
 from ...common.quantities import StudyError
 from ...common.weather.seas import SpectrumTable, spectrum_of
 from .needs import Need
@@ -135,31 +135,26 @@ def draw(study, database, numbers, path):
     """Transmission, tensions, section and sea"""
     from ...breakwater.picture import draw as picture
 
-    picture(path, *_results(study), None)
+    picture(path, *_solved(study).detail[:2], None)
 
 
-def _results(raw):
-    from ...breakwater.build import Breakwater
-    from ...breakwater.results import results
+def _solved(raw):
+    from ...breakwater.result import breakwater
 
-    asked = Breakwater(make_breakwater(raw))
-    return asked, results(asked)
+    return breakwater({key: value for key, value in raw.items() if key not in ("map", "measured", "optimisation")})
 
 
 def _found(raw, path):
     """`Numbers`, and beside them the files of the door"""
-    from ...breakwater.files import write_h5
-
-    text = tomli_w.dumps(raw)
-    asked, found = _results(raw)
-    write_whole(path.with_suffix(".toml"), text)
-    write_h5(path, asked, text, found)
-    return _numbers(asked, found)
+    result = _solved(raw)
+    write_whole(path.with_suffix(".toml"), tomli_w.dumps(raw))
+    result.write(path)
+    return _numbers(*result.detail[:2])
 
 
 def _numbers(asked, found):
     from ...breakwater.build import KN
-    from ...breakwater.report import failures
+    from ...breakwater.findings import failures
     from ...breakwater.results import design
 
     study, held, sea = asked.study, found.pretension, found.sea

@@ -21,15 +21,15 @@ from .stored import kept, key_of, plain, read_numbers
 
 def run(path, database, place):
     """`Numbers` of the earthquake study `path`, kept in the file `place`.  Raises ValueError where fenders yield."""
-    study = read_study(path)
+    study, text = read_study(path)
     record = None if study.record is None else path.parent / study.record.file
-    text, base = path.read_text(encoding="utf-8"), None if database is None else Path(database)
+    base = None if database is None else Path(database)
     made = lambda: plain(_found(study, path.parent, None if study.body else database))  # noqa: E731
     return read_numbers(kept(place, lambda: key_of(text, base, record), made))
 
 
 def _found(study, folder, database):
-    from ...earthquake.command import failures, methods
+    from hakobune.mooring.dolphins.methods import failures, methods
 
     quake, table = quake_of(study, folder, database), study.fender
     fender, yields = fender_of(_alone(table)), dolphin_of(table, {})

@@ -146,26 +146,15 @@ def _made(raw, database):
 
 def _found(raw, database, path):
     """`Numbers`, and beside them the files of the door"""
-    from hakobune.bem.database import open_database
+    from ...single_point.result import single_point
 
-    from ...single_point import running
-    from ...single_point.command import write_result
-    from ...single_point.report import findings, overloads, preferred
-    from ...single_point.study import make
-
-    text = tomli_w.dumps(raw)
-    db = None if database is None else open_database(database)
-    study, point, found = _made(raw, database)
-    best = preferred(found)
-    ran = None if study.slewing is None else running.run(study, point, best, db)
-    write_whole(path.with_suffix(".toml"), text)
-    write_result(path, text, found, ran)
-    names = [*(f"hawser {i + 1}" for i in range(len(best.hawser)))] if study.hawser is not None else []
-    told = (*findings(study, make(study, db), found), *overloads(study, best, None, ran))
-    stable = sum(one.slewing.stable for one in found)
-    return _numbers(
-        study, best, stable, ran, names, lost(raw), (*told, *(running.words(ran) if ran is not None else ()))
-    )
+    result = single_point({key: value for key, value in raw.items() if key != "maps"}, database)
+    found = result.detail
+    write_whole(path.with_suffix(".toml"), tomli_w.dumps(raw))
+    result.write(path)
+    names = [] if found.study.hawser is None else [*(f"hawser {i + 1}" for i in range(len(found.best.hawser)))]
+    stable = sum(one.slewing.stable for one in found.rest)
+    return _numbers(found.study, found.best, stable, found.run, names, lost(raw), (*result.told, *result.notes))
 
 
 def _numbers(study, best, stable, ran, hawsers, line_names, warnings):

@@ -3,13 +3,14 @@
 import csv
 import io
 
-import h5py
 import numpy as np
 import pytest
+import xarray
 
+import hakobune
 from hakobune.bem.sections.tables import COLUMNS, table_name, tables
 from hakobune.pipelines.cli import main
-from hakobune.pipelines.reports.sections_command import csv_text
+from hakobune.pipelines.sections.command import csv_text
 
 
 def test_the_twenty_tables_come_in_the_order_of_the_report():
@@ -37,19 +38,23 @@ def test_the_command_writes_the_same_numbers_as_text_and_as_hdf5(tmp_path):
         assert main(["sections", *flags, "--output", str(tmp_path / name)]) == 0
     lines = (line for line in (tmp_path / "a.csv").read_text().splitlines() if not line.startswith("#"))
     text = list(csv.DictReader(lines))
-    with h5py.File(tmp_path / "a.h5") as file:
-        assert file["M_H"].shape == (1, 2, 3)
-        assert file["M_H"].dims[1][0].name == "/B_over_d"
-        for name in COLUMNS[3:]:
-            assert [float(row[name]) for row in text] == pytest.approx(file[name][()].ravel(), rel=1e-6)
+    made = hakobune.read(tmp_path / "a.h5")
+    assert made["M_H"].shape == (1, 2, 3) and made.quantity("M_H").axes == ("H_over_d", "B_over_d", "xi_B")
+    assert made == hakobune.sections(beam_draft=[5, 10], depth_draft=[1.4], xi=[0.5, 1.0, 1.5], tolerance=1e-4)
+    with xarray.open_dataset(tmp_path / "a.h5", engine="h5netcdf") as data:
+        assert data["M_H"].sel(H_over_d=1.4, B_over_d=10, xi_B=0.5) == made["M_H"][0, 1, 0]
+    for name in COLUMNS[3:]:
+        degrees = name.endswith("_deg")
+        values = np.degrees(made[name.removesuffix("_deg")]) if degrees else made[name]
+        assert [float(row[name]) for row in text] == pytest.approx(values.ravel(), rel=1e-6)
 
 
 @pytest.mark.parametrize(
     ("flags", "said"),
     [
-        (["--depth-draft", "0.9"], "--depth-draft is 0.9; allowed: above 1, or inf"),
-        (["--beam-draft", "0", "--depth-draft", "2", "--xi", "1"], "--beam-draft is 0; allowed: above 0, finite"),
-        (["--xi", "-1"], "--xi is -1; allowed: above 0, finite"),
+        (["--depth-draft", "0.9"], "depth-draft is 0.9; allowed: above 1, or inf"),
+        (["--beam-draft", "0", "--depth-draft", "2", "--xi", "1"], "beam-draft is 0; allowed: above 0, finite"),
+        (["--xi", "-1"], "xi is -1; allowed: above 0, finite"),
         (["--output", "a.txt"], "allowed: .csv, .h5"),
         (["--output", "nowhere/a.csv"], "there is no folder nowhere"),
         (["--beam-draft", "wide"], "--beam-draft is 'wide'; allowed: a,b,c or start:stop:count"),

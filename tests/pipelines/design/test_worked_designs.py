@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
-import h5py
 import msgspec
 import numpy as np
 import pytest
@@ -19,6 +18,7 @@ from hakobune.pipelines.design.command import made
 from hakobune.pipelines.design.kinds.breakwater import _numbers as breakwater_numbers
 from hakobune.pipelines.design.project import read_project
 from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.results.file import read
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 COARSE = {"periods": [6.0, 8.0, 11.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
@@ -172,8 +172,7 @@ def barge(tmp_path_factory):
 
 def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, monkeypatch):
     from hakobune.bem.database import open_database
-    from hakobune.mooring.single_point.equilibria import equilibria
-    from hakobune.pipelines.single_point.report import preferred
+    from hakobune.mooring.single_point.equilibria import equilibria, preferred
     from hakobune.pipelines.single_point.study import make
     from hakobune.pipelines.single_point.tables import read_study
 
@@ -190,8 +189,8 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, 
     study, _, _ = read_study(out / "cases" / "extreme_30_deg_current_+30.toml")
     best = preferred(equilibria(make(study, open_database(out / "databases" / "mean.h5")).point))
     np.testing.assert_allclose(intact.numbers.static, [*best.hawser, *best.lines.tension], rtol=1e-9)
-    with h5py.File(intact.path) as file:  # waves without their slow drift, for which the report (3.6) adds a fifth
-        pulled = file["run/line_tension"][()].max(axis=0)
+    # waves without their slow drift, for which the report (3.6) adds a fifth
+    pulled = read(intact.path, "single-point")["run.line_tension"].max(axis=0)
     np.testing.assert_allclose(intact.numbers.largest[1:], 1.2 * pulled, rtol=1e-9)
     monkeypatch.setattr(
         "hakobune.pipelines.design.kinds.single_point._found", None
@@ -255,10 +254,10 @@ def test_a_floater_between_dolphins_is_judged_by_strains_and_loads_of_dolphins(t
     # the earthquake by its own door: strain of the fender alone, and what of the dolphin's strength it takes
     from scipy.optimize import brentq
 
-    from hakobune.pipelines.earthquake.command import methods
+    from hakobune.mooring.dolphins.methods import methods
     from hakobune.pipelines.earthquake.study import quake_of, read_study
 
-    study = read_study(tmp_path / "earthquake_dolphins_B.toml")
+    study, _ = read_study(tmp_path / "earthquake_dolphins_B.toml")
     (row,) = methods(quake_of(study, tmp_path))[0]
     alone = fender_alone(study)
 

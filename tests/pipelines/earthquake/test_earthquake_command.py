@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import hakobune
 from hakobune import pipelines
 from hakobune.pipelines import cli
 
@@ -24,18 +25,19 @@ def study(tmp_path):
 
 
 def test_methods_stand_beside_each_other_and_the_course_is_kept(study, tmp_path, capsys):
-    words = ["earthquake", str(study), "--output", str(tmp_path / "c.csv"), "--plot", str(tmp_path / "p.png"), "--csv"]
-    assert cli.main(words) == 1
-    out, told = capsys.readouterr()
-    rows = {line.split(",")[0]: line.split(",") for line in out.splitlines() if line}
-    assert rows["seismic coefficient 0.2"][5] == "0.200" and rows["seismic coefficient 0.2"][6] == "–"
-    assert "FAILS: seismic coefficient 0.2: cell 2 m: 3.351e+04 kN press it" in told
-    names, *course = (tmp_path / "c.csv").read_text().splitlines()[2:]
-    course = np.array([line.split(",") for line in course], float)
-    assert float(rows["record in time"][4]) == pytest.approx(np.abs(course[:, 5]).max() / 1e3, abs=0.5)
-    assert names.startswith("t,ground,") and len(course) == len(T) + 100 and abs(course[-1, 1]) < 1e-9
-    assert (tmp_path / "p.png").stat().st_size > 5000
-    assert float(rows["20"][1]) > 1.0 > float(rows["5"][1])  # soft fenders keep short periods away
+    place = tmp_path / "c.csv"
+    assert cli.main(["earthquake", str(study), "--output", str(place), "--plot", str(tmp_path / "p.png")]) == 1
+    found = hakobune.earthquake(study)
+    assert found["method[seismic coefficient 0.2].over_weight"] == pytest.approx(0.2, rel=1e-12)
+    assert np.isnan(found["method[seismic coefficient 0.2].deflection"])
+    assert "FAILS: seismic coefficient 0.2: cell 2 m: 3.351e+04 kN press it" in capsys.readouterr().out
+    _, names, *rows = place.read_text().splitlines()
+    course = dict(zip(names.split(","), np.array([row.split(",") for row in rows], float).T, strict=True))
+    largest = np.abs(course["course.reaction [N]"]).max()
+    assert found["method[record in time].reaction"] == largest and len(rows) == len(T) + 100
+    assert abs(course["course.ground [m]"][-1]) < 1e-9 and (tmp_path / "p.png").stat().st_size > 5000
+    # soft fenders keep short periods away
+    assert found["normalised[20.0]"][0] > 1.0 > found["normalised[5.0]"][0]
 
 
 @pytest.mark.parametrize(
@@ -92,3 +94,8 @@ def test_a_record_that_fenders_do_not_stand_has_no_course_and_the_plot_is_drawn(
 def test_a_body_comes_from_the_study_or_a_database(study, capsys):
     assert cli.main(["earthquake", str(study), "--database", "box.h5"]) == 2
     assert "[body] and --database: both are given; allowed: one of them" in capsys.readouterr().err
+
+
+def test_a_course_is_not_asked_for_without_a_record(tmp_path, capsys):
+    assert cli.main(["earthquake", str(SCENE), "--output", str(tmp_path / "c.csv")]) == 2
+    assert "--output is the course in time; allowed: with [record]" in capsys.readouterr().err

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from chain_study import chain_study
 
+import hakobune
 from hakobune.bem.database import open_database
 from hakobune.bem.second_order import first_order_waves, quadratic_forces
 from hakobune.bem.second_order.quadratic_forces import PARTS, QuadraticRun
@@ -112,10 +113,9 @@ def test_studies_take_the_level_they_ask_for(path, tmp_path, capsys):
     found = {}
     for level in ("newman", "bound-wave", "body", "full", "auto"):
         (tmp_path / "study.toml").write_text(STUDY.format(level))
-        assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 0
-        said = capsys.readouterr().out
-        force = re.search(r'by qtf = "(\S+)": Fx (\S+),', said)
-        found[level] = (force[1], float(force[2])) if force else None
+        result = hakobune.response(tmp_path / "study.toml", path)
+        pairs = result.quantities.get("drift.sigma_of_pairs")
+        found[level] = None if pairs is None else (pairs.description, pairs.values[0])
     assert found["newman"] is None and found["auto"] == found["full"] != found["body"]
     assert found["body"][1] != found["bound-wave"][1]
     (tmp_path / "study.toml").write_text(STUDY.format("all"))

@@ -17,6 +17,11 @@ COMMANDS = {  # words: what the function of the same name makes of the same inpu
         {"family": "cell", "height": 2.0, "angle_deg": 8.0, "width": 2.4, "dolphin": 14000.0}, energy=9e5
     ),
     f"berth {SCENES / 'berth_tanker.toml'}": lambda: hakobune.berth(SCENES / "berth_tanker.toml"),
+    f"members {SCENES / 'members_dolphin.toml'}": lambda: hakobune.members(SCENES / "members_dolphin.toml"),
+    f"earthquake {SCENES / 'earthquake_box.toml'}": lambda: hakobune.earthquake(SCENES / "earthquake_box.toml"),
+    "sections --beam-draft 5 --depth-draft 2,3 --xi 0.5,1": lambda: hakobune.sections(
+        beam_draft=[5.0], depth_draft=[2.0, 3.0], xi=[0.5, 1.0]
+    ),
     "damping decay.csv --mass 2000": lambda: hakobune.damping("decay.csv", mass=2e6),
 }
 

@@ -4,7 +4,9 @@ import csv
 import io
 import json
 import math
+import shlex
 import shutil
+from pathlib import Path
 
 import pytest
 
@@ -17,18 +19,20 @@ COMMANDS = {
     "line": "line --type 'R3 studless 76 mm' --length 300 --depth 60 --tension 300 --characteristic",
     "lines": "lines lines_barge.toml --characteristic stern --offset 2 --direction 30 --broken",
     "line-dynamics": "line-dynamics line_chain_60m.toml --duration 20",
+    "single-point": "single-point single_point_A.toml",
+    "site": "site site_bay.toml",
+    "breakwater": "breakwater breakwater_circle.toml",
 }
 
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_csv_json_and_file_of_a_command_have_the_same_quantities_to_the_bit(command, tmp_path, monkeypatch, capsys):
-    import shlex
-
     words = shlex.split(COMMANDS[command])
     monkeypatch.setenv("COLUMNS", "40")
     monkeypatch.chdir(tmp_path)
-    for name in (word for word in words if word.endswith((".toml", ".csv"))):
-        shutil.copy(SCENES / name, tmp_path)
+    for name in (Path(word).stem for word in words if word.endswith(".toml")):
+        for path in SCENES.glob(f"{name}.*"):
+            shutil.copy(path, tmp_path)
     said = {}
     for form in ("csv", "json"):
         assert main([*words, "--output", "found.h5", f"--{form}"]) in (0, 1)

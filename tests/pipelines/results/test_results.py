@@ -9,7 +9,7 @@ import pytest
 
 from hakobune.bem.database.integrity import DatabaseError, VersionError
 from hakobune.pipelines.results.file import read
-from hakobune.pipelines.results.quantity import Quantity, read_in
+from hakobune.pipelines.results.quantity import Quantity, listed, read_in
 from hakobune.pipelines.results.result import Result, labels
 from hakobune.pipelines.results.tables import printed
 
@@ -92,6 +92,13 @@ def test_a_print_has_significant_digits_in_the_unit_that_suits_the_numbers(capsy
     assert out.index("left out: c") < out.index("motions") < out.index("a note") < out.index("FAILS: a parts")
     assert read_in("N", np.array([999.0])) == ("N", 1.0) and read_in("N", np.array([1e3])) == ("kN", 1e3)
     assert read_in("rad", np.array([np.pi])) == ("°", np.pi / 180)
+
+
+def test_forces_of_one_table_are_read_in_one_unit(capsys):
+    columns = listed({"Fx": ([5e4, 1e3], "N", "Fx"), "Fy": ([634.2, 2.0], "N", "Fy")}, ("line",), "pull")
+    printed(Result("example", columns, labels("line", ["one", "two"])))
+    out = capsys.readouterr().out
+    assert "Fy, kN" in out and "0.6342" in out and "0.002" in out
 
 
 def test_rounding_beside_large_forces_is_printed_as_nothing(capsys):

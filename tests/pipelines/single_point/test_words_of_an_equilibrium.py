@@ -1,10 +1,13 @@
-"""What is said of a body at a single point, from numbers that are made up."""
+"""What is kept of a body at a single point, from numbers that are made up."""
 
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
-from hakobune.pipelines.single_point.report import bow, cycle_of, words
+from hakobune.mooring.single_point.equilibria import bow
+from hakobune.pipelines.single_point.quantities import state_of, turned
+from hakobune.pipelines.single_point.result import _cycle_of
 
 
 def at_rest(growth=-0.01, period=200.0):
@@ -15,25 +18,27 @@ def at_rest(growth=-0.01, period=200.0):
     )  # fmt: skip
 
 
-MADE = SimpleNamespace(point=SimpleNamespace(system=SimpleNamespace(lines=(None, None), depth=20.0)))
+def state(one):
+    point = SimpleNamespace(system=SimpleNamespace(lines=(None, None), depth=20.0))
+    return state_of(SimpleNamespace(best=one, point=point))[0]
 
 
-def test_place_pull_and_growth_of_an_equilibrium_are_told_in_metres_kilonewtons_and_seconds():
+def test_growth_of_an_equilibrium_is_told_as_the_time_of_a_factor_e():
     """Growth of −0.01 1/s is a factor e in 100 s"""
-    first, second = words(None, MADE, at_rest())
-    assert first == (
-        "heading 330.00° (bow from +x), centre of mass at x 11.00 m, y -22.00 m, buoy 3.50, 4.25 m; "
-        "steady pull 123.4 kN"
-    )
-    assert second == "slewing: stable; it decays by a factor e in 100 s at a period of 200 s"
-    _, second = words(None, MADE, at_rest(0.02, np.inf))
-    assert second == "slewing: unstable; it grows by a factor e in 50 s without oscillation"
+    found = state(at_rest())
+    assert found["heading"].values == pytest.approx(np.radians(330)) and found["pull"].values == 123.4e3
+    assert found["slewing"].values == "stable" and found["slewing.time"].values == pytest.approx(100)
+    assert found["slewing.time"].description.startswith("decays") and found["slewing.period"].values == 200
+    found = state(at_rest(0.02, np.inf))
+    assert found["slewing"].values == "unstable" and found["slewing.time"].values == pytest.approx(50)
+    assert found["slewing.time"].description.startswith("grows")
 
 
 def test_a_bow_is_told_from_0_to_below_360_degrees():
     for degrees, told in ((0.0, 0.0), (-0.001, 0.0), (359.999, 0.0), (-90.0, 270.0), (725.0, 5.0)):
         assert bow(SimpleNamespace(heading=np.radians(degrees))) == told
+    assert np.degrees(turned([0.0, -1e-9, np.radians(-90.0)])) == pytest.approx([0, 0, 270])
 
 
 def test_what_does_not_slew_has_no_limit_cycle():
-    assert cycle_of(at_rest()) == (None, None)
+    assert _cycle_of(at_rest()) == (None, None)

@@ -16,6 +16,7 @@ from hakobune.pipelines.design.project import read_project
 from hakobune.pipelines.moor.study import read_study
 from hakobune.pipelines.response.study import read_response_study
 from hakobune.pipelines.single_point.tables import read_study as read_single_point
+from hakobune.pipelines.site.result import site
 from hakobune.pipelines.site.study import SiteStudy, read_site, site_values
 
 BAY = Path(cli.__file__).parent / "scenes" / "site_bay.toml"
@@ -35,6 +36,18 @@ def bay(tmp_path, capsys):
     assert cli.main(["site", str(BAY), "--output", str(tmp_path / "bay.toml")]) == 0
     capsys.readouterr()
     return tmp_path
+
+
+def test_a_site_is_kept_as_quantities_of_the_values_that_studies_read(bay):
+    values, found = tomllib.loads((bay / "bay.toml").read_text()), site(BAY)
+    assert found["return_period"] == values["site"]["return_period"]
+    for state, tables in values["states"].items():
+        for table, numbers in tables.items():
+            assert all(found[f"{state}.{table}.{key}"] == value for key, value in numbers.items())
+    assert {name: found[f"level[{name}].height"] for name in values["levels"]} == values["levels"]
+    assert (
+        found["seismic"] == values["earthquake"]["coefficient"] and found.quantity("extreme.wind.speed").unit == "m/s"
+    )
 
 
 def values_of(**tables):
@@ -107,7 +120,7 @@ def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site
     assert (made.sea.height, made.sea.mean_period) == (0.6, 5.0) and "mean_period = 5.0" in text
     assert read_berth(scene_at(bay, "berth_tanker.toml", {"level": "high"}, ["depth"]))[0].depth == pytest.approx(21.8)
     site = tomllib.loads((bay / "bay.toml").read_text(encoding="utf-8"))
-    quake = quake_of(read_earthquake(scene_at(bay, "earthquake_box.toml", {}, ["rule", "record"])), bay)
+    quake = quake_of(read_earthquake(scene_at(bay, "earthquake_box.toml", {}, ["rule", "record"]))[0], bay)
     assert quake.coefficient == site["earthquake"]["coefficient"]
 
 

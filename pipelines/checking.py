@@ -1,8 +1,9 @@
-"""`hakobune check` of a result: is the file still what was written, and is the database it was made with still that."""
+"""`hakobune check`: of a result, is the file still what was written, and its database; of a database, its physics."""
 
 from __future__ import annotations
 
 import hashlib
+from functools import partial
 from pathlib import Path
 
 from hakobune.bem.database import DatabaseError
@@ -12,10 +13,25 @@ from hakobune.meshing.seals import REMEDY, is_sealed, kind_filled_in, text_seale
 from hakobune.meshing.text_files import read_text
 from hakobune.mooring.criteria.failing import fails
 
-from ..sweep.file import SCHEMA as SWEEP
-from ..sweep.file import case_count, pending
+from .simulate.checking import check_run
+from .simulate.file import is_run
+from .solve.checking import check as check_database
+from .sweep.file import SCHEMA as SWEEP
+from .sweep.file import case_count, pending
 
 TEXT = (".csv",)
+
+
+def check(path, console, repair=False):
+    """Print whether a result is whole, or the checks and findings of a database; 0 if all is there and holds, else 1.
+
+    repair : what is damaged of a database is marked as unsolved before
+    raises : ValueError for a file that is neither
+    """
+    say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
+    if is_run(path) and not repair:
+        return check_run(path, say)
+    return check_result(path, say, repair) if is_result(path) else check_database(path, console, repair)
 
 
 def is_result(path):

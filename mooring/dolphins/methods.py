@@ -1,0 +1,132 @@
+"""A floating body between dolphins in an earthquake, by each method that something is known for, side by side."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..criteria.failing import fails
+from ..fenders.fender import FenderError
+from ..site.seismic import seismic_force
+from .earthquake import Fenders, Floater, by_spectrum, course, natural, normalised_reaction, response_spectrum
+
+GRAVITY = 9.80665
+SHORT = 1e-3  # of a deflection
+
+
+@dataclass(frozen=True, eq=False)
+class Quake:
+    """A body in one motion, its fenders, and what is known of the ground
+
+    ground, spectrum : None where it is not given; spectrum : function of the period; ratio : its damping
+    coefficient : of the rule, or None
+    """
+
+    motion: str
+    floater: Floater
+    fenders: Fenders
+    ground: object
+    spectrum: object
+    ratio: float
+    coefficient: float | None
+
+    def normalised(self, periods, stiffness):
+        """Reaction of springs, N/m, over that by the seismic coefficient, (q,) of ground periods (q,) s"""
+        omega = 2 * np.pi / np.asarray(periods, float)
+        return normalised_reaction(omega, self.floater.mass, *self.floater.water(omega), stiffness)
+
+
+class Method(NamedTuple):
+    """What a method says: period s, damping ratio, acceleration m/s², reaction N, deflection m; nan where it has none
+
+    reason : why the fenders do not stand it
+    """
+
+    name: str
+    period: float = np.nan
+    ratio: float = np.nan
+    acceleration: float = np.nan
+    reaction: float = np.nan
+    deflection: float = np.nan
+    reason: str = ""
+
+
+def methods(quake):
+    """[`Method`] of a Quake, and the `earthquake.Course` or None"""
+    rows, run = [], None
+    if quake.coefficient is not None:
+        rows.append(_by_coefficient(quake))
+    if quake.spectrum is not None:
+        rows.append(_by_spectrum(quake, "response spectrum", quake.spectrum, quake.ratio))
+    if quake.ground is not None:
+        of_record = lambda T: float(response_spectrum(quake.ground, [T])[0])  # noqa: E731
+        rows.append(_by_spectrum(quake, "spectrum of the record", of_record, 0.05))
+        largest = Method("record in time", acceleration=float(np.abs(quake.ground.acceleration).max()))
+        try:
+            run = course(quake.ground, quake.floater, quake.fenders)
+            reaction, deflection = float(np.abs(run.reaction).max()), float(run.deflection.max())
+            rows.append(largest._replace(reaction=reaction, deflection=deflection))
+        except FenderError as error:
+            rows.append(largest._replace(reason=str(error)))
+    return rows, run
+
+
+def failures(quake, rows):
+    """What fails of fenders by each `Method`"""
+    fender = quake.fenders.fender
+    for row in rows:
+        if row.reason:
+            yield fails(f"{row.name}: {row.reason}")
+        elif (strain := fender.own(row.deflection) / fender.height) > fender.own_allowable * (1 + 1e-9):
+            yield fails(
+                f"{row.name}: the fenders are pressed to {100 * strain:.4g} % of their height; allowable "
+                f"{100 * fender.own_allowable:.4g} %; take more or larger ones"
+            )
+
+
+def stiffnesses(quake, rows):
+    """{name: (N/m, natural period s)} of all fenders of a side: of the first slope, and of the largest deflection"""
+    fender, count = quake.fenders.fender, quake.fenders.count
+    short = SHORT * fender.limit
+    found = {"first slope": count * float(fender.loading.slope(short))}
+    most = max((row.deflection for row in rows if row.deflection > short), default=0.0)
+    if most:
+        found[f"{most:.3g} m"] = count * float(fender.loading(most)) / most
+    return {name: (k, 2 * np.pi / natural(quake.floater, k)) for name, k in found.items()}
+
+
+def _by_coefficient(quake):
+    fenders, coefficient = quake.fenders, quake.coefficient
+    force = seismic_force(coefficient, quake.floater.mass * GRAVITY)
+    found = Method(f"seismic coefficient {coefficient:g}", acceleration=coefficient * GRAVITY, reaction=force)
+    return _tried(found, lambda: found._replace(deflection=_deflection(fenders.fender, force / fenders.count)))
+
+
+def _by_spectrum(quake, name, spectrum, ratio):
+    def found():
+        s = by_spectrum(quake.floater, quake.fenders, spectrum, ratio)
+        return Method(name, s.period, s.ratio, s.acceleration, s.reaction, s.deflection)
+
+    return _tried(Method(name), found)
+
+
+def _tried(method, found):
+    """What `found` makes, or the method with the reason why it cannot"""
+    try:
+        return found()
+    except ValueError as error:
+        return method._replace(reason=str(error))
+
+
+def _deflection(fender, force):
+    """m at which a fender first reacts with a force, N.  Raises FenderError where it never does."""
+    grid = np.linspace(0.0, fender.limit, 4001)
+    above = np.flatnonzero(fender.loading(grid) >= force)
+    if not len(above):
+        raise FenderError(
+            f"{fender.name}: {force / 1e3:.4g} kN press it, its table ends with "
+            f"{fender.largest_reaction(fender.limit) / 1e3:.4g} kN; take more or larger ones"
+        )
+    return float(np.interp(force, fender.loading(grid[: above[0] + 1]), grid[: above[0] + 1]))

@@ -1,0 +1,59 @@
+"""Forces on straight members over one regular wave, each on its part below the surface of that moment."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .morison import Section, member_force
+
+
+class Member(NamedTuple):
+    """name; its `Section`, growth included; start, end (3,) m"""
+
+    name: str
+    section: Section
+    start: np.ndarray
+    end: np.ndarray
+
+    @property
+    def foot(self):
+        """(3,) m, the lower end"""
+        return min(self.start, self.end, key=lambda end: end[2])
+
+
+def over_wave(member, wave, phases, density):
+    """(p, 6) N and N m about its foot on a Member in a RegularWave, at phases (p,) rad"""
+    force = np.zeros((len(phases), 6))
+    for row, phase in zip(force, phases, strict=True):
+        wet = wet_part(member.start, member.end, wave, phase)
+        if wet is not None:
+            row[:] = member_force(member.section, *wet, lambda places, now=phase: wave.flow(places, now), density)
+            row[3:] -= np.cross(member.foot, row[:3])
+    return force
+
+
+def wet_part(start, end, wave, phase):
+    """Two ends (3,) m of the part of a straight member below the surface, None where it is dry.
+
+    A member is cut once: one that is longer than half a wave and lies in the surface is not followed.
+    """
+    from scipy.optimize import brentq
+
+    def over(share):
+        place = (start + share * (end - start))[None]
+        return place[0, 2] - wave.elevation(place, phase)[0]
+
+    dry = over(0.0) > 0, over(1.0) > 0
+    if all(dry):
+        return None
+    if not any(dry):
+        return start, end
+    cut = start + brentq(over, 0.0, 1.0) * (end - start)
+    return (cut, end) if dry[0] else (start, cut)
+
+
+def moved(force, about, other):
+    """(p, 6) of forces (p, 6) with moments about a place (3,) m, with moments about another"""
+    return np.concatenate([force[:, :3], force[:, 3:] + np.cross(about - other, force[:, :3])], axis=1)

@@ -1,0 +1,67 @@
+"""What fails of a breakwater, and the design that is wanted."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import fails
+
+from ..printing.number import significant
+from .build import KN
+
+
+def failures(study, found):
+    """What fails: lines that go slack, pretensions that cannot be, anchors that are too small, no design good enough"""
+    held, sea = found.pretension, found.sea
+    if held is not None:
+        yield from _of_pretension(held)
+    if held is not None and held.given is not None and sea is not None and (sea.least or 0.0) > held.given:
+        yield fails(
+            f"the pretension of {_kN(held.given)} is less than the {_kN(sea.least)} that keep lines "
+            "taut in the sea; give more"
+        )
+    for one in found.anchors:
+        if one.utilisation is not None and one.utilisation > 1:
+            yield fails(
+                f"anchor, {one.name}: {one.needed:.4g} {one.unit} are needed, {one.provided:.4g} provided, "
+                f"{100 * one.utilisation:.4g} % used; give a larger one"
+            )
+    wanted = None if study.optimisation is None or found.front is None else study.optimisation.behind
+    if wanted is not None and not np.any(found.front.behind <= wanted):
+        yield fails(
+            f"no design leaves {wanted:g} or less behind; the best leaves {found.front.behind.min():.4g}; give "
+            "wider or deeper ones"
+        )
+
+
+def _of_pretension(held):
+    if held.slack:
+        where = ", ".join(f"{end} at {level} water" for level, end in held.slack)
+        yield fails(
+            f"lines go slack: {where}; the linear tensions do not hold there, taut again they snap: give more "
+            f"pretension than {_kN(held.used)}"
+        )
+    if held.most is not None and held.most < held.least:
+        yield fails(
+            f"no pretension is both enough, {_kN(held.least)}, and allowed, {_kN(held.most)}; give "
+            "stronger lines, another angle or section"
+        )
+    elif held.most is not None and held.most < held.used:
+        yield fails(
+            f"the pretension of {_kN(held.used)} is above the {_kN(held.most)} within the allowable "
+            "tension; give less, or stronger lines"
+        )
+
+
+def wanted(study, front):
+    """The design with the least tension that leaves no more behind than is wanted"""
+    wanted = study.optimisation.behind
+    enough = [] if wanted is None else np.flatnonzero(front.behind <= wanted)
+    if len(enough):
+        i = enough[0]
+        sizes = ", ".join(f"{name} {x:.4g}" for name, x in zip(front.names, front.designs[i], strict=True))
+        yield f"{wanted:g} or less behind takes at least {_kN(front.tension[i])}: {sizes}"
+
+
+def _kN(value):
+    return f"{significant(value / KN)} kN/m"

@@ -1,0 +1,76 @@
+"""`hakobune.breakwater`: what a floating breakwater lets pass, what its lines carry, how large its anchors are."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from ..common.quantities import StudyError
+from ..results.given import File, Tables, database_of, given
+from ..results.provenance import provenance
+from ..results.result import Result
+from .build import Breakwater
+from .findings import failures, wanted
+from .measured import read_measured
+from .quantities import anchors_of, behind_of, checks_of, curves_of, front_of, lee_of, pretension_of, snapping_of
+from .results import Results, results
+from .study import BreakwaterStudy, make_breakwater, read_breakwater
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+
+
+class Found(NamedTuple):
+    """asked : `build.Breakwater`; results : Results; measured : columns of `measured`, or None"""
+
+    asked: Breakwater
+    results: Results
+    measured: dict | None
+
+
+def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database | None = None) -> Result:
+    """Transmission of a floating breakwater, a sea behind it, tensions, pretension over the tide, anchors.
+
+    study : path of a study, its tables as a dictionary, or a `pipelines.breakwater.study.BreakwaterStudy`
+    database : path of the database of a unit of finite length along x, or an open one, for [map]
+    returns : Result; its `detail` is a Found
+    raises : ValueError, one line
+    """
+    read, text = given(study, BreakwaterStudy, read_breakwater, make_breakwater)
+    if read.map is not None and database is None:
+        raise StudyError("the study has a [map]; give --database of a unit of finite length, or leave the table out")
+    if read.map is None and database is not None:
+        raise StudyError("the study has no [map]; add one, or leave --database and --map-plot out")
+    folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
+    measured = None if read.measured is None else read_measured(folder / read.measured)
+    asked = Breakwater(read)
+    db = None if database is None else database_of(database)
+    return result_of(Found(asked, _results(asked, db), measured), text, db)
+
+
+def _results(asked, db):
+    found = results(asked)
+    if asked.study.optimisation is not None:
+        from .pareto import front
+
+        found = found._replace(front=front(asked.study))
+    if db is not None:
+        from .lee import lee
+
+        around = lee(asked, db)
+        found = found._replace(lee=around, warned=[*found.warned, *around.warned])
+    return found
+
+
+def result_of(found, text, db=None):
+    """Result of a Found; text : of its study"""
+    quantities, axes = {}, {}
+    for part in (curves_of, pretension_of, anchors_of, behind_of, snapping_of, front_of, lee_of, checks_of):
+        made, labels = part(found.asked, found.results)
+        quantities, axes = quantities | made, axes | labels
+    study, front = found.asked.study, found.results.front
+    return Result(
+        "breakwater", quantities, axes, (*found.results.warned, *failures(study, found.results)),
+        () if front is None else tuple(wanted(study, front)), provenance=provenance(text, db), detail=found,
+    )  # fmt: skip

@@ -1,0 +1,86 @@
+"""`hakobune.design`: a project through all its load cases, judged, and what is kept of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import fails
+
+from ..common.outputs import check_folder
+from ..executors.choice import executor_of
+from ..results.given import File
+from ..results.provenance import provenance
+from ..results.quantity import Quantity
+from ..results.result import Result, labels
+from .project import read_project
+from .report_tables import WORDS
+from .report_words import advice_words, percent, summary
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+CRITERIA, CASES = "criteria", "load cases"
+
+
+def design(
+    project: File, output: File, *, executor: str = "local", advice: bool = True, console: Console | None = None
+) -> Result:
+    """A mooring through all load cases of a site, judged by rule sets, as one page.
+
+    project : path of a project; output : path of the folder of its page, load cases and databases
+    executor : local or processes:N; advice : try other sizes and pretensions where it fails; console : told how far
+    returns : Result; its `detail` is the `verdict.Verdict` and the names of the files written
+    raises : ValueError, one line, before anything is solved
+    """
+    from .command import made
+
+    read, output = read_project(project), Path(output)
+    check_folder(output)
+    workers = executor_of(executor)
+    try:
+        verdict, names, change = made(read, output, workers, console, advice)
+    finally:
+        workers.shutdown(wait=False, cancel_futures=True)
+    return result_of(verdict, change, names, provenance(project=str(project), folder=str(output)))
+
+
+def result_of(verdict, change, names, origin):
+    """Result of a Verdict; change : advice, or None; names : of the files; origin : its provenance"""
+    judged, ran = verdict.judged, verdict.ran
+    uses = [one.governing for one in judged]
+    rules = [f"{k + 1} {one.criterion.rule}: {one.criterion.quantity}" for k, one in enumerate(judged)]
+    columns = {
+        "limit": ([one.criterion.limit for one in judged], "limit", CRITERIA),
+        "unit": ([one.criterion.unit.strip("-") for one in judged], "unit", CRITERIA),
+        "used": ([np.nan if use is None else use.utilisation for use in uses], "used", CRITERIA),
+        "value": ([np.nan if use is None else use.value for use in uses], "value", ""),
+        "verdict": ([WORDS[one.met] for one in judged], "verdict", CRITERIA),
+        "item": (["" if use is None else use.item for use in uses], "governing", CRITERIA),
+        "case": (["" if use is None else use.case for use in uses], "in load case", CRITERIA),
+    }
+    made = {
+        f"criterion.{name}": Quantity(_array(values), ("criterion",), "", words, table, share=name == "used")
+        for name, (values, words, table) in columns.items()
+    }
+    largest = [np.nan if one.numbers is None else np.max(one.numbers.largest, initial=np.nan) for one in ran]
+    made["load_case.largest_tension"] = Quantity(_array(largest), ("load_case",), "N", "largest tension", CASES)
+    made["verdict"] = Quantity(verdict.word, (), "", "verdict")
+    failed = [_fails(one, use) for one, use in zip(judged, uses, strict=True) if not one.met]
+    failed += [fails(f"{one.case.name} could not be run: {one.fault}") for one in ran if one.numbers is None]
+    notes = (f"the mooring {verdict.word}{summary(verdict)}", *advice_words(change, verdict))
+    axes = labels("criterion", rules) | labels("load_case", [one.case.name for one in ran])
+    return Result("design", made, axes, (*failed, *verdict.broken), notes, (), origin, (verdict, names))
+
+
+def _array(values):
+    text = values and isinstance(values[0], str)
+    return np.array(values, str if text else float)
+
+
+def _fails(one, use):
+    c = one.criterion
+    found = f"{percent(use.utilisation)}, {use.item}, {use.case}" if use else one.missing
+    return fails(f"{WORDS[one.met]}, {c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}")

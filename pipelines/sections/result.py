@@ -1,0 +1,68 @@
+"""`hakobune.sections`: sectional coefficients of rectangles over B/d, H/d and ξ_B."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Sequence
+
+import numpy as np
+
+from hakobune.bem.sections.tables import BEAM_DRAFT, COLUMNS, DEPTH_DRAFT, SHAPE_COLUMNS, XI, tables
+
+from ..common.bounds import Pace, check_memory
+from ..results.provenance import provenance
+from ..results.quantity import listed
+from ..results.result import Result, labels
+
+NOTES = (
+    "Rectangle of beam B and draft d in water of depth H, two-dimensional, ideal fluid; matched eigenfunctions",
+    "Definitions: SR179 report (1982), section 2.1.3; a table's number is given where the report has the shape",
+    "Axes: y to the right, z up, roll from y to z about the middle of the waterline; waves towards +y",
+    "Force = |E| cos(omega t - eps) per unit amplitude, eps in degrees, 0 when the crest passes y = 0",
+    "xi_B = (omega^2/g)(B/2), S = B d; M_H, M_S: M/(rho S); M_R: M/(rho S (B/2)^2); M_SR: M/(rho S (B/2))",
+    "N likewise and over omega; E_H, E_S: |E|/(rho g (B/2)); E_R: |E|/(rho g (B/2)^2)",
+)
+BYTES = 2000  # of a row
+LARGEST = sys.float_info.max
+ALLOWED = {  # of each axis: above, at most, in words
+    "beam_draft": (0, LARGEST, "above 0, finite"),
+    "depth_draft": (1, math.inf, "above 1, or inf"),
+    "xi": (0, LARGEST, "above 0, finite"),
+}
+WORDS = {"M": "added mass", "N": "damping", "E": "wave force", "eps": "phase of the wave force"}
+MOTIONS = {"H": "heave", "S": "sway", "R": "roll", "SR": "sway and roll"}
+
+
+def sections(
+    *,
+    beam_draft: Sequence[float] = BEAM_DRAFT,
+    depth_draft: Sequence[float] = DEPTH_DRAFT,
+    xi: Sequence[float] = XI,
+    tolerance: float = 1e-6,
+) -> Result:
+    """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20.
+
+    beam_draft : B/d; depth_draft : H/d, above 1, or inf; xi : ξ_B = ω²B/2g; tolerance : relative error
+    returns : Result, without units as the report has them; its `detail` has the rows of `bem.sections.tables.tables`
+    raises : ValueError, one line
+    """
+    grid = {"beam_draft": beam_draft, "depth_draft": depth_draft, "xi": xi}
+    for name, values in grid.items():
+        low, largest, allowed = ALLOWED[name]
+        wrong = [value for value in values if not low < value <= largest]
+        if wrong:
+            raise ValueError(f"{name.replace('_', '-')} is {wrong[0]:g}; allowed: {allowed}")
+    count, way_out = math.prod(map(len, grid.values())), "give fewer in beam-draft, depth-draft or xi"
+    check_memory(f"{count} sections need", BYTES * count, way_out)
+    rows = tables(*grid.values(), tolerance, Pace(f"{count} sections take", count, way_out).step)
+    axes = dict(zip(SHAPE_COLUMNS, (depth_draft, beam_draft, xi), strict=True))
+    found = {}
+    for name in COLUMNS[len(SHAPE_COLUMNS) :]:
+        kind, motion, *degrees = name.split("_")
+        values = np.reshape([row[name] for row in rows], [len(axis) for axis in axes.values()])
+        values, unit = (np.radians(values), "rad") if degrees else (values, "")
+        found[f"{kind}_{motion}"] = values, unit, f"{WORDS[kind]}, {MOTIONS[motion]}"
+    made = {axis: labels(axis, np.asarray(values, float))[axis] for axis, values in axes.items()}
+    return Result("sections", listed(found, SHAPE_COLUMNS), made, notes=NOTES,
+                  provenance=provenance(tolerance=repr(tolerance)), detail=rows)  # fmt: skip

@@ -1,0 +1,50 @@
+"""Findings on a single-point study: what a reader has to know, and what fails."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.mooring.criteria.overuse import overused
+from hakobune.mooring.loads.turning import FITTED
+from hakobune.mooring.single_point.equilibria import bow
+
+from ..common.quantities import force
+from .running import largest_of
+
+HELP = "give a stronger type or more lines"
+
+
+def findings(found):
+    """One line each: what a reader has to know of a `result.Found`"""
+    best, water = found.best, found.point.loads.water
+    if water.turning and water.speed > 0:
+        drift = np.abs(np.arctan(np.tan(water.direction - best.heading)))
+        if drift > FITTED * (1 + 1e-9):
+            yield (
+                f"the water meets the hull at {np.degrees(drift):.0f}°, {np.degrees(drift - FITTED):.0f}° beyond the "
+                "turning tests (60°); coefficients there are led on by the symmetry of a box; give current coefficients"
+            )
+    stable = [one for one in found.rest if one.slewing.stable]
+    if not stable:
+        yield "no heading is stable: the body slews; see the growth over hawser and attachment with [[maps]]"
+    if len(stable) > 1:
+        headings = ", ".join(f"{bow(one):.0f}°" for one in stable)
+        yield f"{len(stable)} headings are stable ({headings}): the body lies at the one it comes to"
+
+
+def overloads(study, best, cycle, run):
+    """What fails of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run, either None"""
+    load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
+    count = 0 if study.hawser is None else len(best.hawser)
+    names = [*(f"hawser {i + 1}" for i in range(count)), *best.point.system.line_names]
+    breaking = np.array([*np.full(count, np.nan if load is None else load), *best.point.system.breaking_load])
+    breaking[~np.isfinite(breaking)] = np.nan
+    at_rest = [*best.hawser[:count] / breaking[:count], *best.lines.lines.utilisation]
+    yield from overused(names, at_rest, study.allowable, "at rest", HELP)
+    pulls = {}
+    if cycle is not None:
+        pulls["in the limit cycle"] = cycle.hawser.max(axis=0), cycle.lines.max(axis=0)
+    if run is not None:
+        pulls["in the run in time"] = largest_of(run, study.waves is not None)
+    for where, (hawser, lines) in pulls.items():
+        yield from overused(names, np.array([*hawser[:count], *lines]) / breaking, study.allowable, where, HELP)

@@ -1,0 +1,95 @@
+"""`hakobune.single_point`: a body on a buoy or turret, its headings of rest, whether it slews, and a run in time."""
+
+from __future__ import annotations
+
+import tomllib
+from typing import TYPE_CHECKING, NamedTuple
+
+from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
+from hakobune.mooring.single_point.equilibria import Equilibrium, equilibria, preferred
+from hakobune.mooring.single_point.limit_cycle import LimitCycle, limit_cycle
+
+from ..results.given import File, Tables, database_of, given
+from ..results.provenance import provenance
+from ..results.result import Result
+from . import running
+from .findings import findings, overloads
+from .maps import Map, check_maps, computed
+from .quantities import cycle_of, hull_of, lines_at, maps_of, notes_of, rest_of, run_of, state_of
+from .study import check_buoy, make
+from .tables import Study, make_study, read_study
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+
+
+class Found(NamedTuple):
+    """study : Study; point : SinglePoint; rest : all Equilibrium; best : that it comes to; cycle : LimitCycle or None
+
+    run : `running.Run` or None; maps : a Map each
+    """
+
+    study: Study
+    point: SinglePoint
+    rest: list[Equilibrium]
+    best: Equilibrium
+    cycle: LimitCycle | None
+    run: running.Run | None
+    maps: tuple[Map, ...]
+
+
+def single_point(study: File | Tables | Study, database: File | Database | None = None) -> Result:
+    """Headings of rest of a body on a buoy or turret, its slewing, tensions, and a run in time where it has one.
+
+    study : path of a study, its tables as a dictionary, or a `pipelines.single_point.tables.Study`
+    database : path of the body's database, or an open one, for its masses and the drift of the waves
+    returns : Result; its `detail` is a Found
+    raises : ValueError, one line
+    """
+    read, text = given(study, Study, lambda path: read_study(path)[::2], make_study)
+    db = None if database is None else database_of(database)
+    if read.slewing is not None:
+        running.check(read, db)
+    raw = tomllib.loads(text)
+    check_maps(raw, read)
+    made = make(read, db)
+    rest = equilibria(made.point)
+    for one in rest:
+        check_buoy(made, one)
+    best = preferred(rest)
+    cycle, none = _cycle_of(best)
+    run = None if read.slewing is None else running.run(read, made.point, best, db)
+    maps = tuple(computed(raw, i, db) for i, _ in enumerate(read.maps))
+    found = Found(read, made.point, rest, best, cycle, run, maps)
+    return result_of(found, made.findings, () if none is None else (none,), text, db)
+
+
+def _cycle_of(one):
+    """LimitCycle of an Equilibrium that is not stable, or why it comes to none; None for both where it is stable"""
+    if one.slewing.stable:
+        return None, None
+    try:
+        return limit_cycle(one), None
+    except SinglePointError as error:
+        return None, f"limit cycle: {error}"
+
+
+def result_of(found, first, notes, text, db):
+    """Result of a Found; first : findings that are said before all; notes : lines; text : of its study"""
+    quantities, axes = {}, {}
+    for part in (rest_of, state_of, lines_at, cycle_of, run_of, maps_of, hull_of):
+        made, labels = part(found)
+        quantities, axes = quantities | made, axes | labels
+    told = (
+        *first, *findings(found), *overloads(found.study, found.best, found.cycle, found.run),
+        *(_lost(one) for one in found.maps if one.failed),
+    )  # fmt: skip
+    notes = (*notes_of(found), *notes)
+    return Result("single-point", quantities, axes, told, notes, provenance=provenance(text, db), detail=found)
+
+
+def _lost(found):
+    return (
+        f"map over {' and '.join(found.keys)}: {found.failed} of {found.growth.size} places have no answer: "
+        f"{found.reason}"
+    )
