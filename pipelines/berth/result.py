@@ -40,8 +40,8 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
 
     study : path of a berthing, its tables as a dictionary, or a `study.BerthStudy`
     database : path of the ship's database, or an open one, for the memory of the water
-    returns : Result; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where the
-    fenders do not stand it
+    returns : Result, in SI; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where
+        the fenders do not stand it
     raises : ValueError, one line
     """
     study, text = given(study, BerthStudy, read_berth, lambda raw: typed(raw, BerthStudy, StudyError))

@@ -25,6 +25,7 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
 
     record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values}
     mass : kg with added mass, of a free decay
+    returns : Result, in SI
     raises : ValueError, one line
     """
     if mass is not None and not 0 < mass < np.inf:

@@ -32,7 +32,7 @@ def design(
 
     project : path of a project; output : path of the folder of its page, load cases and databases
     executor : local or processes:N; advice : try other sizes and pretensions where it fails; console : told how far
-    returns : Result; its `detail` is the `verdict.Verdict` and the names of the files written
+    returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
     raises : ValueError, one line, before anything is solved
     """
     from .command import made

@@ -25,7 +25,7 @@ def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database
 
     study : path of an earthquake study, its tables as a dictionary, or a `study.EarthquakeStudy`
     database : path of the body's database, or an open one, in place of [body]
-    returns : Result; its `detail` is the `mooring.dolphins.methods.Quake`
+    returns : Result, in SI; its `detail` is the `mooring.dolphins.methods.Quake`
     raises : ValueError, one line
     """
     study, text = given(study, EarthquakeStudy, read_study, make_study)

@@ -54,7 +54,7 @@ def fender(
 
     table : keys of the table [fender] of studies as a dictionary, or a `common.fender_tables.FenderTable`
     strain, deflection (m), energy (J) : one of them asks for one compression
-    returns : Result; its `detail` is a `Pressed`
+    returns : Result, in SI; its `detail` is a `Pressed`
     raises : ValueError, one line
     """
     table, text = given(table, FenderTable, None, lambda raw: typed(raw, FenderTable, StudyError))

@@ -65,7 +65,7 @@ def line_dynamics(
     study : path of a study, its tables as a dictionary, or a `pipelines.line_dynamics.study.LineDynamicsStudy`
     duration : s, tolerance : in place of the study's
     progress : function of the duration, s, that gives one which is called with the time reached
-    returns : Result; its `detail` is a Run
+    returns : Result, in SI; its `detail` is a Run
     raises : ValueError, one line
     """
     read, text = given(study, LineDynamicsStudy, read_line_dynamics, make_line_dynamics)

@@ -58,9 +58,10 @@ def line(
 
     length : m, unstretched; depth : m, of water at the anchor; fairlead_z : m, above still water
     type : name in the catalogue; or weight : N/m in water, with stiffness : N, by default infinite
-    span : m, between both ends; or tension : N, horizontal at the fairlead; slope : rad, of the bed
+    span : m, between both ends; or tension : N, horizontal at the fairlead; slope : rad, and friction coefficient, of
+        the bed
     characteristic : whether it has the curves from slack to taut
-    returns : Result; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
+    returns : Result, in SI; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
     raises : ValueError, one line
     """
     words = words_of(**locals())

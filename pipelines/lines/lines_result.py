@@ -50,8 +50,8 @@ def lines(
     offset : m, up to which it is held to both sides along `directions`, rad
     characteristic : name of a line, for its forces from slack to taut; broken : whether each line is lost in turn
     database : path of the body's, or an open one, for natural periods
-    returns : Result; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without it}; of
-        a MoorDyn file without lines that of its rods and bodies, each by itself
+    returns : Result, in SI; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without
+        it}; of a MoorDyn file without lines that of its rods and bodies, each by itself
     raises : ValueError, one line
     """
     asked = {"force": force, "offset": offset, "directions": directions, "characteristic": characteristic}

@@ -25,7 +25,7 @@ def members(study: File | Tables | MembersStudy) -> Result:
     """Water and wind on slender members, piles and frames of a dolphin, cranes: forces over a regular wave.
 
     study : path of a study of members, its tables as a dictionary, or a `study.MembersStudy`
-    returns : Result
+    returns : Result, in SI
     raises : ValueError, one line
     """
     study, text = given(study, MembersStudy, read_study, make_study)

@@ -50,7 +50,7 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
-    returns : Result; its `detail` is a `mooring.studies.multi_point.MultiPoint` and the hull
+    returns : Result, in SI; its `detail` is a `mooring.studies.multi_point.MultiPoint` and the hull
     raises : ValueError, one line
     """
     from .command import studied

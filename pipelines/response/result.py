@@ -40,7 +40,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     study : path of a response study, its tables as a dictionary, or a `ResponseStudy`
     database : path of the body's database, or an open one
     moored : path of a mooring study whose lines, wind and current hold the body, None for a body that floats freely
-    returns : Result; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
+    returns : Result, in SI; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
     raises : ValueError, one line
     """
     read, text = given(study, ResponseStudy, read_response_study, make_response_study)

@@ -80,7 +80,7 @@ def simulate(
     output : path of the file of all runs, which goes on where it stopped; None to keep no file
     seeds : how many; duration : s of a run; both in place of the study's; fresh : replace a file that is there
     executor : as of the command; window : s, of which the first record is told one by one; console : told the progress
-    returns : Result; records are in the file
+    returns : Result, in SI; records are in the file
     raises : ValueError, one line, before anything is written; KeyboardInterrupt, whole seeds are kept
     """
     if output is None:

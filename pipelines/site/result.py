@@ -29,7 +29,7 @@ def site(study: File | Tables | SiteStudy) -> Result:
     """Return period, extremes, levels and seismic coefficient of a site.
 
     study : path of a site, its tables as a dictionary, or a `pipelines.site.study.SiteStudy`
-    returns : Result; its `detail` is a Site
+    returns : Result, in SI; its `detail` is a Site
     raises : ValueError, one line
     """
     read, text = given(study, SiteStudy, read_site, lambda raw: typed(raw, SiteStudy, StudyError))

@@ -32,7 +32,7 @@ def solve(
     scene : path of a scene, its tables as a dictionary, or a `pipelines.scene.scene.Scene`; angles in degrees
     output : path of the database, which goes on where it stopped; fresh : replace one that is there
     executor : as of the command; console : told the progress
-    returns : Database, open for reading, in SI with angles in rad
+    returns : Database, open for reading, in SI, angles in rad
     warns : of what the command remarks, of laws that results break and of a tolerance that they miss
     raises : ValueError, one line, also where a frequency is not solved, the others being kept; KeyboardInterrupt
     """

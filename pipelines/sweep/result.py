@@ -33,7 +33,7 @@ def sweep(
     study : path of a sweep, or its tables as a dictionary; there `study` is the path of what is varied, or its tables
     output : path of the file of all cases, which goes on where it stopped; None to keep no file
     executor : as of the command; fresh : replace a file that is there; say : is told the progress, line by line
-    returns : Result with the axis "case", "keys.NAME" of what is varied, and the status of each case, 0 for well
+    returns : Result, in SI, with the axis "case", "keys.NAME" of what is varied, and "status", 0 where a case is well
     raises : ValueError, one line, also where a worker was lost, what was done being kept
     """
     with tempfile.TemporaryDirectory() as folder, in_files(study, Path(folder)) as path:
