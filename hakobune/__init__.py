@@ -1,6 +1,7 @@
 """From a floating body's dimensions to the tension in its last mooring line.
 
     import hakobune
+    hakobune.solve("box.toml", "box.h5")
     result = hakobune.moor("study.toml", "box.h5")
     result["tension.largest"], result.fails
 
@@ -16,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from hakobune.bem.database import Database as Database
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.berth.result import berth as berth
     from hakobune.pipelines.breakwater.result import breakwater as breakwater
@@ -30,16 +32,24 @@ if TYPE_CHECKING:
     from hakobune.pipelines.moor.result import moor as moor
     from hakobune.pipelines.reading import read as read
     from hakobune.pipelines.response.result import response as response
+    from hakobune.pipelines.results.quantity import Quantity as Quantity
+    from hakobune.pipelines.results.result import Result as Result
     from hakobune.pipelines.sections.result import sections as sections
     from hakobune.pipelines.simulate.result import simulate as simulate
     from hakobune.pipelines.single_point.result import single_point as single_point
     from hakobune.pipelines.site.result import site as site
+    from hakobune.pipelines.solve.result import solve as solve
+    from hakobune.pipelines.sweep.result import sweep as sweep
 
-_CHECKOUT = Path(__file__).parents[1]
-if (_CHECKOUT / "pyproject.toml").is_file():
-    __path__.append(str(_CHECKOUT))
+    __version__: str
+
+if not (Path(__file__).parent / "bem").is_dir():  # in a checkout
+    __path__.append(str(Path(__file__).parents[1]))
 
 _PUBLIC = {  # name: module that has it
+    "Database": "bem.database",
+    "Quantity": "pipelines.results.quantity",
+    "Result": "pipelines.results.result",
     "berth": "pipelines.berth.result",
     "breakwater": "pipelines.breakwater.result",
     "damping": "pipelines.damping.result",
@@ -58,8 +68,10 @@ _PUBLIC = {  # name: module that has it
     "simulate": "pipelines.simulate.result",
     "single_point": "pipelines.single_point.result",
     "site": "pipelines.site.result",
+    "solve": "pipelines.solve.result",
+    "sweep": "pipelines.sweep.result",
 }
-__all__ = [*_PUBLIC]
+__all__ = [*_PUBLIC]  # pyright: ignore[reportUnsupportedDunderAll]
 
 
 def __getattr__(name):

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from .results.given import File
+from .results.result import Result
 
-def read(path):
+
+def read(path: File) -> Result:
     """The Result in a file, also of simulations and sweeps, whose files fill bit by bit.  Raises DatabaseError."""
     from .results import file
     from .simulate.file import is_run

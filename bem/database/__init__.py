@@ -5,6 +5,22 @@ asked for: h5py takes 0.1 s, which `hakobune --help`, needing no more than the n
 """
 
 from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .rows import Database as Database
+    from .rows import DatabaseError as DatabaseError
+    from .rows import Header as Header
+    from .rows import Row as Row
+    from .rows import create as create
+    from .rows import open_database as open_database
+    from .rows import pending as pending
+    from .rows import row_values as row_values
+    from .rows import writing as writing
+    from .storing import Storing as Storing
+    from .storing import append as append
+    from .storing import append_limit as append_limit
+    from .widening import extend as extend
 
 DOOR = ("Database", "DatabaseError", "Header", "Row", "create", "open_database", "pending", "row_values", "writing")
 ELSEWHERE = {"append": ".storing", "append_limit": ".storing", "Storing": ".storing", "extend": ".widening"}

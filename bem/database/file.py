@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
@@ -116,7 +118,7 @@ def beside(path, later=()):
 
 
 @contextlib.contextmanager
-def opened(path, mode="r", checked=False):
+def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
     """The open HDF5 file, given by its path or open already.
 
     checked : seal or schema have been checked, and need not be again

@@ -10,9 +10,12 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
@@ -23,6 +26,11 @@ from .. import INTERPOLATED
 from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header
 from .integrity import check_cells, check_rows
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
+
+if TYPE_CHECKING:
+    from hakobune.meshing.panels import PanelMesh
+
+    from .reader import Reader
 
 SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
 
@@ -98,7 +106,7 @@ def pending(path):
     return Pending(limits, tuple(row for row in rows if row.want))
 
 
-def open_database(path):
+def open_database(path: str | os.PathLike[str] | h5py.File) -> Database:
     """Read access to a database.  Raises DatabaseError if `path` is not one of this version.
 
     path : of the file, which is opened again for every reading; or the file, open from `writing`
@@ -141,18 +149,18 @@ class Database:
     attributes: dict
     file: h5py.File | None = None
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return (
             f"<Database {self.path.name}: {len(self.omega)} of {len(self.rows)} frequencies, "
             f"{len(self.wave_direction)} headings, {', '.join(self.names)}>"
         )
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name in BODY:
             return self.header.body.get(name)
         raise AttributeError(f"a database has no {name!r}")
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> np.ndarray:
         """Solved rows of a quantity, axes as in `schema.QUANTITIES`; also period, wavenumber, theta."""
         if name in QUANTITIES:
             self.require(name)
@@ -165,7 +173,7 @@ class Database:
                 check_cells(file, name, value, self.rows)
             return value[self.rows] if _first_axis(name) == "omega" else value
 
-    def require(self, *names):
+    def require(self, *names: str) -> None:
         """Raise DatabaseError if one of the quantities is not there, saying what to add to the command."""
         for name in names:
             if name not in QUANTITIES:
@@ -180,23 +188,23 @@ class Database:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
 
     @cached_property
-    def asked(self):
+    def asked(self) -> np.ndarray:
         """(all,) rad/s, of the frequencies that the file is for"""
         with self.opened() as file:
             return file["omega"][()]
 
     @cached_property
-    def has_viscous_motions(self):
+    def has_viscous_motions(self) -> bool:
         """Whether stored motions and drift of the free body hold viscous damping, which belongs to one wave height"""
         return "viscous" in self._scene
 
     @property
-    def wall(self):
+    def wall(self) -> float | None:
         """m, y of the vertical wall along x beside the body, or None"""
         return self._scene.get("wall")
 
     @cached_property
-    def _scene(self):
+    def _scene(self) -> dict[str, Any]:
         import tomllib
 
         with contextlib.suppress(tomllib.TOMLDecodeError):  # a scene of another program's words has no tables
@@ -204,14 +212,14 @@ class Database:
         return {}
 
     @cached_property
-    def reader(self):
+    def reader(self) -> Reader:
         """`bem.database.reader.Reader`: the body in any wave, with estimated errors, from the stored rows"""
         from .reader import reader
 
         self.require()
         return reader(self)
 
-    def at(self, omega, name, headings=None):
+    def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:
         """A quantity at omega (q,) rad/s and headings (p,) rad, None for those stored: value (q, …) as stored,
         estimated error (q, …).
 
@@ -220,17 +228,17 @@ class Database:
         """
         return self.reader.at(omega, name, headings)
 
-    def holds(self, name):
+    def holds(self, name: str) -> bool:
         """Whether a limit is stored, or a quantity part of the file"""
         return name in self.names and (name not in LIMITS or self._stored(name))
 
-    def checks(self):
+    def checks(self) -> dict[str, np.ndarray]:
         """{name: (n,)} of `schema.CHECKS` for the solved frequencies; NaN where a check did not apply."""
         with self.opened() as file:
             check_rows(file, self.rows)
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
-    def estimated_errors(self):
+    def estimated_errors(self) -> dict[str, np.ndarray]:
         """{name: (n, …)} of `schema.ESTIMATES` that are here: absolute errors in the unit and on the axes of each.
 
         NaN where the method gives no estimate, and in a file of a time before there were any.
@@ -246,71 +254,71 @@ class Database:
                 for name in names
             }
 
-    def wall_times(self):
+    def wall_times(self) -> list[dict[str, float]]:
         """(n,) dictionaries {step: s} of the solved frequencies."""
         with self.opened() as file:
             check_rows(file, self.rows)
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
 
-    def interpolated_estimates(self):
+    def interpolated_estimates(self) -> np.ndarray:
         """(n,) whether the estimated errors of a solved frequency are those of others near it"""
         return np.array([INTERPOLATED in steps for steps in self.wall_times()], bool)
 
     @property
-    def complete(self):
+    def complete(self) -> bool:
         """Whether every frequency and limit the file was made for is solved."""
         return bool(self.rows.all()) and all(self._stored(name) for name in self.names if name in LIMITS)
 
     @property
-    def water_depth(self):
+    def water_depth(self) -> float:
         """m, inf for deep water"""
         return self.header.water_depth
 
     @property
-    def density(self):
+    def density(self) -> float:
         """kg/m³"""
         return self.header.density
 
     @property
-    def gravity(self):
+    def gravity(self) -> float:
         """m/s²"""
         return self.header.gravity
 
     @property
-    def rotation_center(self):
+    def rotation_center(self) -> np.ndarray:
         """(3,) m"""
         return self.header.rotation_center
 
     @property
-    def dimensions(self):
+    def dimensions(self) -> dict[str, float]:
         """What the scene calls the body's sizes, m; empty for a body from a mesh file"""
         return dict(self.header.dimensions)
 
     @property
-    def is_round(self):
+    def is_round(self) -> bool:
         """Whether the hull is a buoy about the origin, and no wall is beside it"""
         return set(self.dimensions) == {"radius", "draft"} and set(self.symmetry) == {"x", "y"}
 
     @property
-    def symmetry(self):
+    def symmetry(self) -> str:
         """Planes of symmetry of hull and water, "", "x", "y" or "xy": a wall takes the one that is parallel to it"""
         return self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
 
     @property
-    def mesh(self):
+    def mesh(self) -> PanelMesh:
         """PanelMesh the results were computed with"""
         return self.header.mesh
 
     @property
-    def lid(self):
+    def lid(self) -> PanelMesh | None:
         """PanelMesh of the interior free surface, or None"""
         return self.header.lid
 
-    def opened(self):
+    def opened(self) -> AbstractContextManager[Any]:
         """Context of the open HDF5 file"""
         return opened(self.file or self.path, checked=True)  # a closed file is false
 
-    def _stored(self, name):
+    def _stored(self, name: str) -> bool:
         with self.opened() as file:
             return bool(file["stored"][name][()])
 

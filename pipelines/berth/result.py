@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,11 +18,14 @@ from hakobune.mooring.fenders.taken import at_deflections, deflection_of
 from ..common.fender_tables import BATCH, beyond_batch, causes_of, fender_of, on_dolphin, softest_and_stiffest
 from ..common.quantities import StudyError
 from ..common.typed import typed
-from ..results.given import database_of, given
+from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.quantity import listed
 from ..results.result import Result, labels
 from .study import BerthStudy, approach_of, read_berth
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
 
 MASS_DIFFERS = 0.02  # share, of the ship's mass from that of the water its database displaces
 DEPTH_DIFFERS = 0.02  # of the depth at the berth, less than a tide
@@ -31,13 +35,13 @@ BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "s
 TAKEN = "the same energy, where the fender differs from its catalogue"
 
 
-def berth(study, database=None):
+def berth(study: File | Tables | BerthStudy, database: File | Database | None = None) -> Result:
     """Energy of a ship that berths, what the fender that it meets first does with it, and its course in time.
 
     study : path of a berthing, its tables as a dictionary, or a `study.BerthStudy`
     database : path of the ship's database, or an open one, for the memory of the water
-    returns : Result; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where the
-    fenders do not stand it
+    returns : Result, in SI; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where
+        the fenders do not stand it
     raises : ValueError, one line
     """
     study, text = given(study, BerthStudy, read_berth, lambda raw: typed(raw, BerthStudy, StudyError))

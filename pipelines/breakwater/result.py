@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..common.quantities import StudyError
-from ..results.given import database_of, given
+from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.result import Result
 from .build import Breakwater
@@ -16,6 +16,9 @@ from .measured import read_measured
 from .quantities import anchors_of, behind_of, checks_of, curves_of, front_of, lee_of, pretension_of, snapping_of
 from .results import Results, results
 from .study import BreakwaterStudy, make_breakwater, read_breakwater
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
 
 
 class Found(NamedTuple):
@@ -26,12 +29,12 @@ class Found(NamedTuple):
     measured: dict | None
 
 
-def breakwater(study, database=None):
+def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database | None = None) -> Result:
     """Transmission of a floating breakwater, a sea behind it, tensions, pretension over the tide, anchors.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.breakwater.study.BreakwaterStudy`
     database : path of the database of a unit of finite length along x, or an open one, for [map]
-    returns : Result; its `detail` is a Found
+    returns : Result, in SI; its `detail` is a Found
     raises : ValueError, one line
     """
     read, text = given(study, BreakwaterStudy, read_breakwater, make_breakwater)

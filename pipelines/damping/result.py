@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
@@ -9,6 +11,7 @@ from hakobune.mooring.identification.decay import decay
 from hakobune.mooring.identification.forced import forced
 
 from ..printing.number import significant
+from ..results.given import File
 from ..results.provenance import provenance
 from ..results.quantity import listed
 from ..results.result import Result, labels
@@ -17,11 +20,12 @@ LEFT = 0.25  # of the record, that a fit may leave
 COLUMNS = ("time_s", "motion_m", "force_kN")
 
 
-def damping(record, *, mass=None):
+def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: float | None = None) -> Result:
     """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
 
     record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values}
     mass : kg with added mass, of a free decay
+    returns : Result, in SI
     raises : ValueError, one line
     """
     if mass is not None and not 0 < mass < np.inf:

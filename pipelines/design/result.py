@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import check_folder
 from ..executors.choice import executor_of
+from ..results.given import File
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
@@ -15,20 +19,25 @@ from .project import read_project
 from .report_tables import WORDS
 from .report_words import advice_words, percent, summary
 
+if TYPE_CHECKING:
+    from rich.console import Console
+
 CRITERIA, CASES = "criteria", "load cases"
 
 
-def design(project, output, *, executor="local", advice=True, console=None):
+def design(
+    project: File, output: File, *, executor: str = "local", advice: bool = True, console: Console | None = None
+) -> Result:
     """A mooring through all load cases of a site, judged by rule sets, as one page.
 
-    project : path of a project; output : Path of the folder of its page, load cases and databases
+    project : path of a project; output : path of the folder of its page, load cases and databases
     executor : local or processes:N; advice : try other sizes and pretensions where it fails; console : told how far
-    returns : Result; its `detail` is the `verdict.Verdict` and the names of the files written
+    returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
     raises : ValueError, one line, before anything is solved
     """
     from .command import made
 
-    read = read_project(project)
+    read, output = read_project(project), Path(output)
     check_folder(output)
     workers = executor_of(executor)
     try:

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from hakobune.mooring.dolphins.methods import GRAVITY, failures, methods, stiffnesses
 
-from ..results.given import given
+from ..results.given import File, Tables, given
 from ..results.provenance import provenance
 from ..results.quantity import listed
 from ..results.result import Result, labels
 from .study import EarthquakeStudy, make_study, quake_of, read_study
 
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+
 PERIODS = (0.2, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0)  # s, of the normalised reactions
 
 
-def earthquake(study, database=None):
+def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database | None = None) -> Result:
     """Reaction of the fenders of a floating body when the ground under its dolphins moves.
 
     study : path of an earthquake study, its tables as a dictionary, or a `study.EarthquakeStudy`
     database : path of the body's database, or an open one, in place of [body]
-    returns : Result; its `detail` is the `mooring.dolphins.methods.Quake`
+    returns : Result, in SI; its `detail` is the `mooring.dolphins.methods.Quake`
     raises : ValueError, one line
     """
     study, text = given(study, EarthquakeStudy, read_study, make_study)

@@ -22,7 +22,7 @@ from ..common.fender_tables import (
 )
 from ..common.quantities import StudyError
 from ..common.typed import typed
-from ..results.given import given
+from ..results.given import Tables, given
 from ..results.provenance import provenance
 from ..results.quantity import listed
 from ..results.result import Result, labels
@@ -43,12 +43,18 @@ class Pressed(NamedTuple):
     straight: Fender | None
 
 
-def fender(table, *, strain=None, deflection=None, energy=None):
+def fender(
+    table: Tables | FenderTable,
+    *,
+    strain: float | None = None,
+    deflection: float | None = None,
+    energy: float | None = None,
+) -> Result:
     """Reaction and energy of a fender over its compression, what it returns, its softest and stiffest.
 
     table : keys of the table [fender] of studies as a dictionary, or a `common.fender_tables.FenderTable`
     strain, deflection (m), energy (J) : one of them asks for one compression
-    returns : Result; its `detail` is a `Pressed`
+    returns : Result, in SI; its `detail` is a `Pressed`
     raises : ValueError, one line
     """
     table, text = given(table, FenderTable, None, lambda raw: typed(raw, FenderTable, StudyError))

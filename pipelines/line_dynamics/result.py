@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,7 +15,7 @@ from hakobune.mooring.studies.moving_in_air import warn_of_air
 
 from ..common.anchors import warn_of_anchors
 from ..common.quantities import StudyError
-from ..results.given import given, words_of
+from ..results.given import File, Tables, given, words_of
 from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
@@ -52,13 +53,19 @@ class Run(NamedTuple):
     strength: object
 
 
-def line_dynamics(study, *, duration=None, tolerance=None, progress=None):
+def line_dynamics(
+    study: File | Tables | LineDynamicsStudy,
+    *,
+    duration: float | None = None,
+    tolerance: float | None = None,
+    progress: Callable[[float], Callable[[float], None]] | None = None,
+) -> Result:
     """Tensions, slack and work of one mooring line whose fairlead moves.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.line_dynamics.study.LineDynamicsStudy`
     duration : s, tolerance : in place of the study's
     progress : function of the duration, s, that gives one which is called with the time reached
-    returns : Result; its `detail` is a Run
+    returns : Result, in SI; its `detail` is a Run
     raises : ValueError, one line
     """
     read, text = given(study, LineDynamicsStudy, read_line_dynamics, make_line_dynamics)

@@ -34,16 +34,27 @@ FLAGS = {  # unit, its size, whether a value is good, what is allowed
 
 
 def line(
-    *, length, depth, type=None, weight=None, stiffness=None, fairlead_z=0.0, span=None, tension=None, friction=0.0,
-    slope=0.0, characteristic=False,
-):  # fmt: skip
+    *,
+    length: float,
+    depth: float,
+    type: str | None = None,
+    weight: float | None = None,
+    stiffness: float | None = None,
+    fairlead_z: float = 0.0,
+    span: float | None = None,
+    tension: float | None = None,
+    friction: float = 0.0,
+    slope: float = 0.0,
+    characteristic: bool = False,
+) -> Result:
     """Forces of one mooring line, from its anchor on the bed to its fairlead.
 
     length : m, unstretched; depth : m, of water at the anchor; fairlead_z : m, above still water
     type : name in the catalogue; or weight : N/m in water, with stiffness : N, by default infinite
-    span : m, between both ends; or tension : N, horizontal at the fairlead; slope : rad, of the bed
+    span : m, between both ends; or tension : N, horizontal at the fairlead; slope : rad, and friction coefficient, of
+        the bed
     characteristic : whether it has the curves from slack to taut
-    returns : Result; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
+    returns : Result, in SI; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
     raises : ValueError, one line
     """
     words = words_of(**locals())

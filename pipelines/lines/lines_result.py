@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,12 +14,16 @@ from hakobune.mooring.studies.overloads import overloads
 
 from ..common.bounds import MOST, Pace, check_count, check_seconds, told
 from ..common.quantities import StudyError
-from ..results.given import database_of
+from ..results.given import File, Tables, database_of
 from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.result import Result
 from .lines_quantities import at_rest, axes_of, curves_at, line_alone, lost, parts_alone, periods_of, stiffness_on
 from .system_file import read_given
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+    from hakobune.mooring.lines.system.graph import System
 
 FARTHEST = 1e5  # m
 MOST_DIRECTIONS = 360
@@ -25,9 +31,17 @@ OF_POINTS = 2e-3  # s for the square of the number of free points, where they ar
 
 
 def lines(
-    system, *, depth=None, body=None, force=None, offset=None, directions=(0.0, np.pi / 2), characteristic=None,
-    broken=False, database=None,
-):  # fmt: skip
+    system: File | Tables | System,
+    *,
+    depth: float | None = None,
+    body: str | None = None,
+    force: Sequence[float] | None = None,
+    offset: float | None = None,
+    directions: Sequence[float] = (0.0, np.pi / 2),
+    characteristic: str | None = None,
+    broken: bool = False,
+    database: File | Database | None = None,
+) -> Result:
     """Equilibrium of a system of lines.
 
     system : path of a TOML, MoorDyn or MoorPy file, its tables as a dictionary, or a
@@ -36,8 +50,8 @@ def lines(
     offset : m, up to which it is held to both sides along `directions`, rad
     characteristic : name of a line, for its forces from slack to taut; broken : whether each line is lost in turn
     database : path of the body's, or an open one, for natural periods
-    returns : Result; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without it}; of
-        a MoorDyn file without lines that of its rods and bodies, each by itself
+    returns : Result, in SI; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without
+        it}; of a MoorDyn file without lines that of its rods and bodies, each by itself
     raises : ValueError, one line
     """
     asked = {"force": force, "offset": offset, "directions": directions, "characteristic": characteristic}

@@ -9,7 +9,7 @@ from hakobune.mooring.loads.over_wave import moved, over_wave
 
 from ..common.bounds import told
 from ..printing.number import significant
-from ..results.given import given
+from ..results.given import File, Tables, given
 from ..results.provenance import provenance
 from ..results.quantity import listed
 from ..results.result import Result, labels
@@ -21,11 +21,11 @@ IN_WATER, ALL = "all in the water", "all"
 A_MEMBER = 0.1  # s, over a wave
 
 
-def members(study):
+def members(study: File | Tables | MembersStudy) -> Result:
     """Water and wind on slender members, piles and frames of a dolphin, cranes: forces over a regular wave.
 
     study : path of a study of members, its tables as a dictionary, or a `study.MembersStudy`
-    returns : Result
+    returns : Result, in SI
     raises : ValueError, one line
     """
     study, text = given(study, MembersStudy, read_study, make_study)

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from hakobune.bem import DOFS
 from hakobune.mooring.studies.multi_point import PLANE, line_ends
 
-from ..results.given import database_of, given
+from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .notes import notes, resonant
 from .study import Study, make_study, read_study
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
 
 LOADS, PERIODS, LINES = "steady forces", "natural periods", "lines, tension at the fairlead"
 FREE, DRIFT, PLACE = "free motions, largest expected amplitude", "mean drift of the waves", "equilibrium"
@@ -40,12 +45,12 @@ LINE = {  # name: (unit, description, table, of a MultiPoint)
 }  # fmt: skip
 
 
-def moor(study, database):
+def moor(study: File | Tables | Study, database: File | Database) -> Result:
     """Equilibrium, natural periods and line tensions of a moored body.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
-    returns : Result; its `detail` is a `mooring.studies.multi_point.MultiPoint` and the hull
+    returns : Result, in SI; its `detail` is a `mooring.studies.multi_point.MultiPoint` and the hull
     raises : ValueError, one line
     """
     from .command import studied

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from hakobune.mooring.response.sea_state import TINY
 
 from ..common.quantities import StudyError
 from ..common.resonances import resonance_lines, underdamped
-from ..results.given import database_of, given
+from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
@@ -21,6 +22,9 @@ from .effort import check_effort
 from .findings import air_gaps, failures, keel_gaps, notes, turned
 from .solved import FRACTILE, solved_in_climate, solved_in_sea, solved_moored
 from .study import ResponseStudy, make_response_study, read_response_study
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
 
 KIND = "response"
 MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
@@ -30,13 +34,13 @@ FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
 FAR_FROM_DEPTH = 0.2  # of the gap under the keel, by which it may differ from that of the database
 
 
-def response(study, database, moored=None):
+def response(study: File | Tables | ResponseStudy, database: File | Database, moored: File | None = None) -> Result:
     """Motions, accelerations, air gap and drift of a body in a sea state, or their extremes in a climate.
 
     study : path of a response study, its tables as a dictionary, or a `ResponseStudy`
     database : path of the body's database, or an open one
     moored : path of a mooring study whose lines, wind and current hold the body, None for a body that floats freely
-    returns : Result; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
+    returns : Result, in SI; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
     raises : ValueError, one line
     """
     read, text = given(study, ResponseStudy, read_response_study, make_response_study)

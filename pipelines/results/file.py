@@ -76,11 +76,11 @@ def read(path, kind=None):
     with opened_result(path, schema(kind)) as file:
         if "quantities" not in file.attrs:
             raise DatabaseError(f"{path} fills case by case; hakobune.read reads it")
-        names, axes = (json.loads(file.attrs[key]) for key in ("quantities", "axes"))
+        names, axes = (json.loads(str(file.attrs[key])) for key in ("quantities", "axes"))
         lines = {key: tuple(filter(None, str(file.attrs[key]).split("\n"))) for key in LINES}
         return Result(
             kind, {name: _got(file[name]) for name in names}, {axis: _got(file[axis]) for axis in axes},
-            provenance=json.loads(file.attrs["provenance"]), **lines,
+            provenance=json.loads(str(file.attrs["provenance"])), **lines,
         )  # fmt: skip
 
 

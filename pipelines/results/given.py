@@ -3,9 +3,23 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+
+File = str | os.PathLike[str]
+Tables = dict[str, Any]  # nested, as TOML gives them
+Typed = TypeVar("Typed")
 
 
-def given(study, kind, read, make):
+def given(
+    study: File | Tables | Typed,
+    kind: type[Typed],
+    read: Callable[[File], tuple[Typed, str]] | None,
+    make: Callable[[Tables], Typed],
+) -> tuple[Typed, str]:
     """(typed study, its text) of any of the three.
 
     kind : class of the typed study; read : of a path, gives both, None where there are no such files
@@ -32,20 +46,20 @@ def _text(study):
     return tomli_w.dumps(_without_none(msgspec.to_builtins(study)))
 
 
-def words_of(**words):
+def words_of(**words) -> str:
     """TOML of the arguments of a study function that has no file, without what is not given"""
     import tomli_w
 
     return tomli_w.dumps(_without_none(words))
 
 
-def _without_none(value):
+def _without_none(value) -> Any:
     if isinstance(value, dict):
         return {key: _without_none(one) for key, one in value.items() if one is not None}
     return [_without_none(one) for one in value] if isinstance(value, list | tuple) else value
 
 
-def database_of(database):
+def database_of(database: File | Database) -> Database:
     """An open database of a path, or the one that is given"""
     from hakobune.bem.database import open_database
 

@@ -41,14 +41,16 @@ class Quantity:
         object.__setattr__(self, "values", values.astype(object).astype(str) if values.dtype.kind == "O" else values)
 
     @property
-    def numeric(self):
+    def numeric(self) -> bool:
         return self.values.dtype.kind in "fiuc"
 
-    def units(self):
+    def units(self) -> tuple[str, ...]:
         """One unit for each label of the first axis, or one of all"""
         return self.unit if isinstance(self.unit, tuple) else (self.unit,)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Quantity):
+            return False
         same = all(
             getattr(self, part) == getattr(other, part)
             for part in ("axes", "unit", "description", "table", "share", "record")
@@ -56,7 +58,7 @@ class Quantity:
         return same and np.array_equal(self.values, other.values, equal_nan=self.values.dtype.kind in "fc")
 
 
-def listed(rows, axes=(), table="", record=False):
+def listed(rows, axes=(), table="", record=False) -> dict[str, Quantity]:
     """{name: Quantity} of {name: (values, unit, description)} with the same axes; "%" is the unit of a share"""
     return {
         name: Quantity(values, axes, "" if unit == "%" else unit, words, table, unit == "%", record)
@@ -64,7 +66,7 @@ def listed(rows, axes=(), table="", record=False):
     }
 
 
-def read_in(unit, values, share=False):
+def read_in(unit: str, values, share=False) -> tuple[str, float]:
     """(unit in print, its size) for values of a unit of SI: kN from 1 kN on, N below"""
     name, size = READ_IN.get("%" if share else unit, (unit, 1.0))
     if size == KILO:

@@ -6,8 +6,9 @@ From it follow the print and CSV (`tables`), JSON (`documents`), HDF5 (`file`), 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,11 +16,17 @@ from hakobune.mooring.criteria.failing import FAILS, failing
 
 from .quantity import Quantity
 
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from .given import File
+
 PLACE = re.compile(r"(?P<head>[^\[\]]+)\[(?P<label>[^\]]+)\](?:\.(?P<tail>.+))?")
 
 
 @dataclass(frozen=True, eq=False)
-class Result(Mapping):
+class Result(Mapping[str, Any]):
     """kind : of study, as "moor"
     quantities : {name: Quantity}; the parts of a name are parted by dots, the first part names what it is of
     labels : {axis: Quantity of its labels, or of its values}
@@ -36,7 +43,7 @@ class Result(Mapping):
     notes: tuple[str, ...] = ()
     first: tuple[str, ...] = ()
     provenance: dict[str, str] = field(default_factory=dict)
-    detail: object = None
+    detail: Any = None
 
     def __post_init__(self):
         for name, one in self.quantities.items():
@@ -45,47 +52,46 @@ class Result(Mapping):
                 if found is None or len(found.values) != size:
                     raise ValueError(f"{name} has {size} values on the axis {axis!r}, which has not as many labels")
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Any:
         """Values by name: "tension.largest", of one line "tension[bow].largest" or "bow.largest".  Raises KeyError."""
         return self.quantity(name).values[()]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self.quantities)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.quantities)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         parts = ("kind", "quantities", "labels", "findings", "notes", "first", "provenance")
         return isinstance(other, Result) and all(getattr(self, part) == getattr(other, part) for part in parts)
 
     __hash__ = None
 
     @property
-    def told(self):
+    def told(self) -> tuple[str, ...]:
         """All findings, those that are said first before the others"""
         return (*self.first, *self.findings)
 
     @property
-    def fails(self):
+    def fails(self) -> tuple[str, ...]:
         """Findings that fail what was asked"""
         return tuple(line.removeprefix(FAILS) for line in failing(self.told))
 
     @property
-    def status(self):
+    def status(self) -> int:
         """Exit status of the command: 1 where something fails, else 0"""
         return int(bool(failing(self.told)))
 
-    def quantity(self, name):
+    def quantity(self, name: str) -> Quantity:
         """The Quantity of a name; at one label of its first axis where the name has one.  Raises KeyError."""
         if name in self.quantities:
             return self.quantities[name]
         found = PLACE.fullmatch(name)
-        whole = None if found is None else ".".join(filter(None, (found["head"], found["tail"])))
-        if whole in self.quantities and (found["label"] == "*" or not self.quantities[whole].axes):
-            return self.quantities[whole]
-        if whole in self.quantities:
-            return self._at(whole, found["label"])
+        whole = "" if found is None else ".".join(filter(None, (found["head"], found["tail"])))
+        if found and whole in self.quantities:
+            all_of_it = found["label"] == "*" or not self.quantities[whole].axes
+            return self.quantities[whole] if all_of_it else self._at(whole, found["label"])
         for whole, one in self.quantities.items():  # "surge.sigma" of record.sigma
             label = name.removesuffix("." + whole.partition(".")[2])
             if one.axes and label != name and label in self._shown(one.axes[0]):
@@ -104,53 +110,53 @@ class Result(Mapping):
     def _shown(self, axis):
         return [str(label) for label in self.labels[axis].values]
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         failed = f", {len(self.fails)} fail" if self.fails else ""
         return f"<{self.kind}: {len(self.quantities)} quantities, {len(self.told)} findings{failed}>"
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         from .frames import as_html
 
         return as_html(self)
 
-    def to_xarray(self):
+    def to_xarray(self) -> xarray.Dataset:
         """An xarray.Dataset with all quantities, their axes, units and descriptions"""
         from .frames import as_xarray
 
         return as_xarray(self)
 
-    def to_dataframe(self, *names):
+    def to_dataframe(self, *names: str) -> pandas.DataFrame:
         """A pandas.DataFrame of quantities that have the same axes.  Raises ValueError for others."""
         from .frames import as_dataframe
 
         return as_dataframe(self, *names)
 
-    def to_json(self):
+    def to_json(self) -> str:
         """One JSON document, complete and at full precision"""
         from .documents import as_json
 
         return as_json(self)
 
-    def to_csv(self):
+    def to_csv(self) -> str:
         """Tables of all quantities at full precision, in SI, a blank line between them"""
         from .documents import as_csv
 
         return as_csv(self)
 
-    def write(self, path):
+    def write(self, path: File) -> None:
         """Write it into an HDF5 file (`read` reads it back)"""
         from .file import write
 
         write(self, path)
 
-    def show(self):
+    def show(self) -> None:
         """Print tables, notes and findings"""
         from .tables import printed
 
         printed(self)
 
 
-def labels(axis, values, unit="", description=""):
+def labels(axis: str, values: Any, unit: str | tuple[str, ...] = "", description: str = "") -> dict[str, Quantity]:
     """{axis: its labels}, for `Result`"""
     return {axis: Quantity(np.asarray(values), (axis,), unit, description or axis)}
 

@@ -160,7 +160,7 @@ def rich_table(shown, labels):
     for row in rows:
         label = shown.labels[row]
         said = _cell(label, size) if head.numeric else str(label)
-        table.add_row(f"{said}, {units[row]}" if by_row else said, *(column[row] for column in cells))
+        table.add_row(f"{said}, {units[row]}" if by_row and units else said, *(column[row] for column in cells))
     return table
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -33,7 +34,13 @@ WORDS = {"M": "added mass", "N": "damping", "E": "wave force", "eps": "phase of 
 MOTIONS = {"H": "heave", "S": "sway", "R": "roll", "SR": "sway and roll"}
 
 
-def sections(*, beam_draft=BEAM_DRAFT, depth_draft=DEPTH_DRAFT, xi=XI, tolerance=1e-6):
+def sections(
+    *,
+    beam_draft: Sequence[float] = BEAM_DRAFT,
+    depth_draft: Sequence[float] = DEPTH_DRAFT,
+    xi: Sequence[float] = XI,
+    tolerance: float = 1e-6,
+) -> Result:
     """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20.
 
     beam_draft : B/d; depth_draft : H/d, above 1, or inf; xi : ξ_B = ω²B/2g; tolerance : relative error

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.motion.extremes import CONFIDENCE
 
 from ..executors.choice import executor_of
-from ..results.given import database_of
+from ..results.given import File, Tables, database_of
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
@@ -23,6 +24,13 @@ from .findings import findings
 from .over_runs import largest_in_runs, notes, overloads, used_in_runs
 from .run import input_of
 from .run import simulate as fill
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from hakobune.bem.database import Database
+
+    from ..moor.study import Study
 
 KIND = "simulate"
 RECORDS = ("surge", "sway", "heave", "roll", "pitch", "yaw", "wave", "wind speed")  # statistics of a file before lines
@@ -53,8 +61,18 @@ END = {
 }
 
 
-def simulate(study, database, output=None, *, seeds=None, duration=None, fresh=False, executor="local", window=None,
-             console=None):  # fmt: skip
+def simulate(
+    study: File | Tables | Study,
+    database: File | Database,
+    output: File | None = None,
+    *,
+    seeds: int | None = None,
+    duration: float | None = None,
+    fresh: bool = False,
+    executor: str = "local",
+    window: float | None = None,
+    console: Console | None = None,
+) -> Result:
     """A moored body in time, seed by seed.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
@@ -62,7 +80,7 @@ def simulate(study, database, output=None, *, seeds=None, duration=None, fresh=F
     output : path of the file of all runs, which goes on where it stopped; None to keep no file
     seeds : how many; duration : s of a run; both in place of the study's; fresh : replace a file that is there
     executor : as of the command; window : s, of which the first record is told one by one; console : told the progress
-    returns : Result; records are in the file
+    returns : Result, in SI; records are in the file
     raises : ValueError, one line, before anything is written; KeyboardInterrupt, whole seeds are kept
     """
     if output is None:

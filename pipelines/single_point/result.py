@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import tomllib
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
 from hakobune.mooring.single_point.equilibria import Equilibrium, equilibria, preferred
 from hakobune.mooring.single_point.in_time import Run
 from hakobune.mooring.single_point.limit_cycle import LimitCycle, limit_cycle
 
-from ..results.given import database_of, given
+from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.result import Result
 from . import running
@@ -19,6 +19,9 @@ from .maps import Map, check_maps, computed
 from .quantities import cycle_of, hull_of, lines_at, maps_of, notes_of, rest_of, run_of, state_of
 from .study import check_buoy, make
 from .tables import Study, make_study, read_study
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
 
 
 class Found(NamedTuple):
@@ -36,12 +39,12 @@ class Found(NamedTuple):
     maps: tuple[Map, ...]
 
 
-def single_point(study, database=None):
+def single_point(study: File | Tables | Study, database: File | Database | None = None) -> Result:
     """Headings of rest of a body on a buoy or turret, its slewing, tensions, and a run in time where it has one.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.single_point.tables.Study`
     database : path of the body's database, or an open one, for its masses and the drift of the waves
-    returns : Result; its `detail` is a Found
+    returns : Result, in SI; its `detail` is a Found
     raises : ValueError, one line
     """
     read, text = given(study, Study, lambda path: read_study(path)[::2], make_study)

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..common.quantities import StudyError
 from ..common.typed import typed
-from ..results.given import given
+from ..results.given import File, Tables, given
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
@@ -25,11 +25,11 @@ class Site(NamedTuple):
     values: SiteValues
 
 
-def site(study):
+def site(study: File | Tables | SiteStudy) -> Result:
     """Return period, extremes, levels and seismic coefficient of a site.
 
     study : path of a site, its tables as a dictionary, or a `pipelines.site.study.SiteStudy`
-    returns : Result; its `detail` is a Site
+    returns : Result, in SI; its `detail` is a Site
     raises : ValueError, one line
     """
     read, text = given(study, SiteStudy, read_site, lambda raw: typed(raw, SiteStudy, StudyError))

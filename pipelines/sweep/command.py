@@ -9,11 +9,9 @@ from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
-from ..executors.choice import executor_of
 from ..results.tables import printed
-from . import run
 from .file import is_sweep, result_of
-from .study import read_sweep
+from .result import filled
 
 SHOWN = 5  # cases that are named
 PRINTED = 8  # quantities of a table that is printed where none is asked for
@@ -28,12 +26,7 @@ def sweep(study, output, executor, fresh, plot=None):
     check_output(output, "the result of a sweep", is_sweep, DATABASE, [study])
     if plot is not None:
         check_picture(plot, PLOTS)
-    table, text = read_sweep(study)
-    workers = executor_of(executor)
-    try:
-        outcome = run.sweep(table, text, study.parent, output, workers, _say, fresh)
-    finally:
-        workers.shutdown(wait=False, cancel_futures=True)
+    table, outcome = filled(study, output, executor, fresh, _say)
     result = _shown(result_of(output), table.keep)
     if plot is not None:
         from .picture import draw

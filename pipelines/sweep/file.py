@@ -15,6 +15,7 @@ import numpy as np
 from hakobune.bem import __version__
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.bem.database.results import check_version, named
+from hakobune.mooring.criteria.failing import fails
 
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
@@ -136,7 +137,11 @@ def result_of(path):
             axes[axis] = _read(data, (axis,), axis)
         told = file["message"].asstr()[()]
         study = {name: str(file.attrs[name]) for name in ("sweep", "study")}
-    lines = tuple(f"case {number}: {line}" for number, line in enumerate(told) if line)
+    lines = tuple(
+        fails(f"case {number}: {line}") if status > 0 else f"case {number}: {line}"
+        for number, (line, status) in enumerate(zip(told, quantities["status"].values, strict=True))
+        if line
+    )
     used = {axis for one in quantities.values() for axis in one.axes}
     return Result("sweep", quantities, {axis: one for axis, one in axes.items() if axis in used}, lines,
                   provenance=study)  # fmt: skip

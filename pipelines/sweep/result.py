@@ -1,0 +1,71 @@
+"""Many cases of one study as a function."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from contextlib import contextmanager
+from pathlib import Path
+
+import tomli_w
+
+from hakobune.bem.database.integrity import DatabaseError
+
+from ..executors.choice import executor_of
+from ..results.given import File, Tables
+from ..results.result import Result
+from . import run
+from .file import result_of
+from .study import SweepTable, read_sweep
+
+
+def sweep(
+    study: File | Tables,
+    output: File | None = None,
+    *,
+    executor: str = "local",
+    fresh: bool = False,
+    say: Callable[[str], None] | None = None,
+) -> Result:
+    """Cases of a study over values of its keys, in the units of the study; what each gave, in SI, under its name.
+
+    study : path of a sweep, or its tables as a dictionary; there `study` is the path of what is varied, or its tables
+    output : path of the file of all cases, which goes on where it stopped; None to keep no file
+    executor : as of the command; fresh : replace a file that is there; say : is told the progress, line by line
+    returns : Result, in SI, with the axis "case", "keys.NAME" of what is varied, and "status", 0 where a case is well
+    raises : ValueError, one line, also where a worker was lost, what was done being kept
+    """
+    with tempfile.TemporaryDirectory() as folder, in_files(study, Path(folder)) as path:
+        place = Path(folder) / "sweep.h5" if output is None else Path(output)
+        _, outcome = filled(path, place, executor, fresh, say or (lambda line: None))
+        lost, reason = outcome.lost
+        if lost:
+            raise DatabaseError(f"{lost} cases were not done, {reason}; call it again to go on")
+        return result_of(place)
+
+
+def filled(path: Path, output: Path, executor: str, fresh: bool, say) -> tuple[SweepTable, run.Outcome]:
+    """Run what is pending of the sweep in a file: its table and what was done.  Raises StudyError."""
+    table, text = read_sweep(path)
+    workers = executor_of(executor)
+    try:
+        return table, run.sweep(table, text, path.parent, output, workers, say, fresh)
+    finally:
+        workers.shutdown(wait=False, cancel_futures=True)
+
+
+@contextmanager
+def in_files(study: File | Tables, folder: Path):
+    """The path of a sweep: given, or in a folder where its tables, and those of what it varies, are written"""
+    if isinstance(study, str | os.PathLike):
+        yield Path(study)
+        return
+    varied, path = study.get("study"), folder / "sweep.toml"
+    if isinstance(varied, dict):
+        place = folder / "study.toml"
+        place.write_text(tomli_w.dumps(varied), encoding="utf-8")
+    else:
+        place = Path(str(varied)).absolute()
+    path.write_text(tomli_w.dumps({**study, "study": str(place)}), encoding="utf-8")
+    yield path
