@@ -27,6 +27,7 @@ from hakobune.mooring.response.seas import energy_outside
 
 from ..common.quantities import StudyError, direction, level_of, positive
 from ..common.weather.gusts import gusts_of
+from ..moor.checked import check_period
 from ..moor.tables import SimulationTable
 from ..response.study import checked_ratios, damping_of
 from .berth import check_harbour
@@ -90,11 +91,8 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
         findings = tuple(dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega)))
         if more:
             findings += ("the simplified method beside it has the waves of [waves] alone, without simulation.sea",)
-    elif waves is not None and not omega[0] <= waves.omega <= omega[-1]:
-        raise StudyError(
-            f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
-            f"{2 * np.pi / omega[0]:.4g} s; solve them too"
-        )
+    elif waves is not None:
+        check_period(waves, omega)
     level_of_pairs(study, bool(seas), settings.slow_drift)
     streams = conditions.wind, gusts_of(study.wind), conditions.current
     carrier = carrier_of(conditions.current)

@@ -199,7 +199,15 @@ FAULTS = {
     ),
     "spreading": ("lines", [(storm("waves", "spreading"), "cos:4")], ("waves.spreading is 'cos:4'", "cosine:N")),
     "waves that are not solved for": (
-        "lines", [(storm("waves", "period"), 200.0)], ("storm", "outside the stored frequencies", "allowed: 25 %"),
+        "lines", [(storm("waves", "period"), 52.0)], ("storm", "outside the stored frequencies", "allowed: 25 %"),
+    ),
+    "regular wave that is not solved for": (
+        "lines", [(storm("waves"), {"height": 1.0, "period": 90.0, "method": "regular_wave"})],
+        ("waves of 90 s lie outside", "5 to 60 s", "solve them too"),
+    ),
+    "waves of the simplified method": (
+        "lines", [(project("simulation"), ...), (storm("waves", "period"), 200.0)],
+        ("of the wave energy", "allowed: 50 %", "add periods"),
     ),
     "direction that is not solved for": (
         "lines", [(scene("waves", "headings_deg"), [0, 30])], ("wave direction 240°", "at most 45° apart", "add it"),
