@@ -10,6 +10,8 @@ import pytest
 import tomli_w
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
 
 SCENE = {
     "water": {"depth": 20.0},
@@ -98,8 +100,14 @@ BREAKWATER_PROJECT = {
     "states": [{"name": "storm", "state": "normal", "incidence_deg": [0.0], "waves": {"height": 1.0, "period": 5.0}}],
     "limits": [{"quantity": "tension / allowable tension", "at_most": 1.0, "source": "owner"}],
 }
+OF_DATABASE = {
+    **{key: value for key, value in LINES_PROJECT.items() if key != "levels"},
+    "project": {key: value for key, value in OWN.items() if key != "scene"} | {"name": "box", "database": "box.h5"},
+    "states": [{**STATES[0], "incidence_deg": [0.0], "levels": ["mean"]}, STATES[1]],
+}
 SOUND = {
     "lines": (LINES_PROJECT, MOORING),
+    "database": (OF_DATABASE, MOORING),
     "berth": (BERTH_PROJECT, BERTH),
     "single point": (POINT_PROJECT, POINT),
     "breakwater": (BREAKWATER_PROJECT, BREAKWATER),
@@ -279,6 +287,18 @@ FAULTS = {
     "quay without a berth": ("lines", [(study("quay"), {"y": 30.0})], ("has a quay", "at a berth alone")),
     "freeboard": ("lines", [(study("hull", "freeboard"), -1.0)], ("hull.freeboard is -1", "above 0")),
     "earthquake of lines": ("lines", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("no fenders",)),
+    "direction of a database": (
+        "database", [(storm("incidence_deg"), [0.0, 60.0])], ("box.h5", "wave direction 240°", "at most 45° apart"),
+    ),
+    "water of a database": (
+        "database", [(study("water", "depth"), 25.0)], ("water.depth is 25 m", "box.h5 is for 20 m"),
+    ),
+    "waves of a database": (
+        "database", [(storm("waves", "period"), 200.0)], ("of the wave energy", "stored 5 to 60 s", "allowed: 50 %"),
+    ),
+    "level of a database": (
+        "database", [(project("levels"), {"high": 1.0})], ("a database for each depth", "project.scene"),
+    ),
     "dolphin of a fender": ("berth", [(study("fender", 0, "on"), "D9")], ("no dolphin 'D9'", "allowed: D1")),
     "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)], ("'D1' carries no fender", "one")),
     "family of a fender": (
@@ -339,14 +359,22 @@ class Reached(Exception):
     """Work began"""
 
 
+@pytest.fixture(scope="module")
+def box(tmp_path_factory):
+    path = tmp_path_factory.mktemp("box") / "box.h5"
+    solve(make_scene({**SCENE, "waves": {**SCENE["waves"], "headings_deg": [0, 30]}}), path)
+    return path
+
+
 @pytest.fixture
-def designed(tmp_path, monkeypatch, capsys):
+def designed(box, tmp_path, monkeypatch, capsys):
     """Runs design on a sound project with changes, where no work may begin; gives its status and its line"""
 
     def reached(*_, **__):
         raise Reached
 
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "box.h5").symlink_to(box)
     monkeypatch.setattr("hakobune.pipelines.solve.run.solve", reached)
     monkeypatch.setattr("hakobune.pipelines.design.command.made", reached)
 
@@ -376,4 +404,4 @@ def test_a_fault_is_one_line_before_anything_is_solved(fault, designed, tmp_path
     assert status == 2 and said.out == "", said
     assert said.err.startswith("hakobune design: ") and said.err.count("\n") == 1, said.err
     assert all(word in said.err for word in words), said.err
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["project.toml", "scene.toml", "study.toml"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["box.h5", "project.toml", "scene.toml", "study.toml"]
