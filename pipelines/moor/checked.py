@@ -115,10 +115,3 @@ def check_weather(study, body):
     if study.quay is not None:
         method_of(study.quay, body.wall, body.name)
     return hull
-
-
-def check_simulation(study, body, names, folder):
-    """Raises ValueError for what no run in time could take; names : of the lines; folder : of files"""
-    from ..simulate.study import check_names, plan_of
-
-    check_names(plan_of(study, body.omega, folder=folder).settings, names)

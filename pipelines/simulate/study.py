@@ -139,6 +139,11 @@ def check_names(settings, names):
             raise StudyError(f"simulation.{key}: there is no line {name!r}; allowed: {known}")
 
 
+def check_run(study, omega, names, folder):
+    """Raises ValueError for a `Study` that no run in time could take; as `plan_of` and `check_names`"""
+    check_names(plan_of(study, omega, folder=folder).settings, names)
+
+
 def force_files(study, folder):
     """Paths of the forces and the record of waves that a study gives as tables"""
     table = study.simulation
@@ -246,7 +251,7 @@ def _settings(table, duration):
     if table.components is not None and table.components > MOST_COMPONENTS:
         raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
     if isinstance(dynamic, str) and dynamic not in MOVING:
-        raise StudyError(f"simulation.dynamic_lines is {dynamic!r}; allowed: {', '.join(MOVING)}, none, or names")
+        raise StudyError(f'simulation.dynamic_lines is {dynamic!r}; allowed: "auto", "all", "none", or a list of names')
     if table.dynamic_water != "still" and not dynamic:
         raise StudyError(
             f"simulation.dynamic_water is {table.dynamic_water!r} and no line moves by itself; allowed: with "

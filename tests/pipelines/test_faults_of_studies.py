@@ -58,7 +58,7 @@ FAULTS = {
     "line that moves": (
         "simulate", ("simulation", "dynamic_lines"), ["bow"], ("dynamic_lines: there is no line 'bow'", "fore port"),
     ),
-    "word for lines": ("simulate", ("simulation", "dynamic_lines"), "some", ("dynamic_lines is 'some'", "auto, all")),
+    "word for lines": ("simulate", ("simulation", "dynamic_lines"), "some", ("dynamic_lines is 'some'", '"auto"')),
     "damped motion": (
         "simulate", ("simulation", "damping_ratio"), {"rol": 0.1}, ("damping_ratio.rol is unknown", "roll"),
     ),
