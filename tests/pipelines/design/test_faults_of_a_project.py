@@ -5,11 +5,15 @@ the thing and what is allowed, and leaves no file.
 """
 
 import copy
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 import tomli_w
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.design.kinds import mooring
+from hakobune.pipelines.design.project import read_project
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.run import solve
 
@@ -405,3 +409,22 @@ def test_a_fault_is_one_line_before_anything_is_solved(fault, designed, tmp_path
     assert said.err.startswith("hakobune design: ") and said.err.count("\n") == 1, said.err
     assert all(word in said.err for word in words), said.err
     assert sorted(path.name for path in tmp_path.iterdir()) == ["box.h5", "project.toml", "scene.toml", "study.toml"]
+
+
+def test_a_file_of_a_simulation_lies_beside_the_project(designed, tmp_path):
+    """Studies of load cases, which name it, lie in another folder"""
+    force = (project("simulation", "force"), [{"file": "tug.csv"}])
+    (tmp_path / "tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,1e5,0,0,0,0,0\n1000,1e5,0,0,0,0,0\n")
+    with pytest.raises(Reached):
+        designed("lines", [force])
+    read = read_project(tmp_path / "project.toml")
+    assert read.raw["simulation"]["force"] == [{"file": str(tmp_path / "tug.csv")}]
+
+
+def test_a_quay_stands_in_the_load_cases_of_its_berth():
+    """It stands still where the water rises"""
+    box = SCENE["bodies"][0]
+    sizes = {name: box[name] for name in ("length", "beam", "draft")}
+    body = SimpleNamespace(dimensions=sizes, rotation_center=np.zeros(3), density=1025.0, gravity=9.80665)
+    base = mooring.base({**BERTH, "quay": {"y": 30.0}}, body)
+    assert mooring.at(base, 21.5, {})["quay"] == {"y": 30.0}
