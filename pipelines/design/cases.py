@@ -5,13 +5,17 @@ from __future__ import annotations
 import re
 from copy import deepcopy
 from itertools import product
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from msgspec.structs import replace
 
+from ..common.quantities import StudyError
 from .tables import MEAN
 
 WEATHER = ("wind", "current", "waves")
+OFF = ("wind_off_deg", "current_off_deg")
 
 
 class LoadCase(NamedTuple):
@@ -88,3 +92,42 @@ def _name(state, level, incidence, wind_off, current_off, lost, factor):
 def file_name(case):
     """A name for the files of a case, without what file systems do not take"""
     return re.sub(r"[^A-Za-z0-9.+-]+", "_", case.name).strip("_")
+
+
+def check_cases(read, scenes):
+    """Raises StudyError for a load case that could not be run; scenes : {level: Scene}, {} without a scene
+
+    Cases in which wind and current alone come from elsewhere stand for one another.  Whether lines reach their anchors
+    at another level of the water is a result, and told of the case.
+    """
+    bodies = _bodies(read, scenes)
+    base = read.kind.base(read.study, bodies[MEAN])
+    names = read.kind.lost(base)
+    if read.project.anchors is not None:
+        for name in read.project.anchors.lines:
+            if name not in names:
+                raise StudyError(f"anchors.lines: there is no line {name!r}; allowed: {', '.join(names)}")
+    states = [replace(state, **{key: getattr(state, key)[:1] for key in OFF}) for state in read.project.states]
+    files = {}
+    for case in intact_cases(replace(read, project=replace(read.project, states=states)), base, (1.0,)):
+        other = files.setdefault(file_name(case).lower(), case.state)
+        if other != case.state:
+            raise StudyError(f"states {other!r} and {case.state!r} have files of one name; allowed: each its own")
+        try:
+            read.kind.checked(case.study, bodies[case.level], read.folder)
+        except ValueError as error:
+            raise StudyError(f"{case.name}: {error}") from None
+
+
+def _bodies(read, scenes):
+    """{level: `moor.checked.Body`}, None where the study has its own"""
+    from ..moor.checked import body_of_database, body_of_scene
+
+    own = read.project.project
+    if own.database is not None:
+        from hakobune.bem.database import open_database
+
+        return {MEAN: body_of_database(open_database(Path(read.folder) / own.database))}
+    if not scenes:
+        return dict.fromkeys((MEAN, *read.project.levels))
+    return {level: body_of_scene(own.scene, scene) for level, scene in scenes.items()}

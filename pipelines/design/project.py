@@ -52,7 +52,7 @@ from hakobune.bem import DOFS
 from hakobune.mooring.criteria.rules import LINES as KNOWN_LINES
 from hakobune.mooring.criteria.rules import OWN, Criterion, of_rule, read_rules, unit_of
 from hakobune.mooring.criteria.rules import STATES as KNOWN_STATES
-from hakobune.mooring.criteria.strength import kind_and_size
+from hakobune.mooring.criteria.strength import kind_and_size, worn_breaking_load
 from hakobune.mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
 
 from ..common.quantities import StudyError, positive, speed
@@ -60,7 +60,7 @@ from ..common.typed import read_toml, typed
 from ..common.weather.seas import spectrum_of
 from ..common.weather.streams import coefficients_of, wind_table, with_files
 from ..site.link import laid_in, named, site_file
-from .checking import check_cases, check_project, check_worn
+from .cases import check_cases
 from .kinds.choose import kind_of
 from .kinds.needs import SCOPE
 from .tables import MEAN, Project
@@ -104,7 +104,7 @@ def read_project(path):
     kind = kind_of(folder / own.study)
     study, study_text = kind.read(folder / own.study)
     _check_bodies(own, kind)
-    check_project(project)
+    _check_numbers(project)
     _check_states(project, study["water"]["depth"])
     kind.check(project, study)
     _check_wear(project, study)
@@ -118,7 +118,7 @@ def read_project(path):
     _check_values(project, criteria)
     _check_earthquakes(project, study, folder)
     read = Read(project, raw, text, study, study_text, criteria, folder, kind)
-    check_worn(worn_diameters(project, study))
+    _check_worn(worn_diameters(project, study))
     check_cases(read, scenes(read))
     return read
 
@@ -202,6 +202,31 @@ def worn_diameters(project, study):
         if "catalogue" in table:
             found[name] = kind_and_size(table["catalogue"])[1], wear.mm_per_year * years
     return found
+
+
+def _check_numbers(project):
+    """Raises StudyError for numbers that no project could have, whatever its study."""
+    own = project.project
+    if own.service_life is not None:
+        positive("project.service_life", own.service_life)
+    if own.probability is not None and not 0 < own.probability < 1:
+        raise StudyError(f"project.probability is {own.probability:g}; allowed: above 0, below 1")
+    for name, rise in project.levels.items():
+        if not math.isfinite(rise):
+            raise StudyError(f"levels.{name} is {rise:g} m; allowed: finite")
+    if project.anchors is not None:
+        positive("anchors.holding_kN", project.anchors.holding_kN)
+        for name, holding in project.anchors.lines.items():
+            positive(f"anchors.lines.{name}", holding)
+
+
+def _check_worn(worn):
+    """Raises StudyError for wear that leaves too little of a type; worn : of `worn_diameters`"""
+    for name, (diameter, loss) in worn.items():
+        try:
+            worn_breaking_load(1.0, diameter, loss, 1.0)
+        except ValueError as error:
+            raise StudyError(f"wear of type {name!r}: {error}") from None
 
 
 def _check_states(project, depth):

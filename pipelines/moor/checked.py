@@ -9,6 +9,7 @@ import numpy as np
 
 from hakobune.bem.database.between_frequencies import DRIFT, KOCHIN, RADIATION, BetweenError
 from hakobune.bem.database.between_headings import Ring, ring
+from hakobune.mooring.response.seas import check_coverage
 
 from ..common.quantities import StudyError
 from .quay import method_of
@@ -82,6 +83,27 @@ def check_headings(body, seas):
         raise StudyError(f"{body.name}: {error}") from None
 
 
+def check_waves(body, conditions):
+    """Raises ValueError for waves of `Conditions` in which a Body is not solved for"""
+    if conditions.waves is None:
+        return
+    if conditions.method == "regular_wave":
+        check_period(conditions.waves, body.omega)
+        check_headings(body, [conditions.waves])
+        return
+    check_coverage(body, conditions.sea.spectrum)
+    check_headings(body, getattr(conditions.sea, "systems", (conditions.sea,)))
+
+
+def check_period(waves, omega):
+    """Raises StudyError for a regular wave outside the band of frequencies omega (n,) rad/s"""
+    if not omega[0] <= waves.omega <= omega[-1]:
+        raise StudyError(
+            f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
+            f"{2 * np.pi / omega[0]:.4g} s; solve them too"
+        )
+
+
 def check_weather(study, body):
     """ExposedBox of a `Study` on a Body.  Raises ValueError for a hull, weather or quay that does not fit."""
     if not math.isclose(study.water.depth, body.water_depth, rel_tol=1e-6):
@@ -89,15 +111,7 @@ def check_weather(study, body):
     hull = study.hull_of(body.dimensions)
     study.check_streams(hull, body.density)
     check_stored(body, study.waves is not None)
-    sea = study.conditions().sea
-    check_headings(body, () if sea is None else getattr(sea, "systems", (sea,)))
+    check_waves(body, study.conditions())
     if study.quay is not None:
         method_of(study.quay, body.wall, body.name)
     return hull
-
-
-def check_simulation(study, body, names, folder):
-    """Raises ValueError for what no run in time could take; names : of the lines; folder : of files"""
-    from ..simulate.study import check_names, plan_of
-
-    check_names(plan_of(study, body.omega, folder=folder).settings, names)

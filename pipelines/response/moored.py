@@ -37,22 +37,21 @@ def moored(path, read, db, sea, duration, points):
     from ..moor.study import read_study
     from .study import viscous_laws, viscous_words
 
+    if read.current is not None:
+        raise StudyError(f"current is given with --moored; allowed: the current of {path} alone")
     study, _ = read_study(path)
     hull = study.without_berth("response --moored").hull_of(db.dimensions)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
-    spectrum, given = sea.spectrum, study.conditions()
+    spectrum, given, gusts = sea.spectrum, study.conditions(), gusts_of(study.wind)
     waves = Waves(spectrum.significant_height, spectrum.T01, sea.direction)
     conditions = replace(given, waves=waves, sea=sea, method="irregular", duration=duration)
-    statics = multi_point(db, system, hull, conditions, study.allowable)
     laws = viscous_laws(read, db)
+    statics = multi_point(db, system, hull, conditions, study.allowable)
     held = read.restrained(db.reader.floating().restrained(stiffness=statics.equilibrium.stiffness))
-    if read.current is not None:
-        raise StudyError(f"current is given with --moored; allowed: the current of {path} alone")
     carrier = carrier_of(given.current)
     (free, _), (held, damping) = (
         in_sea(on_current(db.reader, carrier), sea, laws), in_sea(db.reader, sea, laws, on_current(held, carrier))
     )  # fmt: skip
-    gusts = gusts_of(study.wind)
     gust = None if gusts is None else (gusts, statics.loads["wind"][PLANE])
     alone = long_period(db, hull, statics, gusts)
     K = np.diag(statics.equilibrium.stiffness)[PLANE]

@@ -18,16 +18,16 @@ def solved_in_sea(read, body, db, points, beside):
     from ..common.quantities import level_of, positive
     from .study import sea_of, viscous_laws, viscous_words
 
+    level, duration = level_of("sea.qtf", read.sea.qtf), 3600 * positive("sea.duration_hours", read.sea.duration_hours)
     sea, laws = sea_of(read.sea, beside, db.water_depth), viscous_laws(read, db)
     body = on_current(body, carrier_of(read.stream()))
     body, damping = in_sea(db.reader, sea, laws, body)
     for line in viscous_words(body, laws, damping):
         warnings.warn(line, stacklevel=2)
-    level_of("sea.qtf", read.sea.qtf)
-    bound, said = beside_newman(db, sea, read.sea.qtf, spread=True)
+    bound, said = beside_newman(db, sea, level, spread=True)
     for line in said:
         warnings.warn(line, stacklevel=2)
-    return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points, bound), body
+    return sea_state(body, sea, duration, points, bound), body
 
 
 def solved_moored(read, db, points, beside, path):

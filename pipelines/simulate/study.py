@@ -27,6 +27,7 @@ from hakobune.mooring.response.seas import energy_outside
 
 from ..common.quantities import StudyError, direction, level_of, positive
 from ..common.weather.gusts import gusts_of
+from ..moor.checked import check_period
 from ..moor.tables import SimulationTable
 from ..response.study import checked_ratios, damping_of
 from .berth import check_harbour
@@ -90,11 +91,8 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
         findings = tuple(dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega)))
         if more:
             findings += ("the simplified method beside it has the waves of [waves] alone, without simulation.sea",)
-    elif waves is not None and not omega[0] <= waves.omega <= omega[-1]:
-        raise StudyError(
-            f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
-            f"{2 * np.pi / omega[0]:.4g} s; solve them too"
-        )
+    elif waves is not None:
+        check_period(waves, omega)
     level_of_pairs(study, bool(seas), settings.slow_drift)
     streams = conditions.wind, gusts_of(study.wind), conditions.current
     carrier = carrier_of(conditions.current)
@@ -139,6 +137,11 @@ def check_names(settings, names):
         if name not in names:
             known = ", ".join(names) or "none"
             raise StudyError(f"simulation.{key}: there is no line {name!r}; allowed: {known}")
+
+
+def check_run(study, omega, names, folder):
+    """Raises ValueError for a `Study` that no run in time could take; as `plan_of` and `check_names`"""
+    check_names(plan_of(study, omega, folder=folder).settings, names)
 
 
 def force_files(study, folder):
@@ -248,7 +251,7 @@ def _settings(table, duration):
     if table.components is not None and table.components > MOST_COMPONENTS:
         raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
     if isinstance(dynamic, str) and dynamic not in MOVING:
-        raise StudyError(f"simulation.dynamic_lines is {dynamic!r}; allowed: {', '.join(MOVING)}, none, or names")
+        raise StudyError(f'simulation.dynamic_lines is {dynamic!r}; allowed: "auto", "all", "none", or a list of names')
     if table.dynamic_water != "still" and not dynamic:
         raise StudyError(
             f"simulation.dynamic_water is {table.dynamic_water!r} and no line moves by itself; allowed: with "

@@ -28,7 +28,12 @@ COMMANDS = {  # command: study, words behind it, what may not be reached
     "moor": ("moor_chain_12", [*ON_BOX, "--output", "out.h5"], "mooring.studies.multi_point.rest"),
     "simulate": ("simulate_chain_12", [*ON_BOX, "--output", "out.h5"], "mooring.motion.simulation.moored"),
     "simulate berth": ("simulate_dolphins", [*ON_BOX, "--output", "out.h5"], "mooring.motion.simulation.moored"),
-    "response": ("response_box_20m", [*ON_BOX, "--output", "out.csv"], "mooring.response.sea_state.sea_state"),
+    "response": ("response_box_20m", [*ON_BOX, "--output", "out.csv"], "mooring.response.viscous.in_sea"),
+    "response --moored": (
+        "response_box_20m",
+        [*ON_BOX, "--moored", "moored.toml", "--output", "out.csv"],
+        "mooring.studies.multi_point.multi_point",
+    ),
     "lines": ("lines_barge", ["--output", "out.csv"], "mooring.lines.system.equilibrium.rest"),
     "line-dynamics": ("line_chain_60m", ["--output", "out.h5"], "mooring.lines.dynamics.simulation.simulate"),
     "single-point": ("single_point_barge", [*ON_BOX, "--output", "out.h5"], "mooring.single_point.equilibria.zeros"),
@@ -58,7 +63,7 @@ FAULTS = {
     "line that moves": (
         "simulate", ("simulation", "dynamic_lines"), ["bow"], ("dynamic_lines: there is no line 'bow'", "fore port"),
     ),
-    "word for lines": ("simulate", ("simulation", "dynamic_lines"), "some", ("dynamic_lines is 'some'", "auto, all")),
+    "word for lines": ("simulate", ("simulation", "dynamic_lines"), "some", ("dynamic_lines is 'some'", '"auto"')),
     "damped motion": (
         "simulate", ("simulation", "damping_ratio"), {"rol": 0.1}, ("damping_ratio.rol is unknown", "roll"),
     ),
@@ -81,6 +86,14 @@ FAULTS = {
         "response", ("body", "damping_ratio"), {"rol": 0.1}, ("body.damping_ratio.rol is unknown", "roll"),
     ),
     "law of a response": ("response", ("body", "viscous"), {"roll": "Yamasita"}, ("'Yamasita'", "Yamashita")),
+    "current of a moored response": (
+        "response --moored", ("current",), {"speed": 1.0, "incidence_deg": 0.0},
+        ("current is given with --moored", "the current of moored.toml alone"),
+    ),
+    "law of a moored response": (
+        "response --moored", ("body", "viscous"), {"roll": "Yamasita"}, ("'Yamasita'", "Yamashita"),
+    ),
+    "pairs of a moored response": ("response --moored", ("sea", "qtf"), "full", ("sea.qtf is 'full'", "newman")),
     "name of two points": ("response", ("points", 1, "name"), "bow", ("two points are called 'bow'", "of its own")),
     "duration of a response": ("response", ("sea", "duration_hours"), 0.0, ("sea.duration_hours is 0", "above 0")),
     "file of a sea": (
@@ -162,6 +175,7 @@ def asked(box, tmp_path, monkeypatch, capsys):
     (tmp_path / "box.h5").symlink_to(box)
     for name in ("berth_tanker.toml", "breakwater_rectangle.csv"):
         shutil.copy(SCENES / name, tmp_path)
+    shutil.copy(SCENES / "moor_chain_12.toml", tmp_path / "moored.toml")
 
     def run(command, path, value):
         name, words, work = COMMANDS[command]

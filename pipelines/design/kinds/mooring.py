@@ -23,7 +23,7 @@ from hakobune.mooring.studies.places import check_places
 
 from ...common.quantities import StudyError
 from ...common.weather.streams import OF_HULL, STREAMS, with_hull
-from ...moor.checked import check_simulation, check_weather
+from ...moor.checked import check_weather
 from ...moor.study import make_study, read_raw
 from .needs import COEFFICIENT, DOLPHIN, OF_FENDERS, Need, of_lines
 from .numbers import Numbers
@@ -106,7 +106,9 @@ def checked(study, body, folder):
     hull = check_weather(made, body)
     made.berth(hull, body.rotation_center)
     if made.simulation is not None:
-        check_simulation(made, body, lost({"lines": study["lines"]}), folder)
+        from ...simulate.study import check_run
+
+        check_run(made, body.omega, lost({"lines": study["lines"]}), folder)
 
 
 def words(project, raw):

@@ -5,11 +5,17 @@ the thing and what is allowed, and leaves no file.
 """
 
 import copy
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 import tomli_w
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.design.kinds import mooring
+from hakobune.pipelines.design.project import read_project
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
 
 SCENE = {
     "water": {"depth": 20.0},
@@ -98,8 +104,14 @@ BREAKWATER_PROJECT = {
     "states": [{"name": "storm", "state": "normal", "incidence_deg": [0.0], "waves": {"height": 1.0, "period": 5.0}}],
     "limits": [{"quantity": "tension / allowable tension", "at_most": 1.0, "source": "owner"}],
 }
+OF_DATABASE = {
+    **{key: value for key, value in LINES_PROJECT.items() if key != "levels"},
+    "project": {key: value for key, value in OWN.items() if key != "scene"} | {"name": "box", "database": "box.h5"},
+    "states": [{**STATES[0], "incidence_deg": [0.0], "levels": ["mean"]}, STATES[1]],
+}
 SOUND = {
     "lines": (LINES_PROJECT, MOORING),
+    "database": (OF_DATABASE, MOORING),
     "berth": (BERTH_PROJECT, BERTH),
     "single point": (POINT_PROJECT, POINT),
     "breakwater": (BREAKWATER_PROJECT, BREAKWATER),
@@ -199,7 +211,15 @@ FAULTS = {
     ),
     "spreading": ("lines", [(storm("waves", "spreading"), "cos:4")], ("waves.spreading is 'cos:4'", "cosine:N")),
     "waves that are not solved for": (
-        "lines", [(storm("waves", "period"), 200.0)], ("storm", "outside the stored frequencies", "allowed: 25 %"),
+        "lines", [(storm("waves", "period"), 52.0)], ("storm", "outside the stored frequencies", "allowed: 25 %"),
+    ),
+    "regular wave that is not solved for": (
+        "lines", [(storm("waves"), {"height": 1.0, "period": 90.0, "method": "regular_wave"})],
+        ("waves of 90 s lie outside", "5 to 60 s", "solve them too"),
+    ),
+    "waves of the simplified method": (
+        "lines", [(project("simulation"), ...), (storm("waves", "period"), 200.0)],
+        ("of the wave energy", "allowed: 50 %", "add periods"),
     ),
     "direction that is not solved for": (
         "lines", [(scene("waves", "headings_deg"), [0, 30])], ("wave direction 240°", "at most 45° apart", "add it"),
@@ -271,6 +291,18 @@ FAULTS = {
     "quay without a berth": ("lines", [(study("quay"), {"y": 30.0})], ("has a quay", "at a berth alone")),
     "freeboard": ("lines", [(study("hull", "freeboard"), -1.0)], ("hull.freeboard is -1", "above 0")),
     "earthquake of lines": ("lines", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("no fenders",)),
+    "direction of a database": (
+        "database", [(storm("incidence_deg"), [0.0, 60.0])], ("box.h5", "wave direction 240°", "at most 45° apart"),
+    ),
+    "water of a database": (
+        "database", [(study("water", "depth"), 25.0)], ("water.depth is 25 m", "box.h5 is for 20 m"),
+    ),
+    "waves of a database": (
+        "database", [(storm("waves", "period"), 200.0)], ("of the wave energy", "stored 5 to 60 s", "allowed: 50 %"),
+    ),
+    "level of a database": (
+        "database", [(project("levels"), {"high": 1.0})], ("a database for each depth", "project.scene"),
+    ),
     "dolphin of a fender": ("berth", [(study("fender", 0, "on"), "D9")], ("no dolphin 'D9'", "allowed: D1")),
     "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)], ("'D1' carries no fender", "one")),
     "family of a fender": (
@@ -331,14 +363,22 @@ class Reached(Exception):
     """Work began"""
 
 
+@pytest.fixture(scope="module")
+def box(tmp_path_factory):
+    path = tmp_path_factory.mktemp("box") / "box.h5"
+    solve(make_scene({**SCENE, "waves": {**SCENE["waves"], "headings_deg": [0, 30]}}), path)
+    return path
+
+
 @pytest.fixture
-def designed(tmp_path, monkeypatch, capsys):
+def designed(box, tmp_path, monkeypatch, capsys):
     """Runs design on a sound project with changes, where no work may begin; gives its status and its line"""
 
     def reached(*_, **__):
         raise Reached
 
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "box.h5").symlink_to(box)
     monkeypatch.setattr("hakobune.pipelines.solve.run.solve", reached)
     monkeypatch.setattr("hakobune.pipelines.design.command.made", reached)
 
@@ -368,4 +408,23 @@ def test_a_fault_is_one_line_before_anything_is_solved(fault, designed, tmp_path
     assert status == 2 and said.out == "", said
     assert said.err.startswith("hakobune design: ") and said.err.count("\n") == 1, said.err
     assert all(word in said.err for word in words), said.err
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["project.toml", "scene.toml", "study.toml"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["box.h5", "project.toml", "scene.toml", "study.toml"]
+
+
+def test_a_file_of_a_simulation_lies_beside_the_project(designed, tmp_path):
+    """Studies of load cases, which name it, lie in another folder"""
+    force = (project("simulation", "force"), [{"file": "tug.csv"}])
+    (tmp_path / "tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,1e5,0,0,0,0,0\n1000,1e5,0,0,0,0,0\n")
+    with pytest.raises(Reached):
+        designed("lines", [force])
+    read = read_project(tmp_path / "project.toml")
+    assert read.raw["simulation"]["force"] == [{"file": str(tmp_path / "tug.csv")}]
+
+
+def test_a_quay_stands_in_the_load_cases_of_its_berth():
+    """It stands still where the water rises"""
+    box = SCENE["bodies"][0]
+    sizes = {name: box[name] for name in ("length", "beam", "draft")}
+    body = SimpleNamespace(dimensions=sizes, rotation_center=np.zeros(3), density=1025.0, gravity=9.80665)
+    base = mooring.base({**BERTH, "quay": {"y": 30.0}}, body)
+    assert mooring.at(base, 21.5, {})["quay"] == {"y": 30.0}

@@ -191,7 +191,9 @@ def test_a_study_takes_water_and_weather_from_its_site_and_its_text_holds_them(b
 
 
 def test_a_project_takes_weather_levels_and_service_life_from_its_site(bay):
-    study(bay, site=None, wind=None, current=None, waves=None, water={"depth": 20.0})
+    chains = {"type": "chain", "length": 260.0, "corner_headings_deg": [45], "pretension_tonf": 20.0}
+    lines = {"types": {"chain": {"catalogue": "R3 studlink 76 mm"}}, "spreads": [chains]}
+    study(bay, site=None, wind=None, current=None, waves=None, water={"depth": 20.0}, **lines)
     state = {"state": "abnormal", "incidence_deg": [0.0], "levels": ["mean", "high"]}
     project = {
         "project": {"name": "x", "study": "study.toml", "scene": "box.toml", "site": "bay.toml"},
