@@ -4,7 +4,7 @@
 # make test-nojit   kernels as plain Python (a subset); make test-bounds: with array bounds checked
 # make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
 # make docs    the guide with the reference of all keys, into docs/html
-# make lint    ruff alone
+# make lint    ruff alone; make types: pyright on the public names
 # make venv    .venv with everything installed (done by the others when needed)
 
 PYTHON ?= python3
@@ -18,7 +18,7 @@ NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels
 BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
-.PHONY: docs demo test test-quick test-nojit test-bounds bench lint venv format clean
+.PHONY: docs demo test test-quick test-nojit test-bounds bench lint types venv format clean
 .DELETE_ON_ERROR:
 
 venv: $(STAMP)
@@ -62,6 +62,13 @@ lint: venv
 	$(BIN)/ruff format --check .
 
 # where an environment forbids files of bytecode, each process of many would compile all sources again; and
+# installed, since the packages lie beside hakobune in a checkout and below it in site-packages
+types: venv
+	rm -rf build/lib build/types
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --target build/types .
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check 'pyright[nodejs]'
+	$(BIN)/pyright --pythonpath $(BIN)/python
+
 # each process has one BLAS thread: two wait for each other where the cores are taken (16 minutes of processor time, 10)
 test: lint
 	PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(PROCESSES) --from-both-ends

@@ -66,6 +66,7 @@ def build(place):
         (place / f"{name}.html").write_text(rendered(text, list(made)), encoding="utf-8")
     for name in sorted({name for text in made.values() for name in PICTURE.findall(text)}):
         shutil.copy(DOCS / name, place)
+    shutil.copytree(DOCS / "notebooks", place / "notebooks", dirs_exist_ok=True)
     return [place / f"{name}.html" for name in made]
 
 

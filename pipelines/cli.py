@@ -179,8 +179,8 @@ def plot(
     """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png."""
     from hakobune.bem.database import open_database
 
+    from .common.gaps import gaps_of
     from .common.picture import PLOTS, check_picture
-    from .view.gaps import gaps_of
     from .view.plots import plot
 
     output = output or file.with_suffix(".png")

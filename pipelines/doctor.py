@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import os
 import platform
+import sysconfig
+from importlib import metadata
+from pathlib import Path
 
+import hakobune
 from hakobune.mooring.criteria.failing import fails
 
 from .printing.verdict import tell
 
 NEEDED = ("numpy", "scipy", "numba", "h5py", "gmsh", "meshio", "pyvista", "matplotlib", "msgspec", "cyclopts", "rich")
+OLD = {"meshing": "gmsh_session.py", "bem": "stored_laws.py", "mooring": "catenary.py", "pipelines": "start.py"}
 OPTIONAL = {"xarray": "reads databases by their labels"}
 
 
@@ -24,6 +29,7 @@ def doctor():
     print(
         f"hakobune {_version('hakobune') or 'not installed'}, Python {platform.python_version()}, {platform.platform()}"
     )
+    print(f"  {'from':<12}{Path(hakobune.__file__).parent}")
     for name in NEEDED:
         found = _version(name)
         print(f"  {name:<12}{found or 'missing'}")
@@ -31,7 +37,7 @@ def doctor():
             amiss.append(f"{name} is missing: pip install {name}")
     for name, use in OPTIONAL.items():
         print(f"  {name:<12}{_version(name) or 'missing'}   optional, {use}")
-    amiss += [said for said in (_gmsh(), _cache()) if said]
+    amiss += [said for said in (_gmsh(), _cache(), _left_over()) if said]
     print(f"  {'memory':<12}{available_memory() / 1e9:.1f} GB free")
     print(f"  {'processors':<12}{len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count()}")
     if not amiss:
@@ -43,12 +49,22 @@ def doctor():
 
 
 def _version(name):
-    from importlib import metadata
-
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:
         return None
+
+
+def _left_over():
+    """Folders that installations from before the packages were below `hakobune` left in site-packages, "" for none.
+
+    Folders of these names without our modules are those of other projects.
+    """
+    place = Path(sysconfig.get_path("purelib"))
+    ours = [name for name, module in OLD.items() if (place / name / module).is_file()]
+    if not ours:
+        return ""
+    return f"{', '.join(ours)} in {place} are left over from an older installation; remove these folders"
 
 
 def _gmsh():

@@ -4,6 +4,7 @@ import inspect
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -64,3 +65,15 @@ def test_the_version_is_told_by_the_package_and_by_the_module():
 def test_an_unknown_name_is_an_attribute_error_that_tells_the_names():
     with pytest.raises(AttributeError, match=r"hakobune has no 'moored'; it has .*moor"):
         _ = hakobune.moored
+
+
+def test_modules_and_tables_of_the_packages_are_in_the_distribution():
+    """Folders of modules are packages, which setuptools finds, and other files match the globs of package-data"""
+    data = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["setuptools"]["package-data"]
+    folders = {package: ROOT.joinpath(*package.split(".")[1:]) for package in data if package != "hakobune"}
+    installed = {file for package, folder in folders.items() for glob in data[package] for file in folder.glob(glob)}
+    for layer in ("meshing", "bem", "mooring", "pipelines"):
+        files = [file for file in (ROOT / layer).rglob("*") if file.is_file() and "__pycache__" not in file.parts]
+        assert all((file.parent / "__init__.py").is_file() for file in files if file.suffix == ".py")
+        assert {file for file in files if file.suffix != ".py"} <= installed
+    assert data["hakobune"] == ["py.typed"]

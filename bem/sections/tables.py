@@ -30,7 +30,7 @@ def tables(beam_draft=BEAM_DRAFT, depth_draft=DEPTH_DRAFT, xi=XI, tolerance=TOLE
     Raises ValueError for a shape that cannot be solved to the tolerance.
     """
     shapes = [(B, H, x) for H in depth_draft for B in beam_draft for x in xi]
-    rows = [None] * len(shapes)
+    rows = [{} for _ in shapes]
     for i in np.random.default_rng(0).permutation(len(shapes)):  # deep water takes a hundred times as long
         rows[i] = row_of(*shapes[i], tolerance)
         if progress is not None:

@@ -30,7 +30,7 @@ import numpy as np
 from hakobune.bem.database.natural_periods import natural_periods
 
 from ..response.extremes import EULER, expected_maximum
-from ..response.sea_state import TINY, sea_state
+from ..response.sea_state import TINY, SeaState, sea_state
 from ..response.slow_drift import differences
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum
 
@@ -66,7 +66,7 @@ class SlowMotion(NamedTuple):
     omega: np.ndarray
     force: np.ndarray
     spectrum: np.ndarray
-    fast: object
+    fast: SeaState
     duration: float
     warnings: tuple
 

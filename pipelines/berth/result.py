@@ -201,9 +201,11 @@ def _failures(study, approach, course):
             f"at {high:g} of its reaction the fender pushes the dolphin with {reaction / 1e3:.4g} kN, which yields at "
             f"{table.dolphin_yield:.4g} kN; give a softer fender or a stronger dolphin"
         )
+    if course is None:
+        return
     given = study.approach
     factors = given.softness * given.configuration * given.abnormal  # that the course in time knows nothing of
-    for k, (fender, x, _) in enumerate(approach.meetings if course is not None else ()):
+    for k, (fender, x, _) in enumerate(approach.meetings):
         if not (found and k == approach.first):
             taken = factors * float(fender.energy(course.deflection[:, k].max()))
             table = study.fender[k]

@@ -10,6 +10,7 @@ import msgspec
 
 from hakobune.meshing.text_files import read_text
 
+Typed = typing.TypeVar("Typed")
 LARGEST = 8  # MB, which take some seconds
 WORDS = {
     "float": "a number",
@@ -36,7 +37,7 @@ def read_toml(path, what, error):
         raise error(f"{path} is not TOML: {fault}") from None
 
 
-def typed(raw, kind, error):
+def typed(raw: dict[str, typing.Any], kind: type[Typed], error: type[ValueError]) -> Typed:
     """`raw` as a value of the msgspec.Struct `kind`.
 
     raw : nested dictionaries as TOML gives them; error : class raised with key, value and what is allowed

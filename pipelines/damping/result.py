@@ -42,14 +42,14 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
     return Result("damping", found, labels("time", time, "s"), findings, notes, provenance=provenance(**source))
 
 
-def read_record(path):
+def read_record(path: File) -> dict[str, np.ndarray]:
     """{column: (n,) array} of a CSV.  Raises ValueError."""
     from hakobune.mooring.environment.tables import check_even, read_table
     from hakobune.mooring.identification.record import UNEVEN
 
     names, values = read_table(path)
     wrong = [name for name in names or () if name not in COLUMNS]
-    if wrong or not {"time_s", "motion_m"} <= set(names or ()):
+    if names is None or wrong or not {"time_s", "motion_m"} <= set(names):
         shown = "no names of columns in its first row" if names is None else f"the columns {', '.join(names)}"
         raise ValueError(
             f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved: name them so"

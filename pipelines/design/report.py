@@ -16,9 +16,8 @@ from hakobune.mooring.criteria.strength import equipment_of_box
 from . import report_words as words
 from .checklist import checklist
 from .kinds.versions import versions
-from .origins import origin
 from .report_pictures import body_picture, plans, use_picture
-from .report_tables import WORDS, write_tables
+from .report_tables import WORDS, origin, write_tables
 from .tables import MEAN
 from .verdict import FAILS, OPEN, PASSES
 

@@ -1,4 +1,4 @@
-"""Tables of a report as CSV: load cases, criteria, and what of fenders, anchors and waves they find."""
+"""Tables of a report as CSV: load cases, criteria, what of fenders, anchors and waves they find, and where it came from."""
 
 from __future__ import annotations
 
@@ -8,9 +8,15 @@ import io
 import numpy as np
 
 from hakobune.meshing.seals import write_sealed
+from hakobune.mooring.criteria import verdict as of
 
+from .fatigue import QUANTITY as FATIGUE
+from .kinds.needs import SCOPE
 from .running import worst_of
 
+H5 = {of.PRETENSION: "tension.at_rest", of.HOLDING: "anchor.largest_horizontal"}
+KEPT = {of.PRETENSION: "pretension", of.HOLDING: "horizontal", of.PARTIAL: "mean, values.largest", SCOPE: "length"}
+OF_PROJECT = {"service life": "project.service_life", "return period": "project.service_life, project.probability"}
 WORDS = {True: "met", False: "not met", None: "not judged"}
 CASE_HEAD = (
     "case", "state", "level", "incidence_deg", "lost", "motion_factor", "x_m", "y_m", "yaw_deg", "largest_tension_N",
@@ -89,3 +95,35 @@ def _write_table(path, title, head, rows):
     table.writerow(head)
     table.writerows([[f"{cell:.10g}" if isinstance(cell, float) else cell for cell in row] for row in rows])
     write_sealed(path, text.getvalue())
+
+
+def origin(read, ran, criterion):
+    """(path of a file, or None for the project's own; key in it) of what a criterion finds in a load case, a Ran"""
+    quantity, path = criterion.quantity, ran.path
+    if quantity in OF_PROJECT:
+        return None, OF_PROJECT[quantity]
+    if any(one.quantity == quantity for one in read.project.values):
+        return None, "values"
+    if ran.case.apart:
+        return path, f"values.parts.{quantity}"
+    tension = quantity in of.OF_TENSIONS
+    beside = {
+        name: path.with_name(f"{path.stem}{name}.json") for name in ("_numbers", "_runs_numbers", "_runs_extremes")
+    }
+    if not read.kind.MOVED:
+        return beside["_numbers"], _kept(quantity, tension)
+    if ran.runs is None:
+        moved = "line.length" if quantity == SCOPE else "motion.amplitude"
+        return path, H5.get(quantity, "tension.largest" if tension else moved)
+    at_berth = beside["_runs_numbers"].is_file()
+    if quantity in (of.PRETENSION, SCOPE) and not at_berth:
+        return path, "tension.at_rest" if quantity == of.PRETENSION else "line.length"
+    if quantity in (of.PRETENSION, SCOPE) or quantity in ran.numbers.parts:
+        return beside["_runs_numbers"], _kept(quantity, tension)
+    if quantity == FATIGUE:
+        return beside["_runs_extremes"], "values.cycles"
+    return beside["_runs_extremes"], _kept(quantity, True) if tension else "values.motions"
+
+
+def _kept(quantity, tension):
+    return f"values.{KEPT.get(quantity, 'largest' if tension else f'parts.{quantity}')}"

@@ -9,8 +9,7 @@ from hakobune.mooring.criteria.rules import read_rules
 
 from ..common.weather.seas import period_of
 from .kinds.numbers import Numbers
-from .origins import OF_PROJECT
-from .report_tables import CASE_HEAD, WORDS, case_row
+from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row
 from .verdict import FAILS, NUMBER, OPEN
 
 COUNTED = ("stable headings",)  # a number of things: where it is met, nothing of it is used

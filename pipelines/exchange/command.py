@@ -15,10 +15,10 @@ from hakobune.bem.database.widening import read_group
 from hakobune.bem.formats.values import CARRIED, values_of
 from hakobune.mooring.criteria.failing import fails
 
+from ..common.gaps import gaps_of
 from ..common.outputs import check_ending, check_folder
 from ..printing.console import new_console
 from ..printing.verdict import tell
-from ..view.gaps import gaps_of
 
 
 class Format(NamedTuple):

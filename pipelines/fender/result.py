@@ -38,7 +38,7 @@ class Pressed(NamedTuple):
     """
 
     pair: Fender
-    bands: tuple[Fender, Fender]
+    bands: tuple[Fender, ...]
     at: float | None
     straight: Fender | None
 

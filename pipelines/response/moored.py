@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -12,12 +12,15 @@ from hakobune.mooring.criteria.failing import failing
 from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
 
+if TYPE_CHECKING:
+    from hakobune.mooring.studies.slow_motion import SlowMotion
+
 
 class Moored(NamedTuple):
     """motion : `mooring.studies.slow_motion.SlowMotion`; notes, failures : one line each, failures of lines and body by
     the simplified method; stiffness : (6, 6) N/m … of water and lines"""
 
-    motion: object
+    motion: SlowMotion
     notes: tuple[str, ...]
     failures: tuple[str, ...]
     stiffness: np.ndarray

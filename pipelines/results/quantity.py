@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 KILO, TURN = 1e3, np.pi / 180
 READ_IN = {  # unit of SI: (unit in print, its size); a thousand times larger ones only where numbers reach them
@@ -33,6 +37,19 @@ class Quantity:
     table: str = ""
     share: bool = False
     record: bool = False
+
+    if TYPE_CHECKING:  # values may be given as lists or numbers
+
+        def __init__(
+            self,
+            values: ArrayLike,
+            axes: tuple[str, ...] = (),
+            unit: str | tuple[str, ...] = "",
+            description: str = "",
+            table: str = "",
+            share: bool = False,
+            record: bool = False,
+        ) -> None: ...
 
     def __post_init__(self):
         values = np.asarray(self.values)

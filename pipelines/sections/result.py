@@ -55,7 +55,7 @@ def sections(
             raise ValueError(f"{name.replace('_', '-')} is {wrong[0]:g}; allowed: {allowed}")
     count, way_out = math.prod(map(len, grid.values())), "give fewer in beam-draft, depth-draft or xi"
     check_memory(f"{count} sections need", BYTES * count, way_out)
-    rows = tables(*grid.values(), tolerance, Pace(f"{count} sections take", count, way_out).step)
+    rows = tables(beam_draft, depth_draft, xi, tolerance, Pace(f"{count} sections take", count, way_out).step)
     axes = dict(zip(SHAPE_COLUMNS, (depth_draft, beam_draft, xi), strict=True))
     found = {}
     for name in COLUMNS[len(SHAPE_COLUMNS) :]:

@@ -47,7 +47,7 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     returns : Result, in SI; its `detail` is a Found
     raises : ValueError, one line
     """
-    read, text = given(study, Study, lambda path: read_study(path)[::2], make_study)
+    read, text = given(study, Study, _read, make_study)
     db = None if database is None else database_of(database)
     if read.slewing is not None:
         running.check(read, db)
@@ -63,6 +63,11 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     maps = tuple(computed(raw, i, db) for i, _ in enumerate(read.maps))
     found = Found(read, made.point, rest, best, cycle, run, maps)
     return result_of(found, made.findings, () if none is None else (none,), text, db)
+
+
+def _read(path: File) -> tuple[Study, str]:
+    study, _, text = read_study(path)
+    return study, text
 
 
 def _cycle_of(one):

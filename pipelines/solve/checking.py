@@ -16,11 +16,11 @@ from hakobune.meshing.quality import Finding, findings
 from hakobune.meshing.whole_files import keep_room
 from hakobune.mooring.criteria.failing import fails
 
+from ..common.gaps import gaps_of
 from ..common.typed import typed
 from ..printing.verdict import tell
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
-from ..view.gaps import gaps_of
 from .report import CHECKED, checked, checks_table, resonances_of
 
 

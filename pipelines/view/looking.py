@@ -11,10 +11,10 @@ from hakobune.meshing.quality import findings
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import told
+from ..common.gaps import gaps_of
 from ..common.picture import VIEWS, check_display, check_picture, font_file
 from ..printing.verdict import tell
 from ..scene.scene import Scene, SceneError, make_scene, read_scene
-from .gaps import gaps_of
 
 FIELDS = {
     "area": ("panel area, m²", lambda mesh: mesh.areas),

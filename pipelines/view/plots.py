@@ -16,8 +16,8 @@ from hakobune.bem.database.between_frequencies import DRIFT, FEWEST, BetweenErro
 from hakobune.bem.database.resonances import about, resonances
 from hakobune.bem.database.schema import DRIFT_DOFS, QUANTITIES
 
+from ..common.gaps import gaps_of
 from ..common.picture import save
-from .gaps import gaps_of
 
 PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
 QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symmetry makes it zero

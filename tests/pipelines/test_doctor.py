@@ -1,7 +1,10 @@
 """`hakobune doctor` and `hakobune --version`."""
 
+import sysconfig
 from importlib import metadata
+from pathlib import Path
 
+import hakobune
 from hakobune.pipelines import cli, doctor
 
 
@@ -17,3 +20,15 @@ def test_the_doctor_finds_what_is_installed_and_names_what_is_not(capsys, monkey
 def test_the_version_is_that_of_the_distribution(capsys):
     assert cli.main(["--version"]) == 0
     assert capsys.readouterr().out.strip() == metadata.version("hakobune")
+
+
+def test_the_doctor_tells_where_the_package_is_and_names_what_an_old_installation_left(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(sysconfig, "get_path", lambda name: str(tmp_path))
+    foreign, ours = tmp_path / "meshing", tmp_path / "bem"
+    for folder, module in ((foreign, "triangle.py"), (ours, "stored_laws.py")):
+        folder.mkdir()
+        (folder / module).touch()
+    assert cli.main(["doctor"]) == 1
+    out = capsys.readouterr().out
+    assert str(Path(hakobune.__file__).parent) in out.replace("\n", "")
+    assert "FAILS: bem in" in out and "meshing in" not in out and "meshing," not in out

@@ -12,7 +12,7 @@ from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.response.sea_state import sea_state
 from hakobune.pipelines.cli import main
-from hakobune.pipelines.view.gaps import gaps_of
+from hakobune.pipelines.common.gaps import gaps_of
 from hakobune.pipelines.view.plots import Curves
 
 BUOY = "buoy --radius 8 --draft 6 --depth 40 --gyration 4.5,4.5,4.5 --center-of-gravity 0,0,-1.5"

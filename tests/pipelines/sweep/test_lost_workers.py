@@ -77,7 +77,7 @@ def test_the_file_of_all_cases_has_the_numbers_of_each(folder, tmp_path):
 
 def test_a_killed_process_is_told_of_and_its_cases_are_done_by_the_next_run(folder, monkeypatch, capsys):
     workers = Processes(2)
-    monkeypatch.setattr("hakobune.pipelines.sweep.command.executor_of", lambda text: workers)
+    monkeypatch.setattr("hakobune.pipelines.sweep.result.executor_of", lambda text: workers)
     killed = kill_at_first_result(monkeypatch, lambda: list(workers._processes))
     command = ["sweep", str(folder / "sweep.toml"), "--output", str(folder / "two.h5")]
     assert cli.main(command) == 1 and killed
@@ -91,7 +91,7 @@ def test_a_killed_process_is_told_of_and_its_cases_are_done_by_the_next_run(fold
 def test_dask_does_the_work_of_a_killed_worker_again(folder, monkeypatch):
     pytest.importorskip("distributed")
     made = choice.executor_of("dask:2")
-    monkeypatch.setattr("hakobune.pipelines.sweep.command.executor_of", lambda text: made)
+    monkeypatch.setattr("hakobune.pipelines.sweep.result.executor_of", lambda text: made)
     killed = kill_at_first_result(monkeypatch, lambda: list(made._client.run(os.getpid).values()))
     assert cli.main(["sweep", str(folder / "sweep.toml"), "--output", str(folder / "dask.h5")]) == 0 and killed
     assert same(folder / "one.h5", folder / "dask.h5")

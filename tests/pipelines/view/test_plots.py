@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from hakobune.bem import DOFS
 from hakobune.bem.database.resonances import Resonance
 from hakobune.meshing.shapes import buoy
-from hakobune.pipelines.view.gaps import gaps_of
+from hakobune.pipelines.common.gaps import gaps_of
 from hakobune.pipelines.view.plots import _cut, plot
 
 ZERO = "zero by symmetry"

@@ -1,0 +1,55 @@
+"""`hakobune.sweep`: each case is what its study function gives alone."""
+
+import copy
+
+import pytest
+import tomli_w
+
+import hakobune
+
+BERTH = {
+    "depth": 25.0,
+    "ship": {"length": 337.5, "beam": 53.6, "draft": 19.7, "displacement": 291649.0},
+    "approach": {"speed": 0.15, "eccentricity": 0.7},
+    "fender": [{"family": "v", "height": 1.0, "length": 20.0, "dolphin": 34000.0}],
+}
+SWEEP = {
+    "command": "berth",
+    "study": BERTH,
+    "vary": [{"key": "approach.speed", "values": [0.1, 0.150001, 0.15]}],
+    "keep": ["approach.energy", "course.largest"],
+}
+
+
+def test_a_case_equals_its_study_alone_to_the_bit(tmp_path):
+    cases = hakobune.sweep(SWEEP)
+    for number, speed in enumerate([0.1, 0.150001, 0.15]):
+        study = copy.deepcopy(BERTH)
+        study["approach"]["speed"] = speed
+        alone = hakobune.berth(study)
+        for name in SWEEP["keep"]:
+            assert cases[name][number] == alone[name] and cases.quantity(name).unit == alone.quantity(name).unit
+    assert cases["approach.energy"][1] > cases["approach.energy"][2]
+
+
+def test_path_and_tables_give_the_same_and_the_file_is_read_as_the_result(tmp_path):
+    (tmp_path / "berth.toml").write_text(tomli_w.dumps(BERTH))
+    (tmp_path / "sweep.toml").write_text(tomli_w.dumps({**SWEEP, "study": "berth.toml"}))
+    kept, beside = tmp_path / "cases.h5", {**SWEEP, "study": str(tmp_path / "berth.toml")}
+    by_path = hakobune.sweep(tmp_path / "sweep.toml", kept)
+    assert hakobune.read(kept) == by_path
+    for given in (SWEEP, beside):
+        assert all(hakobune.sweep(given).quantities[name] == one for name, one in by_path.quantities.items())
+
+
+def test_a_case_that_is_refused_fails_with_its_number():
+    cases = hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speed", "values": [0.1, -0.1]}]})
+    assert list(cases["status"]) == [0, 2] and cases.status == 1
+    (said,) = cases.fails
+    assert said.startswith("case 1: ") and "speed" in said
+
+
+def test_a_key_that_is_none_is_refused_before_any_case(tmp_path):
+    with pytest.raises(ValueError, match="speeed"):
+        hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speeed", "values": [0.1]}]}, tmp_path / "none.h5")
+    assert not list(tmp_path.iterdir())
