@@ -1,4 +1,4 @@
-"""Tables of a report as CSV: load cases, criteria, what of fenders, anchors and waves they find, and where it came from."""
+"""Tables of a report as CSV: load cases, criteria, what of fenders, anchors and waves they find, and whence."""
 
 from __future__ import annotations
 
