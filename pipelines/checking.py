@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 from functools import partial
 from pathlib import Path
 
@@ -92,7 +93,8 @@ def _remarks(path):
     import h5py
 
     with h5py.File(path) as file:
-        source, made_with = file.attrs.get("database"), file.attrs.get("database_sha256")
+        origin = json.loads(file.attrs.get("provenance", "{}"))
+    source, made_with = origin.get("database"), origin.get("database_sha256")
     if source is None or made_with is None:
         return
     if not Path(source).is_file():

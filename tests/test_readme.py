@@ -43,6 +43,9 @@ def folder(tmp_path_factory):
             patch.chdir(place)
             assert cli.main(line.split()[1:]) == 0, line
     assert (place / "box.h5").is_file() and (place / "box.png").is_file()
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(io.StringIO()):
+        patch.chdir(place)
+        assert cli.main(["new", "study"]) == 0
     return place
 
 

@@ -10,6 +10,7 @@ from ..common.picture import save
 from ..common.units import KN
 
 LEAST_ROOM = 0.25  # of the longer side of a plan, its shorter one
+KINDS = ("line", "lines", "line-dynamics")  # of results that a picture is made of
 
 
 def draw_system(state, path, curves=(), losses=None):
@@ -173,7 +174,7 @@ def draw_result(file, picture):
     if picture is None:
         picture = file.with_name(f"{file.stem}_frames.png")
     check_picture(picture, (*PLOTS, ".gif"))
-    result = read(file, kind_of(file) or "line-dynamics")
+    result = read(file, kind_of(file) if kind_of(file) in KINDS else "line-dynamics")
     if "line.place" not in result:
         raise ValueError(f"{file} holds no frames; allowed: a result of hakobune line-dynamics")
     draw_frames(result.labels["frame"].values, result["line.place"], picture)

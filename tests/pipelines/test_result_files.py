@@ -67,7 +67,7 @@ def test_a_result_whose_database_has_changed_says_so(here, capsys):
 
 def test_a_result_without_a_checksum_does_not_pass(here, capsys):
     with h5py.File("old.h5", "w") as file:
-        file.attrs["schema"] = "hakobune mooring study 1"
+        file.attrs["schema"] = "hakobune mooring study 2"
     Path("old.csv").write_text("# a table\nx,y\n1,2\n")
     for name, what in (("old.h5", "file of mooring study"), ("old.csv", "table")):
         assert main(["check", name]) == 1

@@ -32,7 +32,7 @@ def check_study(path):
     """Raises StudyError for what an earthquake study could not be run with, but for the database of its body."""
     import msgspec
 
-    study = read_study(path)
+    study, _ = read_study(path)
     quake_of(study if study.body else msgspec.structs.replace(study, body=BodyTable(mass=1.0)), path.parent)
 
 

@@ -156,7 +156,7 @@ def test_a_result_that_is_not_there_or_of_another_kind_is_named(tmp_path):
     with h5py.File(tmp_path / "a.h5", "w") as file:
         file.attrs["schema"] = "hakobune response study 1"
     with (
-        pytest.raises(DatabaseError, match=r"a\.h5 is no file of sweep"),
+        pytest.raises(DatabaseError, match=r"a\.h5 is a file of response study, and not a file of sweep"),
         opened_result(tmp_path / "a.h5", "hakobune sweep 1"),
     ):
         pass

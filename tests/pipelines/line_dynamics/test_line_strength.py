@@ -36,7 +36,10 @@ def test_a_weak_part_that_carries_less_is_not_judged_by_what_a_strong_part_carri
     found = line_dynamics(tmp_path / "line.toml")
     largest = found["tension.largest"] / 1e3
     assert largest[0] > 100.0 > largest[1] and found.status == 0
-    assert np.allclose(100 * found["tension.used"], [100 * largest[0] / 4884, largest[1]], atol=0.1)
+    window = np.array([largest[0] / 4884, largest[1] / 100])  # of the cycles; what is used is of the whole run
+    assert np.all(found["tension.used"] >= window * (1 - 1e-4)) and np.allclose(
+        found["tension.used"], window, rtol=0.02
+    )
     assert (found["nearest.segment"], found["nearest.type"]) == (1, "weak")
 
 
