@@ -426,11 +426,11 @@ def test_an_open_file_is_read_and_widened_as_by_its_name(tmp_path):
     assert 1.7 in [row.omega for row in pending(path).rows]
 
 
-@pytest.mark.parametrize(("version", "says"), [(1, None), (7, "schema version 7, this program reads 1; make it again")])
+@pytest.mark.parametrize(("version", "says"), [(2, None), (7, "schema version 7, this program reads 2; make it again")])
 @pytest.mark.parametrize("sealed", [True, False])
 def test_a_result_of_another_version_is_told_as_that_and_may_be_replaced(tmp_path, version, says, sealed):
     """Written by a program of that version, or its attribute changed behind its seal"""
-    path, ours = tmp_path / "study.h5", "hakobune mooring study 1"
+    path, ours = tmp_path / "study.h5", "hakobune mooring study 2"
     with beside(path) as file:
         file.attrs["schema"] = f"hakobune mooring study {version}" if sealed else ours
     if not sealed:
