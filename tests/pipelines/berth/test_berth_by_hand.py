@@ -1,4 +1,4 @@
-"""`hakobune berth` with fenders that are springs, so that every number it prints is one of a mass on a spring."""
+"""`hakobune berth` with fenders that are springs, so that every number of its result is one of a mass on a spring."""
 
 import csv
 import math
@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import hakobune
 from hakobune.mooring import berthing
-from hakobune.pipelines.cli import main
+from hakobune.pipelines.berth.measured import measured
 
 L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.0, 220_000.0, 0.12, 40.0  # m, t, m/s
 K = 20 * 1000.0  # kN/m: twenty fenders of 2 m, 1000 kN at half the height
@@ -45,42 +46,41 @@ def line_of(said, words):
     return next(line for line in said.splitlines() if words in line)
 
 
-def course_of(path):
-    names, *rows = [line for line in path.read_text().splitlines() if not line.startswith("#")]
-    return dict(zip(names.split(","), np.array([row.split(",") for row in rows], float).T, strict=True))
-
-
-def test_every_number_of_a_berthing_on_a_spring_behind_which_a_dolphin_yields(tmp_path, asked):
+def test_every_number_of_a_berthing_on_a_spring_behind_which_a_dolphin_yields(tmp_path):
     """E = ½ C_M M V² C_e; R = √(2E k'), 1/k' = 1/k + 1/κ; the fender is pressed R/k of its 2 m, the dolphin goes R/κ;
     a fender with f of the reaction has f k; rated at 40 % of the height"""
     kappa = 34000.0
-    path = written(tmp_path, STUDY + FENDER + f"dolphin = {kappa}\nx = {OFFSET}\n")
-    (table,), said = asked("berth", path)
+    found = hakobune.berth(written(tmp_path, STUDY + FENDER + f"dolphin = {kappa}\nx = {OFFSET}\n"))
     C_e = 1 / (1 + (OFFSET / (L / 4)) ** 2)
-    block = MASS / (1.025 * L * B * D)
-    assert numbers(line_of(said, "C_e")) == pytest.approx([MASS, block, SPEED, OFFSET, C_e], rel=1e-3)
-    rated = (0.8 * K) ** 2 * (1 / K + 1 / kappa) / 2
-    assert f"rated {rated:.0f} kJ, {0.8 * K:.0f} kN" in table["title"]
-    assert table["rows"][0]["virtual mass"] == "given"
+    E = 0.5 * C_M * MASS * SPEED**2 * C_e  # kJ
+    by_hand = {"ship.mass": 1e3 * MASS, "ship.block": MASS / (1.025 * L * B * D), "approach.speed": SPEED,
+               "approach.offset": OFFSET, "approach.eccentricity": C_e, "approach.virtual_mass": C_M,
+               "approach.energy": 1e3 * E}  # fmt: skip
+    assert {name: found[name] for name in by_hand} == pytest.approx(by_hand, rel=1e-9)
+
+    def rated(factor):
+        return (factor * 0.8 * K) ** 2 * (1 / (factor * K) + 1 / kappa) / 2
 
     def reaction(energy, factor=1.0):
-        return math.sqrt(2 * energy / (1 / (factor * K) + 1 / kappa))
+        return np.sqrt(2 * energy / (1 / (factor * K) + 1 / kappa))
 
-    for row in table["rows"]:
-        E = float(row["energy kJ"])
-        assert float(row["reaction kN"]) == pytest.approx(reaction(E), rel=1e-3)
-        assert float(row["fender %"]) == pytest.approx(100 * reaction(E) / K / 2, abs=0.06)
-        assert float(row["dolphin m"]) == pytest.approx(reaction(E) / kappa, abs=6e-4)
-    E = 0.5 * C_M * MASS * SPEED**2 * C_e
-    softer = (0.9 * 0.8 * K) ** 2 * (1 / (0.9 * K) + 1 / kappa) / 2
-    by_hand = [C_M, E, 100 * E / rated, 100 * E / softer, 0.9]
-    assert numbers(line_of(said, "of the rated energy")) == pytest.approx(by_hand, abs=0.51)
-    assert ", enough" in said
-    assert numbers(line_of(said, "it pushes with")) == pytest.approx([1.1, reaction(E, 1.1)], rel=1e-3)
-    found = numbers(line_of(said, "by manufacture"))
-    by_hand = [v for f in (SOFTEST, STIFFEST) for v in (100 * reaction(E, f) / (f * K) / 2, reaction(E, f))]
-    assert found == pytest.approx(by_hand, abs=0.51)
-    assert "springs" not in said  # Ueda's closed form is of buckling fenders
+    assert found["fender.rated_energy"] == pytest.approx(1e3 * rated(1.0))
+    assert found["fender.rated_reaction"] == pytest.approx(1e3 * 0.8 * K)
+    assert found.labels["virtual_mass"].values[0] == "given"
+    energy = found["method.energy"] / 1e3
+    assert found["method.C_M"][0] == C_M and energy[0] == pytest.approx(E) and len(energy) > 1
+    assert energy == pytest.approx(found["method.C_M"] * E / C_M)
+    assert found["method.reaction"] == pytest.approx(1e3 * reaction(energy), rel=1e-5)
+    assert found["method.strain"] == pytest.approx(reaction(energy) / K / 2, rel=1e-5)
+    assert found["method.dolphin"] == pytest.approx(reaction(energy) / kappa, rel=1e-5)
+    factor = np.array([1.0, 0.9, 1.1, SOFTEST, STIFFEST])
+    assert found["taken.factor"] == pytest.approx(factor)
+    assert found["taken.used"] == pytest.approx(E / rated(factor), rel=1e-5)
+    assert found["taken.reaction"] == pytest.approx(1e3 * reaction(E, factor), rel=1e-5)
+    assert found["taken.strain"] == pytest.approx(reaction(E, factor) / (factor * K) / 2, rel=1e-5)
+    assert found["taken.dolphin"] == pytest.approx(reaction(E, factor) / kappa, rel=1e-5)
+    assert found.status == 0
+    assert not any(name.startswith("two_springs") for name in found)  # Ueda's closed form is of buckling fenders
 
 
 def test_the_course_on_one_spring_is_a_quarter_of_a_sine(tmp_path, asked, pictures):
@@ -88,15 +88,20 @@ def test_the_course_on_one_spring_is_a_quarter_of_a_sine(tmp_path, asked, pictur
     after π/2ω, ½ m V² into the fender, nothing into waves where no database tells of them; up to then the impulse m V
     has slowed the ship and turned it"""
     path = written(tmp_path, STUDY + FENDER + f"x = {OFFSET}\n")
-    _, said = asked("berth", path, "--output", tmp_path / "c.csv", "--plot", tmp_path / "p.png")
+    asked("berth", path, "--plot", tmp_path / "p.png")
+    found = hakobune.berth(path)
     r = L / 4
     m = C_M * MASS / (1 + (OFFSET / r) ** 2)
     omega, R = math.sqrt(K / m), SPEED * math.sqrt(m * K)
     energy = 0.5 * m * SPEED**2
-    told = numbers(line_of(said, "in time"))
-    assert told[:5] == pytest.approx([C_M, energy, C_M, R, math.pi / 2 / omega], abs=0.6)
-    assert told[5] == 0.0 and told[6] < 1e-5
-    course = course_of(tmp_path / "c.csv")
+    assert found["method.C_M"][0] == C_M and found["course.virtual_mass"] == pytest.approx(C_M)
+    told = [found[f"course.{name}"] for name in ("energy", "largest", "largest_time")]
+    assert told == pytest.approx([1e3 * energy, 1e3 * R, math.pi / 2 / omega], rel=2e-3)
+    assert found["course.into_waves"] == 0.0 and found["course.ledger"] < 1e-5
+    course = {"t": found.labels["time"].values, "reaction_1": found["course.reaction"][:, 0],
+              "deflection_1": found["course.deflection"][:, 0], "energy_fenders": found["course.taken"],
+              "energy_waves": found["course.lost"]}  # fmt: skip
+    course |= {name: found[f"course.{name}"] for name in ("sway_velocity", "yaw", "yaw_velocity")}
     t = course["t"]
     pressed = t <= math.pi / omega
     assert course["reaction_1"][pressed] == pytest.approx(1e3 * R * np.sin(omega * t[pressed]), abs=2e-3 * 1e3 * R)
@@ -125,43 +130,43 @@ def test_the_course_on_one_spring_is_a_quarter_of_a_sine(tmp_path, asked, pictur
     assert drawn["kinetic-energy method"][0] == pytest.approx(energy, rel=1e-9)
 
 
-def test_a_second_fender_behind_the_first_takes_part_when_its_gap_is_closed(tmp_path, asked):
+def test_a_second_fender_behind_the_first_takes_part_when_its_gap_is_closed(tmp_path):
     """Both at midship, 0.1 m apart: up to there ½ k x², then ½ k (x² + (x − 0.1)²) = ½ m V²"""
     text = STUDY.replace(f"offset = {OFFSET}", "offset = 0.0")
     path = written(tmp_path, text + FENDER + "x = 0.0\n" + FENDER + "x = 0.0\ngap = 0.1\n")
-    _, said = asked("berth", path)
+    found = hakobune.berth(path)
     # k x² − 0.1 k x + 0.005 k − ½ m V² = 0
     c = 0.005 - 0.5 * C_M * MASS * SPEED**2 / K
     x = (0.1 + math.sqrt(0.01 - 4 * c)) / 2
-    lines = [line for line in said.splitlines() if "at x = 0 m" in line]
-    for line, deep in zip(lines, (x, x - 0.1), strict=True):
-        found = numbers(line.split("m:")[1])
-        assert found == pytest.approx([deep, 100 * deep / 2, K * deep], rel=2e-3, abs=0.06)
-    whole = numbers(line_of(said, "in time"))
-    assert whole[3] == pytest.approx(K * (2 * x - 0.1), rel=2e-3)
+    both = np.array([x, x - 0.1])
+    assert found["met.deflection"] == pytest.approx(both, rel=2e-3)
+    assert found["met.strain"] == pytest.approx(both / 2, rel=2e-3)
+    assert found["met.reaction"] == pytest.approx(1e3 * K * both, rel=2e-3)
+    assert found["course.largest"] == pytest.approx(1e3 * K * (2 * x - 0.1), rel=2e-3)
 
 
-def test_a_ship_that_comes_at_an_angle_meets_the_fender_ahead_first(tmp_path, asked):
+def test_a_ship_that_comes_at_an_angle_meets_the_fender_ahead_first(tmp_path):
     """Bow nearer above 0: the gap at x is less by x tan α, so that of two fenders that ahead is met first"""
     for angle, first in ((2.0, 60.0), (-2.0, -60.0)):
         text = STUDY.replace(f"offset = {OFFSET}\n", f"angle_deg = {angle}\n")
         path = written(tmp_path, text + FENDER + "x = -60.0\n" + FENDER + "x = 60.0\n")
-        _, said = asked("berth", path)
+        found = hakobune.berth(path)
         C_e = 1 / (1 + (first / (L / 4)) ** 2)
-        assert numbers(line_of(said, "C_e"))[3:] == pytest.approx([first, C_e], rel=1e-3)
+        assert (found["approach.offset"], found["approach.eccentricity"]) == pytest.approx((first, C_e))
 
 
-def test_the_eccentricity_is_of_the_contact_from_the_centre_of_gravity(tmp_path, asked):
+def test_the_eccentricity_is_of_the_contact_from_the_centre_of_gravity(tmp_path):
     """A fender at x = 40 m of a ship whose centre lies 5 m ahead of midship is met 35 m from it; and the offset of an
     eccentricity is r √(1/C_e − 1), here of a radius of gyration that is given"""
     text = STUDY.replace(f"offset = {OFFSET}\n", "").replace("[approach]", "center = 5.0\n[approach]")
-    _, said = asked("berth", written(tmp_path, text + FENDER + "x = 40.0\n"))
-    found = numbers(line_of(said, "C_e"))
-    assert found[3] == pytest.approx(35.0) and found[4] == pytest.approx(1 / (1 + (35 / 75) ** 2), abs=6e-4)
+    found = hakobune.berth(written(tmp_path, text + FENDER + "x = 40.0\n"))
+    by_hand = 35.0, 1 / (1 + (35 / 75) ** 2)
+    assert (found["approach.offset"], found["approach.eccentricity"]) == pytest.approx(by_hand)
     text = STUDY.replace(f"offset = {OFFSET}", "eccentricity = 0.64")
     text = text.replace("[approach]", "gyration = 80.0\n[approach]")
-    _, said = asked("berth", written(tmp_path, text + FENDER))
-    assert numbers(line_of(said, "C_e"))[3:] == pytest.approx([80.0 * math.sqrt(1 / 0.64 - 1), 0.64], rel=1e-3)
+    found = hakobune.berth(written(tmp_path, text + FENDER))
+    by_hand = 80.0 * math.sqrt(1 / 0.64 - 1), 0.64
+    assert (found["approach.offset"], found["approach.eccentricity"]) == pytest.approx(by_hand)
 
 
 @pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])
@@ -193,8 +198,8 @@ def test_a_fender_in_the_course_in_time_fails_above_what_the_softest_of_its_batc
     assert ("FAILS: energy in time of the fender at x = 0 m" in said) is bool(status)
 
 
-def test_fifty_berthings_have_these_medians_and_quartiles(capsys):
-    """Of the printed energies and sizes, again: E = ½ C_M M V²/(1 + (l/r)²), M in ktonf of g = 9.8, ρ = 1.03 tonf/m³;
+def test_fifty_berthings_have_these_medians_and_quartiles():
+    """Of the published energies and sizes, again: E = ½ C_M M V²/(1 + (l/r)²), M in ktonf of g = 9.8, ρ = 1.03 tonf/m³;
     within what cut speeds allow: absorbed between E of V and of V + 1 cm/s"""
     folder = Path(berthing.__file__).parent / "tables"
     text = [line for line in (folder / "field.csv").read_text().splitlines() if not line.startswith("#")]
@@ -212,11 +217,11 @@ def test_fifty_berthings_have_these_medians_and_quartiles(capsys):
             effective = 0.5 * virtual * 1e3 / 9.8 * (v / 100) ** 2 / (1 + (offset / r) ** 2)  # tonf m
             ratios[name].append(absorbed / effective)
             inside[name].append(1 <= absorbed / effective <= ((v + 1) / v) ** 2)
-    assert main(["berth", "--measured"]) == 0
-    first, *lines = capsys.readouterr().out.splitlines()
-    assert first.startswith("50 ships, 100 contacts")
-    for line, (name, values) in zip(lines, ratios.items(), strict=True):
-        assert name in line
-        median, low, high, count, share = numbers(line.split("median")[1])
-        assert [low, median, high] == pytest.approx(np.quantile(values, [0.25, 0.5, 0.75]), rel=0.015)
-        assert count == len(values) and share == pytest.approx(100 * np.mean(inside[name]), abs=0.51)
+    found = measured()
+    assert found.notes[0].startswith("50 ships, 100 contacts")
+    assert list(found.labels["virtual_mass"].values) == list(ratios)
+    for i, (name, values) in enumerate(ratios.items()):
+        quartiles = [found[f"ratio.{part}"][i] for part in ("low", "median", "high")]
+        assert quartiles == pytest.approx(np.quantile(values, [0.25, 0.5, 0.75]), rel=1e-6)
+        assert found["contacts"][i] == len(values)
+        assert found["bounded"][i] == pytest.approx(np.mean(inside[name]))

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.breakwater import pareto
+from hakobune.pipelines.breakwater import findings, pareto
 from hakobune.pipelines.common.quantities import StudyError
 
 
@@ -98,8 +98,6 @@ def test_the_keel_that_loses_head_is_that_of_the_body_as_it_floats(monkeypatch, 
     (0.3, ["0.3 or less behind takes at least 30 kN/m: draft 6, width 12"]), (0.29, []), (None, []),
 ])  # fmt: skip
 def test_the_least_tension_that_leaves_no_more_behind_than_wanted_is_told(wanted, says):
-    from hakobune.pipelines.breakwater.findings import wanted as told
-
     designs = np.array([[5.0, 8.0], [5.5, 10.0], [6.0, 12.0]])
     found = pareto.Front(("draft", "width"), designs, np.array([1e4, 2e4, 3e4]), np.array([0.9, 0.5, 0.3]), 9)
-    assert list(told(SimpleNamespace(optimisation=SimpleNamespace(behind=wanted)), found)) == says
+    assert list(findings.wanted(SimpleNamespace(optimisation=SimpleNamespace(behind=wanted)), found)) == says

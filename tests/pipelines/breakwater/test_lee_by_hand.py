@@ -8,10 +8,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.breakwater import lee, report
+from hakobune.pipelines.breakwater import lee
 from hakobune.pipelines.breakwater.build import Breakwater
+from hakobune.pipelines.breakwater.quantities import lee_of
 from hakobune.pipelines.breakwater.study import make_breakwater
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.results.result import Result
 
 RHO, G, BEAM, DRAFT, DEPTH, L, ANGLE, SPACING = 1025.0, 9.80665, 10.0, 5.0, 10.0, 40.0, math.radians(60), 4.0
 FREE, CENTER, GYRATION, EA = 3.4, 3.0, 4.4, 2e4  # m, m, m, kN
@@ -229,21 +231,20 @@ def test_gaps_below_the_depth_and_far_fields_that_are_missed_are_told():
     assert next(iter(lee._remarks(asked, far, 0.0201))).startswith("the waves close to the body are fitted to 2.0% of")
 
 
-def test_what_is_told_of_waves_behind():
+def test_heights_behind_are_over_leeward_and_the_largest_tension_of_each_line_has_its_place():
     found = SimpleNamespace(
-        front=None, sea=None, pretension=None, snapping=None,
-        lee=SimpleNamespace(
-            units=np.zeros((3, 2)), half=np.array([20.0, 5.0]), waves="waves", behind=[(15.0, 0.5), (65.0, 0.75)],
-            lines=np.array([-10.0, 0.0, 10.0]), tension=np.array([[1e3, 2e3, 5e3], [4e3, 3e3, 2e3]]),
-        ),
+        units=np.zeros((3, 2)), half=np.array([20.0, 5.0]), waves="waves", behind=[(15.0, 0.5), (65.0, 0.75)],
+        x=np.array([-1.0, 0.0, 1.0]), y=np.array([5.0, 6.0]), ratio=np.arange(6.0).reshape(2, 3),
+        lines=np.array([-10.0, 0.0, 10.0]), tension=np.array([[1e3, 2e3, 5e3], [4e3, 3e3, 2e3]]),
     )  # fmt: skip
-    said = list(report._lines(None, found))
-    assert said == [
-        "behind 3 units of 40 m in waves, K over their breadth, height over that of the waves that come:",
-        "  0.500 at 15 m, 0.750 at 65 m",
-        "  tensions of a unit alone, kN/m for each metre of wave amplitude, the largest along it: front 5 at x = 10 m, "
-        "back 4 at x = -10 m",
-    ]
-    found.lee.units, found.lee.tension = np.zeros((1, 2)), None
-    assert next(iter(report._lines(None, found))).startswith("behind 1 unit of 40 m")
-    assert len(list(report._lines(None, found))) == 2
+    made, axes = lee_of(None, SimpleNamespace(lee=found))
+    result = Result("breakwater", made, axes)
+    assert list(axes["leeward"].values) == [15.0, 65.0] and list(result["lee.behind"]) == [0.5, 0.75]
+    assert result.quantity("lee.behind").table == "behind 3 units of 40 m in waves"
+    assert list(result["lee.largest"]) == [5e3, 4e3] and result.quantity("lee.largest").unit == "N/m2"
+    assert [result["lee[front].largest_at"], result["lee[back].largest_at"]] == [10.0, -10.0]
+    assert np.array_equal(result["lee.ratio"], found.ratio)
+    found.units, found.tension = np.zeros((1, 2)), None
+    made, _ = lee_of(None, SimpleNamespace(lee=found))
+    assert made["lee.behind"].table == "behind 1 unit of 40 m in waves"
+    assert not any(name in made for name in ("lee.tension", "lee.largest", "lee.largest_at"))

@@ -1,9 +1,9 @@
-"""`hakobune damping`: its picture, its sums in percent, and what it judges, from both sides of each limit."""
+"""`hakobune damping`: its picture, its sums, and what it judges, from both sides of each limit."""
 
 import numpy as np
 import pytest
 
-from hakobune.pipelines.cli import main
+import hakobune
 
 T = np.arange(0.0, 400.0, 1.0)
 OMEGA = 2 * np.pi / 50.0
@@ -35,46 +35,46 @@ def test_the_picture_of_a_forced_oscillation_has_record_and_fit_in_kilonewtons(t
 
 def test_the_picture_of_a_decay_has_its_motion(tmp_path, asked, pictures):
     motion = 2.0 * np.exp(-0.04 * OMEGA * T) * np.cos(OMEGA * np.sqrt(1 - 0.04**2) * T)
-    (table,), _ = asked("damping", written(tmp_path, time_s=T, motion_m=motion), "--plot", tmp_path / "p.png")
+    path = written(tmp_path, time_s=T, motion_m=motion)
+    asked("damping", path, "--plot", tmp_path / "p.png")
     (axis,) = pictures[0].axes
     assert axis.get_ylabel() == "motion, m"
     for line in axis.lines:
         assert line.get_ydata() == pytest.approx(motion, abs=0.02)
-    rows = {row["quantity"]: row for row in table["rows"]}
     # ζ = β₁/2Ω = 4 %; half cycles lose πζ of the amplitude where it is linear
-    assert rows["B1/M"]["note"].startswith("4 % of critical") and rows["B1/M"]["unit"] == "1/s"
-    assert float(rows["a"]["note"].split()[3]) == pytest.approx(np.pi * 0.04, rel=0.05)
-    count, _, _, first, _ = rows["natural period"]["note"].split()
+    found = hakobune.damping(path)
+    assert found["critical"] == pytest.approx(0.04, rel=0.01)
+    assert found["B1_over_M"] == pytest.approx(2 * 0.04 * OMEGA, rel=0.01)
+    assert found["a.alone"] == pytest.approx(np.pi * 0.04, rel=0.05)
+    count, _, _, first, *_ = found.notes[0].split()
     assert int(count) == pytest.approx(2 * 400 / 50, abs=2) and float(first) <= 2.0
 
 
 @pytest.mark.parametrize("part, status", [(0.23, 0), (0.28, 1)])
-def test_a_record_that_is_left_over_by_more_than_a_quarter_fails(tmp_path, asked, part, status):
+def test_a_record_that_is_left_over_by_more_than_a_quarter_fails(part, status):
     """A second sine that no fit explains, of another period than the motion: r.m.s. part/√(1 + part²)"""
     motion, force = forced(mass=1500.0, first=40.0, second=0.0)
     other = np.sqrt(2) * np.sin(3.7 * OMEGA * T)
     size = force.std()
-    path = written(tmp_path, time_s=T, motion_m=motion, force_kN=force + part * size * other)
-    (table,), said = asked("damping", path, status=status)
-    off = next(row["value"] for row in table["rows"] if row["quantity"] == "force not explained")
-    assert off == pytest.approx(100 * part / np.sqrt(1 + part**2), rel=0.06)
-    assert ("of the force is left over, limit 25 %; this is no record of a sine" in said) is bool(status)
+    found = hakobune.damping({"time_s": T, "motion_m": motion, "force_kN": force + part * size * other})
+    assert found["left"] == pytest.approx(part / np.sqrt(1 + part**2), rel=0.06)
+    assert found.status == status == len(found.fails)
+    assert not status or "of the force is left over, limit 25 %; this is no record of a sine" in found.fails[0]
 
 
 @pytest.mark.parametrize("sign, status", [(1.0, 0), (-1.0, 1)])
-def test_a_force_that_gives_energy_to_the_body_fails(tmp_path, asked, sign, status):
+def test_a_force_that_gives_energy_to_the_body_fails(sign, status):
     motion, force = forced(first=sign * 40.0, second=0.0)
-    path = written(tmp_path, time_s=T, motion_m=motion, force_kN=force)
-    (table,), said = asked("damping", path, status=status)
-    same = next(row["value"] for row in table["rows"] if row["quantity"] == "linear damping of the same energy")
-    assert same == pytest.approx(sign * 40.0, rel=1e-3)
-    assert ("FAILS: the damping is negative, -40 kN s/m of the same energy, limit 0" in said) is bool(status)
+    found = hakobune.damping({"time_s": T, "motion_m": motion, "force_kN": force})
+    assert found["linear.same_energy"] == pytest.approx(sign * 40e3, rel=1e-3)
+    assert found.status == status == len(found.fails)
+    assert not status or "the damping is negative, -40 kN s/m of the same energy, limit 0" in found.fails[0]
 
 
-def test_a_mass_is_of_a_decay(tmp_path, capsys):
+def test_a_mass_is_of_a_decay():
     motion, force = forced()
-    path = written(tmp_path, time_s=T, motion_m=motion, force_kN=force)
-    assert main(["damping", str(path), "--mass", "10"]) == 2
-    assert "--mass is given with force_kN in the record; allowed: of a decay" in capsys.readouterr().err
-    assert main(["damping", str(path), "--mass", "0"]) == 2
-    assert "--mass is 0; allowed: above 0, finite" in capsys.readouterr().err
+    record = {"time_s": T, "motion_m": motion, "force_kN": force}
+    with pytest.raises(ValueError, match="mass is given with force_kN in the record; allowed: of a decay"):
+        hakobune.damping(record, mass=10e3)
+    with pytest.raises(ValueError, match="mass is 0 kg; allowed: above 0, finite"):
+        hakobune.damping(record, mass=0.0)

@@ -1,9 +1,11 @@
-"""What `hakobune fender` prints and draws of a linear fender, whose numbers are those of a spring."""
+"""What `hakobune fender` finds and draws of a linear fender, whose numbers are those of a spring."""
 
 import math
-import re
 
+import numpy as np
 import pytest
+
+import hakobune
 
 K = 1000.0  # kN/m, of a fender of 2 m that reacts with 1000 kN at half its height
 SOFTEST, STIFFEST = 0.9 * 1.0 * 1.0 * 0.8 * 0.95, 1.1 * 1.05 * 1.1 * 0.9 * 1.25  # SR179 report (1982), chapter 3.4
@@ -16,62 +18,55 @@ def table(tmp_path):
     return path
 
 
-def numbers(text):
-    return [float(word) for word in re.findall(r"-?\d+\.?\d*(?:e[+-]?\d+)?", text)]
+def of(table, **given):
+    return {"table": str(table), "height": 2.0, **given}
 
 
-def line_of(said, words):
-    return next(line for line in said.splitlines() if words in line)
-
-
-def test_rows_and_marks_of_a_spring_before_a_dolphin(table, asked):
+def test_rows_and_marks_of_a_spring_before_a_dolphin(table):
     """R = k x and E = ½ k x² of the fender; the dolphin of κ yields R/κ more and takes R²/2κ; nothing is lost, so that
     all comes back; three side by side are a spring of 3 k.  Rated and allowable are the ends of such a table"""
-    kappa, k = 6000.0, 3 * K
-    words = ["fender", "--table", table, "--height", 2, "--count", 3, "--dolphin", kappa]
-    (curve,), said = asked(*words)
-    assert len(curve["rows"]) == 11
-    for i, row in enumerate(curve["rows"]):
-        x = (1.0 + k / kappa) * i / 10  # of fender and dolphin together
-        R = x / (1 / k + 1 / kappa)
-        found = {key: float(value) for key, value in row.items()}
-        assert found["deflection m"] == pytest.approx(x, abs=6e-4)
-        assert found["strain %"] == pytest.approx(100 * R / k / 2.0, abs=0.06)
-        assert found["dolphin m"] == pytest.approx(R / kappa, abs=6e-4)
-        assert found["reaction kN"] == pytest.approx(R, abs=0.06)
-        assert found["energy kJ"] == pytest.approx(0.5 * R * x, abs=0.06)
-        assert found["returned kJ"] == pytest.approx(0.5 * R * x, rel=1e-3, abs=0.06)
-    R = 3000.0
-    energy = 0.5 * R**2 * (1 / k + 1 / kappa)
-    assert numbers(line_of(said, "rated:")) == pytest.approx([50.0, R, energy, 50.0, 50.0], abs=0.06)
-    batch = numbers(line_of(said, "reaction ×"))
-    assert batch == pytest.approx([SOFTEST, STIFFEST, SOFTEST * R, STIFFEST * R], abs=0.06)
-    assert "manufacture, ageing, velocity, repetition, temperature" in said
+    kappa, k = 6e6, 3e3 * K
+    found = hakobune.fender(of(table, count=3, dolphin=kappa / 1e3))
+    x = (1.0 + k / kappa) * np.arange(11) / 10  # of fender and dolphin together
+    R = x / (1 / k + 1 / kappa)
+    assert found.labels["deflection"].values == pytest.approx(x)
+    assert found["curve.strain"] == pytest.approx(R / k / 2.0)
+    assert found["curve.dolphin"] == pytest.approx(R / kappa, abs=1e-9)
+    assert found["curve.reaction"] == pytest.approx(R)
+    assert found["curve.energy"] == pytest.approx(0.5 * R * x)
+    assert found["curve.returned"] == pytest.approx(0.5 * R * x, rel=1e-3)
+    R, factors = 3e6, np.array([1.0, SOFTEST, STIFFEST])
+    assert found["rated.reaction"] == pytest.approx(factors * R)
+    assert found["rated.energy"] == pytest.approx(0.5 * (factors * R) ** 2 * (1 / (factors * k) + 1 / kappa))
+    ends = [found[f"{name}.strain"] for name in ("rated", "allowable", "limit")]
+    assert ends == pytest.approx([0.5, 0.5, 0.5])
+    assert found["factor"] == pytest.approx(factors)
+    assert any("manufacture, ageing, velocity, repetition, temperature" in note for note in found.notes)
 
 
-def test_one_compression_by_strain_deflection_and_energy_is_the_same(table, asked):
+def test_one_compression_by_strain_deflection_and_energy_is_the_same(table):
     """x = 0.4 m of fender and dolphin, R = x/(1/k + 1/κ), E = ½ R x; the fender alone is pressed R/k of its 2 m, the
     softest and the stiffest with f of the reaction are pressed to the same E: R' = √(2E/(1/fk + 1/κ)).
 
     A strain is that of the fender alone, as makers tell it."""
-    kappa, x = 3000.0, 0.4
-    R = x / (1 / K + 1 / kappa)
+    kappa, k, x = 3e6, 1e3 * K, 0.4
+    R = x / (1 / k + 1 / kappa)
     energy = 0.5 * R * x
-    for flag, value in (("--deflection", x), ("--strain", R / K / 2.0), ("--energy", energy)):
-        _, said = asked("fender", "--table", table, "--height", 2, "--dolphin", kappa, flag, value)
-        at = numbers(line_of(said, "largest on the way"))
-        assert at == pytest.approx([x, 100 * R / K / 2.0, R, R, energy], rel=1e-3, abs=0.06)
-        soft, stiff = (math.sqrt(2 * energy / (1 / (f * K) + 1 / kappa)) for f in (SOFTEST, STIFFEST))
-        same = numbers(line_of(said, "the same energy"))
-        by_hand = [100 * soft / (SOFTEST * K) / 2, soft, 100 * stiff / (STIFFEST * K) / 2, stiff]
-        assert same == pytest.approx(by_hand, abs=0.06)
+    factor = np.array([1.0, SOFTEST, STIFFEST])
+    same = np.sqrt(2 * energy / (1 / (factor * k) + 1 / kappa))
+    for asked in ({"deflection": x}, {"strain": R / k / 2.0}, {"energy": energy}):
+        found = hakobune.fender(of(table, dolphin=kappa / 1e3), **asked)
+        assert (found["asked.reaction"], found["asked.energy"]) == pytest.approx((R, energy))
+        assert found["taken.reaction"] == pytest.approx(same)
+        assert found["taken.strain"] == pytest.approx(same / (factor * k) / 2)
+        assert found["taken.deflection"] == pytest.approx(2 * energy / same)
 
 
-def test_the_softest_that_cannot_take_an_energy_up_is_told_so(table, asked):
+def test_the_softest_that_cannot_take_an_energy_up_has_no_reaction_there(table):
     """It holds ½ f k of 1 m, 342 kJ of the fender's 500"""
-    for energy, told in ((341, False), (343, True)):
-        _, said = asked("fender", "--table", table, "--height", 2, "--energy", energy)
-        assert ("the softest does not take it up" in said) is told
+    for energy, taken in ((341e3, True), (343e3, False)):
+        found = hakobune.fender(of(table), energy=energy)
+        assert list(np.isfinite(found["taken.reaction"])) == [True, taken, True]
 
 
 @pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])
@@ -89,28 +84,23 @@ def test_a_cell_that_is_pressed_beyond_its_allowable_strain_fails(asked, strain,
     assert ("FAILS: the fender is pressed to 50.03 % of its height; allowable 50 %" in said) is bool(status)
 
 
-def test_an_inclined_face_presses_strips_of_a_spring_less(table, asked):
+def test_an_inclined_face_presses_strips_of_a_spring_less(table):
     """R = (k/a)[x² − (x − a)²]/2 with a = w tan α, k x/2 · x/a while only part is in contact; E the integral of it;
     deflections are those of the edge that is pressed most"""
-    angle, width = 10.0, 2.0
+    angle, width, k = 10.0, 2.0, 1e3 * K
     a = width * math.tan(math.radians(angle))
-    words = ["fender", "--table", table, "--height", 2, "--angle", angle, "--width", width]
-    (curve,), said = asked(*words)
-
-    def reaction(x):
-        return K * x**2 / (2 * a) if x <= a else K * (x - a / 2)
-
-    def energy(x):
-        return K * x**3 / (6 * a) if x <= a else K * (x**2 / 2 - x * a / 2 + a**2 / 6)
-
-    for row in curve["rows"][1:]:
-        x = float(row["deflection m"])
-        assert float(row["reaction kN"]) == pytest.approx(reaction(x), abs=0.1)
-        assert float(row["energy kJ"]) == pytest.approx(energy(x), abs=0.1)
-        assert float(row["reaction ×"]) == pytest.approx(reaction(x) / (K * x), abs=1.1e-3)
-        assert float(row["energy ×"]) == pytest.approx(energy(x) / (0.5 * K * x**2), abs=1.1e-3)
-    shares = numbers(line_of(said, "inclined by"))
-    assert shares == pytest.approx([angle, width, reaction(1.0) / K, energy(1.0) / (0.5 * K)], abs=1e-3)
+    found = hakobune.fender(of(table, angle_deg=angle, width=width))
+    x = found.labels["deflection"].values
+    reaction = np.where(x <= a, k * x**2 / (2 * a), k * (x - a / 2))
+    energy = np.where(x <= a, k * x**3 / (6 * a), k * (x**2 / 2 - x * a / 2 + a**2 / 6))
+    assert found["curve.reaction"] == pytest.approx(reaction, rel=1e-3, abs=100)
+    assert found["curve.energy"] == pytest.approx(energy, rel=1e-3, abs=100)
+    x, reaction, energy = x[1:], reaction[1:], energy[1:]
+    assert found["curve.reaction_share"][1:] == pytest.approx(reaction / (k * x), abs=1e-3)
+    assert found["curve.energy_share"][1:] == pytest.approx(energy / (0.5 * k * x**2), abs=1e-3)
+    shares = found["inclined.reaction"], found["inclined.energy"]
+    assert shares == pytest.approx((reaction[-1] / k, energy[-1] / (0.5 * k)), abs=1e-3)
+    assert any(f"inclined by {angle:g}° over {width:g} m" in note for note in found.notes)
 
 
 def test_the_picture_of_a_fender_has_its_curves_in_the_units_of_its_axes(table, tmp_path, asked, pictures):
@@ -142,28 +132,28 @@ def test_a_fender_that_loses_energy_has_its_unloading_drawn_below(tmp_path, aske
     """Half of the reaction comes back"""
     path = tmp_path / "lossy.csv"
     path.write_text("deflection_m,reaction_kN,unloading_kN\n0,0,0\n0.5,500,250\n1.0,1000,500\n")
-    (curve,), _ = asked("fender", "--table", path, "--height", 2, "--output", tmp_path / "f.svg")
+    asked("fender", "--table", path, "--height", 2, "--output", tmp_path / "f.svg")
     lines = {line.get_label(): line.get_data() for line in pictures[0].axes[0].lines}
     x, R = lines["unloading"]
     assert 500 * x == pytest.approx(R, abs=1e-6)
-    last = curve["rows"][-1]
-    assert 0.25 * 1000 < float(last["returned kJ"]) < 0.30 * 1000 < float(last["energy kJ"]) == pytest.approx(500)
+    found = hakobune.fender(of(path))
+    returned, energy = found["curve.returned"][-1], found["curve.energy"][-1]
+    assert energy == pytest.approx(500e3)
+    assert 0.25e6 < returned < 0.30e6
 
 
 @pytest.mark.parametrize(
-    "flags", [("--strain", "0"), ("--deflection", "-1"), ("--energy", "inf"), ("--energy", "0"), ("--strain", "nan")]
+    "key, value", [("strain", 0.0), ("deflection", -1.0), ("energy", math.inf), ("energy", 0.0), ("strain", math.nan)]
 )
-def test_a_compression_is_above_zero_and_finite(table, flags, capsys):
-    from hakobune.pipelines.cli import main
-
-    assert main(["fender", "--table", str(table), "--height", "2", flags[0] + "=" + flags[1]]) == 2
-    assert f"{flags[0]} is {flags[1]}; allowed: above 0, finite" in capsys.readouterr().err
+def test_a_compression_is_above_zero_and_finite(table, key, value):
+    with pytest.raises(ValueError, match=f"{key} is {value:g}; allowed: above 0, finite"):
+        hakobune.fender(of(table), **{key: value})
 
 
-def test_only_manufacture_is_known_of_a_pneumatic_fender(asked):
+def test_only_manufacture_is_known_of_a_pneumatic_fender():
     """±10 % (SR179 report 1982, 3.3.2)"""
-    _, said = asked(*["fender", "--family", "pneumatic", "--height", "2", "--length", "3.5"])
-    line = line_of(said, "reaction ×")
-    assert line.startswith("by manufacture: reaction × 0.900 (softest) to × 1.100 (stiffest)")
-    low, high = numbers(line)[2:]
-    assert low / high == pytest.approx(0.9 / 1.1, rel=1e-3)
+    found = hakobune.fender({"family": "pneumatic", "height": 2.0, "length": 3.5})
+    assert found["factor"] == pytest.approx([1.0, 0.9, 1.1])
+    R = found["rated.reaction"]
+    assert R[1:] / R[0] == pytest.approx([0.9, 1.1])
+    assert found.notes[0].endswith(" are of manufacture")

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+import hakobune
 from hakobune.pipelines.cli import main
 
 RHO, G, DEPTH, PERIOD, HEIGHT, D, C_M = 1025.0, 9.80665, 12.0, 8.0, 0.02, 1.2, 2.0
@@ -28,42 +29,38 @@ def written(folder, *tables, height=HEIGHT, direction="direction_deg = 0"):
 
 
 def inertia(width=D, coefficient=C_M):
-    """kN, amplitude of ρ g a C_M A tanh kh"""
-    return RHO * G * HEIGHT / 2 * coefficient * math.pi / 4 * width**2 * math.tanh(K * DEPTH) / 1e3
+    """N, amplitude of ρ g a C_M A tanh kh"""
+    return RHO * G * HEIGHT / 2 * coefficient * math.pi / 4 * width**2 * math.tanh(K * DEPTH)
 
 
 ARM = DEPTH - (1 - 1 / math.cosh(K * DEPTH)) / (K * math.tanh(K * DEPTH))  # of inertia above the foot
-
-
-def rows_of(table):
-    return {row.pop(""): {key: float(value) for key, value in row.items()} for row in table["rows"]}
 
 
 def test_inertia_of_piles_that_stand_apart_adds_with_their_phases(tmp_path, asked, pictures):
     """At x the force is sin(kx − ωt): 90° ahead of the crest; two apart by kx = φ make 2 cos φ/2 of one"""
     x = 9.0
     path = written(tmp_path, pile("here", 0.0), pile("there", x))
-    (table,), said = asked("members", path, "--plot", tmp_path / "p.png")
-    rows, F = rows_of(table), inertia()
-    phase = math.degrees(K * x)
-    for name, at in (("here", 0.0), ("there", phase)):
-        assert rows[name]["force kN"] == pytest.approx(F, rel=2e-3)
-        assert abs(rows[name]["Fx kN"]) == pytest.approx(F, rel=2e-3) and abs(rows[name]["Fy kN"]) < 1e-6
-        found = rows[name]["force kN at phase °"]
-        assert min(abs((found - at - 90) % 180), 180 - abs((found - at - 90) % 180)) < 1.6
-        assert rows[name]["moment kN m"] == pytest.approx(F * ARM, rel=3e-3)
-    both = rows["all in the water"]
-    assert both["force kN"] == pytest.approx(2 * F * abs(math.cos(K * x / 2)), rel=2e-3)
-    assert both["moment kN m"] == pytest.approx(2 * F * ARM * abs(math.cos(K * x / 2)), rel=3e-3)
+    asked("members", path, "--plot", tmp_path / "p.png")
+    found, F = hakobune.members(path), inertia()
+    for name, at in (("here", 0.0), ("there", K * x)):
+        assert found[f"{name}.size"] == pytest.approx(F, rel=2e-3)
+        assert abs(found[f"{name}.Fx"]) == pytest.approx(F, rel=2e-3) and abs(found[f"{name}.Fy"]) < 1e-3
+        off = math.degrees(found[f"{name}.phase"] - at) - 90
+        assert min(off % 180, -off % 180) < 1.6
+        assert found[f"moment[{name}].size"] == pytest.approx(F * ARM, rel=3e-3)
+    both = found["force[all in the water].size"]
+    assert both == pytest.approx(2 * F * abs(math.cos(K * x / 2)), rel=2e-3)
+    moment = found["moment[all in the water].size"]
+    assert moment == pytest.approx(2 * F * ARM * abs(math.cos(K * x / 2)), rel=3e-3)
     length = 2 * math.pi / K
-    assert f"wave of {HEIGHT:g} m, {length:.4g} m long; linear theory up to the surface (Wheeler)" in said
+    assert f"wave of {HEIGHT:g} m, {length:.4g} m long; linear theory up to the surface (Wheeler)" in found.notes[0]
     (axis,) = pictures[0].axes
     lines = {line.get_label(): line.get_data() for line in axis.lines}
     degrees, force = lines["here"]
     assert degrees == pytest.approx(np.arange(360)) and force == pytest.approx(
-        F * np.abs(np.sin(np.radians(degrees))), abs=3e-3 * F
+        F / 1e3 * np.abs(np.sin(np.radians(degrees))), abs=3e-6 * F
     )
-    assert lines["all in the water"][1].max() == pytest.approx(both["force kN"], rel=1e-3)
+    assert lines["all in the water"][1].max() == pytest.approx(both / 1e3)
     assert (axis.get_xlabel(), axis.get_ylabel()) == ("phase, °, crest at the origin at 0", "force, kN")
 
 
@@ -71,19 +68,21 @@ def test_inertia_of_piles_that_stand_apart_adds_with_their_phases(tmp_path, aske
     ({"growth": 0.15}, (1.5 / 1.2) ** 2),  # grows all around
     ({"inertia": 1.7}, 0.85), ({"shape": '"square"'}, 2.19 * 4 / (2 * math.pi)),  # DNV-RP-C205, appendix D
 ])  # fmt: skip
-def test_growth_coefficients_and_shapes_change_inertia_by_the_section(tmp_path, asked, change, share):
-    (table,), _ = asked("members", written(tmp_path, pile("one", 0.0, **change)))
-    assert rows_of(table)["one"]["force kN"] == pytest.approx(share * inertia(), rel=3e-3)
+def test_growth_coefficients_and_shapes_change_inertia_by_the_section(tmp_path, change, share):
+    found = hakobune.members(written(tmp_path, pile("one", 0.0, **change)))
+    assert found["force[one].size"] == pytest.approx(share * inertia(), rel=3e-3)
 
 
-def test_waves_that_come_from_the_side_push_the_other_way(tmp_path, asked):
+def test_waves_that_come_from_the_side_push_the_other_way(tmp_path):
     """incidence 90° is from +y: towards −y; a pile aside of the origin makes a moment about z"""
     path = written(tmp_path, pile("one", 5.0), direction="incidence_deg = 90")
-    (table,), _ = asked("members", path)
-    rows, F = rows_of(table), inertia()
-    assert abs(rows["one"]["Fy kN"]) == pytest.approx(F, rel=2e-3) and abs(rows["one"]["Fx kN"]) < 1e-6
-    assert rows["one"]["moment kN m"] == pytest.approx(F * ARM, rel=3e-3)
-    assert rows["all in the water"]["moment kN m"] == pytest.approx(F * math.hypot(ARM, 5.0), rel=3e-3)
+    found, F = hakobune.members(path), inertia()
+    phase, one = found.labels["phase"].values, list(found.labels["member"].values).index("one")
+    assert abs(found["one.Fy"]) == pytest.approx(F, rel=2e-3) and abs(found["one.Fx"]) < 1e-3
+    # a crest that goes towards −y has water go that way; after it the water is accelerated towards +y
+    assert found["course.force"][:, one, 1] == pytest.approx(F * np.sin(phase), abs=3e-3 * F)
+    assert found["moment[one].size"] == pytest.approx(F * ARM, rel=3e-3)
+    assert found["moment[all in the water].size"] == pytest.approx(F * math.hypot(ARM, 5.0), rel=3e-3)
 
 
 @pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])
