@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+from hakobune.bem.second_order.kinds import DIFFERENCE
 from hakobune.pipelines.qtf import question, report, running
 
 OMEGA = np.array([0.4, 0.5, 0.6])
@@ -37,40 +37,6 @@ def numbers(line):
     return [float(word) for word in line.split("Ω")[1].split()]
 
 
-def test_rows_are_root_mean_squares_in_kilonewtons_with_each_part_added():
-    """Newman 4; with the bound wave |4 + 3i| = 5; squares in its place the same; + body |6 + 3i|; the moments of yaw in
-    MN m: thousandths of the numbers"""
-    said = list(report.told(stored(forces()), None))
-    assert (
-        said[0]
-        == "floating body, 3 frequencies 0.4 to 0.6 rad/s, differences to 0.1 rad/s, 1 headings and all their pairs"
-    )
-    surge = [line for line in said if " surge Ω" in line]
-    assert len(surge) == 2 and surge[0].startswith("     180° surge Ω 0.000")
-    for line, omega in zip(surge, (0.0, 0.1), strict=True):
-        assert numbers(line) == pytest.approx([omega, 4, 5, 5, math.hypot(6, 3)], rel=1e-3)
-    yaw = next(line for line in said if " yaw " in line)
-    assert numbers(yaw) == pytest.approx([0.0, 4e-3, 5e-3, 5e-3, math.hypot(6, 3) / 1e3], rel=1e-3)
-    assert said[-1] == (
-        "left out: the forcing of the surface around the body, estimated from few pairs: 3.1 % of the force in surge "
-        "and sway; --level full"
-    )
-    assert "no estimated error" in said[-2]
-
-
-def test_the_surface_is_a_column_and_errors_are_shares():
-    """A tenth of the error of each pair over |T| = |7 + 3i|"""
-    made = forces(surface=1e3)
-    said = list(report.told(stored(made, errors=pairs(500.0), method="contour"), None))
-    surge = next(line for line in said if " surge Ω" in line)
-    assert numbers(surge)[-1] == pytest.approx(math.hypot(7, 3), rel=1e-3)
-    whole = 100 * 500 / (1e3 * math.hypot(7, 3))
-    assert f"estimated error of the contour method, root mean square of the force's: surge {whole:.2g} %" in said[-2]
-    assert said[-1] == "the forcing of the surface around the body is 3.1 %" + (
-        " of the force in surge and sway, root mean square"
-    )
-
-
 def test_newmans_rule_is_the_signed_root_of_the_product_of_the_diagonal():
     """−√(1 · 4) of two that are both against the waves, 0 of two of other signs"""
     made = forces()
@@ -78,33 +44,6 @@ def test_newmans_rule_is_the_signed_root_of_the_product_of_the_diagonal():
     rule = report.newman(made, 0, 0)
     assert rule[0] == pytest.approx([-1.0, -4.0, 9.0]) and rule[1, :2] == pytest.approx([-2.0, 0.0])
     assert np.isnan(rule[1, 2])
-
-
-@pytest.mark.parametrize("gap, told", [(0.049, False), (0.051, True)])
-def test_mean_drift_by_pressure_is_within_a_twentieth_of_the_largest(gap, told):
-    added = np.zeros((3, 1, 1, 6))
-    added[1, 0, 0, 1] = gap * 4e3
-    made = forces(added=added)
-    said = list(report.failures(stored(made)))
-    assert bool(said) is told
-    assert not told or said[0].startswith(
-        "FAILS: mean drift by pressure differs from that of the far field by 5.1 % of the"
-    )
-    assert f"by pressure it differs by {100 * gap:.2g} % of the largest" in list(report.told(stored(made), None))[1]
-    assert list(report.failures(stored(forces(SUM)))) == []
-
-
-def test_sums_are_root_mean_squares_over_their_pairs():
-    """|4|, |4 + 3i|, |6 + 3i| kN/m², moments in MN m/m²"""
-    said = list(report.told(stored(forces(SUM), errors=pairs(300.0)), None))
-    assert "sums to 0.9 rad/s" in said[0]
-    heave = next(line for line in said if " heave " in line)
-    assert numbers(heave) == pytest.approx([0.8, 4, 5, math.hypot(6, 3)], rel=1e-3)
-    pitch = next(line for line in said if " pitch " in line)
-    assert numbers(pitch) == pytest.approx([0.8, 4e-3, 5e-3, math.hypot(6, 3) / 1e3], rel=1e-3)
-    share = 100 * 300 / (1e3 * math.hypot(6, 3))
-    assert f"of the largest force and moment: surge {share:.2g} %" in said[-2]
-    assert said[-1].endswith("a large part of the force at sums; --level full")
 
 
 def test_the_highest_sum_is_that_of_a_wave_three_panels_long():

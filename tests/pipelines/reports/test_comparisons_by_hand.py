@@ -147,18 +147,6 @@ def test_roll_with_viscous_damping_is_told_where_it_is_largest_without(monkeypat
     assert second["roll_deg"] == pytest.approx(math.degrees(4.0 * 2.0 * 0.05))
 
 
-@pytest.mark.parametrize("words, says", [
-    ("--beam-draft 0", "--beam-draft is 0; allowed: above 0, finite"), ("--depth-draft 1",
-     "--depth-draft is 1; allowed"),
-    ("--xi inf", "--xi is inf; allowed: above 0, finite"), ("--xi 0.5,0.5", "allowed: every number once"),
-    ("--xi 2:1:3", "allowed: start:stop:count with start below stop"), ("--xi 1:2:1", "--xi has 1 numbers; allowed: 2"),
-])  # fmt: skip
-def test_sections_refuse_what_cannot_be(words, says, capsys):
-    assert main(["sections", *words.split()]) == 2
-    said = capsys.readouterr().err
-    assert says in said and said.count("\n") == 1
-
-
 def test_a_section_of_the_report_is_told_with_its_table(capsys):
     """Table 2.1.3.1: B/d = 5, H/d = 1.2; deep water and other shapes have none"""
     assert main(["sections", "--beam-draft", "5,6", "--depth-draft", "1.2,inf", "--xi", "0.2,1"]) == 0

@@ -93,14 +93,3 @@ def test_records_are_to_last_as_long_as_ramp_and_duration_and_to_have_waves(tmp_
     monkeypatch.setattr(simulate_study, "MOST_OF_RECORD", count - 1)
     with pytest.raises(StudyError, match=f"simulation.record has {count} waves; allowed: {count - 1}"):
         recorded(tmp_path, record)
-
-
-def test_a_record_takes_the_place_of_other_waves(tmp_path):
-    record = {"file": "berth.csv", "direction_deg": 90}
-    waves = {"height": 1.0, "period": 8.0, "direction_deg": 90}
-    for tables, says in (
-        ({"waves": waves, "simulation": {"duration": 9.0, "record": record}}, "given with [waves] or simulation.sea"),
-        ({"simulation": {"duration": 9.0, "record": record, "qtf": "stored"}}, "a record holds its bound waves"),
-    ):
-        with pytest.raises(StudyError, match=re.escape(says)):
-            plan_of(make_study(SHIP | tables), OMEGA, folder=tmp_path)

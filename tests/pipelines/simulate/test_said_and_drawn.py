@@ -88,31 +88,6 @@ def test_slow_yaw_is_told_in_degrees():
     assert said[0].startswith("slow yaw has σ 3 °") and "mean loads give 1 °" in said[0]
 
 
-@pytest.mark.parametrize("own, near", [(119.0, True), (121.0, False), (81.0, True), (79.0, False)])
-def test_a_berth_within_a_fifth_of_a_period_of_the_harbour_resonates(own, near):
-    told, findings = berth.lines_on_periods([own, np.nan, 8.0], [100.0])
-    assert told == f"natural periods of small motions at the berth: surge {own:.3g} s, yaw 8 s"
-    assert bool(findings) is near
-    assert not near or findings[0].startswith(f"surge swings with {own:.3g} s at the berth, the harbour with 100 s")
-    assert berth.lines_on_periods([np.nan] * 3, [])[0].endswith("none, nothing holds them at rest")
-
-
-@pytest.mark.parametrize("share, fails", [(0.99, False), (1.01, True)])
-def test_a_fender_fails_beyond_what_it_may_be_strained(share, fails):
-    """1 m of a height of 2 m, of which 0.45 are allowed; another is pressed less but allowed less"""
-
-    def fender(name, allowable):
-        return SimpleNamespace(name=name, fender=SimpleNamespace(height=2.0, own_allowable=allowable, own=lambda x: x))
-
-    row = dict.fromkeys(SUMMARY, 0.0)
-    summary = np.array([[*(row | {"largest": 0.9 * share}).values()], [*(row | {"largest": 0.1}).values()]])
-    file = {"quantity": SimpleNamespace(asstr=lambda: np.array(["deflection F1", "deflection F2"])), "summary": summary}
-    told, failed = berth.lines_on_fenders(file, [fender("F1", 0.45), fender("F2", 0.2)])
-    assert told == f"fenders: F1 is strained most, to {45 * share:.3g} % of its height; allowed: 45 %"
-    assert bool(failed) is fails
-    assert not fails or failed[0].startswith(f"FAILS: F1 is pressed to {45 * share:.4g} % of its height; allowed: 45 %")
-
-
 def test_windows_have_half_the_significant_height_and_the_period_of_their_waves():
     """Surge of 8 s and 2 m, then of 10 s and 1 m; sway is still; yaw of 0.02 rad in degrees"""
     t = np.arange(0, 400.0, 0.5)

@@ -7,7 +7,6 @@ chains, inextensible, partly on the bed: X = L − s + a arcosh(1 + h/a), s = �
 import math
 import re
 
-import h5py
 import numpy as np
 import pytest
 
@@ -114,89 +113,6 @@ def line_of(said, words):
     return next(line for line in said.splitlines() if words in line)
 
 
-def test_pull_place_and_tensions_at_rest(tmp_path, asked):
-    """The bow towards the weather: midship lies hawser and bow behind the buoy, which lies back by what its lines give;
-    scope √(h (2T/w − h)) over the depth"""
-    (rest, lines), said = asked("single-point", written(tmp_path), "--output", tmp_path / "a.h5")
-    first = next(row for row in rest["rows"] if row["heading °"] == "0.00")
-    assert first["stable"] == "yes"
-    for name, value in (("pull kN", PULL), ("hawser kN", PULL), ("largest line kN", LEADING)):
-        assert float(first[name]) == pytest.approx(value, abs=0.06)
-    told = numbers(line_of(said, "centre of mass at x").replace("+x", ""))
-    assert told == pytest.approx([0, -D - HAWSER - BOW, 0, -D, 0, PULL], abs=0.06)
-    scope = math.sqrt(h * (2e3 * LEADING / W - h))
-    told = numbers(line_of(said, "scope without uplift"))
-    assert told == pytest.approx([scope / DEPTH, scope, L], abs=0.51)
-    assert told[0] == pytest.approx(scope / DEPTH, abs=0.006)
-    X = span_of(H0)
-    spans = {"line 1": X + D, "line 2": math.hypot(X, D), "line 3": X - D, "line 4": math.hypot(X, D)}
-    assert "lines at 0.0°" in lines["title"]
-    for row in lines["rows"]:
-        H = pull_at(spans[row["line"]])
-        a = 1e3 * H / W
-        lying = spans[row["line"]] - a * math.acosh(1 + h / a)
-        assert float(row["tension kN"]) == pytest.approx(H + W * h / 1e3, abs=0.06)
-        assert float(row["on the bed m"]) == pytest.approx(lying, abs=0.51)
-        assert float(row["used %"]) == pytest.approx(100 * (H + W * h / 1e3) / BREAKING, abs=0.06)
-    with h5py.File(tmp_path / "a.h5") as file:
-        i = int(np.argmin(np.abs(file["heading"][()])))
-        assert file["hawser_tension"][i] == pytest.approx([1e3 * PULL], rel=1e-4)
-        assert file["place"][i] == pytest.approx([-D - HAWSER - BOW, 0], abs=0.01)
-        assert file["buoy"][i][:2] == pytest.approx([-D, 0], abs=0.01)
-        assert file["line_tension"][i].max() == pytest.approx(1e3 * LEADING, rel=1e-4)
-        assert abs(file["force"][i][0]) == pytest.approx(1e3 * PULL, rel=1e-4)
-        assert file["force"].attrs["units"] == "N, N, N m" and bool(file["stable"][i])
-
-
-@pytest.mark.parametrize("incidence", [50.0, -35.0])
-def test_the_bow_points_where_the_weather_comes_from(tmp_path, asked, incidence):
-    """Lines are at 0, 90, 180, 270°, so that their pull is another; the body turns with the weather as a whole"""
-    turned = ("incidence_deg = 0.0", f"incidence_deg = {incidence}")
-    (rest, _), said = asked("single-point", written(tmp_path, turned))
-    best = next(row for row in rest["rows"] if row["stable"] == "yes")
-    assert float(best["heading °"]) == pytest.approx(incidence % 360, abs=0.006)
-    assert float(best["pull kN"]) == pytest.approx(PULL, abs=0.06)
-    x, y = numbers(line_of(said, "centre of mass at x").replace("+x", ""))[1:3]
-    bx, by = numbers(line_of(said, "buoy "))[3:5]
-    assert math.degrees(math.atan2(by - y, bx - x)) == pytest.approx(incidence, abs=0.02)
-    assert math.hypot(bx - x, by - y) == pytest.approx(HAWSER + BOW, abs=0.02)
-
-
-def test_a_body_that_begins_at_rest_stays_there_in_time(tmp_path, asked, pictures):
-    """Steady, mean, significant and largest are one; a fifth more for slow drift, which is not in the run"""
-    tables, said = asked("single-point", written(tmp_path, more=STILL), "--output", tmp_path / "a.h5")
-    run = next(table for table in tables if "in time, kN" in table["title"])
-    assert run["title"] == "60 s in time, kN"
-    rows = {row.pop(""): [float(value) for value in row.values()] for row in run["rows"]}
-    assert rows["hawser 1"] == pytest.approx([PULL] * 4 + [1.2 * PULL], rel=1e-3)
-    assert rows["line 1"] == pytest.approx([LEADING] * 4 + [1.2 * LEADING], rel=1e-3)
-    assert numbers(line_of(said, "watch circle"))[-1] == pytest.approx(D + HAWSER + BOW, abs=0.06)
-    heading, hawser, lines, plan = pictures[0].axes
-    assert [axis.get_ylabel() for axis in pictures[0].axes] == ["heading, °", "hawser, kN", "line 1, kN", "y, m"]
-    assert np.abs(heading.lines[0].get_ydata()).max() < 0.01
-    assert hawser.lines[0].get_ydata() == pytest.approx(np.full(61, PULL), rel=1e-3)
-    assert lines.lines[0].get_xydata() == pytest.approx(np.stack([np.arange(61.0), np.full(61, LEADING)], 1), rel=1e-3)
-    track = next(line for line in plan.lines if line.get_label() == "centre of mass")
-    assert track.get_xydata() == pytest.approx(np.tile([-D - HAWSER - BOW, 0.0], (61, 1)), abs=0.02)
-    with h5py.File(tmp_path / "a.h5") as file:
-        assert file["run/hawser_tension"][()] == pytest.approx(np.full((61, 1), 1e3 * PULL), rel=1e-3)
-        assert file["run/wind_speed"][()] == pytest.approx(np.full(61, U))
-        assert list(file["run"].attrs["hull"]) == [LENGTH, BEAM, DRAFT, FREEBOARD]
-        assert file["run"].attrs["hawser_ends"] == pytest.approx(np.array([[BOW, 0.0]]))
-
-
-def test_a_heading_that_is_turned_away_begins_there(tmp_path, asked):
-    more = STILL.replace("offset_deg = 0.0", "offset_deg = 5.0").replace("60.0", "3000.0")
-    _, said = asked("single-point", written(tmp_path, more=more), "--output", tmp_path / "a.h5")
-    with h5py.File(tmp_path / "a.h5") as file:
-        heading, time = np.degrees(file["run/heading"][()]), file["run/time"][()]
-    assert heading[0] == pytest.approx(5.0, abs=0.01)
-    away = np.flatnonzero(np.abs(heading) > 0.2)
-    if len(away) < len(heading):
-        first, within, settled = numbers(line_of(said, "the heading decays from"))
-        assert (first, within) == (5.0, 0.2) and settled == pytest.approx(time[away[-1]], abs=1.6)
-
-
 def test_the_plan_shows_hull_buoy_and_lines(tmp_path, asked, pictures):
     asked("single-point", written(tmp_path), "--picture", tmp_path / "p.png")
     axes = pictures[0].axes[0]
@@ -210,18 +126,6 @@ def test_the_plan_shows_hull_buoy_and_lines(tmp_path, asked, pictures):
     assert buoy == pytest.approx([-D, 0], abs=0.01)
     X = span_of(H0)
     assert axes.lines[0].get_xydata() == pytest.approx(np.array([[X, 0], [-D, 0]]), abs=0.02)
-
-
-def test_a_map_has_at_each_place_the_growth_of_the_study_with_that_number(tmp_path, asked, pictures):
-    """Told per hour; the hawser of 25 m is the middle of 15 to 35 m"""
-    more = '[[maps]]\nx = { key = "hawser.length", from = 15, to = 35, count = 3 }\n'
-    (rest, _), said = asked("single-point", written(tmp_path, more=more))
-    growth = min(float(row["growth 1/s"]) for row in rest["rows"])
-    line = pictures[0].axes[0].lines[0]
-    assert line.get_xdata() == pytest.approx([15, 25, 35])
-    assert line.get_ydata()[1] == pytest.approx(3600 * growth, rel=6e-3)
-    assert "map over hawser.length: 0 % of it slews" in said
-    assert pictures[0].axes[0].get_xlabel() == "hawser.length, m"
 
 
 @pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])

@@ -1,7 +1,6 @@
 """`hakobune site` by hand: return period, Gumbel's law of the wind, levels, streams, contour's page, and its limits."""
 
 import math
-import tomllib
 
 import numpy as np
 import pytest
@@ -62,36 +61,6 @@ def written(folder, *changes):
 def made(folder, *changes):
     study, _ = read_site(written(folder, *changes))
     return study, site_values(study, folder)
-
-
-def test_every_value_of_a_site_is_told_and_written_with_its_unit(tmp_path, asked):
-    """R = 1/(1 − q^(1/T)) = 70.6 years; high water of spring tide and surge; a√(g/h) of the tsunami; a hundredth of the
-    wind drives the surface, and falls to nothing at the bed: over the draft the current of the same pressure,
-    √((1/d) ∫ U² dz) of 0.8 (1 + z/h)^0.2 + 0.3 (1 + z/h)"""
-    (table,), _ = asked("site", written(tmp_path), "--output", tmp_path / "values.toml")
-    rows = {(row["quantity"], row["note"]): (row["value"], row["unit"]) for row in table["rows"]}
-    z = np.linspace(-6.0, 0.0, 6001)
-    U = 0.8 * (1 + z / 16) ** 0.2 + 0.3 * (1 + z / 16)
-    current = math.sqrt(np.trapezoid(U**2, z) / 6.0)
-    by_hand = {
-        ("return period", ""): (R, "years"), ("high water level", "above still water"): (2.1, "m"),
-        ("low water level", "above still water"): (-0.8, "m"), ("tsunami high water level",
-         "above still water"): (2.7, "m"),
-        ("tsunami low water level", "above still water"): (-2.3, "m"), ("wind speed", "extreme"): (30.0, "m/s"),
-        ("current speed", "extreme"): (current, "m/s"), ("waves height", "extreme"): (2.5, "m"),
-        ("waves period", "extreme"): (6.5, "s"), ("wind speed", "operating"): (12.0, "m/s"),
-        ("current speed", "operating"): (0.4, "m/s"), ("waves height", "operating"): (0.7, "m"),
-        ("waves period", "operating"): (4.5, "s"), ("current speed", "tsunami"): (1.5 * math.sqrt(G / 16), "m/s"),
-    }  # fmt: skip
-    assert set(rows) == set(by_hand)
-    for name, (value, unit) in by_hand.items():
-        assert rows[name][0] == pytest.approx(value, rel=2e-4), name
-        assert rows[name][1] == unit
-    kept = tomllib.loads((tmp_path / "values.toml").read_text())
-    assert kept["site"]["return_period"] == pytest.approx(R) and kept["site"]["probability"] == pytest.approx(0.7)
-    assert kept["earthquake"] == {"rule": "C", "coefficient": pytest.approx(0.27)}
-    assert kept["states"]["tsunami"]["current"]["speed"] == pytest.approx(1.5 * math.sqrt(G / 16))
-    assert kept["levels"]["tsunami low"] == pytest.approx(-2.3) and kept["water"]["depth"] == 16.0
 
 
 def test_profiles_of_the_page_are_those_of_the_wind_and_the_current(tmp_path):

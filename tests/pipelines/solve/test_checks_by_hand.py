@@ -5,7 +5,6 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.exchange.command import FORMATS, _left_out
 from hakobune.pipelines.solve import report
 
 OMEGA = np.array([0.4, 0.5, 0.6])
@@ -87,25 +86,3 @@ def stored(names=(), rows=(True, True), about=(0, 0, 0), **values):
     db = Stored(values)
     db.rows, db.names, db.path, db.complete = np.array(rows), tuple(names), "box.h5", all(rows)
     return db, SimpleNamespace(rotation_center=np.array(about, float))
-
-
-@pytest.mark.parametrize("to, names, says", [
-    ("bemio", ("rao", "drift_force", "drift_force_fixed"), "bemio has no place for rao, drift_force_fixed"),
-    ("capytaine", ("rao", "drift_force"), "capytaine has no place for rao, drift_force"),
-    ("orcaflex", ("rao", "drift_force", "added_mass_zero"), "orcaflex has no place for drift_force, added_mass_zero"),
-    ("wamit", ("rao", "drift_force", "drift_force_fixed"), "wamit has no place for drift_force_fixed"),
-    ("hams", ("rao", "drift_force"), None),
-])  # fmt: skip
-def test_what_a_format_has_no_place_for_is_named(to, names, says):
-    limits = {name: np.ones(1) for name in names if name == "added_mass_zero"}
-    said = list(_left_out(*stored(names, **limits), to))
-    assert said == ([] if says is None else [says]) and to in FORMATS
-
-
-def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told():
-    said = list(_left_out(*stored(rows=(True, False), about=(1.0, 0.0, -2.5)), "wamit"))
-    assert said[0].startswith("FAILS: box.h5 has 1 of 2 frequencies solved, which alone are written")
-    assert said[1].startswith("moments and rotations are about (1, 0, -2.5) m, which these files do not say")
-    assert list(_left_out(*stored(about=(1.0, 0.0, 0.0)), "bemio")) == []
-    endless = stored(("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
-    assert "added_mass_infinity is not finite and left out" in list(_left_out(*endless, "wamit"))

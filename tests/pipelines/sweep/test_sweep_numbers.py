@@ -1,17 +1,11 @@
 """Grids, ranges, files and messages of a sweep by hand, and its limits from both sides."""
 
 import itertools
-import math
-import shutil
 
-import h5py
 import numpy as np
 import pytest
 
-from hakobune.pipelines import cli
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.keys.kinds import SCENES
-from hakobune.pipelines.sweep import file
 from hakobune.pipelines.sweep.study import SweepTable, VaryTable, cases
 
 
@@ -57,47 +51,3 @@ def test_a_sweep_has_up_to_a_hundred_thousand_cases(table, says):
         return
     with pytest.raises(StudyError, match=says):
         cases(sweep)
-
-
-def test_tables_of_cases_lie_in_columns_and_another_shape_is_left_out(tmp_path):
-    """Numbers with a minus of typography, none as NaN; the table of the first case says how many rows there are"""
-    path = tmp_path / "s.h5"
-    file.create(path, ["a", "kind"], [(1.0, "x"), (2.0, "y"), (3.0, "z")], {"sweep": "text"})
-    assert file.pending(path) == [0, 1, 2]
-    first = {"title": "t", "rows": [{"": "one", "kN/m": "−1.5", "s": "–"}, {"": "two", "kN/m": 2.5, "s": None}]}
-    short = {"title": "t", "rows": first["rows"][:1]}
-    file.store(path, [(1, 0, "", [first], {"A": (("omega", "influenced_dof"), "kg", np.arange(12.0).reshape(2, 6))})])
-    file.store(path, [(2, 1, "why", [short], {"A": (("omega", "influenced_dof"), "kg", np.zeros((3, 6)))})])
-    assert file.pending(path) == [0]
-    with h5py.File(path) as stored:
-        group = stored["tables/0"]
-        assert group.attrs["title"] == "t" and list(group["row"].asstr()[()]) == ["one", "two"]
-        assert group["kN per m"][1].tolist() == [-1.5, 2.5] and np.all(np.isnan(group["kN per m"][[0, 2]]))
-        assert np.all(np.isnan(group["s"][()]))
-        assert stored["status"][()].tolist() == [-1, 0, 1] and stored["keys/a"][()].tolist() == [1.0, 2.0, 3.0]
-        assert stored["keys/kind"].asstr()[()].tolist() == ["x", "y", "z"]
-        A = stored["results/A"]
-        assert A.attrs["units"] == "kg" and A[1].tolist() == np.arange(12.0).reshape(2, 6).tolist()
-        assert np.all(np.isnan(A[2])) and stored["results/influenced_dof"].asstr()[2] == "Heave"
-        said = stored["message"].asstr()[2]
-    assert said == "A has the shape (3, 6), (2, 6) in the first case; it is left out"
-
-
-def test_failing_cases_are_told_up_to_five_of_them(tmp_path, monkeypatch, capsys):
-    """Seven speeds from 0.15 m/s of the tanker on a fender that is too small: ½ m v² grows by the square"""
-    shutil.copy(SCENES / "berth_tanker.toml", tmp_path)
-    speeds = ", ".join(f"{0.4 + 0.1 * i}" for i in range(7))
-    (tmp_path / "sweep.toml").write_text(
-        f'command = "berth"\nstudy = "berth_tanker.toml"\n[[vary]]\nkey = "approach.speed"\nvalues = [0.1, {speeds}]\n'
-    )
-    monkeypatch.chdir(tmp_path)
-    assert cli.main(["sweep", "sweep.toml"]) == 1
-    told = capsys.readouterr().out
-    assert "sweep.h5: 8 cases, 7 of them with a status above 0" in told
-    assert told.count("FAILS: case ") == 5 and "FAILS: case 1: status 1; " in told
-    assert "FAILS: 2 more cases have a status above 0; sweep.h5 has their messages" in told
-    with h5py.File("sweep.h5") as stored:
-        energy, speed = stored["tables/0/energy kJ"][:, 0], stored["keys/approach.speed"][()]
-        assert stored["status"][()].tolist() == [0] + [1] * 7
-    assert energy == pytest.approx(energy[0] * (speed / 0.1) ** 2, rel=1e-3)
-    assert not math.isnan(energy[-1])
