@@ -10,6 +10,7 @@ import re
 import numpy as np
 import pytest
 
+import hakobune
 from hakobune.pipelines.cli import main
 
 LENGTH, BEAM, DRAFT, FREEBOARD, HAWSER, BOW = 100.0, 40.0, 8.0, 6.0, 25.0, 48.0
@@ -113,6 +114,72 @@ def line_of(said, words):
     return next(line for line in said.splitlines() if words in line)
 
 
+def test_pull_place_and_tensions_at_rest(tmp_path, asked):
+    """The bow towards the weather: midship lies hawser and bow behind the buoy, which lies back by what its lines give;
+    scope √(h (2T/w − h)) over the depth"""
+    found = hakobune.single_point(written(tmp_path))
+    assert found["rest.heading"][0] == pytest.approx(0, abs=1e-9) and found["rest.stable"][0]
+    assert [found["pull"], found["rest.hawser"][0, 0]] == pytest.approx([1e3 * PULL] * 2, rel=1e-9)
+    assert found["rest.largest_line"][0] == pytest.approx(1e3 * LEADING, rel=1e-5)
+    assert found["rest.force"][0] == pytest.approx([-1e3 * PULL, 0, 0], abs=1e-3 * PULL)
+    place = [found[name] for name in ("place.x", "place.y", "buoy.x", "buoy.y")]
+    assert place == pytest.approx([-D - HAWSER - BOW, 0, -D, 0], abs=1e-4)
+    scope = math.sqrt(h * (2e3 * LEADING / W - h))
+    told = [found[f"scope.{name}"] for name in ("depths", "length", "line")]
+    assert told == pytest.approx([scope / DEPTH, scope, L], rel=1e-5)
+    X = span_of(H0)
+    for k, away in enumerate((X + D, math.hypot(X, D), X - D, math.hypot(X, D))):
+        H = pull_at(away)
+        a = 1e3 * H / W
+        assert found["line.tension"][k] == pytest.approx(1e3 * H + W * h, rel=1e-5)
+        assert found["line.grounded"][k] == pytest.approx(away - a * math.acosh(1 + h / a), rel=1e-4)
+        assert found["line.used"][k] == pytest.approx((H + W * h / 1e3) / BREAKING, rel=1e-5)
+
+
+@pytest.mark.parametrize("incidence", [50.0, -35.0])
+def test_the_bow_points_where_the_weather_comes_from(tmp_path, asked, incidence):
+    """Lines are at 0, 90, 180, 270°, so that their pull is another; the body turns with the weather as a whole"""
+    turned = ("incidence_deg = 0.0", f"incidence_deg = {incidence}")
+    found = hakobune.single_point(written(tmp_path, turned))
+    assert np.degrees(found["heading"]) == pytest.approx(incidence % 360, abs=1e-6)
+    assert found["pull"] == pytest.approx(1e3 * PULL, rel=1e-9)
+    dx, dy = found["buoy.x"] - found["place.x"], found["buoy.y"] - found["place.y"]
+    assert math.degrees(math.atan2(dy, dx)) == pytest.approx(incidence, abs=1e-6)
+    assert math.hypot(dx, dy) == pytest.approx(HAWSER + BOW, rel=1e-6)
+
+
+def test_a_body_that_begins_at_rest_stays_there_in_time(tmp_path, asked, pictures):
+    """Steady, mean, significant and largest are one; a fifth more for slow drift, which is not in the run"""
+    asked("single-point", written(tmp_path, more=STILL), "--output", tmp_path / "a.h5")
+    found = hakobune.read(tmp_path / "a.h5")
+    for rope, force in (("hawser 1", PULL), ("line 1", LEADING)):
+        row = [found[f"run[{rope}].{name}"] for name in ("steady", "mean", "significant", "largest")]
+        assert row == pytest.approx([1e3 * force] * 4, rel=1e-5)
+        assert found[f"run[{rope}].significant_with_drift"] == pytest.approx(1.2e3 * force, rel=1e-5)
+    assert found["run.radius"] == pytest.approx(D + HAWSER + BOW, rel=1e-5)
+    heading, hawser, lines, plan = pictures[0].axes
+    assert [axis.get_ylabel() for axis in pictures[0].axes] == ["heading, °", "hawser, kN", "line 1, kN", "y, m"]
+    assert np.abs(heading.lines[0].get_ydata()).max() < 0.01
+    assert hawser.lines[0].get_ydata() == pytest.approx(np.full(61, PULL), rel=1e-3)
+    assert lines.lines[0].get_xydata() == pytest.approx(np.stack([np.arange(61.0), np.full(61, LEADING)], 1), rel=1e-3)
+    track = next(line for line in plan.lines if line.get_label() == "centre of mass")
+    assert track.get_xydata() == pytest.approx(np.tile([-D - HAWSER - BOW, 0.0], (61, 1)), abs=0.02)
+    assert found["run.hawser_tension"] == pytest.approx(np.full((61, 1), 1e3 * PULL), rel=1e-5)
+    assert found["run.wind_speed"] == pytest.approx(np.full(61, U))
+    assert found["hull.size"].tolist() == [LENGTH, BEAM, DRAFT, FREEBOARD]
+    assert found["hawser.end"] == pytest.approx(np.array([[BOW, 0.0]]))
+
+
+def test_a_heading_that_is_turned_away_begins_there(tmp_path, asked):
+    more = STILL.replace("offset_deg = 0.0", "offset_deg = 5.0").replace("60.0", "3000.0")
+    found = hakobune.single_point(written(tmp_path, more=more))
+    heading, time = np.degrees(found["run.heading_in_time"]), found.labels["time"].values
+    assert heading[0] == pytest.approx(5.0, abs=0.01)
+    away = np.flatnonzero(np.abs(heading) > 0.2)
+    if len(away) < len(heading):
+        assert found["run.settled"] == pytest.approx(time[away[-1]], abs=1.6)
+
+
 def test_the_plan_shows_hull_buoy_and_lines(tmp_path, asked, pictures):
     asked("single-point", written(tmp_path), "--picture", tmp_path / "p.png")
     axes = pictures[0].axes[0]
@@ -126,6 +193,17 @@ def test_the_plan_shows_hull_buoy_and_lines(tmp_path, asked, pictures):
     assert buoy == pytest.approx([-D, 0], abs=0.01)
     X = span_of(H0)
     assert axes.lines[0].get_xydata() == pytest.approx(np.array([[X, 0], [-D, 0]]), abs=0.02)
+
+
+def test_a_map_has_at_each_place_the_growth_of_the_study_with_that_number(tmp_path, asked, pictures):
+    """Told per hour; the hawser of 25 m is the middle of 15 to 35 m"""
+    more = '[[maps]]\nx = { key = "hawser.length", from = 15, to = 35, count = 3 }\n'
+    asked("single-point", written(tmp_path, more=more))
+    growth = hakobune.single_point(written(tmp_path))["rest.growth"].min()
+    line = pictures[0].axes[0].lines[0]
+    assert line.get_xdata() == pytest.approx([15, 25, 35])
+    assert line.get_ydata()[1] == pytest.approx(3600 * growth, rel=1e-6)
+    assert pictures[0].axes[0].get_xlabel() == "hawser.length, m"
 
 
 @pytest.mark.parametrize("share, status", [(0.99, 0), (1.01, 1)])
