@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.site.result import site as site
     from hakobune.pipelines.solve.result import solve as solve
     from hakobune.pipelines.sweep.result import sweep as sweep
+    from hakobune.pipelines.waves.result import waves as waves
 
     __version__: str
 
@@ -70,6 +71,7 @@ _PUBLIC = {  # name: module that has it
     "site": "pipelines.site.result",
     "solve": "pipelines.solve.result",
     "sweep": "pipelines.sweep.result",
+    "waves": "pipelines.waves.result",
 }
 __all__ = [*_PUBLIC]  # pyright: ignore[reportUnsupportedDunderAll]
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from hakobune.bem.database import open_database
 from hakobune.mooring.lines.system.bodies import rotation
+from hakobune.mooring.studies.waves_around import around_body, frequency, half_width, mapped, remarks
 
-from ..waves.command import around_body, frequency, half_width, mapped, remarks
 from .gif import HULL, check_film, new_plotter, write_film
 
 FRAMES = 30  # of a period

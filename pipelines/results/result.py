@@ -46,6 +46,9 @@ class Result(Mapping[str, Any]):
     detail: Any = None
 
     def __post_init__(self):
+        both = self.quantities.keys() & self.labels.keys()
+        if both:
+            raise ValueError(f"{min(both)!r} is the name of a quantity and of an axis; allowed: one of them")
         for name, one in self.quantities.items():
             for axis, size in zip(one.axes, one.values.shape, strict=True):
                 found = self.labels.get(axis)

@@ -18,7 +18,7 @@ def waves(
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     width: Annotated[float | None, Parameter(help="m, of the map")] = None,
     at: Annotated[tuple[str, ...], Parameter(help="x,y m of a point that is told", allow_leading_hyphen=True)] = (),
-    output: Annotated[Path | None, Parameter(help="map: .png, .svg, .pdf, or .csv of its points")] = None,
+    output: Annotated[Path | None, Parameter(help="map: .png, .svg, .pdf, .csv of its points, or .h5")] = None,
 ):
     """The waves around a body in regular waves, what it scatters and radiates included.
 

@@ -11,7 +11,7 @@ from ..common.picture import save
 LEVELS = 0.1
 
 
-def draw(path, name, found):
+def draw(path, found):
     """Write the two maps of a `Map`."""
     import matplotlib
     from matplotlib.figure import Figure
@@ -36,7 +36,7 @@ def draw(path, name, found):
         left.set_ylabel("y  m")
         state = "held" if around.motion is None else "floating freely"
         figure.suptitle(
-            f"{name or 'body'}, {state}: waves of {2 * np.pi / around.omega:.3g} s, {2 * np.pi / around.k:.3g} m long, "
+            f"body {state}: waves of {2 * np.pi / around.omega:.3g} s, {2 * np.pi / around.k:.3g} m long, "
             f"towards {math.degrees(around.beta):.4g}°",
             x=0.01,
             ha="left",

@@ -379,7 +379,7 @@ def of_database(missed):
     """Change of what `waves` and `animate` may miss, and no film"""
 
     def change(patch):
-        patch.setattr("hakobune.pipelines.waves.command.MISSED", missed)
+        patch.setattr("hakobune.mooring.studies.waves_around.MISSED", missed)
         patch.setattr("hakobune.pipelines.films.of_database.write_film", lambda *_: None)
         patch.setattr("hakobune.pipelines.films.of_database._frames", lambda *_: [])
 

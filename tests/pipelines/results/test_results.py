@@ -144,6 +144,8 @@ def test_a_quantity_is_found_by_its_name_and_the_label_of_its_axis():
 def test_values_without_as_many_labels_are_refused():
     with pytest.raises(ValueError, match="has 2 values on the axis 'line'"):
         Result("example", {"a": Quantity([1.0, 2.0], ("line",))}, labels("line", ["one"]))
+    with pytest.raises(ValueError, match="'line' is the name of a quantity and of an axis"):
+        Result("example", {"line": Quantity([1.0], ("line",))}, labels("line", ["one"]))
     with pytest.raises(ValueError, match="2 axes of values, 1 names"):
         Quantity(np.zeros((2, 2)), ("line",))
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+import hakobune
 from hakobune.pipelines.cli import main
 
 OMEGA, DEPTH, G = 0.8, 10.0, 9.80665
@@ -35,40 +36,45 @@ def test_far_from_a_small_body_the_waves_are_those_that_come(small, tmp_path, as
     """Height 1 and phase k (x cos β + y sin β), −180 to 180°, at points that are asked for; and in the map"""
     spots = [(30.0, 0.0), (-20.0, 25.0), (0.0, -40.0)]
     words = ["waves", small, "--omega", OMEGA, f"--heading={heading}", "--width", 100, "--output", tmp_path / "w.csv"]
-    tables, _ = asked(*words, *(f"--at={x},{y}" for x, y in spots), status=None)
+    asked(*words, *(f"--at={x},{y}" for x, y in spots), status=None)
     beta = math.radians(heading)
-    way = np.array([math.cos(beta), math.sin(beta)])
-    assert f"{2 * math.pi / OMEGA:.4g} s ({OMEGA} rad/s), {2 * math.pi / K:.4g} m long, towards {heading:g}°" in (
-        tables[0]["title"])  # fmt: skip
-    for row, spot in zip(tables[1]["rows"], spots, strict=True):
-        assert (float(row["x m"]), float(row["y m"])) == spot
-        assert float(row["height over that of the waves that come"]) == pytest.approx(1.0, abs=0.02)
-        apart = float(row["phase °"]) - math.degrees(K * (way @ spot))
-        assert abs((apart + 180) % 360 - 180) < 1.0
+    found, way = (
+        hakobune.waves(small, omega=OMEGA, heading=beta, width=100.0, at=spots),
+        [math.cos(beta), math.sin(beta)],
+    )
+    way = np.array(way)
+    wave = [found[f"wave.{name}"] for name in ("period", "omega", "length", "heading")]
+    assert wave == pytest.approx([2 * math.pi / OMEGA, OMEGA, 2 * math.pi / K, beta], rel=1e-9)
+    place = {name: np.array(found[f"place.{name}"]) for name in ("x", "y", "height", "phase")}
+    assert np.stack([place["x"], place["y"]], 1)[-3:] == pytest.approx(np.array(spots))
+    assert place["height"][-3:] == pytest.approx([1.0] * 3, abs=0.02)
+    apart = np.degrees(place["phase"][-3:] - K * (np.array(spots) @ way))
+    assert np.abs((apart + 180) % 360 - 180).max() < 1.0
     x, y, real, imag = np.loadtxt(tmp_path / "w.csv", delimiter=",", skiprows=1).T
     assert (x.min(), x.max(), y.min(), y.max()) == pytest.approx((-50, 50, -50, 50))
     far = np.hypot(x, y) > 10
     wave = np.exp(1j * K * (way[0] * x + way[1] * y))
     assert np.abs(real + 1j * imag - wave)[far].max() < 0.03
     assert len(x) == pytest.approx(161**2, abs=12)  # but what lies in the body
-    rows = {row.pop(""): row for row in tables[0]["rows"]}
+    names = found.labels["place"].values.tolist()
     for name, sign in (("before it", -1), ("behind it", 1)):
         reach = sign * (0.5 + 0.5) * way  # half a breadth of it away
-        assert (float(rows[name]["x m"]), float(rows[name]["y m"])) == pytest.approx(reach, abs=0.06)
+        at = names.index(name)
+        assert (place["x"][at], place["y"][at]) == pytest.approx(reach, abs=0.06)
     height = np.abs(real + 1j * imag)
     for name, value in (("highest", height.max()), ("lowest", height.min())):
-        told = float(rows[name]["height over that of the waves that come"])
-        assert told == pytest.approx(value, abs=6e-4)
-        there = np.hypot(x - float(rows[name]["x m"]), y - float(rows[name]["y m"])) < 0.3  # where neighbours are alike
+        at = names.index(name)
+        assert place["height"][at] == pytest.approx(value, abs=6e-4)
+        there = np.hypot(x - place["x"][at], y - place["y"][at]) < 0.3  # where neighbours are alike
         assert np.abs(height[there] - value).min() < 6e-4
 
 
-def test_the_same_waves_by_period_and_by_frequency_and_a_body_held_or_floating(small, asked):
-    by_omega, _ = asked("waves", small, "--omega", OMEGA, status=None)
-    by_period, _ = asked("waves", small, "--period", repr(2 * math.pi / OMEGA), status=None)
-    assert by_omega == by_period and by_omega[0]["title"].endswith("body floating")
-    held, _ = asked("waves", small, "--omega", OMEGA, "--fixed", status=None)
-    assert held[0]["title"].endswith("body held") and "towards 180°" in held[0]["title"]
+def test_the_same_waves_by_period_and_by_frequency_and_a_body_held_or_floating(small):
+    by_omega, by_period = hakobune.waves(small, omega=OMEGA), hakobune.waves(small, period=2 * math.pi / OMEGA)
+    assert by_omega["place.height"] == pytest.approx(by_period["place.height"], rel=1e-12)
+    held = hakobune.waves(small, omega=OMEGA, fixed=True)
+    assert (by_omega["body"], held["body"]) == ("floating", "held")
+    assert held["wave.heading"] == pytest.approx(math.pi)
 
 
 @pytest.mark.parametrize("width, good", [(1.01, True), (0.99, False), (1000.0, True), (1010.0, False)])

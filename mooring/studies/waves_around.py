@@ -1,0 +1,93 @@
+"""How high the water stands around a body of a database in regular waves of 1 m: a map about the body, and places."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.bem.database.between_frequencies import KOCHIN
+from hakobune.bem.wave_field.around import waves_around
+
+from ..criteria.failing import fails
+from ..response.viscous import in_regular_waves
+
+SPANS, LENGTHS = 1.5, 1.5  # half the map's width, in lengths of the body or wave lengths, whichever is more
+MISSED = 0.02  # share of the far field that the sources may miss without a word
+
+
+class Map(NamedTuple):
+    """x, y (n,) m; elevation (n, n) complex, m per m, by y and x, nan in the body; around : `WavesAround`"""
+
+    x: np.ndarray
+    y: np.ndarray
+    elevation: np.ndarray
+    around: object
+
+
+def frequency(period, omega):
+    """rad/s of the one that is given.  Raises ValueError."""
+    if (period is None) == (omega is None):
+        raise ValueError("give period in s or omega in rad/s, one of the two")
+    value = omega if period is None else period
+    if not (0 < value < np.inf):
+        raise ValueError(f"{'omega' if period is None else 'period'} is {value:g}; allowed: above 0, finite")
+    return omega if period is None else 2 * np.pi / period
+
+
+def around_body(db, omega, beta, fixed, amplitude=None):
+    """`WavesAround` of a database's body.  Raises ValueError for waves that it does not have.
+
+    amplitude : m, of the waves that its viscous damping is of, None for those of its scene
+    """
+    if not math.isfinite(beta):
+        raise ValueError("heading is not a number; allowed: an angle")
+    db.require(*KOCHIN)
+    reader = db.reader
+    if amplitude is not None and reader.viscous is not None:
+        reader, _ = in_regular_waves(reader, omega, amplitude, beta)
+    return waves_around(reader, omega, beta, fixed)
+
+
+def half_width(around, width):
+    """m, of a map of the width asked for, or one that shows body and waves.  Raises ValueError."""
+    span = float(np.ptp(around.sources.plan, axis=0).max())
+    if width is None:
+        return max(SPANS * span, LENGTHS * 2 * np.pi / around.k)
+    if not span < width < 1e3 * span:
+        raise ValueError(f"width is {width:g} m; allowed: from the body's {span:g} m to a thousand times that")
+    return width / 2
+
+
+def mapped(around, half, points):
+    """`Map` of a square about the body's middle"""
+    side = np.linspace(-half, half, points)
+    x, y = side + around.middle[0], side + around.middle[1]
+    elevation = around.elevation(np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2))
+    return Map(x, y, elevation.reshape(points, points), around)
+
+
+def sides(around):
+    """{name: (2,) m}, places half a length of the body before and behind it, as the waves go"""
+    way = np.array([math.cos(around.beta), math.sin(around.beta)])
+    plan = around.sources.plan
+    reach = 0.5 * float(np.ptp(plan, axis=0).max())
+    return {
+        name: np.round(around.middle + along * (float(np.max(plan @ along)) + reach), 6) + 0.0
+        for name, along in {"before it": -way, "behind it": way}.items()
+    }
+
+
+def remarks(around, db, amplitude=None):
+    """One line each on what the waves leave out or hang on; amplitude : as of `around_body`"""
+    if around.motion is not None and db.reader.viscous is not None:
+        height = 2 * (db.reader.viscous.wave_amplitude if amplitude is None else amplitude)
+        yield f"the body's motion has its viscous damping in waves of {height:.3g} m"
+    if around.missed > MISSED:
+        yield fails(
+            f"the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}; take the waves "
+            "near it with care, or lower ones"
+        )
+    if around.pierces:
+        yield "waves that decay within a depth or a wave length of the hull are left out; it may be higher there"
