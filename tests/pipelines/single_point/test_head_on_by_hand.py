@@ -65,6 +65,12 @@ drift_tonf_per_m2 = {C}
 STILL = "[slewing]\nduration = 60.0\noffset_deg = 0.0\n"
 
 
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path, monkeypatch):
+    """Pictures of runs and maps come to where the command is called"""
+    monkeypatch.chdir(tmp_path)
+
+
 def written(folder, *changes, more=""):
     text = STUDY
     for old, new in changes:
