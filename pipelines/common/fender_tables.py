@@ -136,11 +136,6 @@ def softest_and_stiffest(table, fender, causes=None):
     return tuple(pair_of(table, fender.times(factor)) for factor in factors), factors
 
 
-def own_strain(pair, deflection):
-    """Words on the strain of the fender itself at a deflection, m, of it and its dolphin"""
-    return f"{100 * pair.own(deflection) / pair.height:.1f} %"
-
-
 def on_dolphin(pair):
     """Whether a fender stands on something that yields"""
     return bool(pair.own(pair.limit) < pair.limit)

@@ -9,7 +9,7 @@ import pytest
 from test_simulate import folder, plan, simulate  # noqa: F401 - a fixture among them
 
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.simulate import berth, over_runs, report
+from hakobune.pipelines.simulate import berth, findings, over_runs
 from hakobune.pipelines.simulate.file import SUMMARY, opened
 from hakobune.pipelines.simulate.pictures import draw, spectrum
 from hakobune.pipelines.simulate.study import MISSED, MOST_MISSED, _outside
@@ -17,8 +17,18 @@ from hakobune.pipelines.simulate.study import MISSED, MOST_MISSED, _outside
 OMEGA = 0.6  # rad/s, of the oscillator; its waves have an amplitude w of about 1 m, motion j 0.01 (j + 1) w
 
 
-def made_up(duration=600.0, depth=20.0, length=100.0, draft=10.0, slow=0.0, wave=0.1):
-    """A file of a run with such attributes; slow and wave σ of surge, sway, yaw"""
+def made_up(
+    duration=600.0,
+    depth=20.0,
+    length=100.0,
+    draft=10.0,
+    slow=0.0,
+    wave=0.1,
+    periods=(),
+    mean_period=np.nan,
+    spectral=(),
+):
+    """A file of a run with such attributes; slow, wave and spectral σ, and periods, s, of surge, sway, yaw"""
     row = [slow if key == "slow" else wave if key == "wave" else 0.0 for key in SUMMARY]
     names = np.array(["surge", "sway", "yaw"])
     made = {"quantity": SimpleNamespace(asstr=lambda: names), "summary": np.array([row] * 3),
@@ -28,23 +38,25 @@ def made_up(duration=600.0, depth=20.0, length=100.0, draft=10.0, slow=0.0, wave
         pass
 
     file = File(made)
-    file.attrs = {"duration": duration, "water_depth": depth, "hull": [length, 50.0, draft]}
+    unknown = [np.nan] * 3
+    file.attrs = {
+        "duration": duration, "water_depth": depth, "hull": [length, 50.0, draft], "mean_period": mean_period,
+        "moored_period": [*periods, *unknown][:3], "spectral_slow": [*spectral, *unknown][:3],
+    }  # fmt: skip
     return file
 
 
 @pytest.fixture
 def quiet(monkeypatch):
     """Findings without those on rare largest values, of runs that differ"""
-    monkeypatch.setattr(report, "rare_findings", lambda file: ())
-    monkeypatch.setattr(report, "differ", lambda file: True)
+    monkeypatch.setattr(findings, "rare_findings", lambda file: ())
+    monkeypatch.setattr(findings, "differ", lambda file: True)
 
 
 @pytest.mark.parametrize("duration, told", [(1010.0, False), (990.0, True)])
 def test_a_run_shorter_than_ten_of_the_slowest_periods_is_told_with_how_uncertain_it_is(quiet, duration, told):
     """σ of N independent halves of a period is known to 1/√(2N), N = duration over period"""
-    said = [
-        line for line in report.findings(made_up(duration), {"Surge": 100.0, "Yaw": np.nan}, None) if "holds" in line
-    ]
+    said = [line for line in findings.findings(made_up(duration, periods=[100.0])) if "holds" in line]
     assert bool(said) is told
     if told:
         share = 100 / math.sqrt(2 * duration / 100)
@@ -61,13 +73,13 @@ def test_a_run_shorter_than_ten_of_the_slowest_periods_is_told_with_how_uncertai
 ])  # fmt: skip
 def test_the_method_follows_the_depth_as_in_section_5_5_3(quiet, depth, words):
     """SR179 report (1982): up to 20 m the simulation, from 40 m the simplified method, between the larger of both"""
-    (said,) = report.findings(made_up(1e6, depth), {"Surge": 80.0, "Heave": 8.0}, 8.0)
-    assert words in said and f"depth over draft {depth / 10:.3g}; natural over wave period: surge 10, heave 1;" in said
+    (said,) = findings.findings(made_up(1e6, depth, periods=[80.0, 8.0], mean_period=8.0))
+    assert words in said and f"depth over draft {depth / 10:.3g}; natural over wave period: surge 10, sway 1;" in said
 
 
 @pytest.mark.parametrize("length, told", [(49.9, True), (50.1, False)])
 def test_limits_in_metres_are_of_large_floaters(quiet, length, told):
-    (said,) = report.findings(made_up(1e6, 20.0, length), {"Surge": 80.0}, 8.0)
+    (said,) = findings.findings(made_up(1e6, 20.0, length, periods=[80.0], mean_period=8.0))
     assert ("the report's limits in metres of water are for floaters of 100 to 200 m, not for this one" in said) is told
 
 
@@ -76,7 +88,7 @@ def test_limits_in_metres_are_of_large_floaters(quiet, length, told):
     (0.3, 0.61, False), (0.3, 0.59, True),  # half of the motion with the waves
 ])  # fmt: skip
 def test_slow_motion_far_beyond_the_linear_answer_is_told(slow, wave, told):
-    said = list(report.slow_findings(made_up(slow=slow, wave=wave), (0.1, np.nan, 1e3)))
+    said = list(findings.slow_findings(made_up(slow=slow, wave=wave, spectral=(0.1, np.nan, 1e3))))
     assert bool(said) is told
     assert not told or said[0].startswith(
         f"slow surge has σ {slow:.3g} m, slow forces on springs as stiff as the lines"
@@ -84,7 +96,7 @@ def test_slow_motion_far_beyond_the_linear_answer_is_told(slow, wave, told):
 
 
 def test_slow_yaw_is_told_in_degrees():
-    said = list(report.slow_findings(made_up(slow=math.radians(3.0)), (np.nan, np.nan, math.radians(1.0))))
+    said = list(findings.slow_findings(made_up(slow=math.radians(3.0), spectral=(np.nan, np.nan, math.radians(1.0)))))
     assert said[0].startswith("slow yaw has σ 3 °") and "mean loads give 1 °" in said[0]
 
 
