@@ -214,7 +214,7 @@ def moor(
     /,
     *,
     database: Annotated[Path, Parameter(help="of the body, .h5")],
-    output: Annotated[Path | None, Parameter(help="results, .h5, with a picture of the plan beside")] = None,
+    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv, with a picture of the plan beside")] = None,
 ):
     """Equilibrium, natural periods and line tensions of a mooring study on a database."""
     from .moor.command import moor

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from hakobune.mooring.berthing.field import compared, contacts
 
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 
 METHODS = ("older", "Ueda 1981")
@@ -20,7 +20,7 @@ def measured():
     columns["bounded"] = [c.bounded for c in found], "%", "within what speeds cut to whole cm/s allow"
     return Result(
         "berth measured",
-        listed(columns, ("virtual_mass",), "absorbed over effective energy"),
+        quantities("absorbed over effective energy", columns, "virtual_mass"),
         labels("virtual_mass", METHODS),
         notes=(f"{len({c.ship for c in table})} ships, {len(table)} contacts (Ueda 1981, tables 2.1 to 2.5)",),
     )

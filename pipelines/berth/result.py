@@ -20,7 +20,7 @@ from ..common.quantities import StudyError
 from ..common.typed import typed
 from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 from .study import BerthStudy, approach_of, read_berth
 
@@ -96,7 +96,7 @@ def _first(approach):
 
 def _of_approach(approach):
     ship, fender = approach.ship, _first(approach)
-    return listed({
+    return quantities(f"ship, and {fender.name}", {
         "ship.mass": (ship.mass, "kg", "mass of the ship"),
         "ship.block": (ship.block, "", "block coefficient"),
         "approach.speed": (approach.speed, "m/s", "speed across the berth"),
@@ -106,7 +106,7 @@ def _of_approach(approach):
         "approach.energy": (approach.energy, "J", "energy of the berthing"),
         "fender.rated_energy": (fender.rated_energy, "J", "rated energy of the fender"),
         "fender.rated_reaction": (fender.rated_reaction, "N", "its rated reaction"),
-    }, (), f"ship, and {fender.name}")  # fmt: skip
+    })  # fmt: skip
 
 
 def _taken(fenders, energies):
@@ -123,7 +123,7 @@ def _by_method(approach):
     rows = {"C_M": (masses, "", "C_M"), "energy": (energies, "J", "energy")}
     rows |= _taken([_first(approach)] * len(energies), energies)
     named = {f"method.{name}": row for name, row in rows.items()}
-    return listed(named, ("virtual_mass",), "energy, and what the fender does with it")
+    return quantities("energy, and what the fender does with it", named, "virtual_mass")
 
 
 def _by_band(approach, table):
@@ -137,7 +137,7 @@ def _by_band(approach, table):
     rows = {"factor": (factors, "", "factor")}
     rows["used"] = [energy / one.rated_energy for one in fenders], "%", "of its rated energy"
     rows |= _taken(fenders, [energy] * len(fenders))
-    return listed({f"taken.{name}": row for name, row in rows.items()}, ("band",), TAKEN)
+    return quantities(TAKEN, {f"taken.{name}": row for name, row in rows.items()}, "band")
 
 
 def _two_springs(table, approach):
@@ -148,44 +148,44 @@ def _two_springs(table, approach):
     dolphin = math.inf if table.dolphin is None else 1e3 * table.dolphin
     made = TwoSprings(mass, approach.speed, dolphin, plateau / (LINEAR_TO * table.height), plateau)
     y1, y2 = (float(y) for y in made.deflections(made.rest_time))
-    return listed({
+    return quantities("Ueda's two springs in a row", {
         "two_springs.energy": (made.energy, "J", "energy"),
         "two_springs.reaction": (made.reaction, "N", "reaction"),
         "two_springs.fender": (y2, "m", "deflection of the fender"),
         **({} if table.dolphin is None else {"two_springs.dolphin": (y1, "m", "deflection of the dolphin")}),
         "two_springs.rest_time": (made.rest_time, "s", "time until the ship rests"),
-    }, (), "Ueda's two springs in a row")  # fmt: skip
+    })  # fmt: skip
 
 
 def _in_time(approach, course):
     whole, most = course.reaction.sum(axis=1), course.deflection.max(axis=0)
     fenders = [fender for fender, _, _ in approach.meetings]
     strain, _ = at_deflections(fenders, most)
-    found = listed({
+    found = quantities("in time", {
         "course.energy": (course.energy, "J", "energy into the fenders"),
         "course.virtual_mass": (course.virtual_mass, "", "virtual mass C_M"),
         "course.largest": (whole.max(), "N", "largest force of all fenders"),
         "course.largest_time": (course.time[whole.argmax()], "s", "its time from contact"),
         "course.into_waves": (course.lost[-1], "J", "energy into waves"),
-    }, (), "in time")  # fmt: skip
-    found |= listed({"course.ledger": (course.ledger, "", "energy that the course does not close")})
-    found |= listed({
+    })  # fmt: skip
+    found |= quantities("", {"course.ledger": (course.ledger, "", "energy that the course does not close")})
+    found |= quantities("largest in time", {
         "met.deflection": (most, "m", "deflection"),
         "met.strain": (strain, "%", "strain"),
         "met.reaction": (course.reaction.max(axis=0), "N", "reaction"),
-    }, ("fender",), "largest in time")  # fmt: skip
-    found |= listed({
+    }, "fender")  # fmt: skip
+    found |= quantities("", {
         "course.sway": (course.position[:, 0], "m", "sway towards the berth"),
         "course.yaw": (course.position[:, 1], "rad", "yaw"),
         "course.sway_velocity": (course.velocity[:, 0], "m/s", "velocity of sway"),
         "course.yaw_velocity": (course.velocity[:, 1], "rad/s", "velocity of yaw"),
         "course.taken": (course.taken, "J", "energy in fenders and lost in them"),
         "course.lost": (course.lost, "J", "energy in waves"),
-    }, ("time",), record=True)  # fmt: skip
-    return found | listed({
+    }, "time", record=True)  # fmt: skip
+    return found | quantities("", {
         "course.deflection": (course.deflection, "m", "deflection"),
         "course.reaction": (course.reaction, "N", "reaction"),
-    }, ("time", "fender"), record=True)  # fmt: skip
+    }, "time", "fender", record=True)  # fmt: skip
 
 
 def _failures(study, approach, course):

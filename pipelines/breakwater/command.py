@@ -26,12 +26,12 @@ def breakwater(
     from rich.console import Console
 
     from ..common.picture import PLOTS, check_picture
-    from ..results.output import check_result_or_csv, result_or_csv
+    from ..results.output import check_result, write_result
     from ..results.tables import printed
     from .result import breakwater as found
 
     if output is not None:
-        check_result_or_csv(output, "breakwater", [study])
+        check_result(output, "breakwater", [study])
     for picture in (plot, map_plot):
         if picture is not None:
             check_picture(picture, PLOTS)
@@ -41,7 +41,7 @@ def breakwater(
         result = found(study, database)
     asked, made, measured = result.detail
     if output is not None:
-        result_or_csv(result, output)
+        write_result(result, output)
     if plot is not None:
         from .picture import draw
 

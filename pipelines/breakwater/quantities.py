@@ -6,8 +6,8 @@ import numpy as np
 
 from hakobune.mooring.breakwater.holdings import mean_drift
 
-from ..results.quantity import Quantity
-from ..results.result import labels, records, rows
+from ..results.quantity import Quantity, quantities
+from ..results.result import labels, records
 from .build import KN
 from .curves import sections
 from .results import design
@@ -74,7 +74,7 @@ def pretension_of(asked, found):
         return {}, {}
     title = "" if held is None else f"greatest amplitudes of tension in waves of {asked.study.waves.height:g} m"
     columns = {name: [getattr(one, name) for one in tides] for name in TIDE}
-    made = rows(title, {f"tide.{name}": (columns[name], *TIDE[name]) for name in TIDE}, "level")
+    made = quantities(title, {f"tide.{name}": (columns[name], *TIDE[name]) for name in TIDE}, "level")
     axes = labels("level", [one.level for one in tides]) | labels("end", ENDS)
     return (made, axes) if held is None else (made | _pretension(asked.study, held), axes)
 
@@ -87,7 +87,7 @@ def _pretension(study, held):
     }
     greatest = {"pretension.greatest": (held.greatest, "N/m", "greatest tension")}
     known = {name: row for name, row in given.items() if row[0] is not None}
-    return rows(f"pretension P₀ of {', '.join(design(study))}", known) | rows(
+    return quantities(f"pretension P₀ of {', '.join(design(study))}", known) | quantities(
         "lines with this pretension", greatest, "end"
     )
 
@@ -106,7 +106,7 @@ def anchors_of(asked, found):
     }
     given = {"anchor.provided": (sizes * provided, unit, "provided"), "anchor.used": (used, "%", "used")}
     axes = labels("anchor", [one.name for one in found.anchors])
-    return rows("anchors", needed, "anchor") | rows(known, given, "anchor"), axes
+    return quantities("anchors", needed, "anchor") | quantities(known, given, "anchor"), axes
 
 
 def behind_of(asked, found):
@@ -117,11 +117,11 @@ def behind_of(asked, found):
     names, heights = list(sea.heights), np.array(list(sea.heights.values()))
     title, density = f"sea of {sea.cells.height:.4g} m", sea.cells.energy / sea.cells.width
     over = np.stack(list(sea.transmission.values()), axis=1) if names else np.zeros((len(density), 0))
-    made = rows("", {
+    made = quantities("", {
         "sea.height": (float(sea.cells.height), "m", "significant height"),
         "sea.waves": (float(sea.waves), "", "number of waves"),
     })  # fmt: skip
-    made |= rows(title, {
+    made |= quantities(title, {
         "sea.behind": (heights, "m", "4√m₀ behind"),
         "sea.share": (heights / sea.cells.height, "%", "of the height"),
     }, "behind")  # fmt: skip
@@ -130,12 +130,12 @@ def behind_of(asked, found):
         "sea.spectrum_behind": (over**2 * density[:, None], ("omega", "behind"), "m2 s/rad", "spectrum behind"),
     })  # fmt: skip
     if sea.greatest is not None:
-        made |= rows(f"lines in the greatest of {sea.waves:.0f} waves of the sea", {
+        made |= quantities(f"lines in the greatest of {sea.waves:.0f} waves of the sea", {
             "sea.amplitude": (sea.greatest, "N/m", "greatest amplitude"),
             "sea.tension": (sea.tension, "N/m", "greatest tension at the worst level"),
             "sea.slack": (sea.slack, "%", "slack in of the cycles"),
         }, "end")  # fmt: skip
-        made |= rows("", {"sea.deviation": (sea.deviation, "N/m", "standard deviation")}, "end")
+        made |= quantities("", {"sea.deviation": (sea.deviation, "N/m", "standard deviation")}, "end")
         made["sea.least_pretension"] = Quantity(sea.least, (), "N/m", "least pretension that keeps lines taut in it")
     return made, labels("behind", names) | labels("omega", sea.cells.omega, "rad/s") | labels("end", ENDS)
 
@@ -147,7 +147,7 @@ def snapping_of(asked, found):
     level, period, snap = found.snapping
     title = f"lines that snap, in time, {period:.4g} s at {level} water"
     when = {"snap.level": (level, "", "level"), "snap.period": (float(period), "s", "period")}
-    return rows("", when) | rows(title, {
+    return quantities("", when) | quantities(title, {
         "snap.largest": (snap.largest, "N/m", "snaps to"),
         "snap.mean": (snap.peaks, "N/m", "mean of the cycles"),
         "snap.slack": (snap.slack, "%", "slack of the time"),
@@ -165,7 +165,7 @@ def front_of(asked, found):
         unit, size, words = DESIGN[name]
         made[name.removesuffix("_deg")] = values * size, unit, words
     made = {f"design.{name}": row for name, row in made.items()}
-    return rows(f"best of {front.trials} designs", made, "design"), labels(
+    return quantities(f"best of {front.trials} designs", made, "design"), labels(
         "design", np.arange(1, len(front.tension) + 1)
     )
 
@@ -186,7 +186,7 @@ def lee_of(asked, found):
     axes |= labels("unit", np.arange(1, len(lee.units) + 1)) | labels("xy", ["x", "y"])
     if lee.tension is not None:
         made["lee.tension"] = Quantity(lee.tension, ("end", "along"), "N/m2", "amplitude of tension")
-        made |= rows("lines of a unit alone, for each metre of wave amplitude", {
+        made |= quantities("lines of a unit alone, for each metre of wave amplitude", {
             "lee.largest": (lee.tension.max(axis=1), "N/m2", "largest amplitude"),
             "lee.largest_at": (lee.lines[lee.tension.argmax(axis=1)], "m", "at x"),
         }, "end")  # fmt: skip

@@ -13,7 +13,7 @@ from hakobune.mooring.identification.forced import forced
 from ..printing.number import significant
 from ..results.given import File
 from ..results.provenance import provenance
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 
 LEFT = 0.25  # of the record, that a fit may leave
@@ -62,7 +62,7 @@ def read_record(path: File) -> dict[str, np.ndarray]:
 def _forced(time, motion, force):
     made = forced(time, motion, force)
     by_paper, error = made.by_harmonics, made.error
-    found = listed({
+    found = quantities("forced oscillation", {
         "amplitude": (made.motion.amplitude, "m", "amplitude"),
         "period": (2 * np.pi / made.motion.omega, "s", "period"),
         "added_mass": (made.added_mass, "kg", "added mass"),
@@ -75,7 +75,7 @@ def _forced(time, motion, force):
         "linear.same_energy": (made.same_energy, "N s/m", "linear damping of the same energy"),
         "linear.same_force": (made.same_force, "N s/m", "linear damping of the same largest force"),
         "left": (made.off, "%", "force not explained"),
-    }, (), "forced oscillation")  # fmt: skip
+    })  # fmt: skip
     findings = [*_rest(made.off, "force", "a sine that moves a body with added mass and damping")]
     if made.same_energy < 0:
         findings.append(
@@ -89,7 +89,7 @@ def _forced(time, motion, force):
         "record.force": (force - force.mean(), "N", "reaction"),
         "fitted.force": (made.fitted(time), "N", "reaction"),
     }
-    return found | listed(records, ("time",), record=True), tuple(findings), ()
+    return found | quantities("", records, "time", record=True), tuple(findings), ()
 
 
 def _decay(time, motion, mass):
@@ -110,7 +110,7 @@ def _decay(time, motion, mass):
         }
     rows["left"] = made.off, "%", "motion not explained"
     records = {"record.motion": (motion, "m", "motion"), "fitted.motion": (made.fitted, "m", "motion")}
-    found = listed(rows, (), "free decay") | listed(records, ("time",), record=True)
+    found = quantities("free decay", rows) | quantities("", records, "time", record=True)
     note = f"{len(made.extremes)} extremes from {significant(made.extremes[0])} m; M with added mass"
     return found, tuple(_rest(made.off, "motion", "the free decay of one motion")), (note,)
 

@@ -10,7 +10,7 @@ from hakobune.mooring.dolphins.methods import GRAVITY, failures, methods, stiffn
 
 from ..results.given import File, Tables, given
 from ..results.provenance import provenance
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 from .study import EarthquakeStudy, make_study, quake_of, read_study
 
@@ -49,19 +49,19 @@ def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database
 
 def _of_body(quake):
     fenders = quake.fenders
-    return listed({
+    return quantities(f"body between {fenders.fender.name} on each side", {
         "motion": (quake.motion, "", "motion"),
         "body.mass": (quake.floater.mass, "kg", "mass of the body"),
         "fenders.count": (fenders.count, "", "fenders on each side"),
         "fenders.clearance": (fenders.clearance, "m", "clearance on each side"),
-    }, (), f"body between {fenders.fender.name} on each side")  # fmt: skip
+    })  # fmt: skip
 
 
 def _by_method(quake, rows):
     fender, column = quake.fenders.fender, {key: np.array([getattr(row, key) for row in rows]) for key in
                                             ("period", "ratio", "acceleration", "reaction", "deflection")}  # fmt: skip
     strain = [fender.own(x) / fender.height if np.isfinite(x) else np.nan for x in column["deflection"]]
-    return listed({
+    return quantities("largest reaction of the dolphins of one side", {
         "method.period": (column["period"], "s", "period"),
         "method.damping": (column["ratio"], "%", "damping"),
         "method.acceleration": (column["acceleration"], "m/s2", "acceleration"),
@@ -69,32 +69,32 @@ def _by_method(quake, rows):
         "method.over_weight": (column["reaction"] / (quake.floater.mass * GRAVITY), "", "over weight"),
         "method.deflection": (column["deflection"], "m", "deflection"),
         "method.strain": (strain, "%", "strain"),
-    }, ("method",), "largest reaction of the dolphins of one side")  # fmt: skip
+    }, "method")  # fmt: skip
 
 
 def _springs(quake, springs):
     stiffness, periods = map(np.array, zip(*springs.values(), strict=True))
-    found = listed({
+    found = quantities("fenders of one side as a spring", {
         "stiffness.value": (stiffness, "N/m", "stiffness"),
         "stiffness.period": (periods, "s", "natural period"),
-    }, ("stiffness",), "fenders of one side as a spring")  # fmt: skip
+    }, "stiffness")  # fmt: skip
     ratios = np.stack([quake.normalised(PERIODS, k) for k in stiffness], axis=1)
-    return found | listed({"normalised": (ratios, "", "")}, ("ground_period", "stiffness"), "normalised reaction")
+    return found | quantities("normalised reaction", {"normalised": (ratios, "", "")}, "ground_period", "stiffness")
 
 
 def _in_time(quake, run):
     ground, (first, last) = quake.ground, quake.ground.base_line
-    found = listed({
+    found = quantities("record, largest", {
         "ground.largest_acceleration": (np.abs(ground.acceleration).max(), "m/s2", "acceleration of the ground"),
         "ground.largest_displacement": (np.abs(ground.displacement).max(), "m", "displacement of the ground"),
         "course.largest_displacement": (np.abs(run.body).max(), "m", "displacement of the body in space"),
         "ground.added_first": (first, "m/s2", "added to the record's first acceleration, to end at rest"),
         "ground.added_last": (last, "m/s2", "added to its last"),
-    }, (), "record, largest")  # fmt: skip
-    return found | listed({
+    })  # fmt: skip
+    return found | quantities("", {
         "course.ground": (ground.displacement, "m", "displacement of the ground"),
         "course.ground_acceleration": (ground.acceleration, "m/s2", "acceleration of the ground"),
         "course.body": (run.body, "m", "displacement of the body"),
         "course.deflection": (run.deflection, "m", "deflection of the fenders pressed"),
         "course.reaction": (run.reaction, "N", "reaction on the dolphins towards +"),
-    }, ("time",), record=True)  # fmt: skip
+    }, "time", record=True)  # fmt: skip

@@ -24,7 +24,7 @@ from ..common.quantities import StudyError
 from ..common.typed import typed
 from ..results.given import Tables, given
 from ..results.provenance import provenance
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 
 ROWS = 11
@@ -95,24 +95,24 @@ def _curve(made):
     """The characteristic; under an inclined face its shares of that of the upright fender"""
     pair, x, axes = made.pair, np.linspace(0.0, made.pair.limit, ROWS), ("deflection",)
     own, energy = np.array([pair.own(one) for one in x]), pair.energy(x)
-    found = listed({
+    found = quantities("characteristic", {
         "curve.strain": (own / pair.height, "%", "strain"),
         **({"curve.dolphin": (x - own, "m", "dolphin")} if on_dolphin(pair) else {}),
         "curve.reaction": (pair.loading(x), "N", "reaction"),
         "curve.energy": (energy, "J", "energy"),
         "curve.returned": ([pair.returned(one) for one in x], "J", "returned"),
-    }, axes, "characteristic")  # fmt: skip
+    }, *axes)  # fmt: skip
     words = ("softest", "stiffest")
-    found |= listed({
+    found |= quantities("", {
         f"curve.{word}": (one.loading(x), "N", f"reaction of the {word}")
         for word, one in zip(words, made.bands, strict=True)
-    }, axes)  # fmt: skip
+    }, *axes)  # fmt: skip
     if made.straight is not None:
         loading = made.straight.loading
         with np.errstate(invalid="ignore"):
             shares = {"reaction": pair.loading(x) / loading(x), "energy": energy / loading.integral(x)}
         rows = {f"curve.{name}_share": (share, "", name) for name, share in shares.items()}
-        found |= listed(rows, axes, "over the same fender under an upright face")
+        found |= quantities("over the same fender under an upright face", rows, *axes)
     return found
 
 
@@ -133,7 +133,7 @@ def _rated(made, factors):
             "taken.strain": (strain, "%", "strain"),
             "taken.reaction": (reaction, "N", "largest reaction"),
         }
-    return listed(rows, ("band",), "softest and stiffest")
+    return quantities("softest and stiffest", rows, "band")
 
 
 def _whole(made):
@@ -149,7 +149,7 @@ def _whole(made):
     if at is not None:
         rows["asked.energy"] = float(pair.energy(at)), "J", "energy taken up"
         rows["asked.reaction"] = float(pair.reaction(at)), "N", "reaction there"
-    return listed(rows, (), pair.name)
+    return quantities(pair.name, rows)
 
 
 def _notes(table, made):

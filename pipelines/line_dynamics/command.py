@@ -9,7 +9,7 @@ import numpy as np
 
 from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
-from ..results.output import check_result
+from ..results.output import check_result, write_result
 from ..results.tables import printed
 from .result import line_dynamics
 
@@ -33,7 +33,7 @@ def line_dynamics_command(file, duration, tolerance, output, picture):
         print("hakobune line-dynamics: interrupted; nothing was written", file=sys.stderr)
         return 130
     if output is not None:
-        result.write(output)
+        write_result(result, output)
     if picture is not None:
         from .picture import draw_run
 

@@ -18,8 +18,8 @@ from ..common.quantities import StudyError
 from ..results.given import File, Tables, given, words_of
 from ..results.heard import heard
 from ..results.provenance import provenance
-from ..results.quantity import Quantity
-from ..results.result import Result, labels, records, rows
+from ..results.quantity import Quantity, quantities
+from ..results.result import Result, labels, records
 from .effort import check_effort, check_finest, check_reach, frames_of
 from .findings import findings
 from .motion import course_of
@@ -78,9 +78,9 @@ def line_dynamics(
 
             read = with_moordyn(read, folder)
     run, said = _run(read, folder, progress)
-    quantities, axes = _quantities(run)
+    made, axes = _quantities(run)
     return Result(
-        "line-dynamics", quantities, axes, (*said, *findings(run.found, run.result, run.strength, run.line)),
+        "line-dynamics", made, axes, (*said, *findings(run.found, run.result, run.strength, run.line)),
         _notes(run.found), tuple(left_out), provenance(text, asked=words_of(**changed)), run,
     )  # fmt: skip
 
@@ -175,7 +175,7 @@ def _regime(found):
     }
     if found.regime <= 2:
         given["regime.largest"] = (found.largest, "N", "largest tension")
-    return rows("simplified method, SR179 (1982) 3.2.1", given)
+    return quantities("simplified method, SR179 (1982) 3.2.1", given)
 
 
 def _notes(found):
@@ -188,7 +188,7 @@ def _nearest(run):
     if used is None:
         return {}
     title = "where the line is nearest to parting" if len(run.strength.breaking) > 1 else ""
-    return rows(title, {
+    return quantities(title, {
         "nearest.used": (used.share, "%", "breaking load used"),
         "nearest.tension": (used.tension, "N", "tension"),
         "nearest.breaking_load": (used.breaking, "N", "breaking load"),
@@ -205,7 +205,7 @@ def _steps(run):
         "error.steps": (r.step_error, "%", "of the steps"),
     }
     counts = {"steps": (r.steps, "", "steps"), "steps.repeated": (r.rejected, "", "steps repeated")}
-    return rows("error of the largest tensions", known) | rows("", counts)
+    return quantities("error of the largest tensions", known) | quantities("", counts)
 
 
 def _records(run):

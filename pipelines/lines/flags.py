@@ -57,7 +57,7 @@ def lines(
         Path | None,
         Parameter(help="of the body: natural periods, fairleads off its hull"),
     ] = None,
-    output: Annotated[Path | None, Parameter(help="results, .h5")] = None,
+    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
     picture: Annotated[
         Path | None,
         Parameter(help="plan, profile, curves: .png .svg .pdf; of a result its frames, .gif too [NAME_frames.png]"),

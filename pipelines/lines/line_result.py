@@ -13,8 +13,8 @@ from ..common.units import KN
 from ..printing.number import significant
 from ..results.given import words_of
 from ..results.provenance import provenance
-from ..results.quantity import Quantity
-from ..results.result import Result, labels, rows
+from ..results.quantity import Quantity, quantities
+from ..results.result import Result, labels
 
 STEEPEST = 1.5  # rad, of a bed that `mooring.catenary` knows
 FLAGS = {  # unit, its size, whether a value is good, what is allowed
@@ -69,13 +69,13 @@ def line(
         span = _span_at(one, tension, depth)
     _check_above_bed(one, span, depth)
     found = _solved(one, span, tension)
-    quantities, axes = _forces(one, span, found), {}
+    made, axes = _forces(one, span, found), {}
     if characteristic:
         spans, curve = tension_curve(one, 24)
-        quantities |= _curves(one, curve)
+        made |= _curves(one, curve)
         axes = labels("at_span", spans, "m", "span")
     return Result(
-        "line", quantities, axes, tuple(_overloads(one, found)), provenance=provenance(words), detail=(one, span, found)
+        "line", made, axes, tuple(_overloads(one, found)), provenance=provenance(words), detail=(one, span, found)
     )
 
 
@@ -180,7 +180,7 @@ def _forces(one, span, found):
 
 def _curves(one, found):
     breaking = one.type.breaking_load if np.isfinite(one.type.breaking_load) else np.nan
-    return rows("from slack to taut", {
+    return quantities("from slack to taut", {
         "curve.horizontal": (found.horizontal_fairlead, "N", "horizontal"),
         "curve.tension": (found.tension_fairlead, "N", "tension"),
         "curve.grounded": (found.grounded_length, "m", "floats" if one.floats else "on the bed"),

@@ -9,7 +9,7 @@ from hakobune.bem.database.file import check_place
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
 from ..printing.verdict import tell
-from ..results.output import check_result
+from ..results.output import check_result, write_result
 from ..results.tables import printed
 from .lines_result import check_asked, lines_of
 from .system_file import read_given
@@ -59,7 +59,7 @@ def _moordyn_file(given, path):
 
 def _written(result, output, picture, moordyn, exported):
     if output is not None:
-        result.write(output)
+        write_result(result, output)
     if picture is not None:
         from .pictures import draw_system
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..results.provenance import provenance
-from ..results.quantity import Quantity
-from ..results.result import Result, labels, records, rows
+from ..results.quantity import Quantity, quantities
+from ..results.result import Result, labels, records
 
 REST, BODIES, POINTS = "lines at rest", "bodies at rest", "free points at rest"
 MOTION = dict(zip(("x", "y", "z", "roll", "pitch", "yaw"), 3 * ["m"] + 3 * ["rad"], strict=True))
@@ -89,7 +89,7 @@ def curves_at(curves):
     def stacked(of):
         return np.stack([of(curve) for curve in curves], axis=1)
 
-    made = rows(title, {
+    made = quantities(title, {
         "curve.restoring": (stacked(lambda c: c.restoring), "N", "restoring"),
         "curve.tension": (stacked(lambda c: c.tension.max(axis=1)), "N", "largest tension"),
     }, "offset", "direction")  # fmt: skip
@@ -115,13 +115,15 @@ def lost(state, losses, name):
         shift[row] = np.nan if i is None else np.linalg.norm(left.position[i, :3] - state.position[i, :3])
     largest = np.fmax.reduce(tension, axis=1)
     worst = [names[int(np.nanargmax(row))] if np.isfinite(row).any() else "" for row in tension]
-    made = rows("one line broken", {
+    made = quantities("one line broken", {
         "loss.tension": (largest, "N", "largest tension"),
         "loss.worst": (worst, "", "in"),
         "loss.used": (used, "%", "used"),
     }, "lost")  # fmt: skip
-    made |= rows("one line broken" if name else "", {"loss.shift": (shift, "m", f"{name or 'body'} moves")}, "lost")
-    return made | rows("", {"loss.line_tension": (tension, "N", "tension")}, "lost", "line")
+    made |= quantities(
+        "one line broken" if name else "", {"loss.shift": (shift, "m", f"{name or 'body'} moves")}, "lost"
+    )
+    return made | quantities("", {"loss.line_tension": (tension, "N", "tension")}, "lost", "line")
 
 
 def line_alone(state, name):
@@ -129,7 +131,7 @@ def line_alone(state, name):
     from hakobune.mooring.lines.system.characteristic import characteristic
 
     found = characteristic(state, name)
-    made = rows(f"{name}, from slack to taut", {
+    made = quantities(f"{name}, from slack to taut", {
         "characteristic.horizontal": (found.horizontal, "N", "horizontal"),
         "characteristic.tension": (found.tension, "N", "tension"),
         "characteristic.grounded": (found.grounded, "m", "on the bed"),
@@ -157,8 +159,8 @@ def parts_alone(found, said, text):
         if one.ends is not None:
             places[: len(one.ends), i] = np.where(np.abs(one.ends) < 5e-4, 0.0, one.ends)
     title = "no lines: each by itself, in still water"
-    quantities = {"part.state": Quantity([one.state for one in found], ("part",), "", "state", title)}
+    made = {"part.state": Quantity([one.state for one in found], ("part",), "", "state", title)}
     for end, place in zip("ab", places, strict=True):
-        quantities[f"part.end_{end}"] = Quantity(place, ("part", "xyz"), "m", end.upper(), title)
+        made[f"part.end_{end}"] = Quantity(place, ("part", "xyz"), "m", end.upper(), title)
     axes = labels("part", [one.name for one in found]) | labels("xyz", ["x", "y", "z"])
-    return Result("lines", quantities, axes, first=tuple(said), provenance=provenance(text), detail=found)
+    return Result("lines", made, axes, first=tuple(said), provenance=provenance(text), detail=found)

@@ -11,7 +11,7 @@ from ..common.bounds import told
 from ..printing.number import significant
 from ..results.given import File, Tables, given
 from ..results.provenance import provenance
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 from .study import MembersStudy, make_study, placed, read_study, wave_of, wind_on
 
@@ -68,13 +68,13 @@ def _largest(force, phases, waves):
     columns["moment.size"] = turning[j, each], "N m", "moment"
     if waves:
         columns["moment.phase"] = np.where(steady, np.nan, phases[j]), "rad", "at phase"
-    return listed(columns, ("member",), "largest over the wave" if waves else "in the current")
+    return quantities("largest over the wave" if waves else "in the current", columns, "member")
 
 
 def _records(rows, force):
     about = {"about": (np.array([place for _, place, _ in rows]), "m", "place that moments are about")}
     series = {"course.force": (force[..., :3], "N", "force"), "course.moment": (force[..., 3:], "N m", "moment")}
-    return listed(about, ("member", "xyz")) | listed(series, ("phase", "member", "xyz"), record=True)
+    return quantities("", about, "member", "xyz") | quantities("", series, "phase", "member", "xyz", record=True)
 
 
 def findings(standing, force, wave):

@@ -7,14 +7,14 @@ from dataclasses import replace
 from hakobune.bem.database import open_database
 from hakobune.mooring.studies.multi_point import multi_point
 
-from ..results.output import check_result
+from ..results.output import check_result, write_result
 from ..results.tables import printed
 
 
 def moor(study, database, output=None):
     """Run the study of a TOML file on a database, print it, write it; returns the exit status.
 
-    With `output` the results are written there (HDF5), with a plan of the lines beside it (…_plan.png).
+    With `output` the results are written there (HDF5 or CSV), with a plan of the lines beside it (…_plan.png).
     raises : ValueError, one line, before anything is written
     """
     from .result import moor as found
@@ -43,6 +43,6 @@ def _written(result, output):
 
     made, hull = result.detail
     plan = output.with_name(output.stem + "_plan.png")
-    result.write(output)
+    write_result(result, output)
     draw_plan(made, hull, plan)
     return str(output), plan.name

@@ -7,15 +7,11 @@ from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import DATABASE, check_output, opening
 from ..common.picture import PLOTS, check_picture
-from .file import NAMES, schema
+from .file import schema
 
 CSV = ".csv"
 FORMS = (*DATABASE, CSV)
 MARK = "# result of hakobune "
-
-CSV, HEAD = ".csv", "# tables of hakobune {}, in SI"
-
-CSV, HEAD = ".csv", "# tables of hakobune {}, in SI"
 
 
 def check_result(path, kind, inputs=()):
@@ -23,12 +19,12 @@ def check_result(path, kind, inputs=()):
 
     inputs : paths of what the study reads, none of which is overwritten
     """
-    check_output(path, f"the result of a {NAMES.get(kind, kind)}", lambda place: _is_one(place, kind), FORMS, inputs)
+    check_output(path, f"a result of hakobune {kind}", lambda place: _is_one(place, kind), FORMS, inputs)
 
 
 def write_result(result, path):
     """Write a result to a path that `check_result` allowed: .h5, or .csv with a checksum in its head"""
-    if path.suffix == CSV:
+    if path.suffix.lower() == CSV:
         told = "".join(f"# {line}\n" for line in (*result.told, *result.notes))
         write_sealed(path, f"{MARK}{result.kind}\n{told}{result.to_csv()}")
     else:
@@ -36,7 +32,7 @@ def write_result(result, path):
 
 
 def _is_one(path, kind):
-    if path.suffix == CSV:
+    if path.suffix.lower() == CSV:
         return opening(path)[0].startswith(f"{MARK}{kind}")
     return has_schema(path, schema(kind))
 
@@ -55,22 +51,3 @@ def picture_or_result(result, path, draw):
         result.write(path)
     else:
         draw()
-
-
-def check_result_or_csv(path, kind, inputs=()):
-    """Raise ValueError unless a result of a `kind`, or as its ending says its tables, can be written to a path"""
-
-    def is_one(place):
-        if place.suffix.lower() == CSV:
-            return opening(place)[0].startswith(HEAD.format(kind))
-        return has_schema(place, schema(kind))
-
-    check_output(path, "the result of a study", is_one, (CSV, *DATABASE), inputs)
-
-
-def result_or_csv(result, path):
-    """Write a result, or its tables as CSV with a first line that says of what they are"""
-    if path.suffix.lower() == CSV:
-        write_sealed(path, f"{HEAD.format(result.kind)}\n{result.to_csv()}")
-    else:
-        result.write(path)

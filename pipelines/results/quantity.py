@@ -75,11 +75,14 @@ class Quantity:
         return same and np.array_equal(self.values, other.values, equal_nan=self.values.dtype.kind in "fc")
 
 
-def listed(rows, axes=(), table="", record=False) -> dict[str, Quantity]:
-    """{name: Quantity} of {name: (values, unit, description)} with the same axes; "%" is the unit of a share"""
+def quantities(table, given, *axes, record=False) -> dict[str, Quantity]:
+    """{name: Quantity} of {name: (values, unit, description)} on the same axes, printed in one table
+
+    the unit "%" is that of shares, which are kept as they are and read in per cent
+    """
     return {
         name: Quantity(values, axes, "" if unit == "%" else unit, words, table, unit == "%", record)
-        for name, (values, unit, words) in rows.items()
+        for name, (values, unit, words) in given.items()
     }
 
 

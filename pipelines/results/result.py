@@ -164,17 +164,6 @@ def labels(axis: str, values: Any, unit: str | tuple[str, ...] = "", description
     return {axis: Quantity(np.asarray(values), (axis,), unit, description or axis)}
 
 
-def rows(table, given, *axes):
-    """{name: Quantity} of {name: (values, unit, description)} on the same axes, printed in one table
-
-    the unit "%" is that of shares, which are kept as they are and read in per cent
-    """
-    return {
-        name: Quantity(np.asarray(values), axes, "" if unit == "%" else unit, words, table, share=unit == "%")
-        for name, (values, unit, words) in given.items()
-    }
-
-
 def records(given):
     """{name: Quantity} of {name: (values, axes, unit, description)} that are long, and in files alone"""
     return {

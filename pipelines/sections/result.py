@@ -12,7 +12,7 @@ from hakobune.bem.sections.tables import BEAM_DRAFT, COLUMNS, DEPTH_DRAFT, SHAPE
 
 from ..common.bounds import Pace, check_memory
 from ..results.provenance import provenance
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 
 NOTES = (
@@ -64,5 +64,5 @@ def sections(
         values, unit = (np.radians(values), "rad") if degrees else (values, "")
         found[f"{kind}_{motion}"] = values, unit, f"{WORDS[kind]}, {MOTIONS[motion]}"
     made = {axis: labels(axis, np.asarray(values, float))[axis] for axis, values in axes.items()}
-    return Result("sections", listed(found, SHAPE_COLUMNS), made, notes=NOTES,
+    return Result("sections", quantities("", found, *SHAPE_COLUMNS), made, notes=NOTES,
                   provenance=provenance(tolerance=repr(tolerance)), detail=rows)  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..common.picture import PLOTS, check_picture
-from ..results.output import check_result
+from ..results.output import check_result, write_result
 from ..results.tables import printed
 from .result import single_point
 
@@ -19,7 +19,7 @@ def single_point_command(study, database, output, picture):
     result = single_point(study, database)
     written = [*_pictures(result.detail, (study, output), picture), *((output,) if output is not None else ())]
     if output is not None:
-        result.write(output)
+        write_result(result, output)
     status = printed(result)
     for path in written:
         print(f"written: {path}")

@@ -13,7 +13,7 @@ def single_point(
     /,
     *,
     database: Annotated[Path | None, Parameter(help="of the body, for its masses and the drift of the waves")] = None,
-    output: Annotated[Path | None, Parameter(help="results, .h5")] = None,
+    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
     picture: Annotated[Path | None, Parameter(help="plan of all equilibria, .png, .svg or .pdf")] = None,
 ):
     """A body on a buoy or turret: all headings of rest, whether it slews (fishtails), hawser and lines.

@@ -12,8 +12,8 @@ from hakobune.mooring.single_point.in_time import ropes_of
 from hakobune.mooring.single_point.scope import length_without_uplift
 from hakobune.mooring.single_point.yaw_criteria import yaw_stability
 
-from ..results.quantity import Quantity
-from ..results.result import labels, records, rows
+from ..results.quantity import Quantity, quantities
+from ..results.result import labels, records
 from . import running
 
 REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
@@ -78,7 +78,7 @@ def state_of(found):
         "slewing.period": (s.period, "s", "period"),
     }
     growth = {"slewing.growth": (s.growth, "1/s", "growth, below 0 where it decays")}
-    return rows(title, state) | rows("", growth) | _scope(found) | _criteria(one), {}
+    return quantities(title, state) | quantities("", growth) | _scope(found) | _criteria(one), {}
 
 
 def _scope(found):
@@ -89,7 +89,7 @@ def _scope(found):
         return {}
     height = one.lines.position[0, 2] + system.depth
     need = float(length_without_uplift(one.lines.tension.max(), line.type.weight, height))
-    return rows(title, {
+    return quantities(title, {
         "scope.depths": (need / system.depth, "", "depths"),
         "scope.length": (need, "m", "length"),
         "scope.line": (float(line.length), "m", "length of the line"),
@@ -101,7 +101,7 @@ def _criteria(one):
         return {}
     m, y = one.lateral, yaw_of(one)
     straight = {"criterion.straight_line": (y.straight_line, "N2 s2", "Y_v N_r − N_v (Y_r − MU)")}
-    return rows("criteria of slewing", {
+    return quantities("criteria of slewing", {
         "criterion.line": (m.length, "m", "effective line"),
         "criterion.routh_hurwitz": (STABLE[bool(routh_hurwitz(one.quartic))], "", "Routh–Hurwitz"),
         "criterion.undamped": (STABLE[bool(undamped_stable(undamped(one.quartic)))], "", "undamped"),
@@ -109,7 +109,7 @@ def _criteria(one):
         "criterion.lever": (y.lever, "m", "side force of a small heading ahead of it"),
         "criterion.static": ("stable" if y.static else "unstable", "", "in yaw, statically"),
         "criterion.straight": (bool(y.straight_line > 0), "", "running free keeps a straight line"),
-    }) | rows("", straight)  # fmt: skip
+    }) | quantities("", straight)  # fmt: skip
 
 
 def yaw_of(one):
@@ -122,13 +122,13 @@ def lines_at(found):
     """Hawsers and lines at the heading it comes to"""
     one = found.best
     lines = one.lines.lines
-    made = rows(f"lines at {bow(one):.4g}°", {
+    made = quantities(f"lines at {bow(one):.4g}°", {
         "line.tension": (one.lines.tension, "N", "tension"),
         "line.grounded": (lines.grounded_length, "m", "on the bed"),
         "line.used": (lines.utilisation, "%", "used"),
     }, "line")  # fmt: skip
-    made |= rows("", {"line.breaking_load": (one.point.system.breaking_load, "N", "breaking load")}, "line")
-    return made | rows("", {"allowable": (float(found.study.allowable), "%", "allowable")}), {}
+    made |= quantities("", {"line.breaking_load": (one.point.system.breaking_load, "N", "breaking load")}, "line")
+    return made | quantities("", {"allowable": (float(found.study.allowable), "%", "allowable")}), {}
 
 
 def cycle_of(found):
@@ -137,7 +137,7 @@ def cycle_of(found):
     if c is None:
         return {}, {}
     pull = np.linalg.norm(c.hawser, axis=1)
-    made = rows("limit cycle", {
+    made = quantities("limit cycle", {
         "cycle.amplitude": (c.amplitude, "rad", "heading to either side"),
         "cycle.middle": (float(turned(c.middle)), "rad", "of"),
         "cycle.period": (c.period, "s", "period"),
@@ -165,7 +165,7 @@ def run_of(found):
         for name, values in ropes_of(run).items()
         for words, table in [_of_rope(name, title, run.drifts)]
     }
-    made |= rows(f"{title}, motion", {
+    made |= quantities(f"{title}, motion", {
         "run.amplitude": (float(c.amplitude), "rad", "heading to either side at the end"),
         "run.period": (float(c.period), "s", "period at the end"),
         "run.settled": (float(run.settled), "s", "within 0.2° of rest after"),

@@ -15,7 +15,7 @@ from hakobune.mooring.studies.waves_around import around_body, frequency, half_w
 from ..common.bounds import told
 from ..results.given import File, database_of
 from ..results.provenance import provenance
-from ..results.quantity import listed
+from ..results.quantity import quantities
 from ..results.result import Result, labels
 
 if TYPE_CHECKING:
@@ -64,13 +64,13 @@ def waves(
 
 
 def _waves(around):
-    return listed({
+    return quantities("waves", {
         "wave.period": (2 * np.pi / around.omega, "s", "period"),
         "wave.omega": (around.omega, "rad/s", "frequency"),
         "wave.length": (2 * np.pi / around.k, "m", "length"),
         "wave.heading": (around.beta, "rad", "heading"),
         "body": ("held" if around.motion is None else "floating", "", "body"),
-    }, (), "waves")  # fmt: skip
+    })  # fmt: skip
 
 
 def _places(found, wanted):
@@ -86,19 +86,19 @@ def _places(found, wanted):
 
 def _heights(places):
     x, y, value = map(np.array, zip(*places.values(), strict=True))
-    return listed({
+    return quantities(HEIGHT, {
         "place.height": (np.abs(value), "", "height"),
         "place.phase": (np.angle(value), "rad", "phase"),
         "place.x": (x, "m", "x"),
         "place.y": (y, "m", "y"),
-    }, ("place",), HEIGHT)  # fmt: skip
+    }, "place")  # fmt: skip
 
 
 def _map(around, found):
     motion = np.full(6, np.nan + 0j) if around.motion is None else around.motion
     units = ("m/m", "m/m", "m/m", "rad/m", "rad/m", "rad/m")
     return (
-        listed({"far_field.missed": (around.missed, "%", "share of the far field that the sources miss")})
-        | listed({"body.motion": (motion, units, "motion of the body")}, ("motion",))
-        | listed({"map": (found.elevation, "m/m", "elevation")}, ("y", "x"), record=True)
+        quantities("", {"far_field.missed": (around.missed, "%", "share of the far field that the sources miss")})
+        | quantities("", {"body.motion": (motion, units, "motion of the body")}, "motion")
+        | quantities("", {"map": (found.elevation, "m/m", "elevation")}, "y", "x", record=True)
     )

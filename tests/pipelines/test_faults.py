@@ -112,7 +112,7 @@ OUTPUTS = {
     "look full.h5 --screenshot x.xyz": ("'.xyz'", ".png"),
     "look full.h5 --screenshot nowhere/x.png": ("nowhere/x.png cannot be written",),
     "look full.h5": ("no display", "--screenshot"),
-    "moor study.toml --database full.h5 --output text.h5": ("text.h5 is not the result of a mooring study",),
+    "moor study.toml --database full.h5 --output text.h5": ("text.h5 is not a result of hakobune moor",),
     "moor study.toml --database full.h5 --output full.h5": ("full.h5 is an input of the study",),
     "moor study.toml --database full.h5 --output study.toml": ("study.toml is an input of the study",),
     "moor study.toml --database full.h5 --output nowhere/m.h5": ("nowhere/m.h5 cannot be written",),

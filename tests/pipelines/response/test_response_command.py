@@ -195,7 +195,7 @@ def test_another_hdf5_file_is_not_replaced(folder, capsys):
     with h5py.File("other.h5", "w") as file:
         file["kept"] = 1.0
     assert main(["response", "study.toml", "--database", "box.h5", "--output", "other.h5"]) == 2
-    assert "other.h5 is not the result of a response study" in capsys.readouterr().err
+    assert "other.h5 is not a result of hakobune response" in capsys.readouterr().err
 
 
 def test_scatter_diagram_that_is_missing_or_an_output_is_named(folder, capsys):

@@ -28,8 +28,9 @@ def test_json_csv_and_file_of_a_study_have_the_quantities_of_its_function(
     monkeypatch.setenv("COLUMNS", "40")
     study = SCENES / f"{STUDIES[command]}.toml"
     made, printed = getattr(hakobune, command)(study, database), {}
-    for form in ("csv", "json"):
-        assert main([command, str(study), "--database", str(database), f"--{form}"]) == made.status
+    for form, file in (("csv", tmp_path / "found.csv"), ("json", tmp_path / "found.h5")):
+        words = [command, str(study), "--database", str(database), "--output", str(file)]
+        assert main([*words, f"--{form}"]) == made.status
         printed[form] = capsys.readouterr().out
     found = json.loads(printed["json"])["quantities"]
     numbers = {cell for cell in re.split(r"[,\n]", printed["csv"]) if re.match(r"-?\d", cell)}
@@ -42,5 +43,8 @@ def test_json_csv_and_file_of_a_study_have_the_quantities_of_its_function(
         assert np.array_equal(values, finite, equal_nan=one.numeric), name
         if one.numeric:
             assert {repr(value) for value in one.values[np.isfinite(one.values)].tolist()} <= numbers, name
-    made.write(tmp_path / "a.h5")
-    assert hakobune.read(tmp_path / "a.h5") == made
+    lines = (tmp_path / "found.csv").read_text().splitlines(keepends=True)
+    assert "".join(line for line in lines if line[0] != "#") == made.to_csv() == printed["csv"]
+    assert main(["check", str(tmp_path / "found.csv")]) == 0
+    found = hakobune.read(tmp_path / "found.h5")
+    assert found.quantities == made.quantities and found.told == made.told

@@ -9,8 +9,8 @@ import pytest
 
 from hakobune.bem.database.integrity import DatabaseError, VersionError
 from hakobune.pipelines.results.file import read
-from hakobune.pipelines.results.quantity import Quantity, listed, read_in
-from hakobune.pipelines.results.result import Result, labels, rows
+from hakobune.pipelines.results.quantity import Quantity, quantities, read_in
+from hakobune.pipelines.results.result import Result, labels
 from hakobune.pipelines.results.tables import printed
 
 ODD = np.nextafter(0.1, 1) * np.array([1.0, 3e4, 7e-5])  # no number of few digits
@@ -95,7 +95,7 @@ def test_a_print_has_significant_digits_in_the_unit_that_suits_the_numbers(capsy
 
 
 def test_forces_of_one_table_are_read_in_one_unit(capsys):
-    columns = listed({"Fx": ([5e4, 1e3], "N", "Fx"), "Fy": ([634.2, 2.0], "N", "Fy")}, ("line",), "pull")
+    columns = quantities("pull", {"Fx": ([5e4, 1e3], "N", "Fx"), "Fy": ([634.2, 2.0], "N", "Fy")}, "line")
     printed(Result("example", columns, labels("line", ["one", "two"])))
     out = capsys.readouterr().out
     assert "Fy, kN" in out and "0.6342" in out and "0.002" in out
@@ -110,13 +110,15 @@ def test_rounding_beside_large_forces_is_printed_as_nothing(capsys):
 def test_a_row_has_one_unit_in_all_columns(capsys):
     """1200 N and 900 N of one row are 1.2 and 0.9 kN"""
     given = {"a": ([1200.0, 3.0], ("N", "m"), "a"), "b": ([900.0, 4.0], ("N", "m"), "b")}
-    printed(Result("example", rows("drift", given, "motion"), labels("motion", ["surge", "sway"])))
+    printed(Result("example", quantities("drift", given, "motion"), labels("motion", ["surge", "sway"])))
     row = next(line for line in capsys.readouterr().out.splitlines() if "surge" in line)
     assert [cell.strip() for cell in row.split("│")[1:-1]] == ["surge, kN", "1.2", "0.9"]
 
 
 def test_of_a_long_table_over_numbers_some_rows_are_printed_and_all_are_in_csv(capsys):
-    made = Result("example", rows("K", {"k": (np.arange(60.0), "", "k")}, "period"), labels("period", np.arange(60.0)))
+    made = Result(
+        "example", quantities("K", {"k": (np.arange(60.0), "", "k")}, "period"), labels("period", np.arange(60.0))
+    )
     printed(made)
     shown = capsys.readouterr().out
     assert "12 of 60 rows" in " ".join(shown.split()) and sum(line.startswith("│") for line in shown.splitlines()) == 12
@@ -125,7 +127,7 @@ def test_of_a_long_table_over_numbers_some_rows_are_printed_and_all_are_in_csv(c
 
 def test_a_table_of_few_rows_and_many_columns_is_printed_turned_without_shares_of_nothing(capsys):
     given = {name: ([2e3], "N", name) for name in ("mean", "largest", "least")} | {"used": ([np.nan], "%", "used")}
-    printed(Result("example", rows("tension", given, "line"), labels("line", ["bow"])))
+    printed(Result("example", quantities("tension", given, "line"), labels("line", ["bow"])))
     cells = [[c.strip() for c in line.split("│")[1:-1]] for line in capsys.readouterr().out.splitlines() if "│" in line]
     assert cells == [["mean", "2", "kN"], ["largest", "2", "kN"], ["least", "2", "kN"]]
 
