@@ -106,7 +106,7 @@ def largest_error(run, radiation, excitation):
     if run.radiates:
         out.append(np.abs(radiation[np.ix_(run.dofs, run.dofs)]) / radiation_scale(run))
     if run.diffracts:
-        out.append(np.abs(excitation[:, run.dofs]) / excitation_scale(run))
+        out.append(np.abs(excitation[:, run.forced]) / excitation_scale(run, run.forced))
     return float(max(o.max() for o in out))
 
 
@@ -138,13 +138,14 @@ def damping_scale(radiation, displacing, periods=PERIODS):
     return np.sqrt(b[..., :, None] * b[..., None, :])
 
 
-def excitation_scale(run):
-    """(dofs,) size of the forces, infinite for modes that move no water
+def excitation_scale(run, of=None):
+    """(of,) size of the forces `of`, numbers, by default of the motions, infinite for modes that move no water
 
     Sway in head sea and heave in short waves are nothing but error: no force counts as less than a fifth of the
     largest, no moment as less than that of such a force at half the hull's radius.
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
-    force = 0.2 * size[:3].max()
-    floor = np.repeat([force, max(0.2 * size[3:].max(), 0.5 * force * run.prepared.radius)], 3)
-    return np.where(run.prepared.displacing, np.maximum(size, floor), np.inf)[run.dofs]
+    turns = np.arange(len(size)) % 6 >= 3
+    force = 0.2 * size[~turns].max()
+    floor = np.where(turns, max(0.2 * size[turns].max(), 0.5 * force * run.prepared.radius), force)
+    return np.where(run.prepared.displacing, np.maximum(size, floor), np.inf)[run.dofs if of is None else of]

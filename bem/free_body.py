@@ -27,9 +27,12 @@ def needed(want):
 def motions(problem, omega, added_mass, damping, excitation):
     """X (m, 6) m/m and rad/m of a `bem.problem.Problem` about its rotation centre, as all of these are.
 
-    added_mass, damping : (6, 6); excitation : (m, 6)
+    added_mass, damping : (6, 6); excitation : (m, 6); of several bodies (6N, moving), (m, 6N) and X (m, moving)
     """
     terms = omega, added_mass, damping, excitation, problem.inertia_matrix, problem.hydrostatic_stiffness
+    if problem.bodies:
+        own, (_, A, B, F, M, C) = problem.moving, terms
+        terms = omega, A[own], B[own], F[:, own], M[own], C[own]
     return response(*terms) if problem.viscous is None else linearised_response(*terms, problem.viscous)[0]
 
 

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from . import DOFS, ESTIMATE, INTERPOLATED
+from . import ESTIMATE, INTERPOLATED
 from .checks import at_least_haskind, check, damping_error, largest_error
 from .drift import about, drift_of_two, mean_drift
 from .free_body import motions
@@ -21,14 +21,14 @@ DRIFT = {"drift_force_fixed", "drift_force"}
 TRUSTED = 0.6  # of the tolerance: estimates of damping near it were two thirds of the error at least, 92 random bodies
 
 
-def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
+def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
     """Everything in `want` at one frequency, as a dictionary with the names of the database.
 
     prepared : from `bem.methods.panel_problem.prepare`
     omega : rad/s, headings : (m,) rad towards which the waves travel, want : names of datasets
-    theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : degrees of freedom that are needed
-    returns : arrays over 6 degrees of freedom (NaN where not in `dofs`), "checks", "wall_time" (s) and, where the
-        method has one, "estimated_error" of names in `schema.ESTIMATES`
+    theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : names that are needed, None: all
+    returns : arrays over the forces and motions of the problem (NaN where not in `dofs`), "checks", "wall_time" (s)
+        and, where the method has one, "estimated_error" of names in `schema.ESTIMATES`
     """
     start = time.perf_counter()
     run = prepared.run(omega, headings, want, theta, dofs).within_tolerance()
@@ -65,11 +65,13 @@ class FrequencyRun:
         want = self.want
         self.k = float(wavenumber(omega, self.problem.depth, self.problem.gravity))
         self.theta = theta if theta is not None else angles(self.k, prepared.radius)
-        self.asked = [DOFS.index(d) for d in dofs]
+        names = self.problem.dofs
+        self.count, self.asked = len(names), [names.index(d) for d in (names if dofs is None else dofs)]
         self.free = bool(want & FREE | want & {"pressure"}) and self.problem.inertia_matrix is not None
         # motions couple; a moment about another point than the origin needs forces too
         needed = np.any(self.problem.transform[self.asked], axis=0) | self.free
-        self.dofs = np.flatnonzero(needed).tolist()
+        self.forced = np.flatnonzero(needed).tolist()
+        self.dofs = [d for d in self.forced if d in self.problem.moving]
         self.radiates = bool(want & RADIATION) or self.free
         self.diffracts = bool(want & DIFFRACTION) or self.free
         self.far_field = bool(want & {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"})
@@ -78,7 +80,7 @@ class FrequencyRun:
     @property
     def question(self):
         """What a run of the same frequency is made with, after its prepared problem"""
-        return self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked]
+        return self.omega, self.headings, self.want, self.theta, [self.problem.dofs[d] for d in self.asked]
 
     def _timed(self, name, start):
         self.wall_time[name] = self.wall_time.get(name, 0.0) + time.perf_counter() - start
@@ -151,12 +153,17 @@ class FrequencyRun:
 
     @cached_property
     def rao(self):
-        """(m, 6) about the rotation centre"""
+        """(m, moving) about the rotation centre, of the motions of bodies that are not fixed"""
         return self._motions(self.radiation, self.excitation)
+
+    @property
+    def of_motion(self):
+        """(moving, 6) from the motions of `rao` to those about the origin, of several bodies (moving, 6N)"""
+        return self.problem.transform[self.problem.moving]
 
     def _motions(self, radiation, excitation):
         T = self.problem.transform
-        Z = T @ radiation @ T.T
+        Z = T @ radiation @ self.of_motion.T
         return motions(self.problem, self.omega, Z.real, self.omega * Z.imag, excitation @ T.T)
 
     def drift(self, moving):
@@ -177,7 +184,7 @@ class FrequencyRun:
         """H and H′ of the whole"""
         (radiation, dradiation), (H, slope) = radiation, diffraction
         if rao is not None:
-            T = self.problem.transform
+            T = self.of_motion
             H, slope = H + rao @ (T @ radiation), slope + rao @ (T @ dradiation)
         return H, slope
 
@@ -191,10 +198,20 @@ class FrequencyRun:
         return about(force, self.problem.rotation_center)
 
     def asked_only(self, values):
-        """`values` (…, 6) with NaN in place of degrees of freedom not asked for"""
+        """`values` (…, 6), of several bodies (…, 6N), with NaN in place of degrees of freedom not asked for"""
         out = np.full_like(values, np.nan)
         out[..., self.asked] = values[..., self.asked]
         return out
+
+    def asked_radiation(self, radiation):
+        """(6, 6), of several bodies (6N, moving), about the rotation centre, NaN where it is not asked for"""
+        T = self.problem.transform
+        return self.asked_only(self.asked_only(T @ radiation @ T.T).T).T[:, self.problem.moving]
+
+    def asked_motions(self, rao):
+        """Motions (m, moving) with NaN in place of those not asked for"""
+        left_out = ~np.isin(self.problem.moving, self.asked)
+        return np.where(left_out, np.nan, rao)
 
     def estimated_error(self):
         """The largest relative one, `bem.checks.largest_error`; NaN without an estimate"""
@@ -210,7 +227,7 @@ class FrequencyRun:
         if self.errors is None:
             return {}
         (radiation, excitation), T = self.errors, self.problem.transform
-        Z = self.asked_only(self.asked_only(T @ radiation @ T.T).T).T
+        Z = self.asked_radiation(radiation)
         out = {
             "added_mass": np.abs(Z.real),
             "radiation_damping": self.omega * np.abs(Z.imag),
@@ -220,7 +237,7 @@ class FrequencyRun:
         if self.free and self.want & FREE:
             radiation, excitation = self.enlarged(*self.differences)
             rao = self._motions(self.radiation - radiation, self.excitation - excitation)
-            out["rao"] = self.margin * np.abs(self.asked_only(self.rao - rao))
+            out["rao"] = self.margin * np.abs(self.asked_motions(self.rao - rao))
         if self.want & DRIFT and self.kochin_errors is not None:
             corrected = [H - error for H, error in zip(self.kochin, self.kochin_errors, strict=True)]
             for name, motion in (("drift_force_fixed", None), ("drift_force", rao)):
@@ -233,7 +250,7 @@ class FrequencyRun:
         T, want = self.problem.transform, self.want
         out = {}
         if want & {"added_mass", "radiation_damping"}:
-            Z = self.asked_only(self.asked_only(T @ self.radiation @ T.T).T).T
+            Z = self.asked_radiation(self.radiation)
             out |= {"added_mass": Z.real, "radiation_damping": self.omega * Z.imag}
         if want & {"Froude_Krylov_force", "excitation_force"}:
             out["Froude_Krylov_force"] = self.asked_only(self.froude_krylov @ T.T)
@@ -241,7 +258,7 @@ class FrequencyRun:
             out["diffraction_force"] = self.asked_only(self.diffraction @ T.T)
             out["excitation_force"] = self.asked_only(self.excitation @ T.T)
         if "kochin_radiation" in want:
-            out["kochin_radiation"] = T @ self.kochin[0][0][:, : len(self.theta)]
+            out["kochin_radiation"] = self.of_motion @ self.kochin[0][0][:, : len(self.theta)]
         if "kochin_diffraction" in want:
             out["kochin_diffraction"] = self.kochin[1][0][:, : len(self.theta)]
         if "drift_force_fixed" in want:
@@ -249,7 +266,7 @@ class FrequencyRun:
         if "pressure" in want:
             out["pressure"] = self.pressure()
         if self.free and "rao" in want:
-            out["rao"] = self.asked_only(self.rao)
+            out["rao"] = self.asked_motions(self.rao)
         if self.free and "drift_force" in want:
             out["drift_force"] = self.drift(True)
         out = {name: value for name, value in out.items() if name in want}

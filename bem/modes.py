@@ -1,11 +1,66 @@
-"""Rigid-body modes of motion: normal velocities, parity under reflection, change of reference point."""
+"""Rigid-body modes of motion: normal velocities, parity under reflection, change of reference point.
+
+Of several bodies the modes are six for each, one body after another; mode d is motion d mod 6 of body d div 6.
+"""
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
+
+from . import DOFS
 
 # sign of a mode's potential under x → −x and under y → −y, about the origin
 PARITY = ((-1, 1), (1, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
+
+
+class Body(NamedTuple):
+    """One of several bodies.
+
+    name : before the names of its motions
+    rotation_center : (3,) m; heading : rad about z of the axes that its motions, forces and moments are in
+    fixed : whether it scatters waves and does not move
+    """
+
+    name: str
+    rotation_center: tuple = (0.0, 0.0, 0.0)
+    heading: float = 0.0
+    fixed: bool = False
+
+
+def names_of(bodies):
+    """Names of the modes of several bodies, as Capytaine has them; of none those of one body"""
+    return tuple(f"{body.name}__{dof}" for body in bodies for dof in DOFS) if bodies else DOFS
+
+
+def moving(bodies):
+    """Numbers of the modes that the bodies can move in"""
+    return [d for d in range(6 * max(1, len(bodies))) if not (bodies and bodies[d // 6].fixed)]
+
+
+def axes_of(bodies):
+    """(6N, 6N) from generalized normals about the origin, body by body, to those about its own point in its own axes"""
+    out = np.zeros((6 * len(bodies), 6 * len(bodies)))
+    for i, body in enumerate(bodies):
+        own = slice(6 * i, 6 * i + 6)
+        out[own, own] = turned(body.heading) @ reference_change(body.rotation_center)
+    return out
+
+
+def turned(heading):
+    """(6, 6) from generalized normals to those in axes turned by `heading` rad about z"""
+    c, s = np.cos(heading), np.sin(heading)
+    return np.kron(np.eye(2), [[c, s, 0], [-s, c, 0], [0, 0, 1]])
+
+
+def modes_of(bodies, body_of_point, points, normals):
+    """(n, 6N) normal velocities about the origin; each body moves its own points alone
+
+    body_of_point : (n,) numbers
+    """
+    each = normal_velocities(points, normals)
+    return np.concatenate([each * (body_of_point == i)[:, None] for i in range(bodies)], axis=1)
 
 
 def normal_velocities(centroids, normals):
@@ -19,8 +74,10 @@ def displacing(mesh):
     Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a relative
     error of what they give says nothing.  A rotation counts if the mean square of its normal velocity is two per cent
     of that of its arms, both about the vertical axis through the middle of the hull's surface, so that it does not
-    matter where the mesh lies.
+    matter where the mesh lies.  Of several bodies (6N,).
     """
+    if mesh.body is not None:
+        return np.concatenate([displacing(mesh.of_body(i)) for i in range(mesh.bodies)])
     whole = mesh.whole()
     weights, centroids = whole.areas, whole.centroids
     middle = np.append(weights @ centroids[:, :2] / weights.sum(), 0.0)
@@ -39,7 +96,7 @@ def reference_change(center):
 
 def class_of(dof, symmetry):
     """Symmetry class (sign in x, sign in y) that holds mode number `dof`."""
-    x, y = PARITY[dof]
+    x, y = PARITY[dof % 6]
     return (x if "x" in symmetry else 1, y if "y" in symmetry else 1)
 
 

@@ -6,17 +6,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .modes import reference_change
+from .modes import axes_of, moving, names_of, reference_change
 
 SMALLEST_GAP = 3e-5  # of the draft: the number of modes grows as the gap shrinks, here to ten seconds and 1.5 GB
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Problem:
-    """A floating body in water; subclasses add its shape and the method's parameters.
+    """A floating body, or several, in water; subclasses add the shape and the method's parameters.
 
     depth : m, may be inf; density : kg/m³; gravity : m/s²; rotation_center : m
-    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
+    bodies : `bem.modes.Body` of each of several, whose motions have their own points; empty for one body
+    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`, of several bodies (6N, moving); None leaves
+        the bodies without motions
     viscous : `bem.viscous.Viscous` or None
     tolerance : relative error asked for
     """
@@ -25,6 +27,7 @@ class Problem:
     density: float = 1025.0
     gravity: float = 9.80665
     rotation_center: tuple = (0.0, 0.0, 0.0)
+    bodies: tuple = ()
     inertia_matrix: np.ndarray | None = None
     hydrostatic_stiffness: np.ndarray | None = None
     viscous: object = None
@@ -32,8 +35,18 @@ class Problem:
 
     @property
     def transform(self):
-        """(6, 6) from generalized normals about the origin to those about the rotation centre"""
-        return reference_change(self.rotation_center)
+        """(6, 6) from generalized normals about the origin to those about the rotation centre; of several (6N, 6N)"""
+        return axes_of(self.bodies) if self.bodies else reference_change(self.rotation_center)
+
+    @property
+    def dofs(self):
+        """Names of the forces, and of the motions of bodies that are not fixed"""
+        return names_of(self.bodies)
+
+    @property
+    def moving(self):
+        """Numbers of `dofs` that the bodies can move in"""
+        return moving(self.bodies)
 
 
 def check_gap(draft, depth):

@@ -17,7 +17,7 @@ import numpy as np
 
 from .checks import damping_scale
 from .drift import about, energy_defect, mean_drift
-from .modes import displacing
+from .modes import displacing, moving
 from .waves import group_factor
 
 ROUNDING = 1e-6  # of laws that the same numbers were made by
@@ -56,9 +56,10 @@ def damping_errors(db):
     if error is None:
         return np.full(len(db.omega), np.nan)
     omega = db.omega[:, None, None]
-    A = np.nan_to_num(db["added_mass"]) if "added_mass" in db.names else 0.0
-    Z = A + 1j * np.nan_to_num(db["radiation_damping"]) / omega
-    relative = (error / omega / damping_scale(Z, displacing(db.mesh))).reshape(len(omega), -1)
+    own = moving(db.bodies)
+    A = np.nan_to_num(db["added_mass"][:, own]) if "added_mass" in db.names else 0.0
+    Z = A + 1j * np.nan_to_num(db["radiation_damping"][:, own]) / omega
+    relative = (error[:, own] / omega / damping_scale(Z, displacing(db.mesh)[own])).reshape(len(omega), -1)
     return np.where(np.isnan(relative).all(axis=1), np.nan, np.nan_to_num(relative).max(axis=1, initial=0.0))
 
 
@@ -80,10 +81,11 @@ def _laws(db):
 
 
 def _radiation_laws(db, there):
-    A, B, omega = db["added_mass"], db["radiation_damping"], db.omega[:, None, None]
+    own = moving(db.bodies)
+    A, B, omega = db["added_mass"][:, own], db["radiation_damping"][:, own], db.omega[:, None, None]
     Z = A + 1j * B / omega
     size = np.sqrt(np.abs(np.einsum("nii->ni", Z)))
-    for part in (slice(0, 3), slice(3, 6)):
+    for part in _kinds(len(own)):
         floor = 1e-4 * np.nanmax(size[:, part], axis=1, initial=0.0)
         size[:, part] = np.where(size[:, part] > floor[:, None], size[:, part], np.inf)
     scale = size[:, :, None] * size[:, None, :]
@@ -100,15 +102,16 @@ def _radiation_laws(db, there):
 def _motion_defect(db):
     from .motions import response
 
-    out = []
+    out, own = [], moving(db.bodies)
     terms = zip(db.omega, db["added_mass"], db["radiation_damping"], db["excitation_force"], db["rao"], strict=True)
     for omega, A, B, F, X in terms:
         if not all(np.all(np.isfinite(part)) for part in (A, B, F, X)):
             out.append(np.nan)
             continue
-        right = response(omega, A, B, F, db.inertia_matrix, db.hydrostatic_stiffness)
+        right = response(omega, A[own], B[own], F[:, own], db.inertia_matrix[own], db.hydrostatic_stiffness[own])
         size = np.maximum(np.abs(right), np.abs(X))
-        size[:, :3], size[:, 3:] = (size[:, part].max() for part in (slice(0, 3), slice(3, 6)))
+        for part in _kinds(len(own)):
+            size[:, part] = size[:, part].max()
         out.append(float(np.max(np.abs(right - X) / np.maximum(size, 1e-300))))
     return np.array(out)
 
@@ -153,10 +156,17 @@ def _trigonometric(theta, beta):
 
 
 def _largest(*values):
-    """(n, 1, 1 or 6) of forces and of moments"""
+    """(n, 1, 1 or 6) of forces and of moments, of several bodies (n, 1, 6N)"""
     size = np.max([np.nan_to_num(np.abs(value)) for value in values], axis=0).max(axis=1, keepdims=True)
-    forces, moments = (size[..., part].max(axis=-1, keepdims=True) for part in (slice(0, 3), slice(3, 6)))
-    return np.maximum(np.repeat(np.concatenate([forces, moments], axis=-1), 3, axis=-1), 1e-300)
+    for part in _kinds(size.shape[-1]):
+        size[..., part] = size[..., part].max(axis=-1, keepdims=True)
+    return np.maximum(size, 1e-300)
+
+
+def _kinds(count):
+    """Masks (count,) of forces and of moments, six of each body"""
+    turns = np.arange(count) % 6 >= 3
+    return ~turns, turns
 
 
 def _worst(values):

@@ -23,12 +23,15 @@ class PanelMesh:
     points : (m, 3) m
     corners : (n, 4) numbers into `points`
     symmetry : which coordinates are mirrored: "" none, "x" in the plane x = 0, "y" in the plane y = 0, "xy" both
+    body : (n,) number of the body that a panel belongs to, where there are several; each mirror plane is one of every
+        body then.  None for one body
     """
 
     points: np.ndarray
     corners: np.ndarray
     symmetry: str = ""
     name: str = ""
+    body: np.ndarray | None = None
 
     def __post_init__(self):
         object.__setattr__(self, "points", np.array(self.points, float).reshape(-1, 3))
@@ -39,12 +42,30 @@ class PanelMesh:
             raise ValueError(
                 f"a panel names point {self.corners.max()}, the mesh has points 0 to {len(self.points) - 1}"
             )
+        if self.body is not None:
+            object.__setattr__(self, "body", np.array(self.body, np.int64))
+            if self.body.shape != (len(self.corners),):
+                raise ValueError(
+                    f"body has shape {self.body.shape}; allowed: ({len(self.corners)},), one for each panel"
+                )
 
     def __len__(self):
         return len(self.corners)
 
     def __repr__(self):
         return f"<PanelMesh {self.total} panels, {self.copies * self.areas.sum():.6g} m² wetted, {self.volume:.6g} m³>"
+
+    @property
+    def bodies(self):
+        """How many bodies there are"""
+        return 1 if self.body is None else int(self.body.max(initial=-1)) + 1
+
+    def of_body(self, number):
+        """The panels of one body of several, with the points they use"""
+        if self.body is None:
+            return self
+        used, corners = np.unique(self.corners[self.body == number], return_inverse=True)
+        return PanelMesh(self.points[used], corners.reshape(-1, 4), self.symmetry, self.name)
 
     @property
     def copies(self):
@@ -125,7 +146,7 @@ class PanelMesh:
         parts = []
         for sx, sy in self.reflections():
             flipped = self.corners[:, ::-1] if sx * sy < 0 else self.corners
-            parts.append(PanelMesh(self.points * (sx, sy, 1), flipped))
+            parts.append(PanelMesh(self.points * (sx, sy, 1), flipped, body=self.body))
         return replace(joined(parts), name=self.name)
 
     def moved(self, dx=0.0, dy=0.0, dz=0.0):
@@ -206,18 +227,42 @@ def _below(points, panel, cut):
     return ring
 
 
-def joined(meshes):
-    """One mesh of several that have the same mirror planes."""
-    meshes = list(meshes)
+def with_symmetry(mesh, symmetry):
+    """The same hull with some of its mirror planes alone, the images in the others written out"""
+    for axis in set(mesh.symmetry) - set(symmetry):
+        kept = mesh.symmetry.replace(axis, "")
+        mesh = replace(replace(mesh, symmetry=axis).whole(), symmetry=kept)
+    return mesh
+
+
+def assembled(hulls):
+    """One mesh of the hulls of several bodies, which keep their numbers; they have the same mirror planes."""
+    hulls = list(hulls)
+    number = np.repeat(np.arange(len(hulls)), [len(hull) for hull in hulls])
+    starts = np.cumsum([0] + [len(hull.points) for hull in hulls[:-1]])
+    corners = np.concatenate([hull.corners + start for hull, start in zip(hulls, starts, strict=True)])
+    points = np.concatenate([hull.points for hull in hulls])
+    return PanelMesh(points, corners, _shared_symmetry(hulls), " and ".join(hull.name for hull in hulls), number)
+
+
+def _shared_symmetry(meshes):
     symmetries = {m.symmetry for m in meshes}
     if len(symmetries) != 1:
         raise ValueError(f"meshes to join have different symmetry {sorted(symmetries)}; use whole() first")
+    return symmetries.pop()
+
+
+def joined(meshes):
+    """One mesh of several that have the same mirror planes."""
+    meshes = list(meshes)
+    symmetry = _shared_symmetry(meshes)
     starts = np.cumsum([0] + [len(m.points) for m in meshes[:-1]])
     return PanelMesh(
         np.concatenate([m.points for m in meshes]),
         np.concatenate([m.corners + s for m, s in zip(meshes, starts, strict=True)]),
-        symmetries.pop(),
+        symmetry,
         meshes[0].name,
+        None if meshes[0].body is None else np.concatenate([m.body for m in meshes]),
     ).merged()
 
 

@@ -176,7 +176,11 @@ def plot(
     *,
     output: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
 ):
-    """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png."""
+    """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png.
+
+    Of several bodies a picture of each, its name at the end of that of the file.
+    """
+    from hakobune.bem.bodies.one_of_several import each_body
     from hakobune.bem.database import open_database
 
     from .common.gaps import gaps_of
@@ -186,10 +190,11 @@ def plot(
     output = output or file.with_suffix(".png")
     check_picture(output, PLOTS)
     db = open_database(file)
-    plot(db, output)
-    status = tell(map(fails, gaps_of(db).words()))
-    print(output)
-    return status
+    for body in each_body(db):
+        picture = output.with_stem(f"{output.stem}_{body.name}") if db.bodies else output
+        plot(body, picture)
+        print(picture)
+    return tell(map(fails, gaps_of(db).words()))
 
 
 @app.command

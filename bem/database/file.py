@@ -18,6 +18,7 @@ from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.seals import damage, kind_filled_in
 from hakobune.meshing.whole_files import NotWritten, write_whole
 
+from ..modes import Body
 from ..waves import wavenumber
 from .integrity import MARK, ROWS, DamagedError, DatabaseError, check_schema
 from .results import check_database_version, check_seal, seal_of, what_is
@@ -29,10 +30,11 @@ from .schema import (
     ERROR,
     ESTIMATES,
     FORMAT,
-    LABELS,
+    OF_SEVERAL,
     QUANTITIES,
     SCHEMA_VERSION,
     cell_axes,
+    labels,
 )
 
 BLOCK = 4096  # bytes of the seal before a file that is filled in later
@@ -51,6 +53,7 @@ class Header:
     dimensions : what the scene calls the body's sizes, m
     scene, scene_hash : text, and the hash of the part that may not change while a file grows
     attributes : further root attributes
+    bodies : `bem.modes.Body` of each of several bodies, whose values have a row for each; empty for one
     """
 
     mesh: PanelMesh
@@ -65,6 +68,7 @@ class Header:
     scene: str = ""
     scene_hash: str = ""
     attributes: dict = field(default_factory=dict)
+    bodies: tuple = ()
 
 
 def check_place(path):
@@ -183,9 +187,10 @@ def _reason(error):
 def lay_out(file, header, omega, wave_direction, names):
     """Fill a new file with everything known beforehand, and NaN for every number still to come."""
     file.attrs.update(_attributes(header))
-    values = {"omega": omega, "wave_direction": wave_direction, "theta": header.theta, **LABELS}
+    values = {"omega": omega, "wave_direction": wave_direction, "theta": header.theta, **labels(header.bodies)}
     values["panel"] = np.arange(header.mesh.total)
-    for axis, (_, unit, kind) in COORDINATES.items():
+    coordinates = {**COORDINATES, **OF_SEVERAL} if header.bodies else COORDINATES
+    for axis, (_, unit, kind) in coordinates.items():
         data = np.array(values[axis], dtype=h5py.string_dtype() if kind is str else kind)
         dataset = file.create_dataset(axis, data=data)
         dataset.make_scale(axis)
@@ -194,7 +199,7 @@ def lay_out(file, header, omega, wave_direction, names):
     derived = (2 * np.pi / omega, k, np.degrees(wave_direction))
     for (name, (axes, unit, _)), value in zip(DERIVED.items(), derived, strict=True):
         _dataset(file, name, axes, unit, value)
-    lengths = {axis: len(file[axis]) for axis in COORDINATES}
+    lengths = {axis: len(file[axis]) for axis in coordinates}
     for name in (name for name in QUANTITIES if name in names):
         axes, unit, kind = QUANTITIES[name]
         nothing = np.full([lengths[axis] for axis in axes], np.nan, kind)
@@ -205,7 +210,8 @@ def lay_out(file, header, omega, wave_direction, names):
             _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan, ERROR))
     for name in (name for name in BODY if header.body.get(name) is not None):
         axes, unit, _ = BODY[name]
-        _dataset(file, name, axes, unit, np.asarray(header.body[name], float))
+        each = ("body",) if header.bodies and "influenced_dof" not in axes else ()
+        _dataset(file, name, each + axes, unit, np.asarray(header.body[name], float))
     for name in CHECKS:
         _dataset(file, f"checks/{name}", ("omega",), "", np.full(len(omega), np.nan))
     _dataset(file, "wall_time", ("omega",), "s, per step", np.array([steps_text({})] * len(omega), "S480"))
@@ -229,6 +235,7 @@ def _attributes(header):
         "dimensions": json.dumps(header.dimensions),
         "scene": header.scene,
         "scene_hash": header.scene_hash,
+        **({"bodies": json.dumps([body._asdict() for body in header.bodies])} if header.bodies else {}),
         **header.attributes,
     }
 
@@ -251,7 +258,8 @@ def _write_mesh(file, name, mesh):
     sizes = {"point": len(mesh.points), "coordinate": 3, "panel": len(mesh.corners), "corner": 4}
     for axis, size in sizes.items():
         group.create_dataset(axis, data=np.arange(size)).make_scale(axis)
-    for data, axes, unit in (("points", ("point", "coordinate"), "m"), ("corners", ("panel", "corner"), "")):
+    numbers = (("body", ("panel",), ""),) if mesh.body is not None else ()
+    for data, axes, unit in (("points", ("point", "coordinate"), "m"), ("corners", ("panel", "corner"), ""), *numbers):
         dataset = group.create_dataset(data, data=getattr(mesh, data))
         for place, axis in enumerate(axes):
             dataset.dims[place].attach_scale(group[axis])
@@ -259,7 +267,9 @@ def _write_mesh(file, name, mesh):
 
 
 def _read_mesh(group):
-    return PanelMesh(group["points"][()], group["corners"][()], group.attrs["symmetry"], group.attrs.get("name", ""))
+    body = group["body"][()] if "body" in group else None
+    corners, attributes = group["corners"][()], group.attrs
+    return PanelMesh(group["points"][()], corners, attributes["symmetry"], attributes.get("name", ""), body)
 
 
 def read_header(file, attributes=None):
@@ -274,7 +284,7 @@ def read_header(file, attributes=None):
 
 
 def _header(file, attributes):
-    known, there = {*_attributes(_EMPTY)}, set(file)
+    known, there = {*_attributes(_EMPTY), "bodies"}, set(file)
     return Header(
         mesh=_read_mesh(file["mesh"]),
         lid=_read_mesh(file["mesh/lid"]) if "lid" in file["mesh"] else None,
@@ -284,11 +294,16 @@ def _header(file, attributes):
         rotation_center=np.asarray(attributes["rotation_center"]),
         theta=file["theta"][()],
         body={name: file[name][()] for name in BODY if name in there},
+        bodies=tuple(_body(one) for one in json.loads(attributes.get("bodies", "[]"))),
         dimensions=json.loads(attributes["dimensions"]),
         scene=attributes["scene"],
         scene_hash=attributes["scene_hash"],
         attributes={key: value for key, value in attributes.items() if key not in known},
     )
+
+
+def _body(given):
+    return Body(**{**given, "rotation_center": tuple(given["rotation_center"])})
 
 
 _EMPTY = Header(PanelMesh(np.zeros((0, 3)), np.zeros((0, 4))), None, np.inf, 0, 0, np.zeros(3), np.zeros(0))

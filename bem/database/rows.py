@@ -211,12 +211,25 @@ class Database:
             return tomllib.loads(self.header.scene)
         return {}
 
+    @property
+    def bodies(self) -> tuple:
+        """`bem.modes.Body` of each of several bodies, empty for one"""
+        return self.header.bodies
+
     @cached_property
     def reader(self) -> Reader:
-        """`bem.database.reader.Reader`: the body in any wave, with estimated errors, from the stored rows"""
+        """`bem.database.reader.Reader`: the body in any wave, with estimated errors, from the stored rows
+
+        raises : DatabaseError for a database of several bodies
+        """
         from .reader import reader
 
         self.require()
+        if self.bodies:
+            names = ", ".join(body.name for body in self.bodies)
+            raise DatabaseError(
+                f"{self.path} is of {len(self.bodies)} bodies, {names}; allowed here: one body, solved by itself"
+            )
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:

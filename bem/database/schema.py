@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from .. import DOFS
+from ..modes import moving, names_of
 
 FORMAT = "hakobune database"
 SCHEMA_VERSION = 1
@@ -28,6 +29,7 @@ COORDINATES = {
     "panel": (("panel",), "", int),  # of the whole hull, as in mesh.whole()
     "xyz": (("xyz",), "", str),
 }
+OF_SEVERAL = {"body": (("body",), "", str)}  # of a scene of several bodies, which have a row each in `BODY`
 DERIVED = {
     "period": (("omega",), "s", float),
     "wavenumber": (("omega",), "rad/m", float),
@@ -70,6 +72,15 @@ LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not 
 NEEDS_MOTION = ("rao", "drift_force")
 ONLY_BY_NAME = ("pressure",)  # large, and wanted for few frequencies
 LABELS = {"influenced_dof": DOFS, "radiating_dof": DOFS, "drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}
+
+
+def labels(bodies):
+    """{axis: names} of a file of `bem.modes.Body` of several bodies, or none for one"""
+    if not bodies:
+        return LABELS
+    names = names_of(bodies)
+    moved = tuple(names[d] for d in moving(bodies))
+    return LABELS | {"influenced_dof": names, "radiating_dof": moved, "body": tuple(body.name for body in bodies)}
 
 
 def cell_axes(name):

@@ -163,4 +163,4 @@ def _key(question):
     """Equal for equal questions"""
     headings, want, theta, dofs = question
     parts = (np.asarray(part, float).tobytes() if part is not None else None for part in (headings, theta))
-    return (*parts, frozenset(want), tuple(dofs))
+    return (*parts, frozenset(want), tuple(dofs or ()))

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import DOFS
 from ..kernels.threads import blas_threads
 from ..modes import displacing
 from ..problem import Problem
@@ -138,7 +137,7 @@ class PreparedPanelProblem:
         probes = np.unique(np.linspace(0, len(omegas) - 1, PROBES).astype(int))
         if len(omegas) < 2 * len(probes):
             return omegas[:0]
-        runs = (self.run(omegas[i], (), RADIATION, None, DOFS) for i in probes)
+        runs = (self.run(omegas[i], (), RADIATION, None, None) for i in probes)
         beyond = np.flatnonzero([run.tolerances > 1 and run.extrapolated.tolerances > 1 for run in runs])
         if not len(beyond):
             return omegas[:0]

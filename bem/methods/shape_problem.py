@@ -8,7 +8,6 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from .. import DOFS
 from ..checks import enlarged
 from ..contour.raised_bed import SHARE, bed_share, with_bed
 from ..frequency import DRIFT, FrequencyRun
@@ -219,4 +218,4 @@ class ShapeRun(FrequencyRun):
 
     def pressure(self):
         """Of the panel method"""
-        return self.prepared.panels.run(self.omega, self.headings, {"pressure"}, None, DOFS).pressure()
+        return self.prepared.panels.run(self.omega, self.headings, {"pressure"}, None, None).pressure()

@@ -17,7 +17,7 @@ from .influence import assembled
 
 
 def added_mass_limit(prepared, which):
-    """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency.
+    """A (6, 6) about the rotation centre, of several bodies (6N, moving), for ω → `which`, "zero" or "infinity".
 
     returns : kg, kg m, kg m²; entries between two modes with net flux are +inf or −inf at zero in finite depth
     """
@@ -51,15 +51,17 @@ def unit_depth_values(z):
 
 
 def added_mass_of(prepared, potentials, which):
-    """(6, 6) about the rotation centre from the potentials (dofs of the class, n) of each symmetry class."""
+    """As `added_mass_limit`, from the potentials (dofs of the class, n) of each symmetry class."""
     g, problem, T = prepared.geometry, prepared.problem, prepared.problem.transform
     modes = g.modes * g.elements.weights[: g.hull, None] * g.copies
-    out = np.zeros((6, 6))
+    out = np.zeros((len(T), len(T)))
     for cls, phi in zip(g.classes, potentials, strict=True):
         members = g.members(cls)
         out[np.ix_(members, members)] = -problem.density * (phi @ modes[:, members]).T
     out = T @ out @ T.T
     if which == "zero" and np.isfinite(problem.depth):
-        even = [1.0 if d in g.members((1, 1)) else 0.0 for d in range(6)]  # mirror planes leave no net flux in others
+        even = [
+            1.0 if d in g.members((1, 1)) else 0.0 for d in range(len(T))
+        ]  # mirror planes leave no net flux in others
         out = with_net_flux(out, T @ modes.sum(axis=0) * even, g.elements.weights[: g.hull].sum() * g.copies)
-    return out
+    return out[:, problem.moving]

@@ -26,7 +26,7 @@ from ..green.rankine import panel_moments
 from ..kernels.jit import kernel
 from ..kernels.real_times_complex import real_times_complex
 from ..kernels.threads import parallel_rows
-from ..modes import class_of, normal_velocities
+from ..modes import class_of, modes_of, normal_velocities
 from .elements import elements, quadrature
 from .irregular_frequencies import extent, lid_needed_from
 from .reciprocal_pairs import NODES, add_wave_part
@@ -101,18 +101,21 @@ class Geometry:
 
     @property
     def modes(self):
-        """(hull nodes, 6) normal velocities of unit motions about the body's origin"""
-        n = self.hull
-        return normal_velocities(self.elements.nodes[:n] - self.origin, self.elements.normals[:n])
+        """(hull nodes, 6) normal velocities of unit motions about the body's origin; of N bodies (hull nodes, 6N)"""
+        n, body = self.hull, self.mesh.body
+        points, normals = self.elements.nodes[:n] - self.origin, self.elements.normals[:n]
+        if body is None:
+            return normal_velocities(points, normals)
+        return modes_of(self.mesh.bodies, np.repeat(body, n // len(body)), points, normals)
 
     def members(self, cls):
-        """Degrees of freedom of a symmetry class, numbers 0 … 5"""
+        """Degrees of freedom of a symmetry class, numbers 0 … 5 or, of N bodies, 0 … 6N − 1"""
         return self._members[cls]
 
     @cached_property
     def _members(self):
         symmetry = self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
-        return {cls: [d for d in range(6) if class_of(d, symmetry) == cls] for cls in self.classes}
+        return {cls: [d for d in range(6 * self.mesh.bodies) if class_of(d, symmetry) == cls] for cls in self.classes}
 
     def signs(self, cls):
         """(images,) ±1: sign of the potential on each mirror image, in a class"""
@@ -146,7 +149,7 @@ class Geometry:
         """`bem.panels.axisymmetric.Sectors` of an axisymmetric body, else None"""
         from .axisymmetric import sectors
 
-        return sectors(self)
+        return sectors(self) if self.mesh.body is None else None
 
     @cached_property
     def rankine_of_sector(self):
@@ -182,6 +185,7 @@ def _stacked(mesh, lid):
         mesh,
         points=np.concatenate([mesh.points, lid.points]),
         corners=np.concatenate([mesh.corners, lid.corners + len(mesh.points)]),
+        body=None,
     )
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..plan import convex_hull
+from hakobune.meshing.plan import convex_hull
 
 # of the lower bound, up to which results are as good without a lid: 250 panels on the box 100 × 50 × 10 m in 12, 20 and
 # 100 m are 0.94, 0.81 and 0.80 % off with and without, forces 0.34, 0.47 and 0.54 %; in 12 m these are twice as far off
@@ -32,6 +32,8 @@ def lowest_irregular(length, beam, draft):
 
 def lid_needed_from(mesh):
     """K = ω²/g in 1/m up to which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
+    if mesh.body is not None:
+        return min(lid_needed_from(mesh.of_body(i)) for i in range(mesh.bodies))
     return SHARE * lowest_irregular(*rectangle_around(mesh), mesh.draft)
 
 

@@ -112,7 +112,7 @@ class PanelRun(FrequencyRun):
         waves = np.empty((2, len(g.classes), len(self.headings), g.hull), complex)
         for j, beta in enumerate(self.headings):
             waves[:, :, j] = class_waves(g, beta, self.omega, self.k, self.problem.gravity)
-        out, force = {}, np.zeros((len(self.headings), 6), complex)
+        out, force = {}, np.zeros((len(self.headings), self.count), complex)
         for i, cls in enumerate(g.classes):
             out[cls] = waves[0, i], waves[1, i]
             own = g.members(cls)
@@ -132,7 +132,7 @@ class PanelRun(FrequencyRun):
             own = self.geometry.members(cls)
             moving = [d for d in own if d in self.dofs] if self.radiates else []
             waves = []
-            if self.diffracts and (self.far_field or self.whole_field or any(d in self.dofs for d in own)):
+            if self.diffracts and (self.far_field or self.whole_field or any(d in self.forced for d in own)):
                 waves = incident_headings[cls]
             if moving or waves:
                 table[cls] = moving, waves
@@ -213,16 +213,18 @@ class PanelRun(FrequencyRun):
     @cached_property
     def radiation(self):
         """Complex A + iB/ω (6, 6) about the origin, zero where a degree of freedom was left out"""
-        out = np.zeros((6, 6), complex)
+        out = np.zeros((self.count, self.count), complex)
         for cls, (moving, _) in self.columns.items():
-            own = [self.geometry.members(cls).index(d) for d in moving]
-            out[np.ix_(moving, moving)] = -self.problem.density * self.pressure_integrals[cls][: len(moving), own].T
+            members = self.geometry.members(cls)
+            forced = [d for d in members if d in self.forced]
+            own = [members.index(d) for d in forced]
+            out[np.ix_(forced, moving)] = -self.problem.density * self.pressure_integrals[cls][: len(moving), own].T
         return out
 
     @cached_property
     def diffraction(self):
         """Diffraction force (m, 6) about the origin"""
-        out = np.zeros((len(self.headings), 6), complex)
+        out = np.zeros((len(self.headings), self.count), complex)
         for cls, (moving, waves) in self.columns.items():
             own, pressure_integrals = self.geometry.members(cls), self.pressure_integrals[cls][len(moving) :]
             out[np.ix_(waves, own)] = -1j * self.problem.density * self.omega * pressure_integrals
@@ -249,7 +251,7 @@ class PanelRun(FrequencyRun):
         g = self.geometry
         nodes, weights, normals = self.hull
         at = np.concatenate([self.theta, self.headings])
-        radiation = np.zeros((2, 6, len(at)), complex)
+        radiation = np.zeros((2, self.count, len(at)), complex)
         diffraction = np.zeros((2, len(self.headings), len(at)), complex)
         factor = -(self.k**2) / (4 * self.group_factor * self.omega)
         for cls, (moving, waves) in self.columns.items():
@@ -296,7 +298,7 @@ class PanelRun(FrequencyRun):
         shares = shares / shares.sum(axis=1, keepdims=True)
         out = np.empty((len(self.headings), g.copies, len(shares)), complex)
         for j in range(len(self.headings)):
-            motion = self.rao[j] @ self.problem.transform if self.free else np.zeros(6)
+            motion = self.rao[j] @ self.of_motion if self.free else np.zeros(self.count)
             phi = {c: p + self.incident[0][c][0][j] for c, (p, _) in self.disturbance(j, motion).items()}
             for i in range(g.copies):
                 total = sum(g.signs(c)[i] * p for c, p in phi.items())

@@ -32,7 +32,7 @@ def overlaps(welded):
             low, high = seen.reshape(-1, 3).min(axis=0), seen.reshape(-1, 3).max(axis=0)
             centres = welded.centroids[some]
             near = centres[np.all((centres[:, :2] > low[:2]) & (centres[:, :2] < high[:2]), axis=1)]
-            inside = np.abs(_winding(near, seen)) > 0.5 if len(near) else np.zeros(0, bool)
+            inside = np.abs(winding(near, seen)) > 0.5 if len(near) else np.zeros(0, bool)
             if inside.any():
                 out.append((int(inside.sum()), len(some), near[np.argmax(inside)]))
     return out
@@ -62,7 +62,7 @@ def connected(a, b, count):
             root = root[root]
 
 
-def _winding(places, panels):
+def winding(places, panels):
     """(p,) w at places (p, 3) of panels (n, 4, 3) and their images"""
     images = panels[:, ::-1] * [1.0, 1.0, -1.0]
     corners = np.concatenate([panels, images])

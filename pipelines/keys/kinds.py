@@ -36,6 +36,13 @@ KINDS = {
         "series_box.toml",
         ("hakobune solve FILE --output box.h5",),
     ),
+    "bodies": Kind(
+        "several bodies side by side, floating or fixed",
+        "hakobune.pipelines.scene.scene:Scene",
+        "solve, look",
+        "bodies_barge_at_pier.toml",
+        ("hakobune solve FILE --output bodies.h5",),
+    ),
     "study": Kind(
         "a moored body: water, hull, lines, weather",
         "hakobune.pipelines.moor.study:Study",

@@ -14,13 +14,14 @@ from .viscous_table import viscous_of
 
 CLOSEST = 2e-9  # relative in omega, rad in heading: twice of what is one and the same in a database
 EXTENT = 1e-3, 1e6  # m, sizes and places
+MOST_BODIES = 100
 RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "band": (1e-6, 1e4)}
 
 
 def check(scene):
     """Raise SceneError for what a `scene.Scene` must not say"""
     _check_water(scene.water)
-    _check_body(scene)
+    _check_bodies(scene)
     _check_waves(scene)
     _check_rest(scene)
 
@@ -55,45 +56,98 @@ def _check_water(water):
     _within("water.gravity", water.gravity, (1e-3, 1e3))
 
 
-def _check_body(scene):
-    if len(scene.bodies) != 1:
-        raise SceneError(f"bodies has {len(scene.bodies)} entries; allowed: one")
-    body = scene.body
+def _check_bodies(scene):
+    if not 1 <= len(scene.bodies) <= MOST_BODIES:
+        raise SceneError(f"bodies has {len(scene.bodies)} entries; allowed: 1 to {MOST_BODIES}")
+    for number, body in enumerate(scene.bodies):
+        _check_body(f"bodies[{number}]", body, scene.water.depth)
+        if scene.several:
+            _check_among_others(f"bodies[{number}]", body)
+    if scene.several:
+        _check_arrangement(scene)
+    else:
+        _check_one(scene.body)
+
+
+def _check_body(key, body, depth):
     if body.shape not in SHAPES:
-        raise SceneError(f"bodies[0].shape is {body.shape!r}; allowed: {', '.join(SHAPES)}")
+        raise SceneError(f"{key}.shape is {body.shape!r}; allowed: {', '.join(SHAPES)}")
     own = SHAPES[body.shape]
-    for key in dict.fromkeys(key for keys in SHAPES.values() for key in keys):
-        value = getattr(body, key)
-        if key in own and value is None:
-            raise SceneError(f"bodies[0].{key} is missing; a {body.shape} has {', '.join(own)}")
-        if key not in own and value is not None:
-            raise SceneError(f"bodies[0].{key} is {value!r}; a {body.shape} has {', '.join(own)}")
-        if key in own and key not in ("file", "block"):
-            _within(f"bodies[0].{key}", value, EXTENT)
+    for name in dict.fromkeys(name for names in SHAPES.values() for name in names):
+        value = getattr(body, name)
+        if name in own and value is None:
+            raise SceneError(f"{key}.{name} is missing; a {body.shape} has {', '.join(own)}")
+        if name not in own and value is not None:
+            raise SceneError(f"{key}.{name} is {value!r}; a {body.shape} has {', '.join(own)}")
+        if name in own and name not in ("file", "block"):
+            _within(f"{key}.{name}", value, EXTENT)
     if body.shape == "ship":
-        _check_ship(body)
+        _check_ship(key, body)
     elif body.bow is not None or body.stern is not None:
-        raise SceneError(f"bodies[0] has a fullness of bow or stern; a {body.shape} has {', '.join(own)}")
-    if body.shape != "mesh" and body.draft >= scene.water.depth:
-        raise SceneError(
-            f"bodies[0].draft is {body.draft} in water {scene.water.depth} m deep; allowed: below the depth"
-        )
+        raise SceneError(f"{key} has a fullness of bow or stern; a {body.shape} has {', '.join(own)}")
+    if body.shape != "mesh" and body.draft >= depth:
+        raise SceneError(f"{key}.draft is {body.draft} in water {depth} m deep; allowed: below the depth")
     if body.shape == "mesh" and not Path(body.file).is_file():
-        raise SceneError(f"bodies[0].file is {body.file!r}; there is no such file")
+        raise SceneError(f"{key}.file is {body.file!r}; there is no such file")
     if body.mass is not None:
-        _within("bodies[0].mass", body.mass, (1e-9, 1e18))
+        _within(f"{key}.mass", body.mass, (1e-9, 1e18))
     for value in body.gyration or ():
-        _within("bodies[0].gyration", value, EXTENT)
-    _check_point("bodies[0].center_of_gravity", body.center_of_gravity)
+        _within(f"{key}.gyration", value, EXTENT)
+    _check_point(f"{key}.center_of_gravity", body.center_of_gravity)
 
 
-def _check_ship(body):
+def _check_one(body):
+    """What only one of several bodies has"""
+    for name in ("place", "rotation_center"):
+        if getattr(body, name) is not None:
+            way = "give it at the top of the scene" if name == "rotation_center" else "leave it out"
+            raise SceneError(f"bodies[0].{name} is {list(getattr(body, name))}, but there is one body; {way}")
+    if body.fixed:
+        raise SceneError("bodies[0].fixed is true, but nothing else is there to move; leave it out")
+
+
+def _check_among_others(key, body):
+    if not body.name or not body.name.isidentifier() or "__" in body.name:
+        raise SceneError(
+            f"{key}.name is {body.name!r}; allowed: a word of letters, digits and _ for each of several bodies"
+        )
+    if body.place is None:
+        raise SceneError(f"{key}.place is missing; allowed: [x, y, heading], m, m, degrees, for each of several bodies")
+    _check_point(f"{key}.place", (*body.place[:2], 0.0))
+    if not -360 <= body.place[2] <= 360:
+        raise SceneError(f"{key}.place has the heading {body.place[2]}; allowed: -360 to 360")
+    if body.rotation_center is not None:
+        _check_point(f"{key}.rotation_center", body.rotation_center)
+
+
+def _check_arrangement(scene):
+    """Names, what moves, and what is of one body alone"""
+    names = [body.name for body in scene.bodies]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise SceneError(f"bodies has two of the name {twice!r}; allowed: a name for each")
+    if all(body.fixed for body in scene.bodies):
+        raise SceneError("bodies are all fixed; allowed: one at least that moves")
+    if any(scene.rotation_center):
+        raise SceneError(
+            f"rotation_center is {list(scene.rotation_center)}, but there are several bodies; give it under [[bodies]]"
+        )
+    if scene.wall is not None:
+        raise SceneError(
+            f"wall is {scene.wall:g}, beside which one body is solved; leave it out, or all bodies but one"
+        )
+    files = [body.file for body in scene.bodies if body.shape == "mesh"]
+    if scene.panels is not None and files:
+        raise SceneError(f"panels is {scene.panels}, but {files[0]} has its own; leave panels out")
+
+
+def _check_ship(key, body):
     from hakobune.meshing.ship import ship
 
     try:
         ship(body.length, body.beam, body.draft, body.block, bow=body.bow, stern=body.stern, counts=(8, 2, 3))
     except ValueError as error:
-        raise SceneError(f"bodies[0]: {error}") from None
+        raise SceneError(f"{key}: {error}") from None
 
 
 def _check_point(key, point):
@@ -107,6 +161,10 @@ def _check_waves(scene):
         found = " and ".join(given) or "no frequencies"
         raise SceneError(f"waves has {found}; give one of {', '.join(FREQUENCY_KEYS)}")
     key = given[0]
+    if key == "band" and scene.several:
+        raise SceneError("waves.band places frequencies for one body, there are several; give omegas or periods")
+    if key == "xi_B" and scene.several:
+        raise SceneError("waves.xi_B needs one body with a beam, there are several; give omegas or periods")
     if key == "xi_B" and scene.body.shape == "mesh":
         raise SceneError("waves.xi_B needs a beam, a body from a mesh file has none; give omegas or periods")
     _check_list(f"waves.{key}", getattr(scene.waves, key), partial(_within, limits=RANGES[key]))
@@ -151,8 +209,8 @@ def _check_rest(scene):
         raise SceneError(f"tolerance is {scene.tolerance} and panels is {scene.panels}; allowed: one of the two")
     if not 1e-5 <= scene.accuracy <= 0.2:
         raise SceneError(f"tolerance is {scene.tolerance}; allowed: 1e-5 to 0.2")
-    if scene.panels is not None and not 8 <= scene.panels <= 100_000:
-        raise SceneError(f"panels is {scene.panels}; allowed: 8 to 100000")
+    if scene.panels is not None and not 8 * len(scene.bodies) <= scene.panels <= 100_000:
+        raise SceneError(f"panels is {scene.panels}; allowed: {8 * len(scene.bodies)} to 100000")
     if scene.panels is not None and scene.body.shape == "mesh":
         raise SceneError(f"panels is {scene.panels}, but {scene.body.file} has its own; leave panels out")
     _check_point("rotation_center", scene.rotation_center)

@@ -78,6 +78,10 @@ def overlaid(raw, flags, body):
                 waves[key] = numbers(f"--{flag}", text)
     if flags.heading is not None:
         waves["headings_deg"] = numbers("--heading", flags.heading)
+    given = [key for key in ("mass", "center_of_gravity", "gyration") if getattr(flags, key) is not None]
+    if len(bodies) > 1 and (given or body):
+        key = next(iter((*given, *body))).replace("_", "-")
+        raise SceneError(f"--{key} is of one body, the scene has {len(bodies)}; give it under [[bodies]]")
     _put(bodies[0], mass=flags.mass, trimmed=flags.trimmed or None, **body)
     for key in ("center_of_gravity", "gyration"):
         _put(bodies[0], **{key: _triple(key, getattr(flags, key))})

@@ -8,6 +8,7 @@ by its panels.
 from __future__ import annotations
 
 import hashlib
+import re
 import tomllib
 from pathlib import Path
 
@@ -18,9 +19,14 @@ from ..common.typed import typed
 from .scene import Scene, SceneError
 
 MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
-FILE = "bodies[0].file"
-FREE = ("bodies[0].mass", "bodies[0].center_of_gravity", "bodies[0].gyration", "viscous.")  # the free body alone
+FILE = re.compile(r"bodies\[\d+\]\.file")
+FREE = re.compile(r"bodies\[\d+\]\.(mass|center_of_gravity|gyration)|viscous\.")  # of the free body alone
 SAME = 1e-6  # of the hull: what is left of its points in mesh files
+
+
+def contents(scene):
+    """`content` of the mesh files of a scene, joined by "; ", None where there is none"""
+    return "; ".join(content(body.file) for body in scene.bodies if body.file is not None) or None
 
 
 def content(path):
@@ -31,16 +37,19 @@ def content(path):
 def fixed_part(scene, mesh_file=None):
     """{key: value} of all that may not change while a database grows.
 
-    mesh_file : what counts for the mesh file, None: its content now
+    mesh_file : what counts for the mesh file, of several joined by "; ", None: their content now
     """
     raw = msgspec.to_builtins(scene)
     raw = {key: value for key, value in raw.items() if key not in ("waves", "want")}
     if scene.panels is None:
         raw["tolerance"] = scene.accuracy
+    contents = iter((mesh_file or "").split("; "))
     for body in raw["bodies"]:
         del body["trimmed"]  # of which no number depends
+        if not body["fixed"]:
+            del body["fixed"]  # which files from before do not know
         if body["file"] is not None:
-            body["file"] = mesh_file or content(body["file"])
+            body["file"] = next(contents, "") or content(body["file"])
     return {key: repr(value) for key, value in _flat(raw) if value is not None}
 
 
@@ -80,14 +89,14 @@ def check_same(scene, header, output):
 
 def _flow(fixed):
     """Of a fixed part, what the flow about the body depends on"""
-    return {key: value for key, value in fixed.items() if not key.startswith(FREE)}
+    return {key: value for key, value in fixed.items() if not FREE.match(key)}
 
 
 def _stored_content(scene, header):
     """`content` of the mesh file a database was made from; "unknown" if it is not stored and panels are others now"""
     from hakobune.meshing.files import read_mesh
 
-    if MESH_FILE in header.attributes or scene.body.file is None:
+    if MESH_FILE in header.attributes or scene.several or scene.body.file is None:
         return header.attributes.get(MESH_FILE, "unknown")
     return content(scene.body.file) if _same_hull(read_mesh(scene.body.file), header.mesh) else "unknown"
 
@@ -105,7 +114,7 @@ def _same_hull(one, other):
 
 
 def _phrase(key, old, new):
-    if key == FILE and "not given" not in (old, new):
+    if FILE.fullmatch(key) and "not given" not in (old, new):
         return "the mesh file has changed"
     return f"{key} was {old}, is {new}"
 

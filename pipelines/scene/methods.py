@@ -67,7 +67,7 @@ def _chosen(scene, bed):
 def _raised_bed(scene):
     """m, the bed over which contour answers a scene of short waves alone in deep water, or None"""
     body, water = scene.body, scene.water
-    if body.shape in ("ship", "mesh") or _relative_gap(scene) <= METHODS["contour"].highest_gap:
+    if scene.several or body.shape in ("ship", "mesh") or _relative_gap(scene) <= METHODS["contour"].highest_gap:
         return None
     longest = wavenumber(scene.omegas()[0], water.depth, water.gravity)
     bed = raised_bed(body.shape, tuple(scene.dimensions.values()), scene.accuracy, float(longest))
@@ -75,7 +75,7 @@ def _raised_bed(scene):
 
 
 def _highest_resolved(scene):
-    if scene.body.shape not in MOST_WAVES:
+    if scene.several or scene.body.shape not in MOST_WAVES:
         return None
     sizes, water = tuple(scene.dimensions.values()), scene.water
     highest = wavenumber(scene.omegas()[-1], water.depth, water.gravity)
@@ -115,8 +115,9 @@ def names_given(scene, names, named):
 
 def check_method(scene):
     """Raises ValueError, one line, if the scene's method does not exist or cannot represent it."""
-    if scene.body.shape != "mesh":
-        check_gap(scene.body.draft, scene.water.depth)
+    for body in scene.bodies:
+        if body.shape != "mesh":
+            check_gap(body.draft, scene.water.depth)
     if scene.method != "auto" and scene.method not in METHODS:
         raise ValueError(f"method is {scene.method!r}; allowed: auto, {', '.join(METHODS)}")
     name, bed = scene.approach.method, _raised_bed(scene)
@@ -147,7 +148,9 @@ def _relative_gap(scene):
 def _obstacles(scene, method, bed):
     """Why a method cannot represent a scene, over the bed (m) that can be raised for it, or None"""
     out = []
-    if scene.body.shape not in method.shapes:
+    if scene.several and method is not METHODS["panel"]:
+        out.append("knows one body alone")
+    elif scene.body.shape not in method.shapes:
         out.append(f"cannot represent a body of shape {scene.body.shape!r}")
     elif math.isfinite(method.highest_gap) and bed is None:
         if math.isinf(scene.water.depth):

@@ -11,6 +11,7 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+from msgspec.structs import replace
 
 from hakobune.bem.viscous_table import ViscousTable
 from hakobune.bem.waves import wavenumber
@@ -23,7 +24,7 @@ from .tables import FREQUENCY_KEYS, SHAPES, BodyTable, SceneError, SceneTable, W
 
 
 class Scene(SceneTable, dict=True):  # where derived quantities are kept
-    """One floating body in water, its waves and what is wanted
+    """One floating body in water, or several, their waves and what is wanted
 
     want : names or groups of results, left out: everything
     tolerance : relative error asked for [0.01]; or give panels
@@ -48,8 +49,20 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
 
     @property
     def body(self):
-        """The body; scenes of several are not solved yet."""
+        """The body, or the first of several"""
         return self.bodies[0]
+
+    @property
+    def several(self):
+        """Whether there are several bodies"""
+        return len(self.bodies) > 1
+
+    def alone(self, number):
+        """The scene of one of several bodies in coordinates of its own"""
+        body = self.bodies[number]
+        own = replace(body, name=None, place=None, rotation_center=None, fixed=False)
+        center = body.rotation_center or (0.0, 0.0, 0.0)
+        return replace(self, bodies=[own], rotation_center=center, method="panel")
 
     @property
     def accuracy(self):
@@ -58,14 +71,16 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
 
     @property
     def dimensions(self):
-        """{name: m} as the shape has them"""
+        """{name: m} as the shape has them; of several bodies none"""
+        if self.several:
+            return {}
         keys = [key for key in SHAPES[self.body.shape] if key not in ("file", "block")]
         return {key: getattr(self.body, key) for key in keys}
 
     @property
     def motions_known(self):
-        """Whether the inertia of the body is given."""
-        return self.body.gyration is not None
+        """Whether the inertia is given of all bodies that move."""
+        return all(body.gyration is not None for body in self.bodies if not body.fixed)
 
     def omegas(self):
         """(n,) rad/s ascending; of a band its ends"""

@@ -56,7 +56,7 @@ class Water(SceneTable):
 
 
 class BodyTable(SceneTable):
-    """The floating body
+    """The floating body, or one of several
 
     shape : box, buoy (vertical cylinder), ship or mesh
     length : m, of a box or ship
@@ -71,6 +71,10 @@ class BodyTable(SceneTable):
     center_of_gravity : m, x, y, z; z above still water
     gyration : m, [kxx, kyy, kzz] about the centre of gravity; without them no motions
     trimmed : whether something holds the body as it is drawn, though its weight would turn it
+    name : of one of several bodies, before the names of its motions
+    place : m, m, degrees; where the origin of one of several bodies lies, and how it is turned about z
+    rotation_center : m, x, y, z from the origin of one of several bodies, that its rotations and moments are about
+    fixed : whether one of several bodies scatters waves and does not move: a caisson, a pier
     """
 
     shape: str = "box"
@@ -86,6 +90,10 @@ class BodyTable(SceneTable):
     center_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     gyration: tuple[float, float, float] | None = None
     trimmed: bool = False
+    name: str | None = None
+    place: tuple[float, float, float] | None = None
+    rotation_center: tuple[float, float, float] | None = None
+    fixed: bool = False
 
 
 class Waves(SceneTable):

@@ -14,6 +14,8 @@ def viscous_of(scene):
         return None
     if not 0 < table.wave_height < math.inf:
         raise ValueError(f"viscous.wave_height is {table.wave_height:g} m; allowed: above 0, finite")
+    if scene.several:
+        raise ValueError("viscous damping is of a scene of one body; leave [viscous] out")
     if not scene.motions_known:
         raise ValueError("viscous damping needs motions; give gyration (--gyration)")
     box = scene.dimensions if scene.body.shape == "box" else {}

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+
 import numpy as np
 
 from hakobune.bem.database.file import Header
 from hakobune.bem.kochin import angles
+from hakobune.bem.modes import moving
 from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 
-from ..scene.identity import MESH_FILE, content, fixed_part, scene_hash
+from ..scene.identity import MESH_FILE, contents, fixed_part, scene_hash
+from ..scene.scene import SceneError
 from ..scene.text import to_toml
+from .arrangement import bodies_of, in_scene, own_hulls
 
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
@@ -25,6 +30,7 @@ def make_header(scene, hull):
         rotation_center=np.array(scene.rotation_center),
         theta=kochin_angles(scene, hull.mesh, scene.shortest_wave),
         body=body_properties(scene, hull.mesh),
+        bodies=bodies_of(scene),
         dimensions=scene.dimensions,
         scene=to_toml(scene),
         scene_hash=scene_hash(fixed_part(scene)),
@@ -33,7 +39,52 @@ def make_header(scene, hull):
 
 
 def body_properties(scene, mesh):
-    """{name of `bem.database.schema.BODY`: value} of the body; no inertia matrix without radii of gyration."""
+    """{name of `bem.database.schema.BODY`: value} of the body; no inertia matrix without radii of gyration.
+
+    Of several bodies: one row for each, matrices (6N, moving) about the own point of each in its own axes.
+    """
+    return _of_several(scene, mesh) if scene.several else _of_one(scene, mesh)
+
+
+def each_body(scene, mesh, body):
+    """(name, scene, mesh, body properties) of every body that moves, of several each in coordinates of its own
+
+    body : `body_properties` of the scene
+    """
+    if not scene.several:
+        yield "", scene, mesh, body
+        return
+    for i, hull in enumerate(own_hulls(scene, mesh)):
+        if not scene.bodies[i].fixed:
+            alone = scene.alone(i)
+            yield scene.bodies[i].name, alone, hull, _of_one(alone, hull)
+
+
+@contextmanager
+def named(name):
+    """Context in which a SceneError says which body it is of"""
+    try:
+        yield
+    except SceneError as error:
+        raise SceneError(f"{name}: {error}" if name else str(error)) from None
+
+
+def _of_several(scene, mesh):
+    alone = [_of_one(scene.alone(i), hull) for i, hull in enumerate(own_hulls(scene, mesh))]
+    matrices, own = ("hydrostatic_stiffness", "inertia_matrix"), moving(bodies_of(scene))
+    known = {name: np.array([one[name] for one in alone]) for name in alone[0] if name not in matrices}
+    for name in ("center_of_mass", "center_of_buoyancy"):
+        known[name] = np.array([in_scene(*both) for both in zip(scene.bodies, known[name], strict=True)])
+    for name in matrices if scene.motions_known else matrices[:1]:
+        parts = [one.get(name, np.zeros((6, 6))) for one in alone]
+        whole = np.zeros((6 * len(parts), 6 * len(parts)))
+        for i, part in enumerate(parts):
+            whole[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = part
+        known[name] = whole[:, own]
+    return known
+
+
+def _of_one(scene, mesh):
     body, water = scene.body, scene.water
     still = hydrostatics(
         mesh,
@@ -72,6 +123,7 @@ def _attributes(scene):
     made = {"tolerance": scene.accuracy, "method": scene.approach.method}
     if scene.raised_bed is not None:
         made["raised_bed"] = scene.raised_bed
-    if scene.body.shape == "mesh":
-        made[MESH_FILE] = content(scene.body.file)
+    files = contents(scene)
+    if files is not None:
+        made[MESH_FILE] = files
     return made

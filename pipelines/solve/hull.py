@@ -1,10 +1,11 @@
-"""From a scene to panels on its body and its lid, a coarser pair of both, and the findings of their check."""
+"""From a scene to panels on its bodies and their lid, a coarser pair of both, and the findings of their check."""
 
 from __future__ import annotations
 
 import math
 import tomllib
 from dataclasses import dataclass
+from functools import partial
 
 from hakobune.bem.contour.short_waves import MOST_UNRESOLVED, MOST_WAVES, too_many, unresolved, waves_along
 from hakobune.bem.waves import wavenumber
@@ -17,6 +18,7 @@ from hakobune.meshing.quality import findings, lid_findings
 from ..common.typed import typed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
+from .arrangement import arranged, check_apart, own_hulls
 from .large import shared_band
 from .panel_counts import FEWEST, coarse_counts, fine_counts, finer_counts, meshed
 
@@ -29,7 +31,7 @@ MOST_REFINED = 5000  # panels of a mesh for single frequencies, whose full equat
 
 @dataclass(frozen=True, eq=False)
 class MeshedHull:
-    """Panels of a scene's body and of its lid (None without), and the findings of their check, one line each."""
+    """Panels of a scene's bodies and of their lid (None without), and the findings of their check, one line each."""
 
     mesh: PanelMesh
     lid: PanelMesh | None
@@ -37,29 +39,40 @@ class MeshedHull:
 
 
 def make_hull(scene):
-    """Panels and lid of the scene's body.
+    """Panels and lid of the scene's body or bodies.
 
     Raises SceneError if the frequencies ask for more panels than can be solved, or the mesh cannot be used.
     """
     if not panels_matter(scene):
         _check_waves_along(scene)
         return MeshedHull(_meshed(scene.body, FOR_SHOW), None)
-    if scene.body.shape == "mesh":
-        mesh = folded(_checked_count(scene, read_mesh(scene.body.file)))
-    elif scene.panels is not None:
-        mesh = _meshed(scene.body, scene.panels)
-    else:
-        mesh = _fine_enough(scene)
+    hulls = [_hull(scene, body) for body in scene.bodies]
+    _check_count(scene, sum(hull.total for hull in hulls))
+    mesh = arranged(scene, hulls) if scene.several else hulls[0]
     found = _usable(scene, mesh)  # a lid needs a waterline that closes
     made = make_lid(scene, mesh)
     return MeshedHull(mesh, made, (*found, *_without_errors(scene, lid_findings(mesh, made))))
 
 
-def _checked_count(scene, mesh):
-    """The mesh.  Raises SceneError for more panels than are looked at, whatever memory there is."""
-    if mesh.total > MOST_GIVEN:
-        raise SceneError(f"{scene.body.file} has {mesh.total} panels; allowed: up to {MOST_GIVEN}")
-    return mesh
+def _hull(scene, body):
+    """Panels of one body in coordinates of its own"""
+    if body.shape == "mesh":
+        mesh = read_mesh(body.file)
+        if mesh.total > MOST_GIVEN:
+            raise SceneError(f"{body.file} has {mesh.total} panels; allowed: up to {MOST_GIVEN}")
+        return folded(mesh)
+    if scene.panels is None:
+        return _fine_enough(scene, body)
+    areas = [_wetted_area(one) for one in scene.bodies]
+    return _meshed(body, round(scene.panels * _wetted_area(body) / sum(areas)) if scene.several else scene.panels)
+
+
+def _check_count(scene, total):
+    if scene.several and scene.panels is None and total > MOST_PANELS:
+        raise SceneError(
+            f"tolerance {scene.accuracy:g} asks for {total} panels on {len(scene.bodies)} bodies; allowed: "
+            f"{MOST_PANELS}; leave out the highest frequencies or give panels (--panels)"
+        )
 
 
 def stored_hull(scene, header):
@@ -105,8 +118,14 @@ def make_lid(scene, mesh):
     waterplane = -mesh.copies * mesh.area_vectors[:, 2].sum()
     if waterplane <= 0:
         return lid(mesh)
-    wide = min(scene.shortest_wave / 5, math.sqrt(waterplane / mesh.copies) / 2)
+    wide = min(scene.shortest_wave / 5, math.sqrt(_smallest_waterplane(mesh)) / 2)
     return lid(mesh, max(wide, math.sqrt(3 * waterplane / mesh.total)))
+
+
+def _smallest_waterplane(mesh):
+    """m², of the part of the hull that is meshed or, of several bodies, of a quarter of the smallest"""
+    planes = (-mesh.of_body(i).area_vectors[:, 2].sum() for i in range(mesh.bodies))
+    return min(plane * (mesh.copies / 4 if mesh.bodies > 1 else 1.0) for plane in planes if plane > 0)
 
 
 def lid_in_proportion(cover, mesh, other):
@@ -124,11 +143,20 @@ def coarse_hull(scene, mesh, cover, fewest=FEWEST):
     None for mesh files, and where the mesh itself is so coarse that half of it would tell nothing.
     cover : the lid of the mesh, or None; fewest : in a direction
     """
-    counts = None if scene.body.shape == "mesh" else coarse_counts(scene.body, mesh, fewest)
-    if counts is None:
+    coarse = _remeshed(scene, mesh, partial(coarse_counts, fewest=fewest))
+    return None if coarse is None else (coarse, lid_in_proportion(cover, mesh, coarse))
+
+
+def _remeshed(scene, mesh, counts):
+    """The mesh of a scene with the counts that counts(body, mesh of the body) gives; None where it gives none"""
+    if any(body.shape == "mesh" for body in scene.bodies):
         return None
-    coarse = meshed(scene.body, counts)
-    return coarse, lid_in_proportion(cover, mesh, coarse)
+    hulls = own_hulls(scene, mesh) if scene.several else [mesh]
+    found = [counts(body, hull) for body, hull in zip(scene.bodies, hulls, strict=True)]
+    if any(one is None for one in found):
+        return None
+    made = [meshed(body, one) for body, one in zip(scene.bodies, found, strict=True)]
+    return arranged(scene, made) if scene.several else made[0]
 
 
 def coarse_hull_of(header, fewest, cover):
@@ -157,24 +185,25 @@ class FinerHull:
         return shared_band(self.scene, mesh, lid, omegas)
 
     def __call__(self, mesh, cover):
-        finer = meshed(self.scene.body, finer_counts(self.scene.body, mesh))
+        finer = _remeshed(self.scene, mesh, finer_counts)
         return None if finer.total > MOST_REFINED else (finer, lid_in_proportion(cover, mesh, finer))
 
 
 def finer_hull(scene):
     """`FinerHull`; None for mesh files and a number of panels that was asked for, which promise no tolerance"""
-    return FinerHull(scene) if scene.body.shape != "mesh" and scene.panels is None else None
+    given = scene.panels is not None or any(body.shape == "mesh" for body in scene.bodies)
+    return None if given else FinerHull(scene)
 
 
 def _meshed(body, panels):
     return meshed(body, None, panels=panels)
 
 
-def _fine_enough(scene):
-    """A mesh of the panels the tolerance asks for, or more so that there are `PER_WAVE` along every wave."""
+def _fine_enough(scene, body):
+    """A mesh of a body of the panels the tolerance asks for, or more so that there are `PER_WAVE` along every wave."""
     wave = scene.shortest_wave
-    least = _wetted_area(scene.body) / (wave / PER_WAVE) ** 2  # no panel is larger than the square of its edge
-    mesh = None if least > MOST_PANELS else meshed(scene.body, fine_counts(scene.body, scene.accuracy, wave / PER_WAVE))
+    least = _wetted_area(body) / (wave / PER_WAVE) ** 2  # no panel is larger than the square of its edge
+    mesh = None if least > MOST_PANELS else meshed(body, fine_counts(body, scene.accuracy, wave / PER_WAVE))
     if mesh is None or mesh.total > MOST_PANELS:
         raise SceneError(
             f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for "
@@ -193,7 +222,8 @@ def _wetted_area(body):
 def _usable(scene, mesh):
     """What the check of a mesh finds.  Raises SceneError if it is an error, or panels are longer than the wave."""
     wave = scene.shortest_wave
-    found = _without_errors(scene, findings(mesh, scene.water.depth, wave))
+    apart = check_apart(scene, mesh) if scene.several else ()
+    found = (*apart, *_without_errors(scene, findings(mesh, scene.water.depth, wave)))
     if mesh.sizes.max() > wave:  # of two nodes along an edge, fewer than two a wave: nothing is left of it
         raise SceneError(
             f"{_name(scene)}: panels up to {mesh.sizes.max():.3g} m cannot carry the shortest wave, {wave:.3g} m; "
@@ -213,4 +243,4 @@ def _without_errors(scene, found):
 
 
 def _name(scene):
-    return scene.body.file or "mesh"
+    return "mesh of several bodies" if scene.several else scene.body.file or "mesh"

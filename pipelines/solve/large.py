@@ -12,6 +12,7 @@ from hakobune.bem.database.schema import ESTIMATES, QUANTITIES
 from hakobune.bem.kernels.progress import FINER
 from hakobune.bem.methods.panel_problem import WORTH_COMPRESSING, PanelProblem
 from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.modes import moving, names_of
 from hakobune.bem.waves import wavenumber
 
 from ..common.bounds import WORTH_TELLING, check_memory, check_seconds, told
@@ -100,7 +101,8 @@ def check_database(header, frequencies, headings, names):
 
     header : `bem.database.file.Header`; frequencies, headings : how many; names : of the quantities
     """
-    lengths = dict.fromkeys(("influenced_dof", "radiating_dof"), 6) | {"drift_dof": 3}
+    lengths = {"influenced_dof": len(names_of(header.bodies)), "radiating_dof": len(moving(header.bodies))}
+    lengths |= {"drift_dof": 3, "body": max(1, len(header.bodies))}
     lengths |= {
         "omega": frequencies,
         "wave_direction": headings,

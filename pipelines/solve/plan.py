@@ -18,7 +18,7 @@ from ..scene.identity import check_same, fixed_part, scene_hash
 from ..scene.methods import FAR_FIELD, check_method
 from ..scene.scene import Scene, SceneError
 from ..scene.text import to_toml
-from .header import body_properties, kochin_angles, make_header
+from .header import body_properties, each_body, kochin_angles, make_header, named
 from .hull import make_hull, stored_hull
 from .large import check_database
 from .problem import problem_of
@@ -81,7 +81,9 @@ def resumed(scene, file):
 
 
 def _plan(scene, hull, header):
-    check_weight(scene, hull.mesh, header.body)
+    for name, *one in each_body(scene, hull.mesh, header.body):
+        with named(name):
+            check_weight(*one)
     asked = scene.omegas(), scene.headings(), scene.names()
     check_database(header, len(asked[0]), len(asked[1]), asked[2])
     return Plan(scene, *asked, header, problem_of(header, scene), remarks(scene, hull, header.body))

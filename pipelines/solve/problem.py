@@ -10,6 +10,7 @@ from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
 from ..scene.viscous_table import viscous_of
+from .arrangement import bodies_of
 from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band
 from .panel_counts import fine_counts, meshed
@@ -24,6 +25,7 @@ def problem_of(header, scene):
         "rotation_center": tuple(float(x) for x in header.rotation_center),
         "inertia_matrix": header.body.get("inertia_matrix"),
         "hydrostatic_stiffness": header.body.get("hydrostatic_stiffness"),
+        "bodies": bodies_of(scene),
         "viscous": viscous_of(scene),
         "tolerance": scene.accuracy,
     }

@@ -8,6 +8,7 @@ from hakobune.bem.database.schema import NEEDS_MOTION
 
 from ..scene.methods import names_given
 from ..scene.products import expand
+from .header import each_body
 from .hull import panels_matter
 from .weight import weight_remarks
 
@@ -27,9 +28,14 @@ def remarks(scene, hull, body):
         *lid_or_waves,
         *_density_remarks(scene.water.density),
         *_gravity_remarks(scene.water.gravity),
-        *weight_remarks(scene, hull.mesh, body),
+        *_weight_remarks(scene, hull.mesh, body),
         *_motion_remarks(scene),
     )
+
+
+def _weight_remarks(scene, mesh, body):
+    for name, *one in each_body(scene, mesh, body):
+        yield from (f"{name}: {said}" if name else said for said in weight_remarks(*one))
 
 
 def _density_remarks(density):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hakobune.bem.bodies.one_of_several import each_body
 from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.database.natural_periods import natural_periods
 from hakobune.bem.database.resonances import resonances
@@ -93,7 +94,7 @@ def missed_tolerance(db):
 
 def gives_panels(scene):
     """Whether a scene says which panels, as a number or a mesh file, so that no tolerance is promised"""
-    return scene.panels is not None or scene.body.shape == "mesh"
+    return scene.panels is not None or any(body.shape == "mesh" for body in scene.bodies)
 
 
 def failures(outcome, db, own_panels):
@@ -110,13 +111,15 @@ def failures(outcome, db, own_panels):
 
 
 def body_table(db):
-    """rich table of the floating body at rest"""
-    table = _table("body at rest")
+    """rich table of the floating body at rest, or of several in a column each"""
+    bodies = each_body(db)
+    table = _table("bodies at rest" if db.bodies else "body at rest")
     table.add_column("quantity")
-    table.add_column("value", justify="right")
+    for body in bodies:
+        table.add_column(body.name if db.bodies else "value", justify="right")
     table.add_column("unit")
-    for text, value, unit in _body_rows(db):
-        table.add_row(text, value, unit)
+    for rows in zip(*map(_body_rows, bodies), strict=True):
+        table.add_row(rows[0][0], *(value for _, value, _ in rows), rows[0][2])
     return table
 
 
@@ -138,7 +141,7 @@ def checks_table(checks):
 
 def resonances_of(db):
     """A line for each resonance of the freely floating body of a database"""
-    if "rao" not in db.names or not len(db.omega):
+    if db.bodies or "rao" not in db.names or not len(db.omega):
         return []
     try:
         body = db.reader
@@ -178,7 +181,13 @@ def _body_rows(db):
     yield "mass", f"{db.mass / 1000:.6g}", "t"
     yield "center of gravity", _point(db.center_of_mass), "m"
     yield "center of buoyancy", _point(db.center_of_buoyancy), "m"
-    yield "rotation center", _point(db.rotation_center), "m"
+    if db.bodies:
+        body = db.database.bodies[db.number]
+        yield "rotation center", _point(body.rotation_center), "m"
+        yield "heading", f"{np.degrees(body.heading):.6g}", "°"
+        yield "moves", "no, fixed" if body.fixed else "yes", ""
+    else:
+        yield "rotation center", _point(db.rotation_center), "m"
     yield "waterplane", f"{db.waterplane_area:.6g}", "m²"
     yield "GM transverse", f"{db.transverse_metacentric_height:.4g}", "m"
     yield "GM longitudinal", f"{db.longitudinal_metacentric_height:.4g}", "m"
@@ -187,7 +196,7 @@ def _body_rows(db):
 
 def _free_periods(db):
     """Heave, roll and pitch of the free body; a period outside the stored band, where A is held, is marked by ~"""
-    if "added_mass" not in db.names or not len(db.omega):
+    if db.bodies or "added_mass" not in db.names or not len(db.omega):
         return
     try:
         if db.reader.inertia is None:

@@ -22,7 +22,7 @@ ALL = np.ones(6, bool)
 
 
 def run(**more):
-    given = {"dofs": np.arange(6), "radiates": True, "diffracts": True}
+    given = {"dofs": np.arange(6), "forced": np.arange(6), "radiates": True, "diffracts": True}
     prepared = SimpleNamespace(displacing=more.pop("displacing", ALL), radius=more.pop("radius", 8.0))
     return SimpleNamespace(**given, **more, prepared=prepared)
 

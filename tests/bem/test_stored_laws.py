@@ -41,6 +41,7 @@ def drift(order, series, beta, k, n):
 class Made(SimpleNamespace):
     density, gravity, water_depth, rotation_center = RHO, G, DEPTH, CENTER
     omega, wave_direction, has_viscous_motions, mesh = OMEGA, BETA, False, box(20, 10, 4, panels=40)
+    bodies = ()
 
     @property
     def names(self):

@@ -45,7 +45,8 @@ class CompressedRun(PanelRun):
         """
         areas, density = self.hull[1] * self.geometry.copies, self.problem.density
         of_modes = np.sqrt(areas @ self.prepared.modes**2)
-        radiation, excitation = np.zeros((6, 6)), np.zeros((len(self.headings), 6))
+        count = len(of_modes)
+        radiation, excitation = np.zeros((count, count)), np.zeros((len(self.headings), count))
         for cls, (moving, waves) in self.columns.items():
             sizes, own = np.sqrt(np.abs(self.potentials[cls]) ** 2 @ areas), self.geometry.members(cls)
             bounds = density * self.compression * np.outer(sizes, of_modes[own])

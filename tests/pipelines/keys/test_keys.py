@@ -108,4 +108,4 @@ def test_keys_are_found_by_command_table_and_name(capsys):
     assert "inf for deep water" in capsys.readouterr().out
     assert cli.main(["keys", "scene", "nothing"]) == 2
     assert cli.main(["keys", "pasta"]) == 2
-    assert "allowed: scene, study" in capsys.readouterr().err
+    assert "allowed: scene, bodies, study" in capsys.readouterr().err

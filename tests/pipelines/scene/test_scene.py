@@ -31,7 +31,11 @@ FAULTS = {
     "no draft": ("draft = 10.0", "", ("bodies[0].draft", "missing", "length, beam, draft")),
     "radius of a box": ("draft = 10.0", "draft = 10.0\nradius = 3.0", ("bodies[0].radius", "3.0")),
     "unknown shape": ('"box"', '"bowl"', ("shape", "bowl", "box, buoy, ship, mesh")),
-    "two bodies": ("[waves]", '[[bodies]]\nshape = "box"\n[waves]', ("bodies", "2")),
+    "a body among others without name": (
+        "[waves]",
+        '[[bodies]]\nshape = "buoy"\nradius = 3.0\ndraft = 2.0\n[waves]',
+        ("bodies[0].name", "None"),
+    ),
     "no such mesh file": (
         'shape = "box"\nlength = 100.0\nbeam = 50.0\ndraft = 10.0',
         'shape = "mesh"\nfile = "no.gdf"',

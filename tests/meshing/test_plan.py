@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
-from hakobune.bem.plan import convex_hull
+from hakobune.meshing.plan import convex_hull
 
 
 def clouds():

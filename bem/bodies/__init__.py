@@ -1,0 +1,1 @@
+"""Databases of several bodies: what is of one of them."""

@@ -1,0 +1,92 @@
+"""One body of a database of several: its own forces, and its own motions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..database.rows import Database, DatabaseError
+from ..database.schema import BODY, QUANTITIES
+from ..modes import moving
+
+
+@dataclass(frozen=True, eq=False)
+class OneOfSeveral:
+    """What a `Database` of several bodies holds of the body `number`.
+
+    Forces and added mass are those on it, motions and radiation its own; mean drift is that of all bodies together, and
+    not among `names`.  Quantities have the axes of a database of one body; of a fixed body there are no motions.
+    """
+
+    database: Database
+    number: int
+
+    def __getattr__(self, name: str) -> Any:
+        if name in BODY:
+            value = self.database.header.body.get(name)
+            if value is None or "influenced_dof" not in BODY[name][0]:
+                return None if value is None else value[self.number]
+            return value[np.ix_(self._forces, self._motions)]
+        return getattr(self.database, name)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        value = self.database[name]
+        for place, axis in enumerate(QUANTITIES[name][0] if name in QUANTITIES else ()):
+            own = {"influenced_dof": self._forces, "radiating_dof": self._motions}.get(axis)
+            if own is not None:
+                value = np.take(value, own, axis=place - len(QUANTITIES[name][0]))
+        return value
+
+    @property
+    def name(self) -> str:
+        """Of the body"""
+        return self.database.bodies[self.number].name
+
+    @property
+    def fixed(self) -> bool:
+        """Whether it does not move"""
+        return self.database.bodies[self.number].fixed
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Quantities that are of this body alone"""
+        axes = {"influenced_dof"} if self.fixed else {"influenced_dof", "radiating_dof"}
+        found = (name for name in self.database.names if axes & {*QUANTITIES[name][0]})
+        return tuple(name for name in found if not (self.fixed and "radiating_dof" in QUANTITIES[name][0]))
+
+    @cached_property
+    def mesh(self):
+        """PanelMesh of its hull"""
+        database = self.database
+        return replace(database.mesh.of_body(self.number), name=f"{self.name} of {database.path.stem}")
+
+    @property
+    def reader(self):
+        """None: the motions of one body follow from those of all"""
+        return None
+
+    @property
+    def _forces(self):
+        return list(range(6 * self.number, 6 * self.number + 6))
+
+    @property
+    def _motions(self):
+        own = moving(self.database.bodies)
+        return [own.index(d) for d in self._forces if d in own]
+
+
+def each_body(database):
+    """`OneOfSeveral` of every body; of a database of one body itself"""
+    return [OneOfSeveral(database, i) for i in range(len(database.bodies))] or [database]
+
+
+def body_named(database, name):
+    """`OneOfSeveral` of the body of a name.  Raises DatabaseError for one that is not there."""
+    found = [one for one in each_body(database) if database.bodies and one.name == name]
+    if not found:
+        known = ", ".join(body.name for body in database.bodies) or "one body without a name"
+        raise DatabaseError(f"{database.path} has no body {name!r}; it has {known}")
+    return found[0]

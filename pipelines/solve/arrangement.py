@@ -1,0 +1,117 @@
+"""Several bodies of a scene: from hulls in coordinates of their own to one mesh, and back."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hakobune.bem.modes import Body
+from hakobune.meshing.mirror import folded
+from hakobune.meshing.panels import assembled, with_symmetry
+from hakobune.meshing.quality.overlap import winding
+
+from ..scene.scene import SceneError
+
+TOUCHING = 1e-6  # of the size of the whole: bodies that are closer touch
+NEAR = 8  # panels of another body that are looked at from a corner
+
+
+def bodies_of(scene):
+    """`bem.modes.Body` of each of several bodies, empty for one"""
+    if not scene.several:
+        return ()
+    return tuple(Body(body.name, _center(body), math.radians(body.place[2]), body.fixed) for body in scene.bodies)
+
+
+def arranged(scene, hulls):
+    """One mesh of hulls, each in coordinates of its own, at the places of the bodies of a scene.
+
+    It has the mirror planes that every body has in its place.
+    """
+    placed = [folded(_at_place(hull, body.place)) for hull, body in zip(hulls, scene.bodies, strict=True)]
+    shared = "".join(axis for axis in "xy" if all(axis in hull.symmetry for hull in placed))
+    return assembled([with_symmetry(hull, shared) for hull in placed])
+
+
+def own_hulls(scene, mesh):
+    """Of a mesh of several bodies each in coordinates of its own, with its mirror planes"""
+    return [folded(_at_origin(mesh.of_body(i).whole(), body.place)) for i, body in enumerate(scene.bodies)]
+
+
+def in_scene(body, point):
+    """(3,) m in coordinates of the scene of a point in those of a body"""
+    x, y, angle = body.place[0], body.place[1], math.radians(body.place[2])
+    turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
+    return turn @ np.asarray(point, float) + (x, y, 0.0)
+
+
+def check_apart(scene, mesh):
+    """Raise SceneError for two bodies that lie in each other or touch; lines on those closer than their panels allow"""
+    said = []
+    hulls = [mesh.of_body(i).whole() for i in range(mesh.bodies)]
+    reach = TOUCHING * float(np.ptp(mesh.whole().points, axis=0).max())
+    for i, one in enumerate(hulls):
+        for j in range(i + 1, len(hulls)):
+            gap, size = _gap(one, hulls[j])
+            names = f"{scene.bodies[i].name} and {scene.bodies[j].name}"
+            if _overlap(one, hulls[j]) or _overlap(hulls[j], one):
+                raise SceneError(f"{names} lie in each other; allowed: water between them; move one (place)")
+            if gap <= reach:
+                raise SceneError(f"{names} touch; allowed: water between them, or one mesh of both (place)")
+            if gap < size / 2:
+                said.append(
+                    f"{names} are {gap:.3g} m apart, their panels there up to {size:.3g} m long; good: at most twice "
+                    "the gap; ask for more panels"
+                )
+    return tuple(said)
+
+
+def _overlap(one, other):
+    """Whether a corner of a hull lies in another one"""
+    low, high = other.points.min(axis=0), other.points.max(axis=0)
+    near = one.centroids[np.all((one.centroids[:, :2] > low[:2]) & (one.centroids[:, :2] < high[:2]), axis=1)]
+    return len(near) > 0 and bool(np.any(np.abs(winding(near, other.vertices)) > 0.5))
+
+
+def _gap(one, other):
+    """m, the distance of two hulls, from the corners and centres of one to near panels of the other, and their size"""
+    from scipy.spatial import KDTree
+
+    least, size = math.inf, 0.0
+    for a, b in ((one, other), (other, one)):
+        points = np.concatenate([a.points, a.centroids])
+        _, near = KDTree(b.centroids).query(points, k=min(NEAR, len(b)))
+        near = near.reshape(len(points), -1)
+        distance = _distance(points[:, None], b.flat_vertices[near], b.normals[near])
+        place = np.unravel_index(np.argmin(distance), distance.shape)
+        if distance[place] < least:
+            least, size = float(distance[place]), float(b.sizes[near[place]])
+    return least, size
+
+
+def _distance(point, corners, normal):
+    """(p, k) m of points (p, 1, 3) from flat panels (p, k, 4, 3): to the plane above a panel, else to its sides"""
+    side = np.roll(corners, -1, axis=-2) - corners
+    ahead = point[..., None, :] - corners
+    above = np.all(np.einsum("...i,...i", np.cross(side, ahead), normal[..., None, :]) >= 0, axis=-1)
+    length = np.einsum("...i,...i", side, side)
+    share = np.clip(np.einsum("...i,...i", ahead, side) / np.where(length > 0, length, 1.0), 0, 1)
+    to_sides = np.linalg.norm(ahead - share[..., None] * side, axis=-1).min(axis=-1)
+    return np.where(above, np.abs(np.einsum("...i,...i", ahead[..., 0, :], normal)), to_sides)
+
+
+def _center(body):
+    return tuple(float(x) for x in in_scene(body, body.rotation_center or (0.0, 0.0, 0.0)))
+
+
+def _at_place(hull, place):
+    x, y, heading = place
+    turned = hull.rotated(math.radians(heading)) if heading else hull
+    return turned.moved(dx=x, dy=y)
+
+
+def _at_origin(hull, place):
+    x, y, heading = place
+    moved = hull.moved(dx=-x, dy=-y)
+    return moved.rotated(-math.radians(heading)) if heading else moved

@@ -1,0 +1,204 @@
+"""A scene of several bodies from its tables to its database, and what it may not say."""
+
+import tomllib
+
+import numpy as np
+import pytest
+
+from hakobune.bem.bodies.one_of_several import body_named, each_body
+from hakobune.bem.database import DatabaseError, open_database
+from hakobune.bem.modes import Body
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.checking import check
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.scene.text import to_toml
+from hakobune.pipelines.solve.arrangement import _gap, arranged, own_hulls
+from hakobune.pipelines.solve.hull import coarse_hull, finer_hull, make_hull
+from hakobune.pipelines.solve.plan import planned
+from hakobune.pipelines.solve.run import solve
+
+BARGE = {"name": "barge", "shape": "box", "length": 12.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 4.0, 0.0],
+         "gyration": [1.6, 3.6, 3.6], "center_of_gravity": [0, 0, 0.2], "rotation_center": [0.0, 0.0, 0.2]}  # fmt: skip
+PIER = {"name": "pier", "shape": "box", "length": 6.0, "beam": 2.0, "draft": 4.0, "place": [1.0, -4.0, 90.0],
+        "fixed": True}  # fmt: skip
+
+
+def tables(*bodies, **more):
+    waves = {"omegas": [1.0, 1.4], "headings_deg": [0.0, 60.0]}
+    return {"water": {"depth": 9.0}, "bodies": list(bodies or (BARGE, PIER)), "waves": waves, "panels": 120, **more}
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = tmp_path_factory.mktemp("several") / "quay.h5"
+    outcome = solve(make_scene(tables()), path)
+    assert outcome.exit_status == 0
+    return path
+
+
+def test_names_axes_and_bodies_of_the_database(database):
+    db = open_database(database)
+    assert list(db["radiating_dof"]) == [f"barge__{d}" for d in ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")]
+    assert len(db["influenced_dof"]) == 12 and db["influenced_dof"][6] == "pier__Surge"
+    assert list(db["body"]) == ["barge", "pier"]
+    assert db["added_mass"].shape == (2, 12, 6) and db["rao"].shape == (2, 2, 6)
+    assert db["added_mass_infinity"].shape == (12, 6) and db["kochin_radiation"].shape[1] == 6
+    barge, pier = db.bodies
+    assert barge == Body("barge", (0.0, 4.0, 0.2)) and pier.fixed and pier.heading == pytest.approx(np.pi / 2)
+    assert db.complete and check(database, _console()) == 0
+
+
+def test_rest_of_each_by_hand(database):
+    """Displaced 12·5·1.5 and 6·2·4 m³, ρgA and ρg∫y²dA, and the coordinates of the scene for places"""
+    db = open_database(database)
+    assert db.displaced_volume == pytest.approx([90.0, 48.0]) and db.mass == pytest.approx([1025 * 90, 1025 * 48])
+    assert db.center_of_buoyancy == pytest.approx(np.array([[0, 4, -0.75], [1, -4, -2.0]]))
+    assert db.center_of_mass[0] == pytest.approx([0, 4, 0.2])
+    rho_g = 1025 * 9.80665
+    C = db.hydrostatic_stiffness
+    assert C.shape == (12, 6) and C[2, 2] == pytest.approx(rho_g * 60) and not C[6:].any()
+    assert C[3, 3] == pytest.approx(rho_g * (12 * 5**3 / 12 + 90 * (-0.75 - 0.2)))
+    assert db.inertia_matrix[4, 4] == pytest.approx(1025 * 90 * 3.6**2)
+
+
+def test_one_of_several_has_its_own_forces_and_motions(database):
+    db = open_database(database)
+    barge, pier = each_body(db)
+    assert barge["added_mass"].shape == (2, 6, 6) and pier["excitation_force"].shape == (2, 2, 6)
+    assert np.array_equal(pier["excitation_force"], db["excitation_force"][..., 6:])
+    assert "rao" in barge.names and "rao" not in pier.names and "drift_force" not in barge.names
+    assert pier.mesh.volume == pytest.approx(48.0) and barge.inertia_matrix.shape == (6, 6)
+    assert body_named(db, "pier").fixed
+    with pytest.raises(DatabaseError, match=r"no body 'ship'; it has barge, pier"):
+        body_named(db, "ship")
+
+
+def test_a_study_of_one_body_says_so(database):
+    with pytest.raises(DatabaseError, match=r"of 2 bodies, barge, pier; allowed here: one body"):
+        _ = open_database(database).reader
+
+
+def test_more_frequencies_and_another_weight_without_solving_what_is_there(database, tmp_path):
+    path = tmp_path / "more.h5"
+    path.write_bytes(database.read_bytes())
+    wider = tables(waves={"omegas": [1.0, 1.2, 1.4], "headings_deg": [0.0, 60.0]})
+    assert solve(make_scene(wider), path).solved == 1
+    before = open_database(path)["rao"]
+    heavier = tables({**BARGE, "gyration": [1.6, 3.9, 3.9]}, PIER, waves=wider["waves"])
+    assert solve(make_scene(heavier), path).solved == 0
+    assert not np.allclose(before, open_database(path)["rao"])
+    moved = tables({**BARGE, "place": [0.0, 4.5, 0.0]}, PIER, waves=wider["waves"])
+    with pytest.raises(SceneError, match=r"another scene: .*bodies\[0\]\.place was \(0\.0, 4\.0, 0\.0\), is"):
+        solve(make_scene(moved), path)
+
+
+def test_the_text_of_a_scene_reads_back():
+    scene = make_scene(tables())
+    assert make_scene(tomllib.loads(to_toml(scene))) == scene
+
+
+def test_each_hull_comes_back_from_its_place():
+    """A quarter of box and pier, whatever planes the whole has"""
+    scene = make_scene(tables())
+    hulls = own_hulls(scene, make_hull(scene).mesh)
+    assert [hull.symmetry for hull in hulls] == ["xy", "xy"]
+    assert np.abs(hulls[1].points).max(axis=0) == pytest.approx([3.0, 1.0, 4.0])
+    assert arranged(scene, hulls).volume == pytest.approx(138.0)
+
+
+@pytest.mark.parametrize(
+    ("places", "planes"),
+    [([[0, 4, 0], [0, -4, 90]], "x"), ([[9, 0, 180], [-9, 0, 0]], "y"), ([[9, 1, 0], [0, -4, 0]], ""),
+     ([[9, 0, 30], [-9, 0, 0]], "")],
+)  # fmt: skip
+def test_mirror_planes_are_those_of_every_body_in_its_place(places, planes):
+    bodies = [{**body, "place": place} for body, place in zip((BARGE, PIER), places, strict=True)]
+    assert make_hull(make_scene(tables(*bodies))).mesh.symmetry == planes
+
+
+def test_coarser_and_finer_meshes_of_all_bodies():
+    """About half and twice as many panels, for the estimate and for frequencies that miss the tolerance"""
+    scene = make_scene({**tables(tolerance=0.02), "panels": None})
+    hull = make_hull(scene)
+    coarse, cover = coarse_hull(scene, hull.mesh, hull.lid)
+    finer, _ = finer_hull(scene)(hull.mesh, hull.lid)
+    assert 0.35 < coarse.total / hull.mesh.total < 0.8 and 1.6 < finer.total / hull.mesh.total < 2.6
+    assert coarse.bodies == finer.bodies == 2 and cover.symmetry == coarse.symmetry
+    assert coarse.volume == pytest.approx(138.0) and finer.volume == pytest.approx(138.0)
+
+
+FAULTS = {
+    "no name": (({**BARGE, "name": None}, PIER), "bodies[0].name is None"),
+    "two of a name": ((BARGE, {**PIER, "name": "barge"}), "two of the name 'barge'"),
+    "a name of two words": (({**BARGE, "name": "my barge"}, PIER), "a word of letters"),
+    "no place": (({**BARGE, "place": None}, PIER), "bodies[0].place is missing"),
+    "a far heading": (({**BARGE, "place": [0, 4, 400]}, PIER), "heading 400"),
+    "all fixed": (({**BARGE, "fixed": True}, PIER), "all fixed"),
+    "deeper than the water": ((BARGE, {**PIER, "draft": 9.0}), "bodies[1].draft is 9.0"),
+    "place of one body": (
+        ({**BARGE, "rotation_center": None},),
+        "bodies[0].place is [0.0, 4.0, 0.0], but there is one",
+    ),
+    "one fixed body": (({**PIER, "place": None},), "bodies[0].fixed is true"),
+}
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_what_a_scene_of_several_may_not_say_is_one_line(name):
+    bodies, said = FAULTS[name]
+    with pytest.raises(SceneError) as error:
+        make_scene(tables(*bodies))
+    assert said in str(error.value) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [({"wall": 20.0}, "beside which one body is solved"), ({"method": "contour"}, "knows one body alone"),
+     ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"), ({"panels": 9}, "allowed: 16 to"),
+     ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
+     ({"waves": {"band": {"from": 0.5, "to": 1.0}}}, "places frequencies for one body"),
+     ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "leave [viscous] out")],
+)  # fmt: skip
+def test_what_several_bodies_do_not_have_is_refused(more, said):
+    with pytest.raises(SceneError) as error:
+        make_scene(tables(**more))
+    assert said in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("place", "said"),
+    [([0.0, 3.0, 0.0], "barge and other lie in each other"), ([0.0, -1.0, 0.0], "barge and other touch")],
+)
+def test_bodies_that_overlap_or_touch_are_named(place, said):
+    """Boxes 5 m wide about y = 4 and 3, and about 4 and −1, which share a side"""
+    other = {**BARGE, "name": "other", "place": place}
+    with pytest.raises(SceneError, match=said):
+        make_hull(make_scene(tables(BARGE, other)))
+
+
+def test_a_gap_narrower_than_its_panels_is_said():
+    other = {**BARGE, "name": "other", "place": [0.0, -1.05, 0.0]}
+    found = make_hull(make_scene(tables(BARGE, other))).findings
+    assert any("barge and other are 0.05 m apart" in line for line in found)
+
+
+def test_the_distance_of_two_boxes():
+    """Sides 3 m apart; corners 3 m and 4 m apart in plan are 5 m"""
+    one, other = box(12.0, 5.0, 1.5, panels=60).whole(), box(6.0, 2.0, 4.0, panels=60).whole()
+    assert _gap(one, other.moved(dy=6.5))[0] == pytest.approx(3.0)
+    assert _gap(one, other.moved(dx=12.0, dy=7.5))[0] == pytest.approx(5.0)
+
+
+def test_weight_is_judged_body_by_body():
+    """A centre of gravity a metre off turns the barge, and says which body it is of"""
+    with pytest.raises(SceneError, match=r"^barge: center_of_gravity is 1 m off the centre of buoyancy in x"):
+        planned(make_scene(tables({**BARGE, "center_of_gravity": [1.0, 0, 0.2]}, PIER)))
+    remarks = planned(make_scene(tables({**BARGE, "mass": 80e3}, PIER))).remarks
+    assert any(line.startswith("barge: mass 80000 kg is not the displaced") for line in remarks)
+    assert not any(line.startswith("pier: ") for line in remarks)
+
+
+def _console():
+    from rich.console import Console
+
+    return Console(quiet=True)
