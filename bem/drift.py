@@ -13,6 +13,8 @@ from __future__ import annotations
 
 import numpy as np
 
+OF_EACH = {"body_drift_force_fixed": False, "body_drift_force": True}  # names of that of each body, and if it moves
+
 
 def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gravity):
     """(headings, 3) mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin.
@@ -108,3 +110,14 @@ def about(force, center):
     moved = force.copy()
     moved[..., 2] -= center[0] * force[..., 1] - center[1] * force[..., 0]
     return moved
+
+
+def sum_about_origin(drift, bodies):
+    """(…, 3) surge, sway and yaw about the origin of all bodies together, from those of each (…, bodies, 3)"""
+    out = np.zeros((*drift.shape[:-2], 3))
+    for i, body in enumerate(bodies):
+        c, s = np.cos(body.heading), np.sin(body.heading)
+        x, y, moment = np.moveaxis(drift[..., i, :], -1, 0)
+        x, y = c * x - s * y, s * x + c * y
+        out += np.stack([x, y, moment + body.rotation_center[0] * y - body.rotation_center[1] * x], axis=-1)
+    return out

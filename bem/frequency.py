@@ -9,14 +9,14 @@ import numpy as np
 
 from . import ESTIMATE, INTERPOLATED
 from .checks import at_least_haskind, check, damping_error, largest_error
-from .drift import about, drift_of_two, mean_drift
+from .drift import OF_EACH, about, drift_of_two, mean_drift
 from .free_body import motions
 from .kochin import angles
 from .waves import group_factor, wavenumber
 
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
 DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed", "pressure"}
-FREE = {"rao", "drift_force"}
+FREE = {"rao", "drift_force", "body_drift_force"}
 DRIFT = {"drift_force_fixed", "drift_force"}
 TRUSTED = 0.6  # of the tolerance: estimates of damping near it were two thirds of the error at least, 92 random bodies
 
@@ -73,7 +73,7 @@ class FrequencyRun:
         self.forced = np.flatnonzero(needed).tolist()
         self.dofs = [d for d in self.forced if d in self.problem.moving]
         self.radiates = bool(want & RADIATION) or self.free
-        self.diffracts = bool(want & DIFFRACTION) or self.free
+        self.diffracts = bool(want & (DIFFRACTION | {*OF_EACH})) or self.free
         self.far_field = bool(want & {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"})
         self.wall_time = {}
 
@@ -263,6 +263,9 @@ class FrequencyRun:
             out["kochin_diffraction"] = self.kochin[1][0][:, : len(self.theta)]
         if "drift_force_fixed" in want:
             out["drift_force_fixed"] = self.drift(False)
+        for name, moving in OF_EACH.items():
+            if name in want and (self.free or not moving):
+                out[name] = self.drift_of_each(moving)
         if "pressure" in want:
             out["pressure"] = self.pressure()
         if self.free and "rao" in want:

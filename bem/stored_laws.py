@@ -16,11 +16,12 @@ from typing import NamedTuple
 import numpy as np
 
 from .checks import damping_scale
-from .drift import about, energy_defect, mean_drift
+from .drift import OF_EACH, about, energy_defect, mean_drift, sum_about_origin
 from .modes import displacing, moving
 from .waves import group_factor
 
 ROUNDING = 1e-6  # of laws that the same numbers were made by
+SUM = 0.1  # of drift by pressure, whose error is first order in that of potentials and motions, and that of waves
 PRINTED = 1e-4  # of the same, in numbers of another program with seven digits, which a resonance enlarges
 
 
@@ -41,8 +42,8 @@ def broken_laws(db, tolerance):
     stored = np.array(list(db.checks().values()))
     allowed = 1.01 * np.fmax(tolerance, np.fmax.reduce(np.vstack([stored, np.zeros((1, len(db.omega)))])))
     found, rounding = [], PRINTED if "imported" in db.attributes else ROUNDING
-    for law, values, exact in _laws(db):
-        limit = np.full(len(db.omega), rounding) if exact else allowed
+    for law, values, limit in _laws(db, rounding):
+        limit = allowed if limit is None else np.full(len(db.omega), limit)
         over = np.nan_to_num(values, nan=0.0, posinf=np.inf) / limit if len(values) else np.zeros(0)
         if np.any(over > 1):
             i = int(np.argmax(over))
@@ -63,8 +64,8 @@ def damping_errors(db):
     return np.where(np.isnan(relative).all(axis=1), np.nan, np.nan_to_num(relative).max(axis=1, initial=0.0))
 
 
-def _laws(db):
-    """(law, (n,) relative violations, whether they are rounding alone) of what is there"""
+def _laws(db, rounding):
+    """(law, (n,) relative violations, limit or None for that of the checks that were stored) of what is there"""
     there = set(db.names)
     if {"added_mass", "radiation_damping"} <= there:
         yield from _radiation_laws(db, there)
@@ -72,12 +73,15 @@ def _laws(db):
     if there >= set(forces):
         incident, scattered, total = (db[name] for name in forces)
         gap = np.abs(incident + scattered - total) / _largest(total, incident)
-        yield "excitation is incident and scattered", _worst(gap), True
+        yield "excitation is incident and scattered", _worst(gap), rounding
     motions = {"rao", "added_mass", "radiation_damping", "excitation_force"} <= there and db.inertia_matrix is not None
     if motions and not db.has_viscous_motions:
-        yield "motions obey their equation", _motion_defect(db), True
+        yield "motions obey their equation", _motion_defect(db), rounding
     if "kochin_diffraction" in there:
         yield from _far_field_laws(db, there)
+    for each, whole in zip(OF_EACH, ("drift_force_fixed", "drift_force"), strict=True):
+        if {each, whole} <= there:
+            yield f"{whole} is the sum over the bodies", _sum_defect(db, db[each], db[whole]), SUM
 
 
 def _radiation_laws(db, there):
@@ -89,14 +93,14 @@ def _radiation_laws(db, there):
         floor = 1e-4 * np.nanmax(size[:, part], axis=1, initial=0.0)
         size[:, part] = np.where(size[:, part] > floor[:, None], size[:, part], np.inf)
     scale = size[:, :, None] * size[:, None, :]
-    yield "reciprocity", _worst(np.abs(Z - Z.transpose(0, 2, 1)) / scale), False
+    yield "reciprocity", _worst(np.abs(Z - Z.transpose(0, 2, 1)) / scale), None
     done = np.nan_to_num((B / omega + (B / omega).transpose(0, 2, 1)) / 2 / scale)
-    yield "damping takes energy out", -np.linalg.eigvalsh(done)[:, 0], False
+    yield "damping takes energy out", -np.linalg.eigvalsh(done)[:, 0], None
     if "kochin_radiation" in there:
         H, k = db["kochin_radiation"], db["wavenumber"]
         factor = 4 * db.density * db.gravity * group_factor(k, db.water_depth) / (k * db.omega) ** 2
         far = factor[:, None, None] * np.einsum("nit,njt->nij", H, H.conj()).real / H.shape[-1]
-        yield "radiated energy", _worst(np.abs(far - B / omega) / scale), False
+        yield "radiated energy", _worst(np.abs(far - B / omega) / scale), None
 
 
 def _motion_defect(db):
@@ -121,12 +125,12 @@ def _far_field_laws(db, there):
     theta = db["theta"]
     forward = np.einsum("nmt,mt->nm", H, _trigonometric(theta, beta))
     energy = np.array([np.abs(energy_defect(h, f)).max() for h, f in zip(H, forward, strict=True)])
-    yield "scattered energy", energy, False
+    yield "scattered energy", energy, None
     if "drift_force_fixed" in there:
-        yield "drift of the fixed body", _drift_defect(db, H, k, db["drift_force_fixed"]), False
+        yield "drift of the fixed body", _drift_defect(db, H, k, db["drift_force_fixed"]), None
     if {"drift_force", "rao", "kochin_radiation"} <= there:
         total = H + np.einsum("nmj,njt->nmt", db["rao"], db["kochin_radiation"])
-        yield "drift of the free body", _drift_defect(db, total, k, db["drift_force"]), False
+        yield "drift of the free body", _drift_defect(db, total, k, db["drift_force"]), None
 
 
 def _drift_defect(db, H, k, stored):
@@ -146,6 +150,13 @@ def _drift_defect(db, H, k, stored):
         push = max(size[:2].max(), level)
         out.append(float((gap / np.maximum([push, push, push / k[i]], size)).max()))
     return np.array(out)
+
+
+def _sum_defect(db, each, whole):
+    """(n,) what the horizontal drift of all bodies by pressure is off that of the far field, of the largest force"""
+    gap = np.abs(sum_about_origin(each, db.bodies) - whole)[..., :2]
+    size = np.maximum(np.abs(each[..., :2]).max(axis=2), np.abs(whole[..., :2])).max(axis=(1, 2))
+    return gap.max(axis=(1, 2)) / np.maximum(size, 1e-300)
 
 
 def _trigonometric(theta, beta):

@@ -10,15 +10,18 @@ import numpy as np
 
 from ..database.rows import Database, DatabaseError
 from ..database.schema import BODY, QUANTITIES
+from ..drift import OF_EACH
 from ..modes import moving
+
+OWN_DRIFT = {name.removeprefix("body_"): name for name in OF_EACH}  # {name of that of one body: of each of several}
 
 
 @dataclass(frozen=True, eq=False)
 class OneOfSeveral:
     """What a `Database` of several bodies holds of the body `number`.
 
-    Forces and added mass are those on it, motions and radiation its own; mean drift is that of all bodies together, and
-    not among `names`.  Quantities have the axes of a database of one body; of a fixed body there are no motions.
+    Forces, mean drift and added mass are those on it, motions and radiation its own.  Quantities have the axes of a
+    database of one body; of a fixed body there are no motions.
     """
 
     database: Database
@@ -33,6 +36,8 @@ class OneOfSeveral:
         return getattr(self.database, name)
 
     def __getitem__(self, name: str) -> np.ndarray:
+        if OWN_DRIFT.get(name) in self.database.names:
+            return self.database[OWN_DRIFT[name]][:, :, self.number]
         value = self.database[name]
         for place, axis in enumerate(QUANTITIES[name][0] if name in QUANTITIES else ()):
             own = {"influenced_dof": self._forces, "radiating_dof": self._motions}.get(axis)
@@ -55,7 +60,8 @@ class OneOfSeveral:
         """Quantities that are of this body alone"""
         axes = {"influenced_dof"} if self.fixed else {"influenced_dof", "radiating_dof"}
         found = (name for name in self.database.names if axes & {*QUANTITIES[name][0]})
-        return tuple(name for name in found if not (self.fixed and "radiating_dof" in QUANTITIES[name][0]))
+        own = [name for name in found if not (self.fixed and "radiating_dof" in QUANTITIES[name][0])]
+        return (*own, *(name for name, of_each in OWN_DRIFT.items() if of_each in self.database.names))
 
     @cached_property
     def mesh(self):

@@ -14,7 +14,7 @@ import zlib
 import h5py
 import numpy as np
 
-from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, QUANTITIES, cell_axes
+from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, OF_SEVERAL, QUANTITIES, cell_axes
 
 ROWS = "row_checksum"
 MARK = np.uint32
@@ -74,7 +74,8 @@ def _schema_problems(file):
             yield f"{name} is missing"
             return
     try:
-        coordinates = {axis: _read(file, axis) for axis in COORDINATES}
+        several = [axis for axis in OF_SEVERAL if axis in file]
+        coordinates = {axis: _read(file, axis) for axis in (*COORDINATES, *several)}
         lengths = {axis: len(values) for axis, values in coordinates.items()}
     except (TypeError, KeyError):
         yield "a coordinate is no row of values"

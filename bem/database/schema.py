@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from .. import DOFS
+from ..drift import OF_EACH
 from ..modes import moving, names_of
 
 FORMAT = "hakobune database"
@@ -17,6 +18,7 @@ DRIFT_DOFS = ("Surge", "Sway", "Yaw")
 _SQUARE = ("influenced_dof", "radiating_dof")
 _FORCE = ("omega", "wave_direction", "influenced_dof")
 _DRIFT = ("omega", "wave_direction", "drift_dof")
+_BODY_DRIFT = ("omega", "wave_direction", "body", "drift_dof")  # of several bodies, of each about its own point
 
 # name: (axes, unit, type); where a unit has two parts the second is that of rotations and moments
 COORDINATES = {
@@ -46,6 +48,7 @@ QUANTITIES = {
     "rao": (("omega", "wave_direction", "radiating_dof"), "m/m, rad/m", complex),
     "drift_force_fixed": (_DRIFT, "N/m2, N m/m2", float),
     "drift_force": (_DRIFT, "N/m2, N m/m2", float),
+    **dict.fromkeys(OF_EACH, (_BODY_DRIFT, "N/m2, N m/m2", float)),
     "pressure": (("omega", "wave_direction", "panel"), "Pa/m", complex),
     "added_mass_zero": (_SQUARE, "kg, kg m, kg m2", float),
     "added_mass_infinity": (_SQUARE, "kg, kg m, kg m2", float),
@@ -69,7 +72,7 @@ ERROR = np.float32  # of which nobody needs seven digits; older files have twice
 CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
 
 LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)
-NEEDS_MOTION = ("rao", "drift_force")
+NEEDS_MOTION = ("rao", "drift_force", "body_drift_force")
 ONLY_BY_NAME = ("pressure",)  # large, and wanted for few frequencies
 LABELS = {"influenced_dof": DOFS, "radiating_dof": DOFS, "drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}
 

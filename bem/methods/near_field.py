@@ -17,7 +17,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..second_order.rotations import first_order_loads, rotated_pairs
+from ..panels.pressure_drift.turned_loads import rotated_pairs
+from ..second_order.rotations import first_order_loads
 
 
 def near_field_drift(run, moving):

@@ -95,6 +95,10 @@ class ExtrapolatedRun(FrequencyRun):
         """As of the run it is made of"""
         return self.run.enlarged(radiation, excitation)
 
+    def drift_of_each(self, moving):
+        """As of the run it is made of"""
+        return self.run.drift_of_each(moving)
+
     def pressure(self):
         """As of the run it is made of"""
         return self.run.pressure()

@@ -8,6 +8,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from ..checks import estimate, share_left
+from ..drift import OF_EACH
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
 from ..kernels.progress import FINER, report_progress
@@ -34,7 +35,7 @@ class PanelRun(FrequencyRun):
         if self.far_field and prepared.problem.wall is not None:
             raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
         self.geometry = prepared.geometry.at(self.omega**2 / prepared.problem.gravity)
-        self.whole_field = "pressure" in self.want
+        self.whole_field = bool(self.want & {"pressure", *OF_EACH})
 
     @property
     def solves(self):
@@ -284,6 +285,12 @@ class PanelRun(FrequencyRun):
                     phi, velocity = phi + solved[i], velocity + given[i]
             out[cls] = phi, velocity
         return out
+
+    def drift_of_each(self, moving):
+        """`bem.panels.pressure_drift.of_each_body.drift_of_each`"""
+        from .pressure_drift.of_each_body import drift_of_each
+
+        return drift_of_each(self, moving)
 
     def pressure(self):
         """(m, panels of the whole hull) mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude

@@ -9,9 +9,10 @@ import numpy as np
 from .. import DOFS
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
+from ..panels.pressure_drift.turned_loads import rotated_pairs
 from .kinds import DIFFERENCE, EVEN
 from .long_wave_forces import long_wave_forces, lowest
-from .rotations import first_order_loads, rotated_pairs, still_water_pairs
+from .rotations import first_order_loads, still_water_pairs
 from .surface_waves import SurfaceWaves
 
 MANY = 12  # frequencies of the force, from which they share their work: what they share takes as long as some of them

@@ -15,6 +15,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..panels.pressure_drift.turned_loads import products
+
 
 def first_order_loads(run, problem, X):
     """(m, 6) first-order load of water and weight in the waves of a run, about the rotation centre
@@ -24,29 +26,6 @@ def first_order_loads(run, problem, X):
     """
     T, stiffness = problem.transform, problem.hydrostatic_stiffness
     return run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T
-
-
-def products(one, two, second=np.conj):
-    """(f, f, …) T of the product of two quantities (f, a) and (f, b): ¼(aᵢ b̄ⱼ + āⱼ bᵢ), (f, f, a, b)
-
-    second : as of `bem.panels.pressure_drift.mean_drift.pressure_pairs`, here and below
-    """
-    first = np.einsum("ia,jb->ijab", one, second(two))
-    return 0.25 * (first + np.einsum("ja,ib->ijab", second(one), two))
-
-
-def rotated_pairs(load, motion, second=np.conj):
-    """(f, f, 6) T of loads (f, 6) that turn with the motions (f, 6), both about the rotation centre"""
-    turned = products(motion, load, second)
-    force = _cross(turned[..., 3:, :3])
-    moment = _cross(turned[..., 3:, 3:]) + _cross(turned[..., :3, :3])
-    return np.concatenate([force, moment], axis=-1)
-
-
-def _cross(ab):
-    """(…, 3) a × b of products (…, 3, 3)"""
-    pairs = ((1, 2), (2, 0), (0, 1))
-    return np.stack([ab[..., a, b] - ab[..., b, a] for a, b in pairs], axis=-1)
 
 
 def turned_twice(motion, second=np.conj):

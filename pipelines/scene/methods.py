@@ -8,6 +8,7 @@ from typing import NamedTuple
 from hakobune.bem.contour.raised_bed import raised_bed
 from hakobune.bem.contour.short_waves import MOST_WAVES, unresolved, waves_along
 from hakobune.bem.database.schema import LIMITS, QUANTITIES
+from hakobune.bem.drift import OF_EACH
 from hakobune.bem.problem import check_gap
 from hakobune.bem.waves import wavenumber
 
@@ -103,6 +104,8 @@ def names_given(scene, names, named):
     if refused:
         if scene.wall is not None and refused[0] in FAR_FIELD:
             raise ValueError(f"want has {refused[0]}, which a body beside a wall does not have; leave it out")
+        if refused[0] in OF_EACH:
+            raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
         others = [name for name, other in METHODS.items() if refused[0] not in _lacking(scene, other)]
         raise ValueError(
             f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
@@ -134,8 +137,9 @@ def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
     beside_wall = FAR_FIELD if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
+    alone = () if scene.several else tuple(OF_EACH)
     short = FAR_FIELD if method is METHODS["contour"] and scene.approach.highest_resolved else ()
-    return method.without + beside_wall + deep + short
+    return method.without + beside_wall + deep + short + alone
 
 
 def _relative_gap(scene):

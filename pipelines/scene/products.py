@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from hakobune.bem.database.schema import NEEDS_MOTION, ONLY_BY_NAME, QUANTITIES
+from hakobune.bem.drift import OF_EACH
 
 GROUPS = {
     "radiation": ("added_mass", "radiation_damping"),
@@ -10,7 +11,7 @@ GROUPS = {
     "diffraction": ("Froude_Krylov_force", "diffraction_force", "excitation_force"),
     "kochin": ("kochin_radiation", "kochin_diffraction"),
     "motions": ("rao",),
-    "drift": ("drift_force_fixed", "drift_force"),
+    "drift": ("drift_force_fixed", "drift_force", *OF_EACH),
 }
 
 

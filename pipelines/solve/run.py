@@ -22,7 +22,7 @@ from hakobune.bem.database import (
     writing,
 )
 from hakobune.bem.database.file import check_place, check_replaceable
-from hakobune.bem.database.schema import LIMITS, NEEDS_MOTION
+from hakobune.bem.database.schema import LIMITS
 from hakobune.bem.free_body import free_body, needed
 from hakobune.bem.kernels.progress import progress_callback
 
@@ -36,6 +36,7 @@ from .large import Telling, announced
 from .plan import KOCHIN, planned, resumed
 from .work import limit_one, solve_one
 
+FOLLOWS = {"rao", "drift_force"}  # from coefficients and Kochin functions
 EVERY = 0.5  # s: what is solved meanwhile is stored together, and what a kill can take
 
 
@@ -110,7 +111,7 @@ def _wider(stack, file, **more):
 def _store_free_body(file, plan):
     """Motions and mean drift of frequencies that lack nothing else, where all that they follow from is stored"""
     for row in pending(file).rows:
-        flow = row_values(file, row.omega, row.headings, needed(row.want)) if row.want <= {*NEEDS_MOTION} else None
+        flow = row_values(file, row.omega, row.headings, needed(row.want)) if row.want <= FOLLOWS else None
         if flow is not None:
             with suppress(FloatingPointError):  # solved for, and named if it fails there too
                 made = free_body(plan.problem, row.omega, row.headings, plan.header.theta, flow)

@@ -55,7 +55,7 @@ class Surface(Points):
 
     def __init__(self, geometry, flow, normals):
         q = flow.points.shape[1]
-        members = [geometry.members(cls) for cls in geometry.classes]
+        members = [[d for d in geometry.members(cls) if d < 6] for cls in geometry.classes]  # of any body
         parts = flow.points.reshape(-1, 3), np.repeat(normals, q, axis=0), flow.weights.ravel()
         super().__init__(geometry.images, geometry.all_signs, members, *parts)
         self.flow = flow
@@ -192,8 +192,13 @@ class HullFlow:
 
 def wave_flow(run, surfaces, motions):
     """`HullFlow` in the waves of a `bem.panels.one_frequency.PanelRun`; motions : (m, 6) about the origin, m and rad"""
+    return disturbed_flow(run, surfaces, motions, motions)
+
+
+def disturbed_flow(run, surfaces, motions, own):
+    """As `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all; own : (m, 6) of this one"""
     phi = [_on_images(run, run.disturbance(j, motion)) for j, motion in enumerate(motions)]
-    return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), motions, run.headings)
+    return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), own, run.headings)
 
 
 def radiated_flow(run, surfaces):

@@ -5,8 +5,9 @@ from itertools import product
 import numpy as np
 import pytest
 
+from hakobune.bem.panels.pressure_drift.turned_loads import products
 from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
-from hakobune.bem.second_order.rotations import products, turned_twice
+from hakobune.bem.second_order.rotations import turned_twice
 
 
 @pytest.mark.parametrize("kind, sign", [(DIFFERENCE, -1), (SUM, 1)])

@@ -15,6 +15,7 @@ from hakobune.bem.panels.influence import Geometry
 from hakobune.bem.panels.pressure_drift import hull_interpolation
 from hakobune.bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, unit_displacements
 from hakobune.bem.panels.pressure_drift.mean_drift import pressure_pairs
+from hakobune.bem.panels.pressure_drift.turned_loads import products, rotated_pairs
 from hakobune.bem.second_order import quadratic_forces as module
 from hakobune.bem.second_order import surface_near
 from hakobune.bem.second_order.body_forces import body_forces
@@ -34,7 +35,7 @@ from hakobune.bem.second_order.quadratic_forces import (
     resolution_errors,
     share_of,
 )
-from hakobune.bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
+from hakobune.bem.second_order.rotations import still_water_pairs, turned_twice
 from hakobune.meshing.lid import lid
 from hakobune.meshing.panels import joined
 from hakobune.meshing.shapes import box, buoy

@@ -167,8 +167,8 @@ def test_numbers_are_lists_or_spans():
 def test_groups_are_made_of_names_and_motions_need_inertia():
     everything = expand(None, motions_known=True)
     assert set(everything) == {name for names in GROUPS.values() for name in names}
-    assert set(everything) - set(expand(None, motions_known=False)) == {"rao", "drift_force"}
-    assert expand(["drift"], motions_known=False) == ("drift_force_fixed",)
+    assert set(everything) - set(expand(None, motions_known=False)) == {"rao", "drift_force", "body_drift_force"}
+    assert expand(["drift"], motions_known=False) == ("drift_force_fixed", "body_drift_force_fixed")
     with pytest.raises(ValueError, match="gyration"):
         expand(["drift_force"], motions_known=False)
 
