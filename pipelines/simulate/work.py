@@ -14,7 +14,6 @@ from hakobune.bem import DOFS
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError
-from ..executors.memory import give_back
 from ..moor.quay import body_of
 from ..moor.study import Study
 from ..results.given import database_of
@@ -90,7 +89,6 @@ def prepared(task, db=None):
         _prepared.clear()
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         reader.between.forget()
-        give_back()
         _prepared[key] = body, plan, (*first, *of_quay, *(str(w.message) for w in caught))
     return _prepared[key]
 
