@@ -28,7 +28,7 @@ from ..common.typed import typed
 from ..common.weather.seas import SeaTable
 from ..common.weather.streams import CurrentTable as UniformTable
 from ..common.weather.streams import SuperstructureTable, WindTable
-from ..moor.tables import WaterTable
+from ..common.weather.water import DepthTable
 from ..site.link import SiteLink
 
 
@@ -242,7 +242,7 @@ class Study(Table):
     allowable : fraction of the breaking load a line may carry, above 0, at most 1
     """
 
-    water: WaterTable
+    water: DepthTable
     hull: HullTable
     attachment: AttachmentTable
     types: dict[str, TypeTable]
