@@ -47,32 +47,15 @@ if TYPE_CHECKING:
 if not (Path(__file__).parent / "bem").is_dir():  # in a checkout
     __path__.append(str(Path(__file__).parents[1]))
 
+from hakobune.pipelines.results.studies import MODULES
+
 _PUBLIC = {  # name: module that has it
     "Database": "bem.database",
     "Quantity": "pipelines.results.quantity",
     "Result": "pipelines.results.result",
-    "berth": "pipelines.berth.result",
-    "breakwater": "pipelines.breakwater.result",
-    "damping": "pipelines.damping.result",
-    "design": "pipelines.design.result",
-    "earthquake": "pipelines.earthquake.result",
-    "fender": "pipelines.fender.result",
-    "line": "pipelines.lines.line_result",
-    "line_dynamics": "pipelines.line_dynamics.result",
-    "lines": "pipelines.lines.lines_result",
-    "members": "pipelines.members.result",
-    "moor": "pipelines.moor.result",
     "open_database": "bem.database",
     "read": "pipelines.reading",
-    "response": "pipelines.response.result",
-    "sections": "pipelines.sections.result",
-    "simulate": "pipelines.simulate.result",
-    "single_point": "pipelines.single_point.result",
-    "site": "pipelines.site.result",
-    "solve": "pipelines.solve.result",
-    "sweep": "pipelines.sweep.result",
-    "waves": "pipelines.waves.result",
-}
+} | MODULES
 __all__ = [*_PUBLIC]  # pyright: ignore[reportUnsupportedDunderAll]
 
 

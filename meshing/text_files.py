@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import stat
 from pathlib import Path
 
@@ -55,3 +56,8 @@ def numbers_of(line):
         except ValueError:
             break
     return found
+
+
+def csv_rows(text):
+    """Rows of a CSV text with names of columns, as a `csv.DictReader`; empty lines and those after # are left out"""
+    return csv.DictReader(line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#"))

@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -28,16 +29,39 @@ def imports(tree):
                 yield name.removeprefix(PACKAGE), id(node) in top
 
 
-def folders_imported(file):
-    """Folders of the modules below the root that a file imports, but for its own"""
-    package = file.relative_to(ROOT).parts[:-1]
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom):
-            start = package[: len(package) - node.level + 1] if node.level else ()
-            place = ROOT.joinpath(*start, *(node.module or "").removeprefix(PACKAGE).split("."))
-            for target in (place, *(place / alias.name for alias in node.names)):
-                if target.with_suffix(".py").is_file() and target.parent != file.parent:
-                    yield target.parent
+@cache
+def tree_of(file):
+    return ast.parse(file.read_text(encoding="utf-8"))
+
+
+@cache
+def modules_imported(file):
+    """Files of the modules below the root that a file imports, in its functions too"""
+    package, found = file.relative_to(ROOT).parts[:-1], set()
+    for node in ast.walk(tree_of(file)):
+        if isinstance(node, ast.Import):
+            found |= {file_of(ROOT, alias.name.removeprefix(PACKAGE)) for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            start = ROOT.joinpath(*package[: len(package) - node.level + 1]) if node.level else ROOT
+            name = (node.module or "").removeprefix(PACKAGE) if node.module != "hakobune" else ""
+            for alias in node.names:
+                found.add(file_of(start, f"{name}.{alias.name}".lstrip(".")) or file_of(start, name))
+    return frozenset(found - {None, file})
+
+
+def file_of(folder, name):
+    """The file of a dotted name below a folder, None if there is none"""
+    place = folder.joinpath(*filter(None, name.split(".")))
+    return next((one for one in (place.with_suffix(".py"), place / "__init__.py") if one.is_file()), None)
+
+
+def circle_of(needs):
+    """The first circle in {node: nodes}, as names below the root, or None"""
+    try:
+        list(TopologicalSorter(needs).static_order())
+    except CycleError as error:
+        return [str(node.relative_to(ROOT)) for node in error.args[1]]
+    return None
 
 
 def is_or_in(module, package):
@@ -48,7 +72,7 @@ def is_or_in(module, package):
 def test_a_package_imports_only_from_those_left_of_it(file):
     layer = file.relative_to(ROOT).parts[0]
     right = LAYERS[LAYERS.index(layer) + 1 :]
-    modules = list(imports(ast.parse(file.read_text(encoding="utf-8"))))
+    modules = list(imports(tree_of(file)))
     assert not [m for m, _ in modules if any(is_or_in(m, other) for other in right)]
     if file.name != "gmsh_session.py":
         assert not [m for m, _ in modules if is_or_in(m, "gmsh")]
@@ -60,13 +84,23 @@ def test_folders_import_in_one_direction():
     """Sorted so that each folder imports only from folders before it; a folder is its own files, not those below"""
     needs = {folder: set() for folder in FOLDERS}
     for file in FILES:
-        needs[file.parent] |= set(folders_imported(file))
-    circle = None
-    try:
-        list(TopologicalSorter(needs).static_order())
-    except CycleError as error:
-        circle = [str(folder.relative_to(ROOT)) for folder in error.args[1]]
-    assert circle is None
+        needs[file.parent] |= {one.parent for one in modules_imported(file) if one.name != "__init__.py"}
+        needs[file.parent].discard(file.parent)
+    assert circle_of(needs) is None
+
+
+def test_modules_import_in_one_direction():
+    """Imports in functions and for annotations count too"""
+    assert circle_of({file: modules_imported(file) for file in FILES}) is None
+
+
+def test_a_circle_of_modules_is_found(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys.modules[__name__], "ROOT", tmp_path)
+    (tmp_path / "bem").mkdir()
+    one, other = tmp_path / "bem" / "one.py", tmp_path / "bem" / "other.py"
+    one.write_text("from .other import x\n")
+    other.write_text("def f():\n    from hakobune.bem import one\n")
+    assert circle_of({file: modules_imported(file) for file in (one, other)}) is not None
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: str(folder.relative_to(ROOT)))
@@ -81,7 +115,7 @@ def test_exact_solutions_share_no_code_with_what_they_judge(file):
 
 
 def test_only_the_mesher_sees_gmsh():
-    trees = {file.name: ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
+    trees = {file.name: tree_of(file) for file in FILES}
     users = [name for name, tree in trees.items() if any(is_or_in(m, "gmsh") for m, _ in imports(tree))]
     assert users == ["gmsh_session.py"]
 

@@ -38,7 +38,7 @@ DISTINCT = 1e-9  # `accuracy.CLEAR` of pressures
 def pressure_drift(run, motions):
     """(m, 3) mean surge, sway and yaw of the pressure on the sides, about the rotation centre; N/m², N m/m².
 
-    run : `bem.methods.shape_problem.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
+    run : `bem.methods.shape_run.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
     """
     with blas_threads(0):
         sides = _sides(run)
@@ -47,7 +47,7 @@ def pressure_drift(run, motions):
 
 
 def pressure_error(run):
-    """Relative error of the pressures of a `bem.methods.shape_problem.ShapeRun`, to `PRESSURES` at best"""
+    """Relative error of the pressures of a `bem.methods.shape_run.ShapeRun`, to `PRESSURES` at best"""
     body = run.prepared.solver
     return max(run.estimated_error(), PRESSURES * height(body.depth - body.draft, body.plan.scale))
 

@@ -86,20 +86,20 @@ def about(body, found):
 
 
 def natural_modes(inertia, stiffness):
-    """λ (q, 6) rising and vectors, in columns (q, 6, 6), of symmetric inertia (q, 6, 6) and stiffness (6, 6)"""
+    """λ (…, n) rising and vectors, in columns (…, n, n), of symmetric inertia (…, n, n) and stiffness (n, n)"""
     root = np.linalg.inv(np.linalg.cholesky(inertia))
-    values, vectors = np.linalg.eigh(root @ stiffness @ root.swapaxes(1, 2))
-    return values, root.swapaxes(1, 2) @ vectors
+    values, vectors = np.linalg.eigh(root @ stiffness @ root.swapaxes(-1, -2))
+    return values, root.swapaxes(-1, -2) @ vectors
 
 
 def by_motion(energies):
-    """(6,) which mode is called Surge, Sway, …: the assignment with the largest sum of energy shares.
+    """(n,) which mode is called by each motion: the assignment with the largest sum of energy shares.
 
-    energies : (6, 6) kinetic, rows are modes
+    energies : (n, n) kinetic, rows are modes
     """
     shares = energies / energies.sum(axis=1, keepdims=True)
-    every = np.array(list(permutations(range(6))))
-    return every[shares[every, np.arange(6)].sum(axis=1).argmax()]
+    every = np.array(list(permutations(range(len(shares)))))
+    return every[shares[every, np.arange(len(shares))].sum(axis=1).argmax()]
 
 
 def zeros(functions, low, f, high, g):

@@ -18,8 +18,6 @@ from functools import cache, wraps
 from pathlib import Path
 from types import FunctionType
 
-from .uncompiled import Waiting, may_wait
-
 ROOT = Path(__file__).parents[2]
 PACKAGE = "hakobune."  # below which the folders of `ROOT` are imported
 # `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file, at every start
@@ -100,12 +98,7 @@ def kernel(inline=False):
     inline : always inlined into the kernels that call it; else as the compiler decides
     """
 
-    def compile_later(function):
-        if not may_wait(function):
-            return _dispatcher(function, inline)
-        return Waiting(function, lambda: _dispatcher(function, inline), lambda: _is_kept(function))
-
-    return compile_later
+    return lambda function: _dispatcher(function, inline)
 
 
 def _dispatcher(function, inline):
@@ -196,12 +189,6 @@ def _save_if_possible(dispatcher):
             _tell_not_kept(_base(), error.strerror)
 
     kept.save_overload = saved
-
-
-def _is_kept(function):
-    """Whether numba's index of some kernel of that name and line, as Python calls it, is on disk"""
-    name = f"*/*.{function.__qualname__}-{function.__code__.co_firstlineno}.py*.nbi"
-    return next(_folder_of(function).glob(name), None) is not None
 
 
 def _folder_of(function):

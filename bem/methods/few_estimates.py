@@ -19,7 +19,7 @@ import numpy as np
 from ..checks import damping_scale, excitation_scale, radiation_scale
 from ..frequency import DRIFT
 from ..waves import wavenumber
-from .shape_problem import ShapeRun
+from .shape_run import ShapeRun
 
 FEWEST = 4  # frequencies of a range in which some are not solved by both resolutions
 APART = 3.0  # k × the length of the body, rad, between the ends of a range

@@ -26,7 +26,7 @@ def near_field_drift(run, moving):
 
     run : the quantities of one frequency of a mesh with four nodes a panel (`bem.panels.one_frequency.PanelRun`) or
         of the
-        contour method (`bem.methods.shape_problem.ShapeRun`), which wants the drift by the far field too
+        contour method (`bem.methods.shape_run.ShapeRun`), which wants the drift by the far field too
     moving : freely floating instead of fixed
     raises : ValueError for a method without pressures on the hull, or a run that wants too little
     """

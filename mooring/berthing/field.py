@@ -6,11 +6,12 @@ which is most of the scatter of absorbed over effective energy; weights in tonf 
 
 from __future__ import annotations
 
-import csv
 from importlib.resources import files
 from typing import NamedTuple
 
 import numpy as np
+
+from hakobune.meshing.text_files import csv_rows
 
 from .energy import Ship, berthing_energy, eccentricity, virtual_mass_older, virtual_mass_ueda
 
@@ -47,7 +48,7 @@ class Contact(NamedTuple):
 def contacts():
     """All `Contact` of the table"""
     text = files(__package__).joinpath("tables", "field.csv").read_text(encoding="utf-8")
-    rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
+    rows = csv_rows(text)
     return [_contact(list(row.values())) for row in rows]
 
 

@@ -16,16 +16,16 @@ kinetic-energy method would have needed (the α² of Ueda 1981, eq. 3.2, where t
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import repeat
 from typing import NamedTuple
 
 import numpy as np
 
-from ..fenders.hysteresis import advanced, advanced_one, contact_table, reaction_at, reaction_of
+from ..fenders.hysteresis import advanced, reaction_at
+from ..fenders.pressed import Pressed
 from .energy import BerthingError, eccentricity
 
 PLANE = (1, 5)  # sway, yaw of six
-GAUSS = np.array([[1 / 4, 1 / 4 - np.sqrt(3) / 6], [1 / 4 + np.sqrt(3) / 6, 1 / 4]])
-ITERATIONS = 60
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +114,7 @@ def berth(ship, fenders, speed, duration=None, steps=2000, yaw_rate=0.0):
 
     fenders : sequence of (`mooring.fenders.fender.Fender`, x m, gap m); the nearest is met first
     duration : s, by default until the ship rests against the softest of them, and half as long again; steps : of it
-    raises : BerthingError without speed or fender; FenderError where a fender is pressed beyond its table
+    raises : BerthingError without speed or fender; FenderError beyond the table of one, or of too long steps
     """
     if not 0 < speed < np.inf:
         raise BerthingError(f"the speed of the berthing is {speed:g} m/s; allowed: above 0, finite")
@@ -141,65 +141,27 @@ class _Course(NamedTuple):
 
 
 class _Run:
-    """ż = A z + B R(δ(z)) of z = (η, ν, x) by Gauss's method with two stages: fourth order, any decay of the memory,
-    quadratic energies kept to rounding.  Stages z_i = P z + G R with the reactions of both, found by iteration."""
+    """The berthing as a `Pressed` system of z = (η, ν, x)"""
 
     def __init__(self, ship, fenders, lever, gap, h):
-        self.ship, self.lever, self.gap, self.h = ship, lever, gap, h
-        self.fenders, self.table = fenders, contact_table(fenders)
-        self.k, n = len(fenders), len(ship.a)
+        self.ship, self.fenders, self.lever, self.gap, self.h = ship, fenders, lever, gap, h
+        k, n = len(fenders), len(ship.a)
         self.whole = ship.inertia + ship.added_mass_infinity
-        A, B = np.zeros((4 + n, 4 + n)), np.zeros((4 + n, self.k))
+        A, B, place = np.zeros((4 + n, 4 + n)), np.zeros((4 + n, k)), np.zeros((k, 4 + n))
         A[:2, 2:4] = np.eye(2)
         A[2:4, 4:] = -np.linalg.solve(self.whole, ship.c)
         A[4:, 2:4], A[4:, 4:] = ship.b, ship.a
         B[2:4] = -np.linalg.solve(self.whole, lever)
-        self.A, self.B = A, B
-        resolvent = np.linalg.inv(np.eye(2 * len(A)) - h * np.kron(GAUSS, A))
-        self.from_z = resolvent @ np.tile(np.eye(len(A)), (2, 1))
-        self.from_force = h * resolvent @ np.kron(GAUSS, B)
-        place = np.zeros((self.k, len(A)))
         place[:, :2] = lever.T
-        self.place = np.kron(np.eye(2), place)
-        self.answer = self.place @ self.from_force
-
-    def reactions(self, state, start, deflection):
-        """(2k,) N at deflections (2k,) of both stages, of fenders that had `state` at `start` (k,)"""
-        out = []
-        for i, after in enumerate(deflection):
-            j = i % self.k
-            s = advanced_one(state[j], start[j], after, self.table.marks[j, 0])
-            out.append(reaction_of(self.table, j, after, s))
-        return np.array(out)
-
-    def step(self, z, state, start):
-        """z and loss of a step"""
-        free = self.place @ (self.from_z @ z) - np.tile(self.gap, 2)
-        force = self.reactions(state, start, free)
-        for _ in range(ITERATIONS):
-            before, force = force, self.reactions(state, start, free + self.answer @ force)
-            if np.abs(force - before).max() <= 1e-13 * np.abs(force).max():
-                break
-        else:
-            raise BerthingError(
-                f"a step of {self.h:.3g} s is too long for the stiffness of the fender; give more steps"
-            )
-        stages = (self.from_z @ z + self.from_force @ force).reshape(2, -1)
-        both = force.reshape(2, -1)
-        lost = 0.25 * self.h * float(np.sum((stages[:, 4:] @ self.ship.loss) ** 2))
-        return z + 0.5 * self.h * (self.A @ stages.sum(axis=0) + self.B @ both.sum(axis=0)), lost
+        self.pressed = Pressed(A, B, place, fenders, h)
 
     def integrated(self, velocity, steps):
-        ship = self.ship
+        ship, gap = self.ship, self.gap
         steady = -np.linalg.solve(ship.a, ship.b @ velocity) if len(ship.a) else np.zeros(0)
-        z, state = np.concatenate([np.zeros(2), velocity, steady]), [1.0] * self.k
-        start, lengths, lost, rows = self.lever.T @ z[:2] - self.gap, self.table.marks[:, 0], 0.0, []
-        for _ in range(steps + 1):
-            rows.append((z, start, state, lost))
-            z, gone = self.step(z, state, start)
-            lost, after = lost + gone, self.lever.T @ z[:2] - self.gap
-            state = [advanced_one(state[j], start[j], after[j], lengths[j]) for j in range(self.k)]
-            start = after
+        z, lost, rows = np.concatenate([np.zeros(2), velocity, steady]), 0.0, []
+        for *row, stages in self.pressed.rows(z, gap, repeat((gap, gap, gap), steps + 1)):
+            rows.append((*row, lost))
+            lost += 0.25 * self.h * float(np.sum((stages[:, 4:] @ ship.loss) ** 2))
         return _Course(*(np.array(column, float) for column in zip(*rows, strict=True)))
 
 

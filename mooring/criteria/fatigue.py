@@ -15,11 +15,12 @@ what they depend on: corrosion, preload, terminations, bending over a fairlead.
 
 from __future__ import annotations
 
-import csv
 from importlib.resources import files
 from typing import NamedTuple
 
 import numpy as np
+
+from hakobune.meshing.text_files import csv_rows
 
 from ..lines.catalogue import CHAIN
 from .strength import chain_factor
@@ -67,7 +68,7 @@ class Cycles(NamedTuple):
 def curves():
     """{name: Curve} of the table"""
     text = files(__package__).joinpath("tables", "fatigue_curves.csv").read_text(encoding="utf-8")
-    rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
+    rows = csv_rows(text)
     return {
         row["name"]: Curve(
             row["name"],

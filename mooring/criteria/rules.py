@@ -19,11 +19,12 @@ The tables beside this module hold the rules that SR179 (1982), chapter 4, quote
 
 from __future__ import annotations
 
-import csv
 import math
 from importlib.resources import files
 from pathlib import Path
 from typing import NamedTuple
+
+from hakobune.meshing.text_files import csv_rows
 
 SENSES = ("at least", "at most")
 STATES = ("normal", "abnormal", "any")
@@ -125,8 +126,7 @@ def of_rule(criteria, rule, subject=None):
 
 
 def _rows(name, text):
-    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
-    rows = csv.DictReader(lines)
+    rows = csv_rows(text)
     missing = [key for key in Criterion._fields if key not in (rows.fieldnames or ())]
     if missing:
         raise RuleError(f"{name} has no column {missing[0]}; allowed: {', '.join(Criterion._fields)}")

@@ -17,17 +17,20 @@ spectrum of one damping is taken to another by √(0.10/(0.05 + ζ)), at least 0
 
 from __future__ import annotations
 
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
 
-from ..fenders.hysteresis import advanced_one, contact_table, reaction_of
+from ..fenders.hysteresis import advanced_one, contact_table, reaction_at, reaction_of
+from ..fenders.pressed import NODES, Pressed
 from .linearised import equivalent
 
 FINE = 90  # steps of the shortest period of the body on its fenders; 1e-6 of the reaction
 ROUNDS, SETTLED = 200, 1e-6  # of the equivalent spring
 UNEVEN = 1e-3  # of a step of a record
 LEAST = 0.55  # of a spectrum by damping
+SIDES = np.array([1.0, -1.0])
 
 
 class EarthquakeError(ValueError):
@@ -226,51 +229,31 @@ def natural(floater, stiffness):
 
 
 def course(ground, floater, fenders):
-    """`Course` of a body between fenders on a ground that moves, by Runge and Kutta's method of fourth order.
+    """`Course` of a body between fenders on a ground that moves (`mooring.fenders.pressed`).
 
     Fenders on each side return less than they take (`mooring.fenders.hysteresis`).  The ground is the cubic through
     its displacements and velocities.
     raises : FenderError where a fender without overload stiffness is pressed beyond its table
     """
     fender, count, clearance = fenders
-    table, whole = contact_table([fender]), floater.mass + floater.added_mass
+    whole, n = floater.mass + floater.added_mass, len(floater.b)
     h = float(ground.time[1] - ground.time[0])
     stiffest = count * float(fender.loading.slope(np.linspace(0, fender.limit, 200)).max())
     steps = max(1, int(np.ceil(h * FINE / (2 * np.pi) * np.sqrt(stiffest / whole))))
-    h /= steps
-    kept = [(1.0, 0.0), (1.0, 0.0)]  # state and deflection of each side at the start of a step
-
-    def met(u):
-        """States, deflections and the force on the dolphins towards +"""
-        out, force = [], 0.0
-        for side, (s, before) in zip((1.0, -1.0), kept, strict=True):
-            depth = side * u - clearance
-            now = advanced_one(s, before, depth, fender.return_length)
-            out.append((now, depth))
-            force += side * count * reaction_of(table, 0, depth, now)
-        return out, force
-
-    def rate(y, at):
-        force = met(y[0] - at)[1] + floater.damping * y[1]
-        if not len(floater.b):
-            return np.array([y[1], -force / whole])
-        x = y[2:]
-        return np.concatenate([[y[1], -(force + floater.c @ x) / whole], floater.a @ x + floater.b * y[1]])
-
-    y = np.zeros(2 + len(floater.b))
-    rows = [(0.0, 0.0, 0.0)]
-    for i in range(len(ground.time) - 1):
-        for j in range(steps):
-            at = [_between(ground, i, (j + s) / steps) for s in (0.0, 0.5, 1.0)]
-            p = rate(y, at[0])
-            q = rate(y + 0.5 * h * p, at[1])
-            r = rate(y + 0.5 * h * q, at[1])
-            y = y + h / 6 * (p + 2 * q + 2 * r + rate(y + h * r, at[2]))
-            kept, force = met(y[0] - at[2])
-        rows.append((y[0], max(depth for _, depth in kept), force))
-    body, deflection, reaction = np.array(rows).T
-    fender.reaction(max(deflection.max(), 0.0))  # raises beyond its table
-    return Course(ground.time, body, np.maximum(deflection, 0.0), reaction)
+    A, B, place = np.zeros((2 + n, 2 + n)), np.zeros((2 + n, 2)), np.zeros((2, 2 + n))  # of η, η̇ and the memory
+    A[0, 1], A[1, 1], A[1, 2:] = 1.0, -floater.damping / whole, -floater.c / whole
+    A[2:, 1], A[2:, 2:] = floater.b, floater.a
+    B[1], place[:, 0] = -count / whole * SIDES, SIDES
+    at = (np.arange(steps)[:, None] + [*NODES, 1.0]) / steps
+    moved = np.concatenate([_between(ground, i, at) for i in range(len(ground.time) - 1)])
+    gaps = clearance + SIDES * np.concatenate([moved, moved[-1:]])[..., None]
+    rows = Pressed(A, B, place, [fender, fender], h / steps).rows(np.zeros(2 + n), np.full(2, clearance), gaps)
+    columns = zip(*((z[0], depth, state) for z, depth, state, _ in islice(rows, 0, None, steps)), strict=True)
+    body, depth, state = (np.array(column, float) for column in columns)
+    reaction = reaction_at(fender, np.maximum(depth, 0.0), state)
+    deflection = np.maximum(depth.max(axis=1), 0.0)
+    fender.reaction(deflection.max())  # raises beyond its table
+    return Course(ground.time, body, deflection, count * (reaction @ SIDES))
 
 
 def _between(ground, i, s):

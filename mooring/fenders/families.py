@@ -8,14 +8,13 @@ in `tables/families.csv` and their sources in both.  A maker's table is a CSV wi
 
 from __future__ import annotations
 
-import csv
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
 
-from hakobune.meshing.text_files import read_text
+from hakobune.meshing.text_files import csv_rows, read_text
 
 from .fender import FenderError, fender_of_points
 from .pneumatic import pneumatic
@@ -122,4 +121,4 @@ def table_rows(name):
 
 
 def _rows(text):
-    return list(csv.DictReader(line for line in text.splitlines() if line.strip() and not line.startswith("#")))
+    return list(csv_rows(text))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 from importlib.resources import files
+
+from hakobune.meshing.text_files import csv_rows
 
 
 def read_table(name):
     """Rows of `tables/name`, one dictionary of texts each; lines that begin with # tell the source."""
     text = files(__package__).joinpath("tables", name).read_text(encoding="utf-8")
-    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+    return list(csv_rows(text))

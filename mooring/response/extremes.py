@@ -14,15 +14,12 @@ n√(1−ε²) is the number of zero crossings, so X_max needs no fourth moment.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 EULER = 0.5772156649015329
 LEAST, HIGHEST = -10.0, 40.0  # standard deviations; what lies beyond has no weight
 PANELS = 51  # between them, of Gauss's rule
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
-FEWEST = 30  # peaks below which no distribution is fitted
 
 
 def bandwidth(m0, m2, m4):
@@ -97,72 +94,11 @@ def maximum_not_exceeded(sigma, duration, zero_crossing, probability):
     return sigma * np.sqrt(2 * np.log(np.maximum(crossings(duration, zero_crossing) / -np.log(p), 1.0)))
 
 
-class Weibull(NamedTuple):
-    """P(peak > x) = exp(−((x−location)/scale)^shape) of the peaks of a record; shape 2 is Rayleigh's.
-
-    count : peaks it was fitted to; covariance : (2, 2) of ln scale and shape
-    """
-
-    location: float
-    scale: float
-    shape: float
-    count: int
-    covariance: np.ndarray
-
-    def exceedance(self, x):
-        """(…,) probability that a peak is above x"""
-        return np.exp(-(np.maximum((np.asarray(x, float) - self.location) / self.scale, 0.0) ** self.shape))
-
-    def expected_maximum(self, count):
-        """Mean of the largest of `count` peaks, exact to terms of order 1/(ln count)²"""
-        return self.most_probable_maximum(count) + EULER * self._slope(count)
-
-    def most_probable_maximum(self, count):
-        """Value that one of `count` peaks exceeds on average"""
-        return self.location + self.scale * np.log(count) ** (1 / self.shape)
-
-    def interval(self, count, confidence=0.9):
-        """(low, high) of `most_probable_maximum` by the scatter of the fit alone"""
-        from scipy.special import ndtri
-
-        level = np.log(count)
-        x = self.most_probable_maximum(count) - self.location
-        gradient = np.array([x, -x * np.log(level) / self.shape**2])
-        half = ndtri(0.5 + 0.5 * confidence) * np.sqrt(gradient @ self.covariance @ gradient)
-        return self.location + x - half, self.location + x + half
-
-    def _slope(self, count):
-        level = np.log(count)
-        return self.scale / self.shape * level ** (1 / self.shape - 1)
-
-
-def fit_weibull(peaks, location=0.0) -> Weibull:
-    """Weibull's distribution of peaks above `location`, by maximum likelihood.
-
-    peaks : (n,), e.g. from `record_peaks`; those at or below `location` are left out
-    raises : ValueError with fewer than 30 of them, or where all are equal
-    """
-    from scipy.optimize import brentq
-
-    x = np.asarray(peaks, float) - location
-    x = x[x > 0]
-    if len(x) < FEWEST:
-        raise ValueError(f"{len(x)} peaks above {location:g}; allowed: at least {FEWEST} for a distribution")
-    if np.ptp(x) <= 1e-9 * x.max():
-        raise ValueError("all peaks are equal; there is no distribution to fit")
-    log = np.log(x / x.max())
-
-    def balance(shape):
-        weight = np.exp(shape * log)
-        return weight @ log / weight.sum() - 1 / shape - log.mean()
-
-    shape = brentq(balance, 1e-2, 1e3, xtol=1e-12)
-    scale = x.max() * np.mean(np.exp(shape * log)) ** (1 / shape)
-    return Weibull(float(location), float(scale), float(shape), len(x), _weibull_covariance(shape, len(x)))
-
-
 def record_peaks(record):
-    """Largest value between each upward crossing of the mean and the next, less the mean: (n,)"""
+    """Largest value between each upward crossing of the mean and the next, less the mean: (n,)
+
+    `mooring.site.extremes.fit_extremes` fits Weibull's law to them.
+    """
     record = np.asarray(record, float)
     if record.ndim != 1 or not np.all(np.isfinite(record)):
         raise ValueError("a record is one row of finite numbers")
@@ -171,14 +107,6 @@ def record_peaks(record):
     if len(up) < 2:
         raise ValueError(f"the record has {len(up)} upward crossings of its mean; allowed: at least 2")
     return np.maximum.reduceat(y[: up[-1]], up[:-1])
-
-
-def _weibull_covariance(shape, count):
-    """(2, 2) of ln scale and shape, from the expected information"""
-    information = count * np.array(
-        [[shape**2, -(1 - EULER)], [-(1 - EULER), (np.pi**2 / 6 + (1 - EULER) ** 2) / shape**2]]
-    )
-    return np.linalg.inv(information)
 
 
 def _checked_bandwidth(epsilon):

@@ -1,10 +1,11 @@
-"""Natural periods of a body on its mooring."""
+"""Natural periods of a body on its mooring, and at a berth."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from hakobune.bem.database.natural_periods import natural_periods
+from hakobune.bem.database.resonances import by_motion, natural_modes
 
 from ..lines.system.equilibrium import SystemEquilibrium
 from .system_at_rest import about_body_axes, body_number, mooring_stiffness
@@ -20,3 +21,16 @@ def moored_periods(state: SystemEquilibrium, body, db):
     pull = state.system.load(state.pose).force[6 * i : 6 * i + 3]
     K = about_body_axes(mooring_stiffness(state, body), pull, state.pose.turn[i], np.asarray(db.rotation_center, float))
     return natural_periods(db.reader.restrained(stiffness=K))
+
+
+def periods_at_berth(moored):
+    """(3,) s of small motions of surge, sway and yaw about rest, coupled, each named by its largest share; nan: none
+
+    moored : `mooring.motion.simulation.Moored`.  Friction of fenders, which holds small motions, is left out.
+    """
+    place = np.ix_((0, 1, 5), (0, 1, 5))
+    mass, stiffness = (moored.reader.inertia + moored.slow_added_mass)[place], moored.stiffness[place]
+    mass, stiffness = 0.5 * (mass + mass.T), 0.5 * (stiffness + stiffness.T)
+    squared, shapes = natural_modes(mass, stiffness)
+    squared = squared[by_motion(np.abs(shapes.T * (mass @ shapes).T))]
+    return np.where(squared > 0, 2 * np.pi / np.sqrt(np.where(squared > 0, squared, 1.0)), np.nan)

@@ -5,12 +5,11 @@
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 
 import numpy as np
 
-from hakobune.meshing.text_files import read_text
+from hakobune.meshing.text_files import csv_rows, read_text
 
 from ..common.quantities import StudyError
 
@@ -20,7 +19,7 @@ NEEDED, MORE = ("period_s", "transmission"), ("front_kN_per_m2", "back_kN_per_m2
 def read_measured(path):
     """{column: (n,) numbers, nan where there is none} of a CSV file, # lines left out.  Raises StudyError."""
     text = read_text(Path(path), StudyError, largest=1)
-    rows = list(csv.DictReader(line for line in text.splitlines() if line.strip() and line[0] != "#"))
+    rows = list(csv_rows(text))
     names = list(rows[0]) if rows else []
     if not set(NEEDED) <= set(names) or not set(names) <= {*NEEDED, *MORE}:
         raise StudyError(

@@ -1,24 +1,32 @@
-"""Who waits at a terminal is told once when kernels are compiled; those that come from disk are no event of numba."""
+"""Kernels that numba compiles are told of at a terminal and timed; those that come from disk are no event of numba."""
 
 from __future__ import annotations
 
 import sys
+from contextlib import ExitStack
+
+from ..printing import timing
 
 
 def tell_first_use():
-    """Say it on stderr before the next kernel is compiled; returns the listener of numba."""
+    """Say it on a terminal before the next kernel is compiled, and time all of them; returns the listener of numba."""
     from numba.core import event
 
     class Teller(event.Listener):
         said = False
 
+        def __init__(self):
+            self.open = []
+
         def on_start(self, event):
-            if not self.said:
+            if not self.said and sys.stderr.isatty():
                 self.said = True
                 print("compiling kernels, once on this computer: up to a minute", file=sys.stderr, flush=True)
+            self.open.append(ExitStack())
+            self.open[-1].enter_context(timing.phase(timing.KERNELS))
 
         def on_end(self, event):
-            pass
+            self.open.pop().close()
 
     teller = Teller()
     event.register("numba:compile", teller)

@@ -35,8 +35,6 @@ def design(
     returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
     raises : ValueError, one line, before anything is solved
     """
-    from .command import made
-
     read, output = read_project(project), Path(output)
     check_folder(output)
     workers = executor_of(executor)
@@ -45,6 +43,47 @@ def design(
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
     return result_of(verdict, change, names, provenance(project=str(project), folder=str(output)))
+
+
+def made(read, folder, workers, console, advice=True):
+    """Verdict, names of the written files and advice (`advise`, None without) of a Read project, all in `folder`."""
+    from .advice import advise, after_lines_move
+    from .report import write_report
+    from .running import databases, of_databases, run_cases
+    from .verdict import judged_project, project_quantities
+
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = databases(read, folder, workers, console)
+    with _Counting(console) as step:
+        verdict = judged_project(read, run_cases(read, paths, folder, workers, step), of_databases(read, paths))
+        change = None
+        if advice:
+            cases = {one.case.name: one.case for one in verdict.ran}
+            others = project_quantities(read)
+            change = advise(read, verdict.judged, cases, others, paths, folder / "advice", step)
+            change = after_lines_move(change, verdict.ran)
+    return verdict, write_report(read, verdict, change, paths, folder), change
+
+
+class _Counting:
+    """Context whose value, called with the number done, the number known and a name, shows how far the cases are"""
+
+    def __init__(self, console):
+        self.console = console
+
+    def __enter__(self):
+        self.status = self.console.status("load cases") if self.console and self.console.is_terminal else None
+        if self.status:
+            self.status.start()
+        return self
+
+    def __call__(self, done, known, name):
+        if self.status:
+            self.status.update(f"{done} of {known}: {name}")
+
+    def __exit__(self, *_):
+        if self.status:
+            self.status.stop()
 
 
 def result_of(verdict, change, names, origin):

@@ -35,7 +35,7 @@ def animate(
     from hakobune.bem.database.results import check_any_version, has_schema, schema_of
 
     from ..printing.verdict import tell
-    from ..results.file import schema
+    from ..results.writing import schema
     from ..simulate.file import is_run
 
     findings = []

@@ -7,7 +7,6 @@ undisturbed waves of the seed.
 from __future__ import annotations
 
 import tomllib
-import warnings
 from functools import partial
 from types import SimpleNamespace
 
@@ -16,6 +15,7 @@ import numpy as np
 from hakobune.mooring.lines.system.bodies import rotation
 
 from ..moor.study import make_study
+from ..results.heard import heard
 from ..simulate.file import opened, whole_rows
 from ..simulate.study import plan_of
 from .gif import check_count, check_film, write_film
@@ -105,8 +105,7 @@ def _waves(file, seed):
     except ValueError:
         return None
     plan = plan_of(make_study(tomllib.loads(file.attrs["study"])), reader.omega, None, float(file.attrs["duration"]))
-    with warnings.catch_warnings(record=True):
-        warnings.simplefilter("always")  # told when the run was made
+    with heard():  # told when the run was made
         parts = wave_components(SimpleNamespace(reader=reader), plan.weather, plan.settings, seed)
     if parts is None:
         return None

@@ -12,18 +12,15 @@ import msgspec
 from ..common.line_tables import AttachedTable, MaterialTable, SegmentTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
+from ..common.weather import water
 from ..common.weather.seas import SeaTable
 
 
-class WaterTable(Table):
+class WaterTable(water.WaterTable):
     """Water at the anchor
 
     depth : m, under the anchor, inf for a line that touches no bed
     """
-
-    depth: float
-    density: float = 1025.0
-    gravity: float = 9.80665
 
 
 class BedTable(Table):
@@ -118,18 +115,12 @@ class CurrentTable(Table):
     speeds: list[float] | None = None
 
 
-class WaveTable(Table):
+class WaveTable(water.WaveTable):
     """A regular wave
 
-    height : m, crest to trough
-    period : s
     phase_deg : lag at the origin
     """
 
-    height: float
-    period: float
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
     phase_deg: float = 0.0
 
 

@@ -169,7 +169,8 @@ def draw_result(file, picture):
     picture : Path; None for NAME_frames.png beside the file, where a picture of the run keeps NAME.png
     """
     from ..common.picture import PLOTS, check_picture
-    from ..results.file import kind_of, read
+    from ..results.file import read
+    from ..results.writing import kind_of
 
     if picture is None:
         picture = file.with_name(f"{file.stem}_frames.png")

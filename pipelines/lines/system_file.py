@@ -20,20 +20,10 @@ from ..common.anchors import warn_of_anchors
 from ..common.line_tables import LineTable, TypeTable, check_types, line_of
 from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed
+from ..common.weather.water import WaterTable
 from ..results.heard import heard
 
 YAML, TOML = (".yaml", ".yml"), (".toml",)
-
-
-class WaterTable(Table):
-    """Water of the place
-
-    depth : m
-    """
-
-    depth: float
-    density: float = 1025.0
-    gravity: float = 9.80665
 
 
 class BodyTable(Table):

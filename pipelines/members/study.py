@@ -24,34 +24,17 @@ from hakobune.mooring.seas.breaking import breaking_height
 
 from ..common.quantities import StudyError, Table, direction, positive, water_depth
 from ..common.typed import read_toml, typed
+from ..common.weather.water import DepthTable, WaveTable
 
 SHAPES = {"circular": circular, "square": square, "plate": plate}
 THICKEST = 1.0  # m of growth
 MOST = 1000  # members
 
 
-class WaterTable(Table):
-    """Water of the place
+class WaterTable(DepthTable):
+    """Water of the place"""
 
-    depth : m
-    density : kg/m³
-    """
-
-    depth: float
     density: float = 1025.0
-
-
-class WaveTable(Table):
-    """One regular wave
-
-    height : m, crest to trough
-    period : s
-    """
-
-    height: float
-    period: float
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
 
 
 class CurrentTable(Table):

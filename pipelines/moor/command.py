@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from hakobune.bem.database import open_database
-from hakobune.mooring.studies.multi_point import multi_point
 
 from ..results.output import check_result, write_result
 from ..results.tables import printed
+from .result import moor as found
 
 
 def moor(study, database, output=None):
@@ -17,8 +15,6 @@ def moor(study, database, output=None):
     With `output` the results are written there (HDF5 or CSV), with a plan of the lines beside it (…_plan.png).
     raises : ValueError, one line, before anything is written
     """
-    from .result import moor as found
-
     if output is not None:
         check_result(output, "moor", [study, database])
     result = found(study, open_database(database))
@@ -27,14 +23,6 @@ def moor(study, database, output=None):
     if written:
         print(f"written: {', '.join(written)}")
     return status
-
-
-def studied(study, db):
-    """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
-    hull = study.without_berth("moor").hull_of(db.dimensions)
-    system = study.system(hull, db.rotation_center, db.density, db.gravity)
-    result = multi_point(db, system, hull, study.conditions(), study.allowable)
-    return replace(result, warnings=(*study.remarks(hull, db), *result.warnings)), hull
 
 
 def _written(result, output):

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from hakobune.bem import DOFS
-from hakobune.mooring.studies.multi_point import PLANE, line_ends
+from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
@@ -53,12 +54,18 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
     returns : Result, in SI; its `detail` is a `mooring.studies.multi_point.MultiPoint` and the hull
     raises : ValueError, one line
     """
-    from .command import studied
-
     read, text = given(study, Study, read_study, make_study)
     db = database_of(database)
     made, hull = studied(read, db)
     return result_of(made, hull, text, db, read.remarks(hull, db))
+
+
+def studied(study, db):
+    """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
+    hull = study.without_berth("moor").hull_of(db.dimensions)
+    system = study.system(hull, db.rotation_center, db.density, db.gravity)
+    result = multi_point(db, system, hull, study.conditions(), study.allowable)
+    return replace(result, warnings=(*study.remarks(hull, db), *result.warnings)), hull
 
 
 def result_of(made, hull, text, db, first=()):

@@ -27,6 +27,7 @@ from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
+from ..common.weather.water import DepthTable
 from ..site.link import SiteLink, read_study_at_site
 from .tables import (
     HarbourTable,
@@ -35,7 +36,6 @@ from .tables import (
     QuayTable,
     SimulationTable,
     Spread,
-    WaterTable,
 )
 
 MOST_LINES = 500  # of a study; they take three seconds
@@ -47,7 +47,7 @@ class Study(Table):
     allowable : fraction of the breaking load a line may carry, above 0, at most 1
     """
 
-    water: WaterTable
+    water: DepthTable
     hull: HullTable
     site: SiteLink | None = None
     types: dict[str, TypeTable] = msgspec.field(default_factory=dict)

@@ -10,15 +10,6 @@ from ..common.weather.seas import SeaTable
 from ..common.weather.streams import SuperstructureTable
 
 
-class WaterTable(Table):
-    """Water of the place
-
-    depth : m
-    """
-
-    depth: float
-
-
 class HullTable(SuperstructureTable, kw_only=True):
     """The hull as wind and current meet it
 

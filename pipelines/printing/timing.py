@@ -1,19 +1,16 @@
 """Where the time of a command goes: its phases one by one, which --timing asks for.
 
-The time of a phase leaves out that of phases within it, so that all add up to the whole.  Imports and the loading of
-kernels are phases wherever they happen; the loading of a kernel holds the imports that it takes.
+The time of a phase leaves out that of phases within it, so that all add up to the whole.  Kernels that are compiled are
+a phase wherever that happens (`pipelines.common.first_use`).
 """
 
 from __future__ import annotations
 
-import builtins
-import functools
-import sys
 import time
 from contextlib import contextmanager, nullcontext
 
 FLAG = "--timing"
-IMPORTS, KERNELS, REST = "imports", "kernels loaded", "everything else"
+KERNELS, REST = "kernels compiled", "everything else"
 _asked = None  # the `Timeline` of a command while one is asked for
 
 
@@ -83,45 +80,10 @@ def begin():
     global _asked
     if _asked is None:
         _asked = Timeline()
-        builtins.__import__ = _timed_import(builtins.__import__)
 
 
 def told():
     """End the timing; returns its lines, none where there was none."""
     global _asked
     timeline, _asked = _asked, None
-    if timeline is None:
-        return []
-    builtins.__import__ = builtins.__import__.__wrapped__
-    return timeline.lines()
-
-
-def _timed_import(plain):
-    @functools.wraps(plain)
-    def timed(*arguments, **named):
-        if _asked is None or _asked.open[-1] in (IMPORTS, KERNELS):
-            return plain(*arguments, **named)
-        with _asked.phase(IMPORTS):
-            module = plain(*arguments, **named)
-        _time_kernels()
-        return module
-
-    return timed
-
-
-def _time_kernels():
-    """Time what numba does at the first call of a kernel with new types: read it from disk, or compile it"""
-    dispatcher = sys.modules.get("numba.core.dispatcher")
-    kind = getattr(dispatcher, "Dispatcher", None)
-    if kind is None or hasattr(kind._compile_for_args, "__wrapped__"):
-        return
-    first_call = kind._compile_for_args
-
-    @functools.wraps(first_call)
-    def timed(self, *arguments, **named):
-        if _asked is not None and _asked.open[-1] == KERNELS:
-            return first_call(self, *arguments, **named)
-        with phase(KERNELS):
-            return first_call(self, *arguments, **named)
-
-    kind._compile_for_args = timed
+    return [] if timeline is None else timeline.lines()

@@ -23,6 +23,7 @@ from hakobune.bem.second_order.quadratic_forces import (
 from hakobune.bem.second_order.stored import StoredForces, read_forces, write_forces
 
 from ..common.progress import duration
+from ..results.heard import heard
 from .problem import bodies
 
 EVERY = 5.0  # s, between writings
@@ -43,13 +44,12 @@ def solve(db, question, fresh):
     check_place(db.path)
     with writing(db.path):
         pass
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        try:
+    try:
+        with heard() as caught:
             _solve(db, question, fresh)
-        finally:
-            for line in dict.fromkeys(str(w.message) for w in caught):
-                print(line, file=sys.stderr)
+    finally:
+        for line in caught:
+            print(line, file=sys.stderr)
 
 
 def _solve(db, question, fresh):

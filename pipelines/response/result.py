@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +14,7 @@ from hakobune.mooring.response.sea_state import TINY
 from ..common.quantities import StudyError
 from ..common.resonances import resonance_lines, underdamped
 from ..results.given import File, Tables, database_of, given
+from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
@@ -53,8 +53,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     db = database_of(database)
     points, held = read.places(db), None
     body = db.reader.floating() if moored else read.restrained(db.reader.floating())
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with heard() as caught:
         try:
             if moored is not None:
                 held = solved_moored(read, db, points, place, moored)
@@ -63,7 +62,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
                 found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
-    warned = [*(str(one.message) for one in caught), *(held.motion.warnings if held else found.warnings)]
+    warned = [*caught, *(held.motion.warnings if held else found.warnings)]
     warned += _of_depth(read, db)
     peaks = resonances(body)
     warned += resonance_lines([one for one in peaks if underdamped(one)])

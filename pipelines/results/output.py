@@ -7,7 +7,7 @@ from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import DATABASE, check_output, opening
 from ..common.picture import PLOTS, check_picture
-from .file import schema
+from .writing import schema
 
 CSV = ".csv"
 FORMS = (*DATABASE, CSV)

@@ -11,8 +11,8 @@ from hakobune.bem.database.results import has_schema
 from hakobune.meshing.whole_files import write_whole
 
 from ..common.outputs import DATABASE, check_output, opening
-from .file import schema
 from .tables import columns_of
+from .writing import schema
 
 
 def check_records(path, kind, inputs=()):

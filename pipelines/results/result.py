@@ -1,6 +1,6 @@
 """The result of a study: quantities, labels of their axes, findings, provenance.
 
-From it follow the print and CSV (`tables`), JSON (`documents`), HDF5 (`file`), xarray and pandas (`frames`).
+From it follow the print and CSV (`tables`), JSON (`documents`), HDF5 (`writing`, `file`), xarray and pandas (`frames`).
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ class Result(Mapping[str, Any]):
 
     def write(self, path: File) -> None:
         """Write it into an HDF5 file (`read` reads it back)"""
-        from .file import write
+        from .writing import write
 
         write(self, path)
 

@@ -15,6 +15,7 @@ from hakobune.meshing.text_files import LARGEST
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.bounds import check_memory, check_seconds, told, whole_number
+from ..results.heard import heard
 from .flags import ReadingFlags, RecordFlags, SpectrumFlags
 
 FEWEST, APART = 50, 25.0  # components of a record; frequencies it resolves for each of them
@@ -59,8 +60,7 @@ def sea(
     from .report import show, write_spectrum
 
     _check_places(file, spectrum.table, record.record, output, plot)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with heard() as caught:
         found = _analysed(file, spectrum, record, reading) if file else _made(spectrum, record, reading)
     if record.record is not None:
         _write(found, record)
@@ -70,7 +70,7 @@ def sea(
         from .plot import draw
 
         draw(found, plot)
-    return show(found, [str(w.message) for w in caught], [path for path in (record.record, output, plot) if path])
+    return show(found, caught, [path for path in (record.record, output, plot) if path])
 
 
 def _check_places(file, table, record, output, plot):

@@ -71,7 +71,7 @@ def is_table(path):
     from hakobune.bem.database.results import has_schema
 
     from ..common.outputs import opening
-    from ..results.file import schema
+    from ..results.writing import schema
     from .result import NOTES
 
     if path.suffix == ".csv":

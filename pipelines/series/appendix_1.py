@@ -205,7 +205,7 @@ def _wave(row):
 
 def at_rest(model, line, db):
     """`AtRest` of a model on its database"""
-    from ..moor.command import studied
+    from ..moor.result import studied
     from ..moor.study import make_study
 
     with warnings.catch_warnings():

@@ -180,7 +180,7 @@ def _slow_motion(raw, database):
     from hakobune.mooring.studies.long_period import long_period
 
     from ..common.weather.gusts import gusts_of
-    from ..moor.command import studied
+    from ..moor.result import studied
     from ..moor.study import make_study
 
     made = make_study(raw | {"waves": raw["waves"] | {"motion_factor": 1e-3}})  # lines are asked at their mean alone

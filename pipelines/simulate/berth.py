@@ -16,25 +16,6 @@ NEAR = 0.2  # of a harbour's period, within which a natural period is near it
 FEWEST = 5  # waves of a window
 
 
-def natural_periods(moored):
-    """(3,) s of small motions of surge, sway and yaw about rest, coupled, each named by its largest share; nan: none
-
-    moored : `mooring.motion.simulation.Moored`.  Friction of fenders, which holds small motions, is left out.
-    """
-    from scipy.linalg import eigh
-
-    place = list(PLANE.values())
-    at = np.ix_(place, place)
-    mass, stiffness = (moored.reader.inertia + moored.slow_added_mass)[at], moored.stiffness[at]
-    squared, shapes = eigh(0.5 * (stiffness + stiffness.T), 0.5 * (mass + mass.T))
-    share, out = np.abs(shapes) * np.sqrt(np.diag(mass))[:, None], np.full(3, np.nan)
-    for _ in place:
-        mode, column = np.unravel_index(np.argmax(share), share.shape)
-        out[mode] = 2 * np.pi / np.sqrt(squared[column]) if squared[column] > 0 else np.nan
-        share[mode], share[:, column] = -1.0, -1.0
-    return out
-
-
 def findings_on_periods(file):
     """What resonates: natural periods at the berth near those of the harbour"""
     harbour = np.asarray(file.attrs.get("harbour_period", []), float)

@@ -12,10 +12,11 @@ import numpy as np
 
 from hakobune.mooring.studies.long_period import long_period
 from hakobune.mooring.studies.multi_point import multi_point
+from hakobune.mooring.studies.natural_periods import periods_at_berth
 
 from ..common.weather.gusts import gusts_of
 from ..moor.quay import body_of
-from .berth import by_design_spectrum, check_harbour, natural_periods
+from .berth import by_design_spectrum, check_harbour
 
 SLOW = ("Surge", "Sway", "Yaw")
 
@@ -76,7 +77,7 @@ def of_berth(study, db, body):
     """Attributes of the file: natural periods at the berth, of the harbour, fenders, design spectrum method"""
     fenders = body.berth.fenders
     return {
-        "natural_period": natural_periods(body),
+        "natural_period": periods_at_berth(body),
         "harbour_period": [] if study.harbour is None else check_harbour(study.harbour.periods),
         "fender_height": [one.fender.height for one in fenders],
         "fender_allowable": [one.fender.own_allowable for one in fenders],

@@ -17,12 +17,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from hakobune.mooring.studies.natural_periods import periods_at_berth
+
 from ..common.quantities import StudyError
 from ..results.given import database_of
 from ..results.quantity import Quantity
 from ..results.result import labels
 from . import work
-from .berth import PLANE, natural_periods, windows
+from .berth import PLANE, windows
 from .run import input_of
 
 STILL = 1e-6  # m, degrees: no motion
@@ -41,7 +43,7 @@ def compared(result, study, database, duration=None, division=None):
     body, plan, _ = work.prepared(task, db)
     if plan.mean_period is None:
         raise StudyError("--methods compares motions in waves, and there are none; allowed: with [waves] or a record")
-    periods, states = natural_periods(body), {"memory": "states", "constant_period": None}
+    periods, states = periods_at_berth(body), {"memory": "states", "constant_period": None}
     known = periods[np.isfinite(periods)]
     wave = plan.mean_period / SIGNIFICANT
     cases = [("2 memory", body, states), (f"3 constant, {wave:.3g} s", body, _constant(wave))]

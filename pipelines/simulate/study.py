@@ -14,7 +14,6 @@ file = "tug.csv"                 # beside the study: t, Fx, Fy, Fz, Mx, My, Mz
 from __future__ import annotations
 
 import math
-import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,6 +29,7 @@ from ..common.weather.gusts import gusts_of
 from ..moor.checked import check_period
 from ..moor.tables import SimulationTable
 from ..response.study import checked_ratios, damping_of
+from ..results.heard import heard
 from .berth import check_harbour
 
 LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave part
@@ -227,10 +227,9 @@ def _forces(table, folder):
     """`GivenForce` of each file, and findings"""
     from hakobune.mooring.motion.given_forces import read_force
 
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with heard() as caught:
         forces = () if folder is None else tuple(read_force(Path(folder) / one.file) for one in table.force)
-    return forces, tuple(str(w.message) for w in caught)
+    return forces, tuple(caught)
 
 
 def _duration(table, duration):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -14,10 +13,10 @@ from hakobune.bem import DOFS
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError
-from ..executors.memory import give_back
 from ..moor.quay import body_of
 from ..moor.study import Study
 from ..results.given import database_of
+from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
 from .study import check_names, damping, level_of_pairs, plan_of, quadratic
 
@@ -74,8 +73,7 @@ def prepared(task, db=None):
         if of_quay and reader.viscous is None:  # made of the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
+        with heard() as caught:
             body = moored(
                 reader, system, hull, memory=memory, damping=extra, quadratic=drag, berth=berth,
                 linearised_in=plan.weather.waves,
@@ -90,8 +88,7 @@ def prepared(task, db=None):
         _prepared.clear()
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         reader.between.forget()
-        give_back()
-        _prepared[key] = body, plan, (*first, *of_quay, *(str(w.message) for w in caught))
+        _prepared[key] = body, plan, (*first, *of_quay, *caught)
     return _prepared[key]
 
 
@@ -160,8 +157,7 @@ def simulate_seed(task, seed, kept, progress=None):
     from hakobune.mooring.motion.simulation import simulate
 
     body, plan, _ = prepared(task)
-    with warnings.catch_warnings(record=True):
-        warnings.simplefilter("always")  # the energy outside the stored frequencies is told once, by the plan
+    with heard():  # the energy outside the stored frequencies is told once, by the plan
         run = simulate(body, plan.weather, plan.settings, seed, progress)
     late = run.time >= -1e-9
     extreme = 0.0 if plan.weather.regular is not None else 1000 * plan.mean_period if plan.mean_period else None

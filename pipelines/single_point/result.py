@@ -17,8 +17,9 @@ from . import running
 from .findings import findings, overloads
 from .maps import Map, check_maps, computed
 from .quantities import cycle_of, hull_of, lines_at, maps_of, notes_of, rest_of, run_of, state_of
+from .reading import read_study
 from .study import check_buoy, make
-from .tables import Study, make_study, read_study
+from .tables import Study, make_study
 
 if TYPE_CHECKING:
     from hakobune.bem.database import Database

@@ -20,8 +20,6 @@ Water and weather may come from the values of a site, [site] with file, state an
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import msgspec
 
 from ..common.line_tables import LineTable, TypeTable
@@ -29,9 +27,9 @@ from ..common.quantities import StudyError, Table
 from ..common.typed import typed
 from ..common.weather.seas import SeaTable
 from ..common.weather.streams import CurrentTable as UniformTable
-from ..common.weather.streams import SuperstructureTable, WindTable, with_files
-from ..moor.tables import WaterTable
-from ..site.link import SiteLink, read_study_at_site
+from ..common.weather.streams import SuperstructureTable, WindTable
+from ..common.weather.water import DepthTable
+from ..site.link import SiteLink
 
 
 class HullTable(SuperstructureTable, kw_only=True):
@@ -244,7 +242,7 @@ class Study(Table):
     allowable : fraction of the breaking load a line may carry, above 0, at most 1
     """
 
-    water: WaterTable
+    water: DepthTable
     hull: HullTable
     attachment: AttachmentTable
     types: dict[str, TypeTable]
@@ -259,17 +257,6 @@ class Study(Table):
     slewing: SlewingTable | None = None
     maps: list[MapTable] = msgspec.field(default_factory=list)
     allowable: float = 0.4
-
-
-def read_study(path):
-    """The Study of a TOML file, its nested dictionaries and its text.  Raises StudyError."""
-    raw, text = with_files(*read_study_at_site(Path(path), "a study"), path)
-    study = make_study(raw)
-    if study.maps:
-        from .maps import check_maps
-
-        check_maps(raw, study)
-    return study, raw, text
 
 
 def make_study(raw):

@@ -7,20 +7,14 @@ import tempfile
 from importlib import import_module
 from pathlib import Path
 
-import hakobune
-
 from ..results.result import Result
+from ..results.studies import function_of
 from .file import SIZE
 from .solved import solved
 from .study import SOLVE, StudyError
 
 INTERRUPTED = 130  # exit status of a command that Ctrl-C ended
 DRAWS = ("output", "plot")  # flags of commands that write files, of which a sweep has no use
-
-
-def function_of(command):
-    """The study function of a command"""
-    return getattr(hakobune, command.replace("-", "_"))
 
 
 def given_to(command, arguments, main_of="hakobune.pipelines.cli"):

@@ -21,9 +21,10 @@ sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
 from hakobune import pipelines
 from hakobune.bem.database import open_database
 from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.studies.natural_periods import periods_at_berth
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.scene.scene import make_scene
-from hakobune.pipelines.simulate.berth import natural_periods, windows
+from hakobune.pipelines.simulate.berth import windows
 from hakobune.pipelines.simulate.study import damping, plan_of, quadratic
 from hakobune.pipelines.solve import run as solving
 
@@ -64,7 +65,7 @@ class Port:
             run = simulate(body, plan.weather, plan.settings, seed)
             late = run.time >= 0
             found.append(windows(run.motion[late], plan.settings.step, 3600.0 * hours - 1)[0][1][:2])
-        return natural_periods(body)[0], *np.mean(found, axis=0)
+        return periods_at_berth(body)[0], *np.mean(found, axis=0)
 
 
 def ropes(**values):

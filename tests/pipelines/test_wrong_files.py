@@ -15,7 +15,7 @@ from hakobune.bem.database.results import OURS, READS, named
 from hakobune.meshing.seals import SIGNATURE
 from hakobune.mooring.criteria.failing import FAILS
 from hakobune.pipelines.cli import main
-from hakobune.pipelines.results.file import NAMES, schema
+from hakobune.pipelines.results.writing import NAMES, schema
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 BOX = (

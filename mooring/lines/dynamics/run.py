@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -18,7 +17,6 @@ SHORTEST = 1e-8  # of the longest step
 FIRST = 0.02  # of the longest step
 FINER = 4  # times as short are the longest steps where friction acts: its work goes with the cube of a pull
 FREE = 0.01  # of the line's length; a step may move no node wrongly by more than this times the tolerance
-HALVINGS = 10
 
 
 class DynamicLineError(ValueError):
@@ -208,48 +206,6 @@ def run_esdirk(case, state):
             case.progress(float(time))
     pictures.nodes[drawn:] = state.position
     return _result(np.concatenate(parts), np.concatenate(marks), pictures, counts, state)
-
-
-def run_houbolt(case, state):
-    """Result of fixed steps, halved until the largest tension is the same within the tolerance."""
-    step = min(case.longest_step, case.motion.longest_step)
-    count, before, error = max(8, int(np.ceil(case.duration / step))), None, np.inf
-    for _ in range(HALVINGS):
-        found = run_fixed_steps(case, state, count)
-        if found is not None and before is not None:
-            scale = found.tension_fairlead.max()
-            error = np.abs(found.tension_fairlead[::2] - before.tension_fairlead).max() / (3 * scale)
-            if error <= case.tolerance:
-                return found
-        before, count = found, 2 * count
-    if before is None:
-        raise DynamicLineError(
-            f"{case.line}: Houbolt's scheme did not converge with steps of {2 * case.duration / count:.3g} s; "
-            "use method='esdirk'"
-        )
-    known = f"an estimated error of {error:.2g} of the largest tension" if np.isfinite(error) else "an unknown error"
-    warnings.warn(
-        f"{case.line}: Houbolt's scheme with steps of {2 * case.duration / count:.3g} s leaves {known}; "
-        f"asked {case.tolerance:g}; use method='esdirk'",
-        stacklevel=3,
-    )
-    return before
-
-
-def run_fixed_steps(case, state, count):
-    """Result of `count` fixed steps, or None where one of them did not converge."""
-    from .lumped.esdirk import COLUMNS
-    from .lumped.houbolt import run_fixed
-
-    state = State(state.time, *(np.array(x) for x in state[1:5]), case.duration / count)
-    pictures, rows = _pictures(case, state), np.zeros((count + 1, COLUMNS))
-    marks, motion = np.zeros((count + 1, pictures.stations.size)), case.motion.arrays
-    done, newton, _ = run_fixed(
-        case.line.system, case.water, motion, _control(case, state), state, state.step, rows, *pictures, marks
-    )
-    if done < count:
-        return None
-    return _result(rows, marks, pictures, (count, 0, newton), state._replace(time=state.time + case.duration))
 
 
 def _result(rows, marks, pictures, counts, state):

@@ -1,8 +1,8 @@
 """Dynamic mooring line: lumped mass in three dimensions with implicit steps chosen by their error.
 
-Forces and signs: `lumped.forces`; steps: `lumped.esdirk` (default) and `lumped.houbolt`, the scheme of the SR179
-report (1982), section 2.2.  The report's iteration on tensions with lagged angles has a limit c Δt/ℓ of about 0.45;
-here every scheme solves for the nodes with the tangent of tension, geometry and bed, and has no such limit.
+Forces and signs: `lumped.forces`; steps: `lumped.esdirk`.  The iteration on tensions with lagged angles of the SR179
+report (1982), section 2.2, has a limit c Δt/ℓ of about 0.45; here a step solves for the nodes with the tangent of
+tension, geometry and bed, and has no such limit.
 
 Energy balance: work at the fairlead = energy stored in the line + work lost to drag, inertia of the water, structural
 damping, and damping and friction of the bed.
@@ -18,7 +18,7 @@ import numpy as np
 from .estimates import mesh_error, step_error
 from .line import AttachedBody, DynamicLine, DynamicSegment, ElasticBed
 from .lumped.system import above_bed
-from .run import Case, DynamicLineError, Energies, Result, run_esdirk, run_houbolt
+from .run import Case, DynamicLineError, Energies, Result, run_esdirk
 from .start import start as at_rest
 from .surroundings import CurrentProfile, FairleadMotion, WaveTrain, water_arrays
 
@@ -47,7 +47,6 @@ def simulate(
     current=None,
     waves=None,
     tolerance=1e-3,
-    method="esdirk",
     longest_step=np.inf,
     frames=0,
     stations=(),
@@ -61,32 +60,31 @@ def simulate(
 
     line : DynamicLine; motion : FairleadMotion; duration : s; current : CurrentProfile; waves : WaveTrain
     tolerance : error of a step in the tensions at the ends, and in the mean of all, of the largest tension so far
-    method : "esdirk", or "houbolt", whose step begins at `longest_step` and is halved until tensions agree
     longest_step : s, an upper bound; frames : number of stored shapes, evenly in time; stations : node numbers
     start : State, the `end` of a run before, which the fairlead goes on from (then the elements are not checked)
-    check_mesh : run half as many elements too, and "esdirk" with steps twice as long; estimate the errors of the
+    check_mesh : run half as many elements too, and with steps twice as long; estimate the errors of the
     largest tensions, at the fairlead and inside, and warn above `mesh_tolerance` (`estimates`)
-    progress : called with the time reached (s) after every thousand steps of "esdirk"
-    stops : times (s) at which a step of "esdirk" ends, so that the history is exact there
+    progress : called with the time reached (s) after every thousand steps
+    stops : times (s) at which a step ends, so that the history is exact there
     returns : Result
     raises : ValueError for impossible input, LineError without a static shape, DynamicLineError for a run that stops
     """
-    _check(line, motion, duration, tolerance, method, longest_step, frames, stations, start)
+    _check(line, motion, duration, tolerance, longest_step, frames, stations, start)
     water = water_arrays(current, waves, line.gravity)
     rest = at_rest(line, motion.at(0.0)[0], water) if start is None else start
     _check_joint(motion, rest, start is None)
     _check_above_bed(line, motion, rest.time, duration)
     stops = tuple(sorted(set(map(float, stops))))
     case = Case(line, motion, water, duration, tolerance, longest_step, frames, stations, progress, stops)
-    result = (run_esdirk if method == "esdirk" else run_houbolt)(case, rest)
+    result = run_esdirk(case, rest)
     if check_mesh and start is None:
         result = replace(result, mesh_error=mesh_error(case, result, mesh_tolerance))
-    if check_mesh and method == "esdirk":
+    if check_mesh:
         result = replace(result, step_error=step_error(case, result, rest, mesh_tolerance))
     return result
 
 
-def _check(line, motion, duration, tolerance, method, longest_step, frames, stations, start):
+def _check(line, motion, duration, tolerance, longest_step, frames, stations, start):
     begin = 0.0 if start is None else start.time
     rounding = 1e-9 * (1.0 + begin + duration)
     for name, value, good, allowed in (
@@ -94,8 +92,6 @@ def _check(line, motion, duration, tolerance, method, longest_step, frames, stat
         ("tolerance", tolerance, 0 < tolerance <= 0.1, "above 0, at most 0.1"),
         ("longest_step", longest_step, longest_step > 0, "above 0 s"),
         ("frames", frames, frames >= 0, "0 or more"),
-        ("method", method, method in ("esdirk", "houbolt"), "'esdirk', 'houbolt'"),
-        ("method", method, method == "esdirk" or start is None, "'esdirk' where a run goes on from another"),
         (
             "end of the run",
             begin + duration,

@@ -7,12 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-
-if TYPE_CHECKING:
-    from .line import StaticLine
 
 FORCES = [0, 2]  # columns of `newton.store` that turn with x: H at both ends
 STIFFNESS = [6, 7]  # and ∂H/∂z, ∂V/∂x
@@ -28,6 +25,7 @@ class LineState(NamedTuple):
 class StaticSolution:
     """A solved line, or the same line at many positions, all of one shape (...).
 
+    line : `mooring.lines.multi_segment.line.StaticLine`
     horizontal_fairlead, vertical_fairlead : N, pull on the fairlead towards the anchor and down
     horizontal_anchor, vertical_anchor : N, pull on the anchor towards the fairlead and up
     stiffness : (..., 2, 2) N/m, ∂(H, V at the fairlead)/∂(x, z)
@@ -36,7 +34,7 @@ class StaticSolution:
     loads : states of the point loads, "submerged", "floating" or "emerged"; pieces : see `profile`; one position only
     """
 
-    line: StaticLine
+    line: Any
     x: np.ndarray
     z: np.ndarray
     horizontal_fairlead: np.ndarray

@@ -13,11 +13,10 @@ import numpy as np
 from hakobune.bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.bending import part
-from ...lines.dynamics.lumped.system import State, System, Water
-from ...lines.dynamics.run import FIRST, control_of
+from ...lines.dynamics.lumped.system import System, Water
+from ...lines.dynamics.run import control_of
 from ...lines.dynamics.start import start
 from ...lines.dynamics.surroundings import water_arrays
-from .polynomial import TERMS
 from .sea import LineSea, line_sea, water_of
 
 ROWS = 256  # of a line's own steps in one step of the body; more say that the body's step is too long
@@ -139,46 +138,6 @@ def _flexure(parts, systems):
         return None
     pairs = zip(parts, systems, strict=True)
     return np.concatenate([np.zeros(len(system.mass)) if one is None else one for one, system in pairs])
-
-
-def moving_work(moving, states, samples, lines):
-    """`MovingWork` of lines at rest in their `states`, with room for so many samples
-
-    lines : how many there are in all, with those in their static shape
-    """
-    count = len(moving.number)
-    kept = [np.stack([np.concatenate([state[i] for state in states])] * 2) for i in range(1, 5)]
-    pull = np.array([state_pull(moving, i, state) for i, state in enumerate(states)]).reshape(-1, 3)
-    before = np.column_stack([np.full(count, -1.0), pull])
-    last = np.zeros((lines, TERMS, 3))
-    last[moving.number, 0] = pull
-    return MovingWork(
-        *kept,
-        np.full((2, count), FIRST),
-        np.zeros((count, 3, 2, 3)),
-        np.zeros((count, ROWS)),
-        np.zeros((count, ROWS, 3)),
-        np.zeros((count, ROWS, 3)),
-        np.zeros(count, np.int64),
-        before,
-        np.zeros(12),
-        last,
-        np.ones(1),
-        np.zeros(18),
-        Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)),
-        np.zeros((samples, count)),
-        np.zeros(count, np.int64),
-        np.full(1, -1),
-    )
-
-
-def state_pull(moving, i, state: State):
-    """(3,) N of line i on its fairlead at rest"""
-    from .steps import pull_at_rest
-
-    pull = np.zeros(3)
-    pull_at_rest(moving, i, *state[1:5], pull)
-    return pull
 
 
 @kernel()

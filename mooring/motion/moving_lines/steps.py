@@ -15,13 +15,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem.kernels.borrowed import borrowed
 from hakobune.bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
-from ...lines.dynamics.lumped.forces import node_forces
 from ...lines.dynamics.lumped.system import Control, Motion, State
-from ...lines.dynamics.lumped.workspace import read, workspace
 from ...lines.dynamics.run import SHORTEST
 from .packed import ROWS, line_system
 from .polynomial import TERMS, legendre
@@ -31,24 +28,6 @@ GAUSS = np.polynomial.legendre.leggauss(4)  # exact for a cubic times P₃
 NODES, WEIGHTS = 0.5 * (GAUSS[0] + 1), 0.5 * GAUSS[1]
 SCHEME = tableau()
 ROUNDING = 1e-9  # of the time that a table of the sea reaches
-
-
-@kernel()
-def pull_at_rest(moving, i, q, v, a, slip, out):
-    """out (3,) N, pull of line i at its nodes q (n, 3) m at rest"""
-    system = line_system(moving, i)
-    s, last = borrowed(system), q.shape[0] - 1
-    room = workspace(s)
-    work, rows = borrowed(room), np.zeros((2, 3, room.q.shape[1]))
-    here, held = borrowed((rows[0], rows[1]))
-    read(work.q, q)
-    read(work.v, v)
-    read(here, a)
-    read(held, slip)
-    node_forces(s, work, here, held, work.q, 0.0, 0.0)
-    for k in range(3):
-        out[k] = work.r[k, last]
-    rows[0, 0, 0], room.power[0] = 0.0, 0.0  # kept until here, see `borrowed`
 
 
 @kernel()

@@ -13,7 +13,7 @@ from ..contact_loads import contact_work
 from ..equation import FLOAT, MEMORY, SLOW, Scene, room
 from ..expected import expected_motion
 from ..line_loads import body_lines, line_loads, line_work
-from ..moving_lines.packed import moving_work, state_pull
+from ..moving_lines.at_rest import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
 from ..moving_lines.sea import line_sea
 from ..streams import calm

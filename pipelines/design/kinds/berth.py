@@ -12,9 +12,8 @@ import numpy as np
 from hakobune.mooring.fenders.fender import FenderError
 
 from .in_time import make_study_of
-from .mooring import types_of
 from .needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
-from .numbers import Numbers
+from .numbers import Numbers, types_of
 
 STEADY = 600.0  # s
 PLANE = ("surge", "sway", "yaw")

@@ -26,7 +26,7 @@ from ...common.weather.streams import OF_HULL, STREAMS, with_hull
 from ...moor.checked import check_weather
 from ...moor.study import make_study, read_raw
 from .needs import COEFFICIENT, DOLPHIN, OF_FENDERS, Need, of_lines
-from .numbers import Numbers
+from .numbers import Numbers, types_of
 from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "mooring study", "needed", True
@@ -210,8 +210,8 @@ def draw(study, database, numbers, path):
 
         draw_berth(made, db, numbers, path)
         return
-    from ...moor.command import studied
     from ...moor.plan_picture import draw_plan
+    from ...moor.result import studied
 
     known = np.isfinite(numbers.breaking)
     used = np.where(known, numbers.largest / numbers.breaking, np.nan)
@@ -222,11 +222,6 @@ def line_tables(raw):
     """The raw table of each line of a study"""
     given = [spread for spread in raw.get("spreads", []) for _ in range(4 * len(spread["corner_headings_deg"]))]
     return given + raw.get("lines", [])
-
-
-def types_of(table):
-    """Names of the types that a line's table is made of"""
-    return (table["type"],) if "type" in table else tuple(segment["type"] for segment in table["segments"])
 
 
 def _solved(study, database, path):

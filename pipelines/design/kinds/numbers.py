@@ -35,3 +35,8 @@ class Numbers(NamedTuple):
     parts: dict
     hawsers: tuple = ()
     warnings: tuple = ()
+
+
+def types_of(table):
+    """Names of the types that a line's table is made of"""
+    return (table["type"],) if "type" in table else tuple(segment["type"] for segment in table["segments"])

@@ -16,7 +16,8 @@ from hakobune.meshing.whole_files import write_whole
 
 from ...common.quantities import StudyError, force
 from ...common.weather.streams import OF_HULL, with_hull
-from ...single_point.tables import make_study, read_study
+from ...single_point.reading import read_study
+from ...single_point.tables import make_study
 from .needs import of_lines
 from .numbers import Numbers
 from .stored import numbers_of

@@ -15,7 +15,7 @@ from hakobune.mooring.lines.dynamics.simulation import simulate as drive
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.parts import Anchor, Fairlead, LineDynamics, UniformLine
 from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
-from hakobune.mooring.motion.moving_lines.packed import moving_work, state_pull
+from hakobune.mooring.motion.moving_lines.at_rest import moving_work, state_pull
 from hakobune.mooring.motion.moving_lines.polynomial import TERMS
 from hakobune.mooring.motion.moving_lines.prepare import dynamic_line, moving_of
 from hakobune.mooring.motion.moving_lines.steps import advance_lines, keep_lines

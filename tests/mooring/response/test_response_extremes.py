@@ -14,7 +14,6 @@ from hakobune.mooring.response.extremes import (
     bandwidth_of_periods,
     exceedance,
     expected_maximum,
-    fit_weibull,
     maximum_not_exceeded,
     mean_of_highest,
     record_peaks,
@@ -22,6 +21,7 @@ from hakobune.mooring.response.extremes import (
 )
 from hakobune.mooring.response.long_term import YEAR, long_term
 from hakobune.mooring.response.return_period import probability_not_exceeded, return_period
+from hakobune.mooring.site.extremes import fit_extremes
 
 TABLE = Path(__file__).parents[2] / "published" / "simulation_statistics.csv"
 DURATION = 1000 * 10.0  # s, 1000 mean wave periods
@@ -104,8 +104,6 @@ def test_thousand_waves_have_the_factor_of_the_report():
         (lambda: maximum_not_exceeded(1.0, 1e4, 8.0, 1.0), "probability is 1.0; allowed: between 0 and 1"),
         (lambda: mean_of_highest(0.0, 0.3), "share of the maxima is 0"),
         (lambda: significant_factor(1.2), "bandwidth ε is 1.2"),
-        (lambda: fit_weibull(np.arange(1.0, 11.0)), "10 peaks above 0; allowed: at least 30"),
-        (lambda: fit_weibull(np.ones(50)), "all peaks are equal"),
         (lambda: record_peaks([1.0, np.nan]), "one row of finite numbers"),
         (lambda: return_period(20, 1.0), "probability is 1.0; allowed"),
         (lambda: probability_not_exceeded(20, 1.0), "return period is 1.0 years; allowed: above 1"),
@@ -121,26 +119,15 @@ def test_impossible_input_is_refused_in_one_line(call, words):
     assert "\n" not in str(caught.value)
 
 
-def test_weibulls_distribution_is_found_again_and_its_interval_holds_the_truth_nine_times_in_ten():
-    rng, inside, n = np.random.default_rng(2), 0, 300
-    truth = 3.0 * np.log(1000) ** (1 / 1.7)
-    for _ in range(n):
-        fit = fit_weibull(3.0 * rng.weibull(1.7, 500))
-        low, high = fit.interval(1000)
-        inside += low < truth < high
-    assert abs(inside / n - 0.9) < 3 * np.sqrt(0.9 * 0.1 / n) + 0.01
-    assert np.isclose(fit.shape, 1.7, rtol=0.15) and np.isclose(fit.scale, 3.0, rtol=0.15)
-
-
 def test_peaks_of_a_narrow_record_are_rayleighs():
     """shape 2 and scale √2 σ; a hundred independent groups leave 10 %."""
     spectrum = jonswap(2.0, peak_period=10.0, gamma=10.0)
     with pytest.warns(UserWarning, match="of the energy"):
         waves = Sea(spectrum).components(1000, 6, low=0.5, high=0.8)
     eta = elevation(waves, np.arange(0, 21600, 0.5))
-    fit = fit_weibull(record_peaks(eta))
+    fit = fit_extremes(record_peaks(eta), "weibull")
     assert np.isclose(fit.shape, 2.0, rtol=0.15) and np.isclose(fit.scale, np.sqrt(2) * eta.std(), rtol=0.1)
-    assert np.isclose(fit.expected_maximum(1000), 3.87 * eta.std(), rtol=0.15)
+    assert np.isclose(fit.value(1000), 3.72 * eta.std(), rtol=0.15)
 
 
 def test_return_periods_of_the_guideline():

@@ -11,17 +11,7 @@ from numba.core import event
 from hakobune.bem.kernels import jit
 from hakobune.pipelines import cli, start
 from hakobune.pipelines.common.first_use import tell_first_use
-
-
-def test_the_first_kernel_that_is_compiled_is_told_of_once(monkeypatch):
-    monkeypatch.setattr(sys, "stderr", io.StringIO())
-    teller = tell_first_use()
-    try:
-        for step in (1.0, 2.0):
-            assert numba.njit(lambda x, step=step: x + step)(1.0) == 1.0 + step
-    finally:
-        event.unregister("numba:compile", teller)
-    assert sys.stderr.getvalue().count("compiling kernels") == 1
+from hakobune.pipelines.printing import timing
 
 
 def test_what_is_asked_for_before_the_first_kernel_is_called_once(monkeypatch):
@@ -32,22 +22,29 @@ def test_what_is_asked_for_before_the_first_kernel_is_called_once(monkeypatch):
     assert called == ["called"]
 
 
-@pytest.mark.parametrize(
-    ("words", "terminal", "told"),
-    [("simulate study.toml", True, True), ("series lines", True, True), ("qtf box.h5", True, True)]
-    + [("simulate study.toml", False, False), ("simulate --help", True, False), ("keys", True, False)],
-)
-def test_every_command_that_computes_tells_it_at_a_terminal_and_only_there(words, terminal, told, monkeypatch):
+@pytest.mark.parametrize("terminal", [True, False])
+def test_a_kernel_that_is_compiled_is_told_at_a_terminal_only_and_timed_in_both(terminal, monkeypatch):
     class Screen(io.StringIO):
         def isatty(self):
             return terminal
 
-    monkeypatch.setattr(jit, "_before_first", [])
-    monkeypatch.setattr(sys, "argv", ["hakobune", *words.split()])
     monkeypatch.setattr(sys, "stderr", Screen())
-    for name in ("_put_off_compiling", "_spare_numpy", "_leave_cycles"):  # this process goes on
-        monkeypatch.setattr(start, name, lambda: None)
+    timing.begin()
+    teller = tell_first_use()
+    try:
+        for step in (1.0, 2.0):
+            assert numba.njit(lambda x, step=step: x + step)(1.0) == 1.0 + step
+    finally:
+        event.unregister("numba:compile", teller)
+        lines = timing.told()
+    assert sys.stderr.getvalue().count("compiling kernels") == terminal
+    assert float(next(line for line in lines if line.startswith(timing.KERNELS)).split()[2]) > 0.01
+
+
+def test_every_command_tells_it(monkeypatch):
+    monkeypatch.setattr(jit, "_before_first", [])
+    monkeypatch.setattr(sys, "argv", ["hakobune", "simulate", "study.toml"])
     monkeypatch.setattr(cli, "main", lambda: 0)
     monkeypatch.setattr(signal, "signal", lambda *given: None)
     assert start.main() == 0
-    assert jit._before_first == [tell_first_use] * told
+    assert jit._before_first == [tell_first_use]

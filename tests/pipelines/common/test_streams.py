@@ -12,8 +12,8 @@ from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.weather.streams import no_box, with_files
 from hakobune.pipelines.design.kinds.mooring import at
 from hakobune.pipelines.moor.study import make_study, read_study
+from hakobune.pipelines.single_point.reading import read_study as read_single_point
 from hakobune.pipelines.single_point.study import make
-from hakobune.pipelines.single_point.tables import read_study as read_single_point
 
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
 HEAD = "[water]\ndepth = 20.0\n[hull]\nfreeboard = 10.0\n"

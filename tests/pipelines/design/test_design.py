@@ -16,7 +16,6 @@ from hakobune.pipelines.common.picture import save
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.design.advice import Advice, Tried, _smallest, advise, after_lines_move
 from hakobune.pipelines.design.cases import intact_cases
-from hakobune.pipelines.design.command import made
 from hakobune.pipelines.design.fatigue import QUANTITY as FATIGUE
 from hakobune.pipelines.design.fatigue import fatigue
 from hakobune.pipelines.design.kinds import breakwater, mooring, single_point, stored
@@ -25,9 +24,10 @@ from hakobune.pipelines.design.kinds.in_time import cycles_of
 from hakobune.pipelines.design.kinds.needs import SCOPE
 from hakobune.pipelines.design.project import read_project
 from hakobune.pipelines.design.report_words import advice_words, warnings
+from hakobune.pipelines.design.result import made
 from hakobune.pipelines.design.verdict import judged_project
 from hakobune.pipelines.executors.choice import Here
-from hakobune.pipelines.moor.command import studied
+from hakobune.pipelines.moor.result import studied
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.simulate.over_runs import OF_LINES

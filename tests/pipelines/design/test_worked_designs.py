@@ -14,9 +14,9 @@ import tomli_w
 from hakobune import pipelines
 from hakobune.bem.time_domain.memory import no_memory
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.design.command import made
 from hakobune.pipelines.design.kinds.breakwater import _numbers as breakwater_numbers
 from hakobune.pipelines.design.project import read_project
+from hakobune.pipelines.design.result import made
 from hakobune.pipelines.executors.choice import Here
 from hakobune.pipelines.results.file import read
 
@@ -173,8 +173,8 @@ def barge(tmp_path_factory):
 def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, monkeypatch):
     from hakobune.bem.database import open_database
     from hakobune.mooring.single_point.equilibria import equilibria, preferred
+    from hakobune.pipelines.single_point.reading import read_study
     from hakobune.pipelines.single_point.study import make
-    from hakobune.pipelines.single_point.tables import read_study
 
     out = barge.parent / "out"
     verdict, _, _ = made(read_project(barge), out, Here(), None)

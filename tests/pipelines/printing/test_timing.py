@@ -28,7 +28,7 @@ def test_a_command_tells_its_phases_on_stderr_and_a_fault_too(tmp_path, capsys):
     sizes = ["--length", "4", "--beam", "2", "--draft", "1", "--depth", "9", "--omega", "1,1.1", "--heading", "0"]
     assert main(["box", *sizes, "--timing", "--output", str(tmp_path / "box.h5")]) == 0
     said = capsys.readouterr()
-    for name in ("imports", "solve", "estimate", "store", "report", "whole"):
+    for name in ("solve", "estimate", "store", "report", "whole"):
         assert any(line.startswith(name) for line in said.err.splitlines())
     assert "of processor" not in said.out
     assert main(["plot", str(tmp_path / "none.h5"), "--timing"]) == 2

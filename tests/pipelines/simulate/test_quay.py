@@ -15,11 +15,12 @@ from hakobune.bem.time_domain.memory import no_memory
 from hakobune.mooring.environment.wave_records import Record, write_record
 from hakobune.mooring.lines.system.parts import LineSystemError
 from hakobune.mooring.studies.conditions import ExposedBox
+from hakobune.mooring.studies.natural_periods import periods_at_berth
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.moor.quay import body_of
 from hakobune.pipelines.moor.study import make_study, read_study
-from hakobune.pipelines.simulate.berth import by_design_spectrum, findings_on_periods, natural_periods, windows
+from hakobune.pipelines.simulate.berth import by_design_spectrum, findings_on_periods, windows
 from hakobune.pipelines.simulate.file import opened
 from hakobune.pipelines.simulate.study import plan_of
 
@@ -120,7 +121,7 @@ def test_natural_periods_of_a_berth_are_those_of_its_springs_and_are_told_beside
     stiffness = np.diag([1.0, 4.0, 5.0, 5.0, 5.0, 81.0])
     stiffness[1, 5] = stiffness[5, 1] = 0.5
     body = SimpleNamespace(reader=SimpleNamespace(inertia=mass), slow_added_mass=0 * mass, stiffness=stiffness)
-    found = natural_periods(body)
+    found = periods_at_berth(body)
     assert found == pytest.approx([4 * np.pi, 2 * np.pi, 2 * np.pi / 3], rel=2e-2)
     assert found[0] == pytest.approx(4 * np.pi, rel=1e-12) and found[1] > 2 * np.pi
     near = list(findings_on_periods(SimpleNamespace(attrs={"natural_period": found, "harbour_period": [14.0, 100.0]})))

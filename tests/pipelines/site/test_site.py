@@ -15,7 +15,7 @@ from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.design.project import read_project
 from hakobune.pipelines.moor.study import read_study
 from hakobune.pipelines.response.study import read_response_study
-from hakobune.pipelines.single_point.tables import read_study as read_single_point
+from hakobune.pipelines.single_point.reading import read_study as read_single_point
 from hakobune.pipelines.site.result import site
 from hakobune.pipelines.site.study import SiteStudy, read_site, site_values
 

@@ -1,0 +1,124 @@
+"""One frequency of a box or vertical cylinder by a method without panels."""
+
+from __future__ import annotations
+
+import time
+from functools import cached_property, partial
+
+import numpy as np
+
+from ..checks import enlarged
+from ..contour.raised_bed import bed_share, with_bed
+from ..frequency import DRIFT, FrequencyRun
+
+
+class ShapeRun(FrequencyRun):
+    """One frequency of a method without panels, by the prepared solver or a sharper one.
+
+    Few problems need one: heights of a gap and drafts at which what keel and sides radiate nearly cancels.
+    """
+
+    most_sharper = 2  # digits more than the tolerance asks for
+
+    def __init__(self, prepared, omega, headings, want, theta, dofs, solver=None):
+        super().__init__(prepared, omega, headings, want, theta, dofs)
+        self.solver = prepared.solver if solver is None else solver
+
+    @property
+    def sharper(self):
+        """By a digit more; None at the last, and where what is left out of short waves is the error"""
+        if self.problem.method != "contour" or self.first_order.neglected is not None or self.solver.sharper is None:
+            return None
+        return partial(ShapeRun, self.prepared, *self.question, self.solver.sharper)
+
+    @property
+    def solves(self):
+        """Whether any equations have to be solved"""
+        return bool(self.want - {"Froude_Krylov_force", "pressure"})
+
+    @cached_property
+    def first_order(self):
+        """`bem.first_order.FirstOrder` at the angles `theta` followed by the headings"""
+        start = time.perf_counter()
+        found = self._first_order(self.solver, self.far_field)
+        self._timed("solve", start)
+        return found
+
+    @cached_property
+    def finer(self):
+        """The same by the finer body of the contour method"""
+        return self._first_order(self.solver.finer, self.want & DRIFT)
+
+    def _first_order(self, solver, far_field):
+        at = np.concatenate([self.theta, self.headings]) if far_field else ()
+        return solver.first_order(self.omega, self.waves, at, self.dofs, self.problem.density, self.problem.gravity)
+
+    @property
+    def waves(self):
+        """(m,) headings; empty where no diffraction is wanted"""
+        return self.headings if self.diffracts else np.empty(0)
+
+    def enlarged(self, radiation, excitation):
+        """Errors with what is left out of short waves and what a raised bed adds"""
+        neglected = self.first_order.neglected
+        if neglected is not None:
+            A, B = (enlarged(part, neglected[0]) for part in (radiation.real, radiation.imag))
+            radiation, excitation = A + 1j * B, enlarged(excitation, neglected[1])
+        return with_bed(self, radiation, excitation)
+
+    @cached_property
+    def differences(self):
+        """Of the contour method, from the finer body; None for strips, whose error is that of strip theory"""
+        if self.problem.method != "contour":
+            return None
+        ours, fine = self.first_order, self.finer
+        force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
+        return ours.radiation - fine.radiation, force - better
+
+    @cached_property
+    def kochin_differences(self):
+        """As `differences`, of `kochin`"""
+        fine = self.finer.kochin_radiation, self.finer.kochin_diffraction
+        return [H - better for H, better in zip(self.kochin, fine, strict=True)]
+
+    @property
+    def kochin_errors(self):
+        """As `errors`, of `kochin`"""
+        share = bed_share(self.problem)
+        return [error + share * H for H, error in zip(self.kochin, self.kochin_differences, strict=True)]
+
+    @property
+    def radiated(self):
+        mine = self.first_order.radiated if self.radiates else None
+        return super().radiated if mine is None else mine
+
+    @property
+    def radiation(self):
+        return self.first_order.radiation
+
+    @property
+    def froude_krylov(self):
+        if self.diffracts:
+            return self.first_order.froude_krylov
+        problem = self.problem
+        return self.solver.froude_krylov(self.omega, self.headings, self.dofs, problem.density, problem.gravity)
+
+    @property
+    def diffraction(self):
+        return self.first_order.diffraction
+
+    @property
+    def haskind(self):
+        return self.first_order.haskind
+
+    @property
+    def kochin(self):
+        return self.first_order.kochin_radiation, self.first_order.kochin_diffraction
+
+    @property
+    def residual(self):
+        return self.first_order.residual
+
+    def pressure(self):
+        """Of the panel method"""
+        return self.prepared.panels.run(self.omega, self.headings, {"pressure"}, None, None).pressure()

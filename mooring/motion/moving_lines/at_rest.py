@@ -1,0 +1,71 @@
+"""Moving lines at rest: how they pull, and what a run of them begins with."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.bem.kernels.borrowed import borrowed
+from hakobune.bem.kernels.jit import kernel
+
+from ...lines.dynamics.lumped.forces import node_forces
+from ...lines.dynamics.lumped.system import State
+from ...lines.dynamics.lumped.workspace import read, workspace
+from ...lines.dynamics.run import FIRST
+from .packed import ROWS, MovingWork, Room, line_system
+from .polynomial import TERMS
+
+
+def moving_work(moving, states, samples, lines):
+    """`MovingWork` of lines at rest in their `states`, with room for so many samples
+
+    lines : how many there are in all, with those in their static shape
+    """
+    count = len(moving.number)
+    kept = [np.stack([np.concatenate([state[i] for state in states])] * 2) for i in range(1, 5)]
+    pull = np.array([state_pull(moving, i, state) for i, state in enumerate(states)]).reshape(-1, 3)
+    before = np.column_stack([np.full(count, -1.0), pull])
+    last = np.zeros((lines, TERMS, 3))
+    last[moving.number, 0] = pull
+    return MovingWork(
+        *kept,
+        np.full((2, count), FIRST),
+        np.zeros((count, 3, 2, 3)),
+        np.zeros((count, ROWS)),
+        np.zeros((count, ROWS, 3)),
+        np.zeros((count, ROWS, 3)),
+        np.zeros(count, np.int64),
+        before,
+        np.zeros(12),
+        last,
+        np.ones(1),
+        np.zeros(18),
+        Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)),
+        np.zeros((samples, count)),
+        np.zeros(count, np.int64),
+        np.full(1, -1),
+    )
+
+
+def state_pull(moving, i, state: State):
+    """(3,) N of line i on its fairlead at rest"""
+    pull = np.zeros(3)
+    pull_at_rest(moving, i, *state[1:5], pull)
+    return pull
+
+
+@kernel()
+def pull_at_rest(moving, i, q, v, a, slip, out):
+    """out (3,) N, pull of line i at its nodes q (n, 3) m at rest"""
+    system = line_system(moving, i)
+    s, last = borrowed(system), q.shape[0] - 1
+    room = workspace(s)
+    work, rows = borrowed(room), np.zeros((2, 3, room.q.shape[1]))
+    here, held = borrowed((rows[0], rows[1]))
+    read(work.q, q)
+    read(work.v, v)
+    read(here, a)
+    read(held, slip)
+    node_forces(s, work, here, held, work.q, 0.0, 0.0)
+    for k in range(3):
+        out[k] = work.r[k, last]
+    rows[0, 0, 0], room.power[0] = 0.0, 0.0  # kept until here, see `borrowed`

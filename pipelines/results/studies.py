@@ -1,0 +1,33 @@
+"""The study functions of the house: the module of each, imported when it is called for."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+MODULES = {
+    "berth": "pipelines.berth.result",
+    "breakwater": "pipelines.breakwater.result",
+    "damping": "pipelines.damping.result",
+    "design": "pipelines.design.result",
+    "earthquake": "pipelines.earthquake.result",
+    "fender": "pipelines.fender.result",
+    "line": "pipelines.lines.line_result",
+    "line_dynamics": "pipelines.line_dynamics.result",
+    "lines": "pipelines.lines.lines_result",
+    "members": "pipelines.members.result",
+    "moor": "pipelines.moor.result",
+    "response": "pipelines.response.result",
+    "sections": "pipelines.sections.result",
+    "simulate": "pipelines.simulate.result",
+    "single_point": "pipelines.single_point.result",
+    "site": "pipelines.site.result",
+    "solve": "pipelines.solve.result",
+    "sweep": "pipelines.sweep.result",
+    "waves": "pipelines.waves.result",
+}
+
+
+def function_of(command):
+    """The study function of a command"""
+    name = command.replace("-", "_")
+    return getattr(import_module(f"hakobune.{MODULES[name]}"), name)

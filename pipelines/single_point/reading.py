@@ -1,0 +1,18 @@
+"""Reading a study of a single point, with its maps checked."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..common.weather.streams import with_files
+from ..site.link import read_study_at_site
+from .maps import check_maps
+from .tables import make_study
+
+
+def read_study(path):
+    """The Study of a TOML file, its nested dictionaries and its text.  Raises StudyError."""
+    raw, text = with_files(*read_study_at_site(Path(path), "a study"), path)
+    study = make_study(raw)
+    check_maps(raw, study)
+    return study, raw, text
