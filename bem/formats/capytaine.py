@@ -17,7 +17,7 @@ from hakobune.meshing.whole_files import write_whole
 from .. import DOFS
 from ..database.schema import BODY, QUANTITIES
 from ..waves import wavenumber
-from .values import FormatError, Values
+from .values import FormatError, Values, body_of
 
 TAKEN = ("added_mass", "radiation_damping", "Froude_Krylov_force", "diffraction_force", "excitation_force")
 MATRICES = ("inertia_matrix", "hydrostatic_stiffness")
@@ -81,10 +81,10 @@ def _put(file, name, axes, unit, data, split=False):
 
 
 def read(place, known=None):
-    """The Values of NAME.nc.  Raises FormatError."""
+    """The Values of a body of NAME.nc; known : {"body": from 1} of several.  Raises FormatError."""
     try:
         with _opened(Path(place)) as file:
-            return _read(file, Path(place).stem)
+            return _read(file, Path(place).stem, known)
     except OSError as error:
         raise FormatError(f"{place} cannot be opened: {str(error).splitlines()[0]}") from None
     except KeyError as error:
@@ -117,15 +117,18 @@ def _opened(place):
     return file
 
 
-def _read(file, name):
+def _read(file, name, known):
     axes = {axis: file[axis][()] for axis in ("omega", "wave_direction") if axis in file}
     axes.setdefault("wave_direction", np.zeros(0))
+    which = None
     for axis in ("radiating_dof", "influenced_dof"):
-        labels = [text.decode() if isinstance(text, bytes) else str(text) for text in file[axis][()]]
-        ends = [label.split("__")[-1] for label in labels]
-        if sorted(ends) != sorted(DOFS):
+        labels = [text.decode() if isinstance(text, bytes) else str(text) for text in np.ravel(file[axis][()])]
+        bodies = list(dict.fromkeys(label.rpartition("__")[0] for label in labels))
+        which = body_of(file.filename, len(bodies), known)
+        ends = {label.rpartition("__")[2]: i for i, label in enumerate(labels) if label.rpartition("__")[0] == bodies[which]}
+        if not set(ends) <= set(DOFS):
             raise FormatError(f"{file.filename} has the modes {', '.join(labels)}; allowed: {', '.join(DOFS)}")
-        axes[axis] = [ends.index(dof) for dof in DOFS]
+        axes[axis] = [ends.get(dof) for dof in DOFS]
     quantities = {}
     for quantity in TAKEN:
         if quantity in file:
@@ -133,12 +136,13 @@ def _read(file, name):
     if "excitation_force" not in quantities and {"diffraction_force", "Froude_Krylov_force"} <= set(quantities):
         quantities["excitation_force"] = quantities["diffraction_force"] + quantities["Froude_Krylov_force"]
     body = {own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file}
-    body |= {own: np.ravel(file[name][()]) for name, own in VECTORS.items() if name in file}
-    body |= {own: float(np.ravel(file[name][()])[0]) for name, own in SCALARS.items() if name in file}
+    body |= {own: file[name][()].reshape(-1, 3)[which] for name, own in VECTORS.items() if name in file}
+    body |= {own: float(np.ravel(file[name][()])[which]) for name, own in SCALARS.items() if name in file}
     g, rho, depth = (float(np.ravel(file[key][()])[0]) for key in WATER)
-    about = np.ravel(file["rotation_center"][()]) if "rotation_center" in file else np.zeros(3)
+    about = file["rotation_center"][()].reshape(-1, 3)[which] if "rotation_center" in file else np.zeros(3)
     omega = np.ravel(axes["omega"])
-    return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name)
+    return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name,
+                  others=len(bodies) - 1)  # fmt: skip
 
 
 def _ordered(file, name, axes, places):
@@ -157,7 +161,8 @@ def _ordered(file, name, axes, places):
     data = data.transpose([stored.index(axis) for axis in axes])
     for place, axis in enumerate(axes):
         if axis.endswith("_dof"):
-            data = np.take(data, places[axis], axis=place)
+            rows = [np.zeros_like(np.take(data, 0, place)) if at is None else np.take(data, at, place) for at in places[axis]]
+            data = np.stack(rows, place)
     return data
 
 
