@@ -39,7 +39,9 @@ def read(place, known=None):
     except (IndexError, KeyError, ValueError) as error:
         if isinstance(error, FormatError):
             raise
-        raise FormatError(f"{place} is no file of AQWA's hydrodynamic coefficients, or it ends too soon: {error}") from None
+        raise FormatError(
+            f"{place} is no file of AQWA's hydrodynamic coefficients, or it ends too soon: {error}"
+        ) from None
 
 
 def _values(place, water, center, omega, headings, quantities, body, limits, others):
@@ -168,7 +170,9 @@ def _listing(place, known):
         places = [int(np.argmin(np.abs(found - w))) for w in omega]
         quantities["excitation_force"] = X[places]
     body = {} if C is None else {"hydrostatic_stiffness": C}
-    return _values(place, water, center, np.array(omega), headings, quantities, body, limits, max(blocks, default=1) - 1)
+    return _values(
+        place, water, center, np.array(omega), headings, quantities, body, limits, max(blocks, default=1) - 1
+    )
 
 
 def _blocks(lines):

@@ -32,4 +32,8 @@ def believed(values, mesh, correct=False):
     if not correct:
         way = f"give {found.cause.way_out}, or {WAY_OUT}" if found.cause.way_out else WAY_OUT
         raise FormatError(f"{off}: {found.cause.text}; {way}")
-    return corrected(values, found.cause), [f"corrected: {found.cause.text}; motions and drift of the files are left out"], []
+    return (
+        corrected(values, found.cause),
+        [f"corrected: {found.cause.text}; motions and drift of the files are left out"],
+        [],
+    )

@@ -174,7 +174,9 @@ def _read(file, name, which):
     omega, degrees = np.ravel(water["w"][()]), np.ravel(water["wave_dir"][()])
     hydro, quantities, columns = body["hydro_coeffs"], {}, slice(6 * which, 6 * which + 6)
     quantities["added_mass"] = rho * hydro["added_mass/all"][:6, columns].transpose(2, 0, 1)
-    quantities["radiation_damping"] = rho * omega[:, None, None] * hydro["radiation_damping/all"][:6, columns].transpose(2, 0, 1)
+    quantities["radiation_damping"] = (
+        rho * omega[:, None, None] * hydro["radiation_damping/all"][:6, columns].transpose(2, 0, 1)
+    )
     quantities["added_mass_infinity"] = rho * hydro["added_mass/inf_freq"][:6, columns]
     for path, quantity in FORCES.items():
         if f"{path}/re" in hydro:

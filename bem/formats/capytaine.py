@@ -125,7 +125,9 @@ def _read(file, name, known):
         labels = [text.decode() if isinstance(text, bytes) else str(text) for text in np.ravel(file[axis][()])]
         bodies = list(dict.fromkeys(label.rpartition("__")[0] for label in labels))
         which = body_of(file.filename, len(bodies), known)
-        ends = {label.rpartition("__")[2]: i for i, label in enumerate(labels) if label.rpartition("__")[0] == bodies[which]}
+        ends = {
+            label.rpartition("__")[2]: i for i, label in enumerate(labels) if label.rpartition("__")[0] == bodies[which]
+        }
         if not set(ends) <= set(DOFS):
             raise FormatError(f"{file.filename} has the modes {', '.join(labels)}; allowed: {', '.join(DOFS)}")
         axes[axis] = [ends.get(dof) for dof in DOFS]
@@ -161,7 +163,10 @@ def _ordered(file, name, axes, places):
     data = data.transpose([stored.index(axis) for axis in axes])
     for place, axis in enumerate(axes):
         if axis.endswith("_dof"):
-            rows = [np.zeros_like(np.take(data, 0, place)) if at is None else np.take(data, at, place) for at in places[axis]]
+            rows = [
+                np.zeros_like(np.take(data, 0, place)) if at is None else np.take(data, at, place)
+                for at in places[axis]
+            ]
             data = np.stack(rows, place)
     return data
 

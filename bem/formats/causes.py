@@ -19,6 +19,8 @@ from ..waves import wavenumber
 from .own_solution import gaps, sizes_of_forces
 
 AGREED = 0.10  # of the size of a row: the largest difference that is none
+MESH = 0.5  # the same, that panels may make
+SHIFT = 0.02  # of half the hull's size: the least way from a point that is another one
 FITS = 0.5  # of the difference: what a cause leaves of it at most
 NEARLY = 0.03  # of a factor, within which it is a known one
 FACTORS = {
@@ -55,7 +57,17 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None where they agree within `AGREED`"""
+    """`Finding` on a `sample` of Values against `Own`; None where they agree within `AGREED`, on flat panels with one
+    node, as of most programs, or with four, which are near the limit of many panels
+    """
+    found = _finding(values, own)
+    if found is None or found.gap > MESH:
+        return found
+    sharp = _finding(values, own.sharper())
+    return None if sharp is None else min(found, sharp, key=lambda one: one.gap)
+
+
+def _finding(values, own):
     off = gaps(values, own)
     quantity = max(off, key=off.get)
     if off[quantity] <= AGREED:
@@ -150,7 +162,7 @@ def _about_units(values, own):
     a, x = ratio.get("added_mass", 1.0), ratio.get("excitation_force")
     length = np.sqrt(abs(x)) if x else abs(a) ** (1 / 3)
     length = next((known for known in LENGTHS if abs(length / known - 1) < NEARLY), length)
-    if length > 0:
+    if length > 0 and abs(length - 1) > NEARLY:
         yield Cause(
             f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken",
             lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
@@ -167,13 +179,13 @@ def _about_units(values, own):
         if "added_mass" in names:
             taken += ("added_mass_zero", "added_mass_infinity")
         factor = _factor(chosen)
-        if factor:
+        if factor and abs(factor - 1) > NEARLY:
             yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n)(f))
     for words, names, power in (("moments", FORCES, ROTATION), ("rows of rotations", FORCES + MATRICES, ROTATION)):
         if "excitation_force" in parts:
             three = tuple(part[..., 3:] for part in parts["excitation_force"])
             factor = _factor([three])
-            if factor:
+            if factor and abs(factor - 1) > NEARLY:
                 yield Cause(
                     f"{words} are {_said(factor)}",
                     lambda one, n=names, f=factor, p=power: scaled(one, n, p)(f),
@@ -182,9 +194,7 @@ def _about_units(values, own):
         for words, power in (("damping is that over ω", 1), ("damping is that times ω", -1)):
             yield Cause(
                 words,
-                lambda one, p=power: changed(
-                    one, ("radiation_damping",), lambda B: B * one.omega[:, None, None] ** p
-                ),
+                lambda one, p=power: changed(one, ("radiation_damping",), lambda B: B * one.omega[:, None, None] ** p),
             )
 
 
@@ -261,14 +271,14 @@ def _about_points(values, own):
         (p, FORCES, "moments of the forces, and not of added mass, are"),
         (q, MATRICES, "rotations of added mass and damping, and not moments of the forces, are"),
     ):  # fmt: skip
-        if r is not None and np.all(np.isfinite(r)):
+        if r is not None and np.linalg.norm(r) > SHIFT * own.arm:
             said = ", ".join(f"{x:.4g}" for x in np.round(center + r, 3) + 0.0)
             way = f"--about {said.replace(' ', '')}" if names == FORCES + MATRICES else ""
-            yield Cause(
-                f"{words} about ({said}) m", lambda one, n=names, d=r: _moved(one, n, d), way
-            )
+            yield Cause(f"{words} about ({said}) m", lambda one, n=names, d=r: _moved(one, n, d), way)
     if "excitation_force" in values.quantities and X.size:
         r = _crest_at(values, X)
+        if np.linalg.norm(r) < SHIFT * own.arm:
+            return
         said = ", ".join(f"{x:.4g}" for x in np.round(r, 3) + 0.0)
         yield Cause(
             f"phases are of a crest at ({said}) m and not at the origin of the axes", lambda one: _crest_moved(one, r)
@@ -285,8 +295,6 @@ def point_of_moments(file, true):
     ], axis=1).reshape(-1, 3)  # fmt: skip
     right = M.reshape(-1)
     cross, right = np.concatenate([cross.real, cross.imag]), np.concatenate([right.real, right.imag])
-    if not np.all(np.isfinite(right)):
-        return None
     return np.linalg.lstsq(cross, right, rcond=1e-3)[0]
 
 

@@ -155,7 +155,11 @@ def haskind_ratios(values):
     for i, integral in whole.items():
         far = rate * integral
         part = slice(0, 3) if i < 3 else slice(3, 6)
-        clear = good & (B[:, i] > 3 * FAINT * np.abs(B[:, i]).max()) & (rows[:, i] > np.maximum(0.03 * rows[:, part].max(axis=1), arm * (i > 2)))
+        clear = (
+            good
+            & (B[:, i] > 3 * FAINT * np.abs(B[:, i]).max())
+            & (rows[:, i] > np.maximum(0.03 * rows[:, part].max(axis=1), arm * (i > 2)))
+        )
         C = values.get("hydrostatic_stiffness")
         if i == HEAVE and C is not None:  # where waves above and below a hull cancel, a small difference is left
             clear &= rows[:, HEAVE] > 0.3 * C[2, 2]
@@ -186,7 +190,10 @@ def _of_depth(values):
         ratios = np.concatenate([ratio for ratio, _ in found.values()]) if found else np.zeros(0)
         off = np.median(np.abs(ratios - 1)) if len(ratios) >= 5 else np.inf
         if off < best:
-            best, said = 0.8 * off, "they agree in deep water" if np.isinf(depth) else f"they agree in {depth:.3g} m of water"
+            best, said = (
+                0.8 * off,
+                "they agree in deep water" if np.isinf(depth) else f"they agree in {depth:.3g} m of water",
+            )
     return said and f"{said}, not in {values.water_depth:g} m (--depth)"
 
 
@@ -252,7 +259,7 @@ def _surge(values, n, heave, kL):
         return []
     if abs(np.angle(turned)) < np.pi - 1.0:
         return [f"surge force of the longest wave is at {np.degrees(np.angle(X[ahead, SURGE])):.0f}° at "
-                f"{np.degrees(beta[ahead]):g}°; phases are of another point than the origin of the axes"]  # fmt: skip
+                f"{np.degrees(beta[ahead]):g}°; phases are of another point than the origin of the axes, or the hull is open"]  # fmt: skip
     long, B = kL < 2 * LONG, values.get("radiation_damping")[:, HEAVE, HEAVE]
     felt = values.get("excitation_force")[long, :, HEAVE].mean(axis=1).imag
     if np.sum(felt * values.omega[long] * B[long]) > 0:
@@ -262,7 +269,7 @@ def _surge(values, n, heave, kL):
 
 def _causality(values):
     low, high = values.get("added_mass_zero"), values.get("added_mass_infinity")
-    if low is None or high is None or len(values.omega) < 20 or _waves(values)[1].max() < SHORT:
+    if values.others or low is None or high is None or len(values.omega) < 20 or _waves(values)[1].max() < SHORT:
         return None
     B = values.get("radiation_damping")
     lines, ends = [], np.abs(B[-1])

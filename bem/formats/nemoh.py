@@ -123,14 +123,19 @@ def read(place, known=None):
     cal = _cal_of(_inside(place, "Nemoh.cal"))
     which = body_of(place, len(cal.bodies), known)
     body = cal.bodies[which]
-    first, last = sum(len(one.motions) for one in cal.bodies[:which]), sum(len(one.forces) for one in cal.bodies[:which])
+    first, last = (
+        sum(len(one.motions) for one in cal.bodies[:which]),
+        sum(len(one.forces) for one in cal.bodies[:which]),
+    )
     motions, forces = (
         [None if row is None else start + row for row in _six(place, rows)]
         for start, rows in ((first, body.motions), (last, body.forces))
     )
     results = _inside(place, "Results")
     columns = sum(len(one.forces) for one in cal.bodies)
-    omega, rows = _zones(_inside(results, "RadiationCoefficients.tec"), sum(len(one.motions) for one in cal.bodies), columns)
+    omega, rows = _zones(
+        _inside(results, "RadiationCoefficients.tec"), sum(len(one.motions) for one in cal.bodies), columns
+    )
     square = _taken(_taken(rows, motions, 0), forces, 2)
     quantities = {
         "added_mass": square[..., 0].transpose(1, 2, 0),
@@ -250,13 +255,22 @@ def _about(place, body):
 
 def _zones(path, count, columns):
     """ω (n,) and numbers (zones, n, columns, 2) of a .tec file"""
-    text = "\n".join(lines_of(path))
-    head, *parts = re.split(r"^\s*zone\b.*$", text, flags=re.M | re.I)
+    head, tables = "", [[]]
+    for line in lines_of(path):
+        try:
+            row = [float(word) for word in line.split()]
+        except ValueError:  # a title, with which the table before ends
+            head += line
+            tables += [[]] if tables[-1] else []
+            continue
+        tables[-1] += [row] if row else []
+    tables = [table for table in tables if table]
     try:
-        tables = [np.array([[float(x) for x in line.split()] for line in part.strip().splitlines()]) for part in parts]
-        rows = np.stack(tables)
+        rows = np.array(tables)
     except ValueError:
         raise FormatError(f"{path}: a zone is not a full table of numbers") from None
+    if rows.ndim != 3:
+        raise FormatError(f"{path} has no table of numbers")
     if len(tables) != count or rows.shape[2] != 2 * columns + 1:
         raise FormatError(
             f"{path} has {len(tables)} zones of {rows.shape[2]} numbers a line; allowed: {count}, with {2 * columns + 1}, "

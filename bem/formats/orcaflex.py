@@ -306,9 +306,9 @@ def _crest(group, k, headings):
 
 def _read_body(draught, about, gravity, units):
     body = {}
-    if "DisplacedVolume" in draught:
+    if draught.get("DisplacedVolume") is not None:  # ~ where it follows from the mass
         body["displaced_volume"] = units.length**3 * float(draught["DisplacedVolume"])
-    if "CentreOfBuoyancy" in draught:
+    if None not in (draught.get("CentreOfBuoyancy") or [None]):
         body["center_of_buoyancy"] = units.length * np.array(draught["CentreOfBuoyancy"], float)
     mass = units.mass * float(draught["Mass"]) if "Mass" in draught else None
     if mass is not None and INERTIA_COLUMNS in draught:

@@ -37,6 +37,7 @@ class Own:
     density: float
     gravity: float
     center: tuple = (0.0, 0.0, 0.0)
+    nodes: int = 1  # a panel, as most programs have
     solved: dict = field(default_factory=dict)
 
     def at(self, omega, headings):
@@ -54,13 +55,17 @@ class Own:
     def _prepared(self):
         if "prepared" not in self.solved:
             water = {"depth": self.depth, "density": self.density, "gravity": self.gravity}
-            problem = PanelProblem(mesh=self.mesh, rotation_center=self.center, nodes_per_panel=1, **water)
+            problem = PanelProblem(mesh=self.mesh, rotation_center=self.center, nodes_per_panel=self.nodes, **water)
             self.solved["prepared"] = problem.prepared()
         return self.solved["prepared"]
 
     def in_water(self, depth):
         """The same hull in other water"""
         return replace(self, depth=depth, solved={})
+
+    def sharper(self):
+        """The same with four nodes a panel"""
+        return replace(self, nodes=4, solved={})
 
     @cached_property
     def moves(self):

@@ -27,7 +27,13 @@ from ..database.schema import DOFS, DRIFT_DOFS
 from .values import FormatError, Values, body_of, gridded, omega_of, table_of
 from .wamit_inputs import beside, inputs_of
 
-FORCES = {".2": "excitation_force", ".3": "excitation_force", ".3fk": "Froude_Krylov_force", ".3sc": "diffraction_force", ".4": "rao"}
+FORCES = {
+    ".2": "excitation_force",
+    ".3": "excitation_force",
+    ".3fk": "Froude_Krylov_force",
+    ".3sc": "diffraction_force",
+    ".4": "rao",
+}
 LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
 LIMITS_AT = {0.0: "added_mass_zero", np.inf: "added_mass_infinity"}
 SIX = range(1, 7)
@@ -102,10 +108,13 @@ def read(place, known):
     if given.depth is None:
         raise FormatError(f"--depth is missing; {place} does not say it; allowed: above 0 m, or inf")
     count = int(max(tables[".1"][1].max() + 5, 6)) // 6 if len(tables[".1"]) else 1
+    if given.bodies == 1 < count and given.told:
+        raise FormatError(f"{place} has mode {tables['.1'][1].max():g}; allowed: 1 to 6, of one rigid body")
     chosen = body_of(place, max(count, given.bodies), known)
     length = given.length
     rho, rho_g = known["density"], known["density"] * given.gravity
     columns = Columns(given, 6 * chosen + np.array(SIX))
+    tables = {suffix: table for suffix, table in tables.items() if suffix in (".1", ".hst") or columns.of_body(table)}
     quantities, omega = _read_radiation(tables[".1"], rho, columns)
     headings = np.zeros(0)
     for suffix, name in FORCES.items():
@@ -155,6 +164,10 @@ class Columns(NamedTuple):
     given: object
     modes: np.ndarray
 
+    def of_body(self, table):
+        """Whether a table of forces has some of the body"""
+        return bool(np.isin(table.rows[:, -5], self.modes).any())
+
     def omega(self, column):
         """(k,) rad/s of a first column"""
         given = self.given
@@ -164,8 +177,11 @@ class Columns(NamedTuple):
 def tables_beside(place):
     """{suffix: Table} of the files of the name of `place`"""
     widths = {".1": (4, 5), ".hst": (3,)} | dict.fromkeys(FORCES, (7,)) | dict.fromkeys(DRIFTS, (8,))
-    found = {suffix: beside(place, suffix) for suffix in widths}
-    found = {suffix: Table(path, table_of(path, widths[suffix])) for suffix, path in found.items() if path}
+    there = {suffix: beside(place, suffix) for suffix in widths}
+    there = {
+        suffix: path for suffix, path in there.items() if path and (suffix == ".1" or path.read_text("latin-1").strip())
+    }
+    found = {suffix: Table(path, table_of(path, widths[suffix])) for suffix, path in there.items()}
     if ".1" not in found:
         raise FormatError(f"{place} is not there; allowed: NAME.1 with added mass and damping, or NAME.out")
     return found
@@ -212,7 +228,7 @@ def _read_forces(table, omega, headings, columns, index):
         table = table[table[:, 1] == table[:, 2]]
     at = columns.omega(table[:, 0])
     if not len(table):
-        raise FormatError(f"{path} has no force of this body, or drift of two different headings alone")
+        raise FormatError(f"{path} has drift of two different headings alone; allowed: that of each heading")
     coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
     (found, own, _), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1], modes=(index,))
     places = np.array([int(np.argmin(np.abs(found - w))) for w in omega])

@@ -29,6 +29,7 @@ class Inputs(NamedTuple):
 
     wave_length : m that wavenumbers of that column are multiplied by; said : what of these a file says, in words
     depth : m, may be inf, None where it is not said; gravity : m/s²; bodies : how many; hull : name of the .gdf
+    told : whether a file says how many bodies there are
     """
 
     length: float = 1.0
@@ -40,6 +41,7 @@ class Inputs(NamedTuple):
     gravity: float = 9.80665
     bodies: int = 1
     hull: str = ""
+    told: bool = False
 
 
 def inputs_of(place, known):
@@ -74,7 +76,7 @@ def inputs_of(place, known):
         said.append(f"water depth {depth:g} m of {pot.name}")
     length, about = 1.0 if length is None else length, (0.0, 0.0, 0.0) if about is None else tuple(about)
     rest = {"said": tuple(said), "depth": depth, "gravity": known.get("gravity") or 9.80665,
-            "bodies": len(potential.bodies) if potential else 1, "hull": gdf.name if gdf else ""}  # fmt: skip
+            "bodies": len(potential.bodies) if potential else 1, "hull": gdf.name if gdf else "", "told": bool(potential)}  # fmt: skip
     if kind is None:
         return Inputs(length, about, _period_kind(cfg) if cfg else "period", length, **rest)
     return Inputs(length, about, kind, **rest)
@@ -144,13 +146,14 @@ def _potential(path, without=False):
                 read(int(count) if count > 0 else 2)
         (count,) = read(1)
         bodies = []
-        for _ in range(int(count)):
+        for number in range(int(count)):
             name = next(lines, "").strip().split()
             *about, turned = read(4)
             if turned:
                 raise FormatError(f"{path}: XBODY(4) turns the body by {turned:g}°; allowed: 0")
             bodies.append((name[0] if name else "", tuple(about)))
-            read(6)  # IMODE
+            if number + 1 < count:
+                read(6)  # IMODE
     except FormatError:
         if without:
             return None

@@ -98,7 +98,7 @@ def _still(place, lines, known):
     hull = names[which] if which < len(names) and place.with_name(names[which]).is_file() else ""
     gdf = beside(place, ".gdf")
     given = Inputs(scale, about, "period", scale, (), known.get("water_depth") or depth, gravity, len(places),
-                   hull or (gdf.name if gdf else ""))  # fmt: skip
+                   hull or (gdf.name if gdf else ""), True)  # fmt: skip
     return given, _body(numbers, which, given, np.array(places[which][:3]), known["density"])
 
 

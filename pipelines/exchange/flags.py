@@ -51,7 +51,8 @@ def import_(
     gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration; motions follow")] = None,
     output: Annotated[Path | None, Parameter(help="the database [beside it, .h5]")] = None,
     correct: Annotated[
-        bool, Parameter(help="units, points, phases or headings that our own solution of the hull contradicts", negative="")
+        bool,
+        Parameter(help="units, points, phases or headings that our own solution of the hull contradicts", negative=""),
     ] = False,
     fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
 ):

@@ -137,7 +137,12 @@ def bodies():
     """(name, Values, hull to hold them against, the size of changes of points in m)"""
     yield "ship", set_of(ship(36), 40.0, np.arange(0.3, 1.4, 0.1)), ship(36), np.array([15.0, 3.0, 3.0])
     omegas = np.arange(0.3, 1.8, 0.15)
-    yield "barge", set_of(box(40, 12, 3, panels=1000), np.inf, omegas), box(40, 12, 3, panels=1000), np.array([10, 3, 3])
+    yield (
+        "barge",
+        set_of(box(40, 12, 3, panels=1000), np.inf, omegas),
+        box(40, 12, 3, panels=1000),
+        np.array([10, 3, 3]),
+    )
     omegas = np.arange(0.6, 3.0, 0.2)
     yield "buoy", set_of(box(8, 8, 4, panels=800), 15.0, omegas), box(8, 8, 4, panels=800), np.array([3.0, 3.0, 3.0])
 
@@ -171,7 +176,9 @@ def tried(name, values, mesh, size, count, random, shown):
             fits = said.cause is not None and right(said.cause, other, values)
             found.append((kind, "right" if fits else "told"))
             if not fits and shown:
-                print(f"  {name}, {kind}: {said.quantity} {said.gap:.3g}, {said.cause and said.cause.text}, {said.left:.3g}")
+                print(
+                    f"  {name}, {kind}: {said.quantity} {said.gap:.3g}, {said.cause and said.cause.text}, {said.left:.3g}"
+                )
     return found
 
 

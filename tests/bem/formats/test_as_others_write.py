@@ -1,6 +1,7 @@
 """Files as other programs write them, not as this one does; each number by the formula of that program's manual."""
 
 import json
+import re
 import shutil
 from dataclasses import replace
 
@@ -10,7 +11,7 @@ import pytest
 from hakobune.bem.database import open_database
 from hakobune.bem.formats import hams, orcaflex, wamit
 from hakobune.bem.formats.afloat import Weight, on_hull
-from hakobune.bem.formats.values import FormatError, omega_of, values_of, with_headings_once
+from hakobune.bem.formats.values import FormatError, about, omega_of, values_of, with_headings_once
 from hakobune.meshing.files import write_mesh
 from hakobune.pipelines import cli
 from hakobune.pipelines.scene.scene import make_scene
@@ -67,10 +68,20 @@ def test_a_pair_that_is_there_at_some_frequencies_alone_is_a_damaged_file(writte
         wamit.read(written, WATER)
 
 
-def test_a_seventh_mode_is_of_no_rigid_body(written):
+def test_modes_beyond_six_are_of_another_body_unless_the_inputs_have_one(values, written):
     lines = written.read_text().splitlines()
-    written.write_text("\n".join([*lines, *(line.replace("     1     1 ", "     7     7 ") for line in lines)]))
-    with pytest.raises(FormatError, match="has mode 7; allowed: 1, 2"):
+    other = [line.replace("     1     1 ", "     7     7 ") for line in lines if "     1     1 " in line]
+    written.write_text("\n".join([*lines, *other]))
+    with pytest.raises(FormatError, match=r"has 2 bodies; allowed: --body 1 to 2, one at a time, the others held"):
+        wamit.read(written, WATER)
+    first = wamit.read(written, WATER | {"body": 1})
+    assert first.get("added_mass") == pytest.approx(values.get("added_mass"), rel=1e-5, abs=1.0) and first.others == 1
+    second = wamit.read(written, WATER | {"body": 2})
+    assert second.get("added_mass")[:, 0, 0] == pytest.approx(values.get("added_mass")[:, 0, 0], rel=1e-5)
+    assert np.count_nonzero(second.get("added_mass")) == len(values.omega)
+    pot = "h\n20.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n1\none.gdf\n0 0 0 0\n"
+    written.with_suffix(".pot").write_text(pot)
+    with pytest.raises(FormatError, match="has mode 7; allowed: 1 to 6, of one rigid body"):
         wamit.read(written, WATER)
 
 
@@ -110,7 +121,8 @@ def test_results_are_made_dimensionless_by_ulen(values, written):
         on_hull(wrong, values.mesh)
 
 
-def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, capsys):
+def test_xbody_is_the_point_of_moments_and_moves_the_hull(values, written, tmp_path, capsys):
+    wamit.write(about(values, (0.0, 0.0, -2.0)), written)
     pot = "h\n20.0 HBOT\n1 1 IRAD IDIFF\n-2 NPER\n0.6 0.4\n2\n0.0\n90.0 BETA\n1\nbox.gdf\n0.0 0.0 -2.0 0.0 XBODY\n"
     written.with_suffix(".pot").write_text(pot)
     assert wamit.inputs_of(written, WATER).about == (0.0, 0.0, -2.0)
@@ -125,6 +137,11 @@ def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, cap
     db = open_database(output)
     assert list(db.rotation_center) == [0, 0, -2]
     assert db.header.body["center_of_buoyancy"][2] == pytest.approx(-2.0)  # half of the draft
+    wamit.write(values, written)  # moments about the waterplane beside an input that says otherwise
+    assert cli.main(["import", str(written), "--from", "wamit", "--output", str(output), "--fresh"]) == 2
+    assert re.search(
+        r"moments and rotations are about \(-?0.0*\d*, -?0, -?0.0\d*\) m; give --about", capsys.readouterr().err
+    )
     pot = pot.replace("-2.0 0.0 XBODY", "-2.0 30.0 XBODY")
     written.with_suffix(".pot").write_text(pot)
     with pytest.raises(FormatError, match=r"XBODY\(4\) turns the body by 30°"):
@@ -132,11 +149,15 @@ def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, cap
 
 
 def test_an_input_file_is_read_for_what_is_not_given(written):
-    pot = "h\n20.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n2\none.gdf\n"
-    written.with_suffix(".pot").write_text(pot)
-    with pytest.raises(FormatError, match="has 2 bodies"):
-        wamit.inputs_of(written, WATER)
+    body = "0.0 0.0 -{0}. 0.0\n1 1 1 1 1 1\n"
+    head = "h\n-1.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n2\n"
+    written.with_suffix(".pot").write_text(head + "one.gdf\n" + body.format(1) + "two.gdf\n" + body.format(2))
+    first, second = (wamit.inputs_of(written, {"body": body}) for body in (1, 2))
+    assert first.about == (0, 0, -1) and second.about == (0, 0, -2) and first.bodies == 2 and first.depth == np.inf
     assert wamit.inputs_of(written, WATER | {"rotation_center": (0, 0, 1)}).about == (0, 0, 1)
+    written.with_suffix(".pot").write_text(head + "one.gdf\n")
+    with pytest.raises(FormatError, match="ends before XBODY"):
+        wamit.inputs_of(written, WATER)
 
 
 def test_lengths_are_feet_where_gravity_is_and_wavenumbers_are_times_ulen(values, written):

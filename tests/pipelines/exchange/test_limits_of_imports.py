@@ -20,7 +20,7 @@ def check(folder, silent=SILENT, name="out.h5", fresh=False, place="in.1", **kno
 
 
 @pytest.mark.parametrize("known, says", [
-    ({}, None), ({"water_depth": None}, "--depth is missing"), ({"water_depth": 0.0}, "water_depth is 0; allowed"),
+    ({}, None), ({"water_depth": None}, None), ({"water_depth": 0.0}, "water_depth is 0; allowed"),
     ({"water_depth": np.inf}, None), ({"density": 0.0}, "density is 0; allowed"),
     ({"gravity": -9.8}, "gravity is -9.8"),
     ({"length_unit": 1e-3}, None), ({"length_unit": 0.0}, "--length-unit is 0 m; allowed: above 0"),
