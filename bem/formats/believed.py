@@ -1,4 +1,4 @@
-"""What is found wrong with an imported set: by our own solution of its hull, or by its own laws where that is too much."""
+"""What is found wrong with an imported set: by our own solution of its hull, or by its own laws."""
 
 from __future__ import annotations
 

@@ -340,7 +340,8 @@ def _crest_moved(values, r):
 
 def _about_water(values, own):
     for words, factor in (
-        ("frequencies are in Hz, not rad/s", 2 * np.pi), ("frequencies are in rad/s and were read as Hz", 1 / (2 * np.pi)),
+        ("frequencies are in Hz, not rad/s", 2 * np.pi),
+        ("frequencies are in rad/s and were read as Hz", 1 / (2 * np.pi)),
     ):  # fmt: skip
         yield Cause(words, lambda one, f=factor: replace(one, omega=one.omega * f))
     yield Cause("frequencies are periods", lambda one: _by_period(one))

@@ -85,8 +85,8 @@ def _reciprocity(values):
     if worst.max() > NOT_SYMMETRIC:
         i, j = np.unravel_index(np.argmax(worst), worst.shape)
         lines.append(
-            f"A_{i + 1}{j + 1} and A_{j + 1}{i + 1} differ by {100 * worst[i, j]:.0f} % of their size; rows of rotations "
-            "and of translations have different units or points, or panels are too few"
+            f"A_{i + 1}{j + 1} and A_{j + 1}{i + 1} differ by {100 * worst[i, j]:.0f} % of their size; rows of "
+            "rotations and of translations have different units or points, or panels are too few"
         )
     return lines
 
@@ -202,7 +202,7 @@ def _why(ratio, slope):
         return "it goes with ω: damping is that times ω"
     if -1.3 < slope < -0.7:
         return "it goes with 1/ω: damping is that over ω"
-    for factor, words in ((0.25, "forces are for each metre of wave height"), (1e-6, "forces in N beside damping in kN"),
+    for factor, words in ((0.25, "forces are for each metre of wave height"), (1e-6, "damping in kN beside forces in N"),
                           (1e-3, "damping in kN beside forces in N"), (1e3, "damping in N beside forces in kN"),
                           (1e6, "forces are in kN"), (9.80665, "the factor g"), (1 / 9.80665, "the factor g"),
                           (1 / 1025, "the factor ρ"), (1025.0, "the factor ρ")):  # fmt: skip
@@ -215,7 +215,7 @@ def _long_waves(values):
     X, C = values.get("excitation_force"), values.get("hydrostatic_stiffness")
     if X is None or not X.size:
         return None
-    k, kL = _waves(values)
+    _, kL = _waves(values)
     n = int(np.argmin(kL))
     if kL[n] > LONG:
         return None
@@ -259,7 +259,8 @@ def _surge(values, n, heave, kL):
         return []
     if abs(np.angle(turned)) < np.pi - 1.0:
         return [f"surge force of the longest wave is at {np.degrees(np.angle(X[ahead, SURGE])):.0f}° at "
-                f"{np.degrees(beta[ahead]):g}°; phases are of another point than the origin of the axes, or the hull is open"]  # fmt: skip
+                f"{np.degrees(beta[ahead]):g}°; phases are of another point than the origin of the axes, or the hull "
+                "is open"]  # fmt: skip
     long, B = kL < 2 * LONG, values.get("radiation_damping")[:, HEAVE, HEAVE]
     felt = values.get("excitation_force")[long, :, HEAVE].mean(axis=1).imag
     if np.sum(felt * values.omega[long] * B[long]) > 0:

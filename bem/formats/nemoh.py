@@ -230,8 +230,8 @@ def _six(place, rows):
         axis = np.flatnonzero(np.abs(np.array(direction[:3])) > 1e-9)
         if kind not in (1, 2) or len(axis) != 1 or direction[axis[0]] <= 0:
             raise FormatError(
-                f"{place / 'Nemoh.cal'} has a motion or force of kind {kind:g} along {direction[:3]}; allowed: surge to "
-                "yaw, along and about the axes"
+                f"{place / 'Nemoh.cal'} has a motion or force of kind {kind:g} along {direction[:3]}; allowed: "
+                "surge to yaw, along and about the axes"
             )
         out[int(3 * (kind - 1) + axis[0])] = number
     return out
@@ -273,8 +273,8 @@ def _zones(path, count, columns):
         raise FormatError(f"{path} has no table of numbers")
     if len(tables) != count or rows.shape[2] != 2 * columns + 1:
         raise FormatError(
-            f"{path} has {len(tables)} zones of {rows.shape[2]} numbers a line; allowed: {count}, with {2 * columns + 1}, "
-            "as Nemoh.cal says"
+            f"{path} has {len(tables)} zones of {rows.shape[2]} numbers a line; allowed: {count}, with "
+            f"{2 * columns + 1}, as Nemoh.cal says"
         )
     first = rows[0, :, 0]
     first = 2 * np.pi * first if "(Hz)" in head else 2 * np.pi / first if "T (s)" in head else first

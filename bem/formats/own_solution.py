@@ -65,7 +65,7 @@ class Own:
 
     def sharper(self):
         """The same with four nodes a panel"""
-        return replace(self, nodes=4, solved={})
+        return self.solved.setdefault("sharper", replace(self, nodes=4, solved={}))
 
     @cached_property
     def moves(self):

@@ -47,8 +47,8 @@ class Inputs(NamedTuple):
 def inputs_of(place, known):
     """`Inputs` of NAME.gdf, NAME.pot and NAME.cfg as far as they are there, each read for what is not given.
 
-    known : {"length_unit": m, "rotation_center": (3,) m, "period_kind", "water_depth": m, "gravity": m/s², "body"}, each
-    None or not there where it is not given
+    known : {"length_unit": m, "rotation_center": (3,) m, "period_kind", "water_depth": m, "gravity": m/s², "body"},
+        each None or not there where it is not given
     Raises FormatError.
     """
     place, said = Path(place), []
@@ -75,8 +75,9 @@ def inputs_of(place, known):
         depth = potential.depth * unit if potential.depth > 0 else inf
         said.append(f"water depth {depth:g} m of {pot.name}")
     length, about = 1.0 if length is None else length, (0.0, 0.0, 0.0) if about is None else tuple(about)
+    bodies = len(potential.bodies) if potential else 1
     rest = {"said": tuple(said), "depth": depth, "gravity": known.get("gravity") or 9.80665,
-            "bodies": len(potential.bodies) if potential else 1, "hull": gdf.name if gdf else "", "told": bool(potential)}  # fmt: skip
+            "bodies": bodies, "hull": gdf.name if gdf else "", "told": bool(potential)}  # fmt: skip
     if kind is None:
         return Inputs(length, about, _period_kind(cfg) if cfg else "period", length, **rest)
     return Inputs(length, about, kind, **rest)

@@ -75,7 +75,7 @@ def _add(rows, kind, period, heading, numbers):
 
 
 def _period(text):
-    return {"infinite": -1.0, "zero": 0.0}.get(text.lower(), None) if text[0].isalpha() else float(text)
+    return {"infinite": -1.0, "zero": 0.0}.get(text.lower()) if text[0].isalpha() else float(text)
 
 
 def _still(place, lines, known):

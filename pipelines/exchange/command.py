@@ -32,6 +32,7 @@ class Format(NamedTuple):
     folder: bool = False
     hull: str = ""
     silent: tuple[str, ...] = ()
+    read_only: bool = False
 
 
 WATER = ("water_depth", "density", "gravity")
@@ -43,6 +44,8 @@ FORMATS = {
     "hydrochrono": Format("bemio", "_hydrochrono.h5"),
     "capytaine": Format("capytaine", ".nc"),
     "orcaflex": Format("orcaflex", ".yml", silent=("gravity",)),
+    "aqwa": Format("aqwa", "", read_only=True),
+    "diodore": Format("diodore", "", silent=WATER, read_only=True),
 }
 
 
@@ -75,8 +78,9 @@ def _pairs_written(db, values, output):
 
 
 def format_of(flag, name):
-    if name not in FORMATS:
-        raise ValueError(f"--{flag} is {name!r}; allowed: {', '.join(FORMATS)}")
+    allowed = [one for one, kind in FORMATS.items() if flag == "from" or not kind.read_only]
+    if name not in allowed:
+        raise ValueError(f"--{flag} is {name!r}; allowed: {', '.join(allowed)}")
     return FORMATS[name]
 
 

@@ -32,7 +32,7 @@ def import_(
     place: Annotated[Path, Parameter(help="file or folder of another program")],
     /,
     *,
-    from_: Annotated[str, Parameter(name="--from", help=FORMATS)],
+    from_: Annotated[str, Parameter(name="--from", help=f"{FORMATS}, aqwa or diodore")],
     mesh: Annotated[Path | None, Parameter(help="of the hull [what lies with the results]")] = None,
     depth: Annotated[float | None, Parameter(help="m or inf, of files that do not say it")] = None,
     density: Annotated[float, Parameter(help="kg/m³, of files that do not say it")] = 1025.0,
@@ -70,6 +70,28 @@ def import_(
     known |= {"length_unit": length_unit, "rotation_center": about, "body": body}
     known["frequencies"] = _from_to(frequencies)
     return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh, correct)
+
+
+def body(
+    database: Annotated[Path, Parameter(help="imported, .h5")],
+    /,
+    *,
+    mass: Annotated[float | None, Parameter(help="kg [as stored, else displaced]")] = None,
+    center_of_gravity: Annotated[str | None, Parameter(help="m, x,y,z [as stored]", allow_leading_hyphen=True)] = None,
+    gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration; motions follow")] = None,
+    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, those that stay [all]")] = None,
+    output: Annotated[Path | None, Parameter(help="another database [this one is changed]")] = None,
+):
+    """Give an imported database mass, centre of gravity and radii of gyration, so that every study reads it.
+
+    hakobune body barge_imported.h5 --gyration 6,12,13 --center-of-gravity 0,0,1
+    """
+    from hakobune.bem.formats.afloat import Weight
+
+    from .weighing import weigh
+
+    center, radii = _three("--center-of-gravity", center_of_gravity), _three("--gyration", gyration)
+    return weigh(database, Weight(mass, center, radii), _from_to(frequencies), output)
 
 
 def _from_to(text):

@@ -63,7 +63,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     values, remarks = on_hull(with_headings_once(values), panels, weight)
     remarks = (*remarks, *agreed, *_remarks(place, said, values))
     with made_beside(output) as partial:  # what was there stays until all of this is
-        _store(values, panels, partial, f"{kind_name}: {place}")
+        store(values, panels, partial, f"{kind_name}: {place}")
         groups = _store_pairs(partial, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
     print(", ".join([*values.quantities, *groups]))
@@ -183,7 +183,8 @@ def _finite(values):
     return replace(values, omega=values.omega[kept], quantities=some), left
 
 
-def _store(values, mesh, output, source):
+def store(values, mesh, output, source):
+    """Make a database of Values on their hull; source : what they were imported from"""
     angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
     header = Header(
         mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,
