@@ -202,7 +202,7 @@ def _why(ratio, slope):
         return "it goes with ω: damping is that times ω"
     if -1.3 < slope < -0.7:
         return "it goes with 1/ω: damping is that over ω"
-    for factor, words in ((0.25, "forces are for each metre of wave height"), (1e-6, "damping in kN beside forces in N"),
+    for factor, words in ((0.25, "forces are for each metre of wave height"), (1e-6, "damping in MN beside N"),
                           (1e-3, "damping in kN beside forces in N"), (1e3, "damping in N beside forces in kN"),
                           (1e6, "forces are in kN"), (9.80665, "the factor g"), (1 / 9.80665, "the factor g"),
                           (1 / 1025, "the factor ρ"), (1025.0, "the factor ρ")):  # fmt: skip

@@ -65,11 +65,19 @@ def write(values, place):
     return paths
 
 
+def stands_for(values, name):
+    """(6, 6) of a limit, or of the frequency next to it where the limit is not there, or not finite"""
+    limit = values.get(name)
+    if limit is not None and np.all(np.isfinite(limit)):
+        return limit
+    return values.get("added_mass")[0 if name == "added_mass_zero" else -1]
+
+
 def _radiation(values, A, B):
     lines = []
     for period, name in LIMIT_PERIODS.items():
-        limit = values.get(name)
-        for i, j in np.ndindex(6, 6) if limit is not None and np.all(np.isfinite(limit)) else ():
+        limit = stands_for(values, name)  # HydroDyn and RAFT do not read a file without both
+        for i, j in np.ndindex(6, 6):
             lines.append(f"{period: .6E}{i + 1:6d}{j + 1:6d} {limit[i, j] / values.density: .6E}")
     for n in np.argsort(-values.omega)[::-1]:
         for i, j in np.ndindex(6, 6):

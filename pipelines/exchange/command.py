@@ -109,7 +109,11 @@ def _left_out(db, values, to):
     yield from map(fails, gaps._replace(unknown={n: m for n, m in gaps.unknown.items() if n in CARRIED}).not_known())
     lost = [name for name in db.names if name not in CARRIED]
     endless = [name for name in LIMITS if name in db.names and not np.all(np.isfinite(db[name]))] if db.complete else []
-    if endless:
+    if to in ("wamit", "hams"):
+        gone = [name for name in LIMITS if name in endless or values.get(name) is None]
+        if gone:
+            yield f"{', '.join(gone)} is that of the frequency next to it: HydroDyn needs rows of both limits"
+    elif endless:
         yield f"{', '.join(endless)} is not finite and left out"
     if to not in ("wamit", "hams"):
         lost += [name for name in ("rao", "drift_force", "drift_force_fixed") if name in db.names]
