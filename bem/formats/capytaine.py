@@ -1,7 +1,8 @@
 """The netCDF file of Capytaine (documentation, "Outputs"): labelled, SI, exp(−iωt), directions travelled to, as ours.
 
 Complex numbers have an axis `complex` of re, im at the end, as `capytaine.export_dataset` splits them.  The names are
-ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Capytaine has no mean drift.
+ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Mean drift is that of
+`far_field_mean_drift_force`, whose pairs of different headings are NaN here.
 Files of netCDF 3, which it writes where netCDF4 is not installed, are read too.
 """
 
@@ -15,7 +16,7 @@ import numpy as np
 from hakobune.meshing.whole_files import write_whole
 
 from .. import DOFS
-from ..database.schema import BODY, QUANTITIES
+from ..database.schema import BODY, DRIFT_DOFS, QUANTITIES
 from ..waves import wavenumber
 from .values import FormatError, Values, body_of
 
@@ -23,6 +24,7 @@ TAKEN = ("added_mass", "radiation_damping", "Froude_Krylov_force", "diffraction_
 MATRICES = ("inertia_matrix", "hydrostatic_stiffness")
 VECTORS = {"center_of_mass": "center_of_mass", "center_of_buoyancy": "center_of_buoyancy"}
 SCALARS = {"disp_volume": "displaced_volume", "disp_mass": "mass", "waterplane_area": "waterplane_area"}
+PAIR, DRIFT = ("wave_direction_k", "wave_direction_l"), [f"drift_force_{dof.lower()}" for dof in DRIFT_DOFS]
 WATER = {"g": "gravity", "rho": "density", "water_depth": "water_depth"}
 
 
@@ -48,7 +50,11 @@ def write(values, place):
                 _put(file, name, (), BODY[own][1], float(values.get(own)))
         for name, own in WATER.items():
             _put(file, name, (), "", float(getattr(values, own)))
+        _put(file, "forward_speed", (), "m/s", 0.0)
         file.create_dataset("body_name", data=values.name)
+        if values.get("drift_force") is not None:
+            _drift(file, values)
+        file.attrs["coordinates"] = " ".join((*WATER, "forward_speed", "body_name", "period", "freq", "wavenumber"))
         file.attrs["title"] = "hydrodynamic coefficients by hakobune"
         file.flush()
         image = file.id.get_file_image()
@@ -78,6 +84,17 @@ def _put(file, name, axes, unit, data, split=False):
         made.dims[place].attach_scale(file[axis])
     if unit:
         made.attrs["units"] = unit
+
+
+def _drift(file, values):
+    """Mean drift of pairs of headings, as Capytaine has it; of two different ones it is not known"""
+    m = np.arange(len(values.wave_direction))
+    for axis in PAIR:
+        file.create_dataset(axis, data=values.wave_direction).make_scale(axis)
+    for i, name in enumerate(DRIFT):
+        data = np.full((len(values.omega), len(m), len(m)), np.nan)
+        data[:, m, m] = values.get("drift_force")[..., i]
+        _put(file, name, ("omega", *PAIR), "N/m2", data)
 
 
 def read(place, known=None):
@@ -135,6 +152,10 @@ def _read(file, name, known):
     for quantity in TAKEN:
         if quantity in file:
             quantities[quantity] = _ordered(file, quantity, QUANTITIES[quantity][0], axes)
+    if set(DRIFT) <= set(file) and len(bodies) == 1:
+        m = np.arange(len(np.ravel(axes["wave_direction"])))
+        parts = [_ordered(file, name, ("omega", *PAIR), axes)[:, m, m] for name in DRIFT]
+        quantities["drift_force"] = np.stack(parts, axis=-1)
     if "excitation_force" not in quantities and {"diffraction_force", "Froude_Krylov_force"} <= set(quantities):
         quantities["excitation_force"] = quantities["diffraction_force"] + quantities["Froude_Krylov_force"]
     body = {own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file}

@@ -120,7 +120,7 @@ def _left_out(db, values, to):
         if to == "orcaflex":
             kept, gone = ("rao",), ("Froude_Krylov_force", "diffraction_force", "added_mass_zero")
             lost = [name for name in lost if name not in kept] + [name for name in gone if name in db.names]
-        lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono")]
+        lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono", "capytaine")]
     elif "drift_force" in db.names and "drift_force_fixed" in db.names:
         lost.append("drift_force_fixed")
     if lost:
