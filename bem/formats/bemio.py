@@ -177,7 +177,8 @@ def _read(file, name, which):
     quantities["radiation_damping"] = (
         rho * omega[:, None, None] * hydro["radiation_damping/all"][:6, columns].transpose(2, 0, 1)
     )
-    quantities["added_mass_infinity"] = rho * hydro["added_mass/inf_freq"][:6, columns]
+    if "added_mass/inf_freq" in hydro:
+        quantities["added_mass_infinity"] = rho * hydro["added_mass/inf_freq"][:6, columns]
     for path, quantity in FORCES.items():
         if f"{path}/re" in hydro:
             X = hydro[f"{path}/re"][()] - 1j * hydro[f"{path}/im"][()]

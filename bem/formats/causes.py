@@ -19,7 +19,7 @@ from ..waves import wavenumber
 from .own_solution import gaps, sizes_of_forces
 
 AGREED = 0.10  # of the size of a row: the largest difference that is none
-MESH = 0.5  # the same, that panels may make
+MESH = 2.0  # the same, that panels may make
 SHIFT = 0.02  # of half the hull's size: the least way from a point that is another one
 FITS = 0.5  # of the difference: what a cause leaves of it at most
 NEARLY = 0.03  # of a factor, within which it is a known one

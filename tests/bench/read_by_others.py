@@ -2,8 +2,8 @@
 
     python tests/bench/read_by_others.py --peer PYTHON
 
-PYTHON has, as far as they install, pyHAMS, RAFT, mafredo (from Python 3.12 on), xarray with netCDF4, and Capytaine.  Added
-mass, damping and forces over the largest of their kind, forces with their phases; of a mesh volume and area.
+PYTHON has, as far as they install, pyHAMS, RAFT, mafredo (from Python 3.12 on), xarray with netCDF4, and Capytaine.
+Added mass, damping and forces over the largest of their kind, forces with their phases; of a mesh volume and area.
 """
 
 import argparse
