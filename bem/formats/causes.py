@@ -272,6 +272,7 @@ def _about_points(values, own):
         (q, MATRICES, "rotations of added mass and damping, and not moments of the forces, are"),
     ):  # fmt: skip
         if r is not None and np.linalg.norm(r) > SHIFT * own.arm:
+            r = -center if np.linalg.norm(center + r) < SHIFT * own.arm else r  # the origin itself
             said = ", ".join(f"{x:.4g}" for x in np.round(center + r, 3) + 0.0)
             way = f"--about {said.replace(' ', '')}" if names == FORCES + MATRICES else ""
             yield Cause(f"{words} about ({said}) m", lambda one, n=names, d=r: _moved(one, n, d), way)

@@ -25,6 +25,7 @@ SHORT = 6.0  # the same, of waves that are so short that damping has ended
 TRUE = 0.25  # by which a ratio of laws may differ from 1: sets of few headings and coarse panels
 CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
 DEPTH_FITS = 0.04  # of 1, by which ratios differ at the right depth
+FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness of what floats
 FEW = 2  # frequencies, that tell a ratio
 NOISE = 0.02  # of ω A, under which damping may be below 0
 OFTEN = 0.1  # of the frequencies, that break a law: fewer are irregular ones
@@ -106,8 +107,8 @@ def _circle(values):
     A = np.abs(values.get("added_mass"))
     d = np.einsum("nii->ni", A).max(axis=0)
     coupled = A.max(axis=0) / np.maximum(np.sqrt(np.outer(d, d)), 1e-300)
-    port = max(coupled[i, j] for i in (0, 2, 4) for j in (1, 3) if d[i] and d[j]) if d.any() else 1.0
-    fore = max(coupled[i, j] for i, j in ((0, 2), (2, 4), (1, 5)) if d[i] and d[j]) if d.any() else 1.0
+    port = max((coupled[i, j] for i in (0, 2, 4) for j in (1, 3) if d[i] and d[j]), default=0.0)
+    fore = max((coupled[i, j] for i, j in ((0, 2), (2, 4), (1, 5)) if d[i] and d[j]), default=0.0)
     for turn, symmetric in ((2 * np.pi, True), (np.pi, port < 30 * EVEN), (0.5 * np.pi, max(port, fore) < 30 * EVEN)):
         closed = turn == 2 * np.pi
         part = np.sort(beta) if closed else np.sort(beta[beta <= turn + 1e-6])
@@ -213,7 +214,7 @@ def _why(ratio, slope):
 
 def _long_waves(values):
     X, C = values.get("excitation_force"), values.get("hydrostatic_stiffness")
-    if X is None or not X.size:
+    if X is None or not X.size or values.others:  # beside others the water does not move as it would alone
         return None
     _, kL = _waves(values)
     n = int(np.argmin(kL))
@@ -223,7 +224,7 @@ def _long_waves(values):
     volume = values.body.get("displaced_volume") or values.body.get("mass", 0.0) / values.density
     moved = A[2, 2] + values.density * volume
     mean = X[n, :, HEAVE].mean()
-    if C is not None and C[2, 2] > 0:
+    if C is not None and C[2, 2] > FLOATS * values.density * values.gravity * size_of(values) ** 2:
         expected = C[2, 2] - values.omega[n] ** 2 * moved
         if expected > 0.3 * C[2, 2]:
             ratio = mean / expected
@@ -237,7 +238,8 @@ def _long_waves(values):
                     f"heave force of the longest wave is {abs(ratio):.3g} times what C₃₃ makes of it; "
                     + _factor_of_force(abs(ratio))
                 )
-    return lines if values.others else lines + _surge(values, n, mean, kL)
+    floats = C is not None and C[2, 2] > FLOATS * values.density * values.gravity * size_of(values) ** 2
+    return lines + _surge(values, n, mean, kL, floats)
 
 
 def _factor_of_force(ratio):
@@ -248,13 +250,16 @@ def _factor_of_force(ratio):
     return "units, lengths, or water differ between the two"
 
 
-def _surge(values, n, heave, kL):
-    """Lines on the sign of surge in long waves"""
-    X, beta = values.get("excitation_force")[n], values.wave_direction
+def _surge(values, n, heave, kL, floats):
+    """Lines on the sign of surge in long waves; of a body that floats, beside that of heave, which follows the crest"""
+    beta = values.wave_direction
+    X = values.get("excitation_force")[kL <= max(LONG, kL[n])].sum(
+        axis=0
+    )  # of all long waves, against what is noise in one
     ahead = int(np.argmax(np.abs(np.cos(beta))))
     if abs(np.cos(beta[ahead])) < 0.5 or not abs(X[ahead, SURGE]) > 1e-6 * abs(heave):
         return []
-    turned = X[ahead, SURGE] / (-1j * np.cos(beta[ahead])) * np.sign(heave.real)
+    turned = X[ahead, SURGE] / (-1j * np.cos(beta[ahead])) * (np.sign(heave.real) if floats else 1.0)
     if abs(np.angle(turned)) < 1.0:
         return []
     if abs(np.angle(turned)) < np.pi - 1.0:

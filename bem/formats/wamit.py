@@ -116,8 +116,8 @@ def read(place, known):
     if given.depth is None:
         raise FormatError(f"--depth is missing; {place} does not say it; allowed: above 0 m, or inf")
     count = int(max(tables[".1"][1].max() + 5, 6)) // 6 if len(tables[".1"]) else 1
-    if given.bodies == 1 < count and given.told:
-        raise FormatError(f"{place} has mode {tables['.1'][1].max():g}; allowed: 1 to 6, of one rigid body")
+    if given.bodies == 1 and given.told:  # modes beyond six are of bending, or of water in a chamber
+        known = {"body": 1} | {name: value for name, value in known.items() if value is not None}
     chosen = body_of(place, max(count, given.bodies), known)
     length = given.length
     rho, rho_g = known["density"], known["density"] * given.gravity

@@ -140,7 +140,8 @@ def _potential(path, without=False):
 
     try:
         (depth,) = read(1)
-        read(2)  # IRAD IDIFF
+        if any(number not in (-1, 0, 1) for number in _same_line(lines)):
+            return None  # of the older form, IALTPOT = 1
         for _ in range(2):  # periods and headings: a count below 0 means first and step
             (count,) = read(1)
             if count:
@@ -160,6 +161,12 @@ def _potential(path, without=False):
             return None
         raise
     return Potential(depth, bodies)
+
+
+def _same_line(lines):
+    """IRAD and IDIFF, which stand on a line; what is neither where there are not two"""
+    found = numbers_of(next(lines, ""))[:2]
+    return found if len(found) == 2 else (9,)
 
 
 def _configured(path, key):

@@ -88,6 +88,8 @@ def _still(place, lines, known):
 
     places = numbers(r"XBODY\s*=.*", [[0.0, 0.0, 0.0, 0.0]])
     which = body_of(place, len(places), known)
+    if len(places[which]) > 3 and places[which][3]:
+        raise FormatError(f"{place}: PHIBODY turns the body by {places[which][3]:g}°; allowed: 0")
     ((gravity, *rest),) = numbers(r"Gravity:.*", [[known["gravity"]]])[:1]
     scale = known.get("length_unit") or (rest[0] if rest else 1.0)
     depth = re.search(r"Water depth:\s*(\S+)", text)

@@ -115,6 +115,8 @@ def _remarks(place, said, values):
     for one in said:
         if one != "ULEN 1 m of " + place.with_suffix(".gdf").name:
             yield f"{one} is taken"
+    if values.others:
+        yield "other bodies, or modes beyond the six of this one, are in the files: they are held fixed, and left out"
     idle = [name for name, size in zip(DOFS, _sizes(values), strict=True) if size == 0]
     if idle:
         yield f"{', '.join(idle)} has no added mass in the files, which is stored as 0: the motion is not in them"
