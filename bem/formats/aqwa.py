@@ -190,7 +190,7 @@ def _blocks(lines):
 
 def _matrix(lines):
     rows = [line.split() for line in lines]
-    return np.array([[float(x) for x in row[1:7]] for row in rows if row and row[0] in SIDES and len(row) == 7])
+    return np.array([[float(x) for x in row[1:7]] for row in rows if row and row[0] in SIDES and len(row) == 7][:6])
 
 
 def _forces(lines):

@@ -143,7 +143,9 @@ def _read(file, name, known):
         bodies = list(dict.fromkeys(label.rpartition("__")[0] for label in labels))
         which = body_of(file.filename, len(bodies), known)
         ends = {
-            label.rpartition("__")[2]: i for i, label in enumerate(labels) if label.rpartition("__")[0] == bodies[which]
+            label.rpartition("__")[2].capitalize(): i
+            for i, label in enumerate(labels)
+            if label.rpartition("__")[0] == bodies[which]
         }
         if not set(ends) <= set(DOFS):
             raise FormatError(f"{file.filename} has the modes {', '.join(labels)}; allowed: {', '.join(DOFS)}")
@@ -159,10 +161,13 @@ def _read(file, name, known):
     if "excitation_force" not in quantities and {"diffraction_force", "Froude_Krylov_force"} <= set(quantities):
         quantities["excitation_force"] = quantities["diffraction_force"] + quantities["Froude_Krylov_force"]
     body = {own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file}
-    body |= {own: file[name][()].reshape(-1, 3)[which] for name, own in VECTORS.items() if name in file}
-    body |= {own: float(np.ravel(file[name][()])[which]) for name, own in SCALARS.items() if name in file}
+    for name, own in (VECTORS | SCALARS).items():
+        rows = file[name][()].reshape(len(bodies), -1) if name in file and file[name].size % len(bodies) == 0 else ()
+        if len(rows) and len(rows[which]) == (3 if name in VECTORS else 1):  # of several bodies only with one for each
+            body[own] = rows[which] if name in VECTORS else float(rows[which][0])
     g, rho, depth = (float(np.ravel(file[key][()])[0]) for key in WATER)
-    about = file["rotation_center"][()].reshape(-1, 3)[which] if "rotation_center" in file else np.zeros(3)
+    centers = np.reshape(file["rotation_center"][()], (-1, 3)) if "rotation_center" in file else np.zeros((1, 3))
+    about = centers[min(which, len(centers) - 1)]
     omega = np.ravel(axes["omega"])
     return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name,
                   others=len(bodies) - 1)  # fmt: skip

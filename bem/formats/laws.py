@@ -24,6 +24,7 @@ LONG = 0.35  # k times the size of the body, of a long wave
 SHORT = 6.0  # the same, of waves that are so short that damping has ended
 TRUE = 0.25  # by which a ratio of laws may differ from 1: sets of few headings and coarse panels
 CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
+STEEP = 0.85  # power of ω, from which a ratio goes with it
 DEPTH_FITS = 0.04  # of 1, by which ratios differ at the right depth
 FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness of what floats
 FEW = 2  # frequencies, that tell a ratio
@@ -175,12 +176,20 @@ def _haskind(values):
         return None
     lines = []
     for i, (ratio, omega) in found.items():
-        middle = float(np.median(ratio))
-        if abs(np.log(np.abs(middle) + 1e-300)) > np.log(1 + TRUE):
-            slope = np.polyfit(np.log(omega), np.log(np.abs(ratio)), 1)[0] if len(omega) > 3 else 0.0
+        middle, slope = float(np.median(ratio)), _slope(omega, ratio)
+        off = np.abs(np.log(np.abs(ratio) + 1e-300))
+        if np.median(off) > np.log(1 + TRUE) or np.quantile(off, 0.8) > np.log(1 + 2 * TRUE) or abs(slope) > STEEP:
             lines.append(f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "
-                         + (_of_depth(values) or _why(middle, slope)))  # fmt: skip
+                         + ((not values.others and _of_depth(values)) or _why(middle, slope)))  # fmt: skip
     return lines[:1]
+
+
+def _slope(omega, ratio):
+    """Power of ω that a ratio goes with, 0 where it goes with none"""
+    if len(omega) < 5 or np.any(ratio <= 0):
+        return 0.0
+    power, size = np.polyfit(np.log(omega), np.log(ratio), 1)
+    return power if np.std(np.log(ratio) - power * np.log(omega) - size) < 0.05 else 0.0
 
 
 def _of_depth(values):
