@@ -19,8 +19,11 @@ def believed(values, mesh, correct=False):
     doubts, tested = laws.doubts(values)
     own = own_of(values, mesh)
     if own is None:
-        why = f"the hull has {len(mesh)} panels, solved here: up to {MOST_PANELS}" if len(mesh) > MOST_PANELS else ""
-        why = why or "no frequency is of a long wave"
+        why = "no frequency is of a long wave"
+        if len(mesh) > MOST_PANELS:
+            why = f"the hull has {len(mesh)} panels, solved here: up to {MOST_PANELS}"
+        if values.others:
+            why = "other bodies are beside it"
         return values, [f"not held against our own solution, {why}; laws tested: {', '.join(tested)}"], doubts
     found = finding(sample(values, mesh), own)
     if found is None:

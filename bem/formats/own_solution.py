@@ -90,8 +90,10 @@ def _images(headings):
 
 
 def own_of(values, mesh):
-    """`Own` of Values on their hull; None where it has too many panels, or the set no long wave to compare"""
-    if len(mesh) > MOST_PANELS or any(values.get(name) is None for name in WANT[:2]):
+    """`Own` of Values on their hull; None where other bodies are beside it, it has too many panels, or the set no long
+    wave to compare
+    """
+    if values.others or len(mesh) > MOST_PANELS or any(values.get(name) is None for name in WANT[:2]):
         return None
     if not np.any(_sizes_of_waves(values, mesh) < READABLE):
         return None

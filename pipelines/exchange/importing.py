@@ -122,8 +122,8 @@ def _remarks(place, said, values):
         yield f"{', '.join(idle)} has no added mass in the files, which is stored as 0: the motion is not in them"
     if values.get("inertia_matrix") is None:
         yield (
-            "no inertia_matrix in it: no motions follow from this database; give --gyration kxx,kyy,kzz, "
-            "--center-of-gravity x,y,z and --mass, with --fresh"
+            "no inertia_matrix in it: no motions follow from this database; `hakobune body` gives it --gyration "
+            "kxx,kyy,kzz, --center-of-gravity x,y,z and --mass"
         )
 
 

@@ -61,7 +61,9 @@ def test_motions_without_added_mass_and_missing_inertia_are_told():
     (said,) = importing._remarks(Path("a.1"), (), values(0.0, np.eye(6)))
     assert said == f"{DOFS[1]} has no added mass in the files, which is stored as 0: the motion is not in them"
     (said,) = importing._remarks(Path("a.1"), (), values())
-    assert said.startswith("no inertia_matrix in it: no motions follow from this database; give --gyration")
+    assert said.startswith(
+        "no inertia_matrix in it: no motions follow from this database; `hakobune body` gives it --gyration"
+    )
     told = list(importing._remarks(Path("a.1"), ("ULEN 1 m of a.gdf", "ULEN 2 m of a.gdf"), values(inertia=np.eye(6))))
     assert told == ["ULEN 2 m of a.gdf is taken"]
     assert importing._sizes(values(-3.0)) == pytest.approx([1, 3, 1, 1, 1, 1])
