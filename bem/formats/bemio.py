@@ -20,7 +20,7 @@ import numpy as np
 from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
-from .values import FormatError, Values, about
+from .values import FormatError, Values, about, body_of
 
 FORCES = {
     "excitation": "excitation_force",
@@ -152,30 +152,33 @@ def linear(w, omega, values):
 
 
 def read(place, known=None):
-    """The Values of the first body of NAME.h5.  Raises FormatError."""
+    """The Values of a body of NAME.h5; known : {"body": from 1} of several.  Raises FormatError."""
     try:
         with h5py.File(place) as file:
-            return _read(file, Path(place).stem)
+            count = sum(name.startswith("body") for name in file) or 1
+            return _read(file, Path(place).stem, body_of(place, count, known))
     except OSError as error:
         raise FormatError(f"{place} cannot be opened: {str(error).splitlines()[0]}") from None
     except KeyError as error:
         raise FormatError(f"{place} is no file of BEMIO: {error.args[0]}") from None
 
 
-def _read(file, name):
-    water, body = file["simulation_parameters"], file["body1"]
-    if "body2" in file:
-        raise FormatError(f"{file.filename} has several bodies; allowed: one")
+def _read(file, name, which):
+    water, body = file["simulation_parameters"], file[f"body{which + 1}"]
+    others = sum(key.startswith("body") for key in file) - 1
     if np.ravel(water["scaled"][()])[0]:
         raise FormatError(f"{file.filename} is scaled; allowed: numbers normalised as WAMIT does, scaled = 0")
     rho, g = (float(np.ravel(water[key][()])[0]) for key in ("rho", "g"))
     deep = h5py.check_string_dtype(water["water_depth"].dtype) is not None or water["water_depth"].dtype.kind == "S"
     depth = np.inf if deep else float(np.ravel(water["water_depth"][()])[0])
     omega, degrees = np.ravel(water["w"][()]), np.ravel(water["wave_dir"][()])
-    hydro, quantities = body["hydro_coeffs"], {}
-    quantities["added_mass"] = rho * hydro["added_mass/all"][()].transpose(2, 0, 1)
-    quantities["radiation_damping"] = rho * omega[:, None, None] * hydro["radiation_damping/all"][()].transpose(2, 0, 1)
-    quantities["added_mass_infinity"] = rho * hydro["added_mass/inf_freq"][()]
+    hydro, quantities, columns = body["hydro_coeffs"], {}, slice(6 * which, 6 * which + 6)
+    quantities["added_mass"] = rho * hydro["added_mass/all"][:6, columns].transpose(2, 0, 1)
+    quantities["radiation_damping"] = (
+        rho * omega[:, None, None] * hydro["radiation_damping/all"][:6, columns].transpose(2, 0, 1)
+    )
+    if "added_mass/inf_freq" in hydro:
+        quantities["added_mass_infinity"] = rho * hydro["added_mass/inf_freq"][:6, columns]
     for path, quantity in FORCES.items():
         if f"{path}/re" in hydro:
             X = hydro[f"{path}/re"][()] - 1j * hydro[f"{path}/im"][()]
@@ -191,4 +194,5 @@ def _read(file, name):
         "displaced_volume": float(np.ravel(own["disp_vol"][()])[0]),
         "hydrostatic_stiffness": rho * g * hydro["linear_restoring_stiffness"][()],
     }
-    return Values(omega, np.radians(degrees), depth, rho, g, quantities, known, known["center_of_mass"], name=name)
+    return Values(omega, np.radians(degrees), depth, rho, g, quantities, known, known["center_of_mass"], name=name,
+                  others=others)  # fmt: skip

@@ -1,7 +1,8 @@
 """The netCDF file of Capytaine (documentation, "Outputs"): labelled, SI, exp(−iωt), directions travelled to, as ours.
 
 Complex numbers have an axis `complex` of re, im at the end, as `capytaine.export_dataset` splits them.  The names are
-ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Capytaine has no mean drift.
+ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Mean drift is that of
+`far_field_mean_drift_force`, whose pairs of different headings are NaN here.
 Files of netCDF 3, which it writes where netCDF4 is not installed, are read too.
 """
 
@@ -15,14 +16,15 @@ import numpy as np
 from hakobune.meshing.whole_files import write_whole
 
 from .. import DOFS
-from ..database.schema import BODY, QUANTITIES
+from ..database.schema import BODY, DRIFT_DOFS, QUANTITIES
 from ..waves import wavenumber
-from .values import FormatError, Values
+from .values import FormatError, Values, body_of
 
 TAKEN = ("added_mass", "radiation_damping", "Froude_Krylov_force", "diffraction_force", "excitation_force")
 MATRICES = ("inertia_matrix", "hydrostatic_stiffness")
 VECTORS = {"center_of_mass": "center_of_mass", "center_of_buoyancy": "center_of_buoyancy"}
 SCALARS = {"disp_volume": "displaced_volume", "disp_mass": "mass", "waterplane_area": "waterplane_area"}
+PAIR, DRIFT = ("wave_direction_k", "wave_direction_l"), [f"drift_force_{dof.lower()}" for dof in DRIFT_DOFS]
 WATER = {"g": "gravity", "rho": "density", "water_depth": "water_depth"}
 
 
@@ -48,7 +50,11 @@ def write(values, place):
                 _put(file, name, (), BODY[own][1], float(values.get(own)))
         for name, own in WATER.items():
             _put(file, name, (), "", float(getattr(values, own)))
+        _put(file, "forward_speed", (), "m/s", 0.0)
         file.create_dataset("body_name", data=values.name)
+        if values.get("drift_force") is not None:
+            _drift(file, values)
+        file.attrs["coordinates"] = " ".join((*WATER, "forward_speed", "body_name", "period", "freq", "wavenumber"))
         file.attrs["title"] = "hydrodynamic coefficients by hakobune"
         file.flush()
         image = file.id.get_file_image()
@@ -80,11 +86,22 @@ def _put(file, name, axes, unit, data, split=False):
         made.attrs["units"] = unit
 
 
+def _drift(file, values):
+    """Mean drift of pairs of headings, as Capytaine has it; of two different ones it is not known"""
+    m = np.arange(len(values.wave_direction))
+    for axis in PAIR:
+        file.create_dataset(axis, data=values.wave_direction).make_scale(axis)
+    for i, name in enumerate(DRIFT):
+        data = np.full((len(values.omega), len(m), len(m)), np.nan)
+        data[:, m, m] = values.get("drift_force")[..., i]
+        _put(file, name, ("omega", *PAIR), "N/m2", data)
+
+
 def read(place, known=None):
-    """The Values of NAME.nc.  Raises FormatError."""
+    """The Values of a body of NAME.nc; known : {"body": from 1} of several.  Raises FormatError."""
     try:
         with _opened(Path(place)) as file:
-            return _read(file, Path(place).stem)
+            return _read(file, Path(place).stem, known)
     except OSError as error:
         raise FormatError(f"{place} cannot be opened: {str(error).splitlines()[0]}") from None
     except KeyError as error:
@@ -117,28 +134,43 @@ def _opened(place):
     return file
 
 
-def _read(file, name):
+def _read(file, name, known):
     axes = {axis: file[axis][()] for axis in ("omega", "wave_direction") if axis in file}
     axes.setdefault("wave_direction", np.zeros(0))
+    which = None
     for axis in ("radiating_dof", "influenced_dof"):
-        labels = [text.decode() if isinstance(text, bytes) else str(text) for text in file[axis][()]]
-        ends = [label.split("__")[-1] for label in labels]
-        if sorted(ends) != sorted(DOFS):
+        labels = [text.decode() if isinstance(text, bytes) else str(text) for text in np.ravel(file[axis][()])]
+        bodies = list(dict.fromkeys(label.rpartition("__")[0] for label in labels))
+        which = body_of(file.filename, len(bodies), known)
+        ends = {
+            label.rpartition("__")[2].capitalize(): i
+            for i, label in enumerate(labels)
+            if label.rpartition("__")[0] == bodies[which]
+        }
+        if not set(ends) <= set(DOFS):
             raise FormatError(f"{file.filename} has the modes {', '.join(labels)}; allowed: {', '.join(DOFS)}")
-        axes[axis] = [ends.index(dof) for dof in DOFS]
+        axes[axis] = [ends.get(dof) for dof in DOFS]
     quantities = {}
     for quantity in TAKEN:
         if quantity in file:
             quantities[quantity] = _ordered(file, quantity, QUANTITIES[quantity][0], axes)
+    if set(DRIFT) <= set(file) and len(bodies) == 1:
+        m = np.arange(len(np.ravel(axes["wave_direction"])))
+        parts = [_ordered(file, name, ("omega", *PAIR), axes)[:, m, m] for name in DRIFT]
+        quantities["drift_force"] = np.stack(parts, axis=-1)
     if "excitation_force" not in quantities and {"diffraction_force", "Froude_Krylov_force"} <= set(quantities):
         quantities["excitation_force"] = quantities["diffraction_force"] + quantities["Froude_Krylov_force"]
     body = {own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file}
-    body |= {own: np.ravel(file[name][()]) for name, own in VECTORS.items() if name in file}
-    body |= {own: float(np.ravel(file[name][()])[0]) for name, own in SCALARS.items() if name in file}
+    for name, own in (VECTORS | SCALARS).items():
+        rows = file[name][()].reshape(len(bodies), -1) if name in file and file[name].size % len(bodies) == 0 else ()
+        if len(rows) and len(rows[which]) == (3 if name in VECTORS else 1):  # of several bodies only with one for each
+            body[own] = rows[which] if name in VECTORS else float(rows[which][0])
     g, rho, depth = (float(np.ravel(file[key][()])[0]) for key in WATER)
-    about = np.ravel(file["rotation_center"][()]) if "rotation_center" in file else np.zeros(3)
+    centers = np.reshape(file["rotation_center"][()], (-1, 3)) if "rotation_center" in file else np.zeros((1, 3))
+    about = centers[min(which, len(centers) - 1)]
     omega = np.ravel(axes["omega"])
-    return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name)
+    return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name,
+                  others=len(bodies) - 1)  # fmt: skip
 
 
 def _ordered(file, name, axes, places):
@@ -157,7 +189,11 @@ def _ordered(file, name, axes, places):
     data = data.transpose([stored.index(axis) for axis in axes])
     for place, axis in enumerate(axes):
         if axis.endswith("_dof"):
-            data = np.take(data, places[axis], axis=place)
+            rows = [
+                np.zeros_like(np.take(data, 0, place)) if at is None else np.take(data, at, place)
+                for at in places[axis]
+            ]
+            data = np.stack(rows, place)
     return data
 
 

@@ -11,12 +11,15 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.meshing.text_files import numbers_of
 from hakobune.meshing.whole_files import write_whole
 
-from .values import FormatError, Values, evenly, lines_of
+from ..waves import wavenumber
+from .values import FormatError, Values, body_of, evenly, lines_of
 
 FORCES = {
     "ExcitationForce.tec": ("excitation_force", "Excitation force"),
@@ -115,42 +118,56 @@ def _still_water(values):
 
 
 def read(place, known=None):
-    """The Values of a folder.  Raises FormatError."""
+    """The Values of a folder; known : {"body": from 1} of several.  Raises FormatError."""
     place = Path(place)
-    said = _said(_inside(place, "Nemoh.cal"))
-    density, gravity, depth = (said(text)[0] for text in ("Fluid specific volume", "Gravity", "Water depth"))
-    count, first, last = said("Number of wave directions")[:3]
-    headings = np.radians(np.linspace(first, last, int(count)))
+    cal = _cal_of(_inside(place, "Nemoh.cal"))
+    which = body_of(place, len(cal.bodies), known)
+    body = cal.bodies[which]
+    first, last = (
+        sum(len(one.motions) for one in cal.bodies[:which]),
+        sum(len(one.forces) for one in cal.bodies[:which]),
+    )
+    motions, forces = (
+        [None if row is None else start + row for row in _six(place, rows)]
+        for start, rows in ((first, body.motions), (last, body.forces))
+    )
     results = _inside(place, "Results")
-    omega, rows = _zones(_inside(results, "RadiationCoefficients.tec"), 6)
+    columns = sum(len(one.forces) for one in cal.bodies)
+    omega, rows = _zones(
+        _inside(results, "RadiationCoefficients.tec"), sum(len(one.motions) for one in cal.bodies), columns
+    )
+    square = _taken(_taken(rows, motions, 0), forces, 2)
     quantities = {
-        "added_mass": rows[..., 0::2].transpose(1, 2, 0),
-        "radiation_damping": rows[..., 1::2].transpose(1, 2, 0),
+        "added_mass": square[..., 0].transpose(1, 2, 0),
+        "radiation_damping": square[..., 1].transpose(1, 2, 0),
     }
+    k = wavenumber(omega, cal.depth, cal.gravity)
+    crest = np.cos(cal.headings) * cal.crest[0] + np.sin(cal.headings) * cal.crest[1]
     for file, (name, _) in FORCES.items():
         path = _inside(results, file)
         if path.exists():
-            own, rows = _zones(path, len(headings))
+            own, rows = _zones(path, len(cal.headings), columns)
             if len(own) != len(omega) or not np.allclose(own, omega, rtol=1e-6):
                 raise FormatError(f"{path} has other frequencies than RadiationCoefficients.tec; allowed: the same")
-            quantities[name] = (rows[..., 0::2] * np.exp(1j * rows[..., 1::2])).transpose(1, 0, 2)
-    body, about = _body(_inside(place, "Mesh")), _about(place, said)
-    return Values(omega, headings, depth or np.inf, density, gravity, quantities, body, about, name=place.name)
+            pairs = _taken(rows, forces, 2)
+            X = (pairs[..., 0] * np.exp(1j * pairs[..., 1])).transpose(1, 0, 2)
+            quantities[name] = X * np.exp(1j * k[:, None] * crest)[..., None]
+    still = _body(_inside(place, "Mesh"), which, len(cal.bodies))
+    return Values(omega, cal.headings, cal.depth, cal.density, cal.gravity, quantities, still,
+                  _about(place, body), name=place.name, others=len(cal.bodies) - 1)  # fmt: skip
 
 
-def hull_of(place):
+def hull_of(place, known=None):
     """The file of the hull that Nemoh.cal names; None where it is not there.  Raises FormatError."""
     place = Path(place)
-    path = _inside(place, "Nemoh.cal")
-    for line in lines_of(path):
-        if "Name of mesh file" in line:
-            *folders, name = re.split(r"[\\/]", line.split("!")[0].strip())
-            found = place
-            for part in (*(folders or ["Mesh"]), name):
-                found = _inside(found, part)
-            there = [found, _inside(place, name)]
-            return next((path for path in there if path.is_file()), None)
-    return None
+    cal = _cal_of(_inside(place, "Nemoh.cal"))
+    mesh = cal.bodies[body_of(place, len(cal.bodies), known)].mesh
+    *folders, name = re.split(r"[\\/]", mesh)
+    found = place
+    for part in (*(folders or ["Mesh"]), name):
+        found = _inside(found, part)
+    there = [found, _inside(place, name)]
+    return next((path for path in there if path.is_file()), None)
 
 
 def _inside(folder, name):
@@ -160,47 +177,118 @@ def _inside(folder, name):
     return next((path for path in folder.iterdir() if path.name.lower() == name.lower()), folder / name)
 
 
-def _about(place, said):
+class Body(NamedTuple):
+    """mesh : name of its file; motions, forces : rows of kind (1 or 2), direction (3), point (3)"""
+
+    mesh: str
+    motions: list
+    forces: list
+
+
+class Cal(NamedTuple):
+    """What Nemoh.cal says: SI, headings (m,) rad, crest (x, y) m that phases are of, bodies : [Body]"""
+
+    density: float
+    gravity: float
+    depth: float
+    crest: tuple
+    bodies: list
+    headings: np.ndarray
+
+
+def _cal_of(path):
+    """`Cal` of a file, by the place of its lines, as Nemoh reads it.  Raises FormatError."""
+    lines = iter([line for line in lines_of(path) if line.strip() and not line.lstrip().startswith("---")])
+
+    def numbers(least):
+        line = next(lines, "")
+        found = numbers_of(line.split("!")[0])
+        if len(found) < least:
+            raise FormatError(f"{path}: {line.strip()!r} stands where {least} number(s) are wanted")
+        return found
+
+    density, gravity, depth = (numbers(1)[0] for _ in range(3))
+    crest = numbers(2)[:2]
+    bodies = []
+    for _ in range(int(numbers(1)[0])):
+        mesh = next(lines, "").split("!")[0].strip()
+        numbers(2)
+        motions, forces = ([numbers(7)[:7] for _ in range(int(numbers(1)[0]))] for _ in range(2))
+        for _ in range(int(numbers(1)[0])):
+            next(lines, None)
+        bodies.append(Body(mesh, motions, forces))
+    numbers(3)  # frequencies, which results have too
+    count, first, last = numbers(3)[:3]
+    headings = np.radians(np.linspace(first, last, int(count)))
+    return Cal(density, gravity, depth or np.inf, tuple(crest), bodies, headings)
+
+
+def _six(place, rows):
+    """(6,) which of some motions or forces each of ours is, None without one.  Raises FormatError for others."""
+    out = [None] * 6
+    for number, (kind, *direction) in enumerate(rows):
+        axis = np.flatnonzero(np.abs(np.array(direction[:3])) > 1e-9)
+        if kind not in (1, 2) or len(axis) != 1 or direction[axis[0]] <= 0:
+            raise FormatError(
+                f"{place / 'Nemoh.cal'} has a motion or force of kind {kind:g} along {direction[:3]}; allowed: "
+                "surge to yaw, along and about the axes"
+            )
+        out[int(3 * (kind - 1) + axis[0])] = number
+    return out
+
+
+def _taken(rows, places, axis):
+    """Six rows along an axis by their places, zero where there is none"""
+    parts = [np.zeros_like(np.take(rows, 0, axis)) if at is None else np.take(rows, at, axis) for at in places]
+    return np.stack(parts, axis)
+
+
+def _about(place, body):
     """(3,) m, the point that rotations and moments are about.  Raises FormatError where there are several."""
-    points = [said(f"{motion} about a point")[-3:] for motion in ("Roll", "Pitch", "Yaw")]
-    points += [said(f"Moment force in {axis} direction", points[0])[-3:] for axis in "xyz"]
+    points = [row[4:7] for row in (*body.motions, *body.forces) if row[0] == 2]
+    if not points:
+        return np.zeros(3)
     if np.ptp(np.array(points), axis=0).any():
         raise FormatError(f"{place / 'Nemoh.cal'} has rotations or moments about several points; allowed: about one")
     return np.array(points[0])
 
 
-def _said(path):
-    """A function that gives the numbers before a text in Nemoh.cal, or others where there is no such text"""
-    lines = lines_of(path)
-
-    def said(text, otherwise=None):
-        for line in lines:
-            if text in line:
-                return [float(word) for word in line.split("!")[0].split()]
-        if otherwise is None:
-            raise FormatError(f"{path} has no line with {text!r}")
-        return otherwise
-
-    return said
-
-
-def _zones(path, count):
-    """ω (n,) and numbers (zones, n, 12) of a .tec file"""
-    text = "\n".join(lines_of(path))
-    parts = re.split(r"^\s*zone\b.*$", text, flags=re.M | re.I)[1:]
+def _zones(path, count, columns):
+    """ω (n,) and numbers (zones, n, columns, 2) of a .tec file"""
+    head, tables = "", [[]]
+    for line in lines_of(path):
+        try:
+            row = [float(word) for word in line.split()]
+        except ValueError:  # a title, with which the table before ends
+            head += line
+            tables += [[]] if tables[-1] else []
+            continue
+        tables[-1] += [row] if row else []
+    tables = [table for table in tables if table]
     try:
-        tables = [np.array([[float(x) for x in line.split()] for line in part.strip().splitlines()]) for part in parts]
-        rows = np.stack(tables)
+        rows = np.array(tables)
     except ValueError:
         raise FormatError(f"{path}: a zone is not a full table of numbers") from None
-    if len(tables) != count or rows.shape[2] != 13:
-        raise FormatError(f"{path} has {len(tables)} zones; allowed: {count}, with 13 numbers a line, of one body")
-    order = np.argsort(rows[0, :, 0])
-    return rows[0, order, 0], rows[:, order, 1:]
+    if rows.ndim != 3:
+        raise FormatError(f"{path} has no table of numbers")
+    if len(tables) != count or rows.shape[2] != 2 * columns + 1:
+        raise FormatError(
+            f"{path} has {len(tables)} zones of {rows.shape[2]} numbers a line; allowed: {count}, with "
+            f"{2 * columns + 1}, as Nemoh.cal says"
+        )
+    first = rows[0, :, 0]
+    first = 2 * np.pi * first if "(Hz)" in head else 2 * np.pi / first if "T (s)" in head else first
+    order = np.argsort(first)
+    return first[order], rows[:, order, 1:].reshape(len(rows), len(first), columns, 2)
 
 
-def _body(folder):
-    body, still, stiffness = {}, _inside(folder, "Hydrostatics.dat"), _inside(folder, "KH.dat")
+def _body(folder, which, count):
+    """What Hydrostatics.dat and KH.dat say, those with _0, _1 … of several bodies"""
+    own = f"_{which}" if count > 1 else ""
+    whole, first = _inside(folder, "KH.dat"), _inside(folder, "KH_0.dat")
+    if count > 1 and whole.exists() and first.exists() and np.array_equal(np.loadtxt(whole), np.loadtxt(first)):
+        return {}  # Nemoh 3.0 writes the sum of all bodies for each
+    body, still, stiffness = {}, _inside(folder, f"Hydrostatics{own}.dat"), _inside(folder, f"KH{own}.dat")
     if still.exists():
         found = [re.findall(r"=\s*([-+.\deE]+)", line) for line in lines_of(still)[:4]]
         body["center_of_buoyancy"] = np.array([float(pair[0]) for pair in found[:3]])

@@ -21,9 +21,9 @@ import numpy as np
 
 from hakobune.meshing.whole_files import write_whole
 
-from ..database.schema import DOFS
+from ..database.schema import DOFS, LIMITS
 from ..waves import wavenumber
-from .values import FormatError, Values, gridded
+from .values import FormatError, Values, body_of, gridded
 from .yaml_text import YamlFault, parse
 
 RESPONSES = ", ".join(f"RAO{dof}Amp, RAO{dof}Phase" for dof in DOFS)
@@ -52,7 +52,7 @@ RESPONSES_OF = {
     "LoadRAOs": ("excitation_force", np.full(6, 1e3)),
     "DisplacementRAOs": ("rao", np.array([1.0] * 3 + [np.pi / 180] * 3)),
 }
-LENGTHS = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "ft": 0.3048, "in": 0.0254}
+LENGTHS = {"m": 1.0, "km": 1e3, "mm": 1e-3, "cm": 1e-2, "ft": 0.3048, "in": 0.0254}
 MASSES = {"te": 1e3, "t": 1e3, "kg": 1.0, "kip": 453.59237, "kips": 453.59237, "klb": 453.59237, "lb": 0.45359237,
           "slug": 14.593903}  # fmt: skip
 FORCES = {"kN": 1e3, "N": 1.0, "MN": 1e6, "te": 9806.65, "tef": 9806.65, "kgf": 9.80665, "kip": 4448.2216152605,
@@ -63,8 +63,9 @@ LAG_OF_ORIGIN = {"crest": 0.0, "trough": np.pi, "zero down-crossing": np.pi / 2,
 TO_OMEGA = {
     "frequency (rad/s)": lambda x: x,
     "frequency (Hz)": lambda x: 2 * np.pi * x,
-    "period (s)": lambda x: 2 * np.pi / x,
+    "period (s)": lambda x: np.where(np.asarray(x) == 0, np.inf, 2 * np.pi / np.where(np.asarray(x) == 0, 1.0, x)),
 }
+SAME_FREQUENCY = 1e-6  # relative
 DEEP = 1e5  # m, written for water without end, which the file cannot say, and read as that
 CENTRE = ("CentreOfMass", "CentreOfGravity")  # of OrcaFlex 11, and before it
 WHAT = ("Length", "Mass", "Force")
@@ -168,9 +169,9 @@ def _matrices(values):
 
 
 def read(place, known):
-    """The Values of the first draught of the first vessel type of NAME.yml.  Raises FormatError.
+    """The Values of the first draught of a vessel type of NAME.yml.  Raises FormatError.
 
-    known : {"gravity": m/s²}
+    known : {"gravity": m/s²}, and "body", which vessel type from 1, where there are several
     """
     place = Path(place)
     try:
@@ -212,7 +213,8 @@ def _units(general, place):
 
 
 def _read(model, place, known):
-    vessel, water, units = model["VesselTypes"][0], model["Environment"], _units(model.get("General") or {}, place)
+    vessel = model["VesselTypes"][body_of(place, len(model["VesselTypes"]), known)]
+    water, units = model["Environment"], _units(model.get("General") or {}, place)
     _check_signs(vessel, place)
     depth = units.length * float(water["WaterDepth"])
     depth = np.inf if depth >= DEEP else depth
@@ -225,8 +227,14 @@ def _read(model, place, known):
     for group, (quantity, _) in RESPONSES_OF.items():
         if draught.get(group, {}).get("RAOs"):
             found, headings, X = _read_responses(draught[group], vessel, place, to_omega)
-            if not np.array_equal(np.argsort(found), np.arange(len(order))) or not np.allclose(found, order, rtol=1e-9):
+            kept = [int(np.argmin(np.abs(order - w))) for w in found]
+            kept = [i if abs(order[i] / w - 1) < SAME_FREQUENCY else None for i, w in zip(kept, found, strict=True)]
+            common = [i for i in kept if i is not None]
+            if len(common) < min(len(order), len(found)) / 2:
                 raise FormatError(f"{place}: {group} has other frequencies than the added mass; allowed: the same")
+            X = X[[i is not None for i in kept]]
+            order = order[common]
+            quantities = {name: data if name in LIMITS else data[common] for name, data in quantities.items()}
             k = wavenumber(order, depth, known["gravity"])
             X = X * _crest(draught[group], units.length * k, headings)
             origin = units.length * np.array(draught[group]["RAOOrigin"], float)
@@ -237,7 +245,7 @@ def _read(model, place, known):
     body = _read_body(draught, about, known["gravity"], units)
     return Values(
         order, headings, depth, density, known["gravity"], quantities, body, about,
-        name=str(vessel["Name"]),
+        name=str(vessel["Name"]), others=len(model["VesselTypes"]) - 1,
     )  # fmt: skip
 
 
@@ -298,9 +306,9 @@ def _crest(group, k, headings):
 
 def _read_body(draught, about, gravity, units):
     body = {}
-    if "DisplacedVolume" in draught:
+    if draught.get("DisplacedVolume") is not None:  # ~ where it follows from the mass
         body["displaced_volume"] = units.length**3 * float(draught["DisplacedVolume"])
-    if "CentreOfBuoyancy" in draught:
+    if None not in (draught.get("CentreOfBuoyancy") or [None]):
         body["center_of_buoyancy"] = units.length * np.array(draught["CentreOfBuoyancy"], float)
     mass = units.mass * float(draught["Mass"]) if "Mass" in draught else None
     if mass is not None and INERTIA_COLUMNS in draught:

@@ -26,6 +26,7 @@ class Values:
 
     quantities : {name of `schema.QUANTITIES`: array}, axes as there; body : {name of `schema.BODY`: value}
     rotation_center : (3,) m; mesh : PanelMesh, or None; name : of the body
+    others : bodies beside it, which are held fixed
     """
 
     omega: np.ndarray
@@ -38,6 +39,7 @@ class Values:
     rotation_center: np.ndarray = field(default_factory=lambda: np.zeros(3))
     mesh: object = None
     name: str = "body"
+    others: int = 0
 
     def get(self, name):
         """A quantity or a value of the body; None where it is not there"""
@@ -103,6 +105,23 @@ def values_of(db):
         header.mesh,
         db.path.stem,
     )
+
+
+def body_of(place, count, known):
+    """Index from 0 of the body that is asked for by known["body"], from 1.  Raises FormatError.
+
+    Its coefficients are those of the body that moves while the others are held.
+    """
+    body = (known or {}).get("body")
+    if body is None and count == 1:
+        return 0
+    if body is None or not 1 <= body <= count:
+        asked = "" if body is None else f"--body is {body}, "
+        raise FormatError(
+            f"{asked}{place} has {count} bod{'y' if count == 1 else 'ies'}; allowed: --body 1 to {count}, "
+            "one at a time, the others held fixed"
+        )
+    return int(body) - 1
 
 
 def evenly(what, numbers, unit, way_out):

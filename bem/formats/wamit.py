@@ -1,9 +1,10 @@
 """Numeric output files of WAMIT (user manual, version 7.4, chapters 3 and 5): NAME.1 .3 .3fk .3sc .4 .8 .hst
 
+    .2            as .3, by Haskind's relation
     .1            PER I J Ā B̄          A = ρ L^a Ā,  B = ρω L^a B̄, a = 3 + p_I + p_J;  at ω = 0 and ∞ without B̄
     .3 .3fk .3sc  PER BETA I Mod Pha Re Im           X = ρg L^(2 + p_I) X̄ for each metre of wave amplitude
     .4            the same                           ξ = ξ̄ L^(−p_I), rad for each metre of rotations
-    .8            PER BETA BETA I Mod Pha Re Im      F = ρg L^(1 + p_I) F̄, of the mean drift by momentum, I = 1, 2, 6
+    .8 .9 .7      PER BETA BETA I Mod Pha Re Im      F = ρg L^(1 + p_I) F̄, of the mean drift by momentum, I = 1, 2, 6
     .hst          I J C̄                              C = ρg L^(2 + p_I + p_J) C̄
 
 with p = 0 for translations and 1 for rotations, L = ULEN; PER as IPEROUT says, by default the period in s, −1 at ω = 0
@@ -16,21 +17,29 @@ in these files; ULEN and the point that moments are about are in the inputs besi
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
 from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
-from .values import FormatError, Values, gridded, omega_of, table_of
+from .values import FormatError, Values, body_of, gridded, omega_of, table_of
 from .wamit_inputs import beside, inputs_of
 
-FORCES = {".3": "excitation_force", ".3fk": "Froude_Krylov_force", ".3sc": "diffraction_force", ".4": "rao"}
+FORCES = {
+    ".2": "excitation_force",
+    ".3": "excitation_force",
+    ".3fk": "Froude_Krylov_force",
+    ".3sc": "diffraction_force",
+    ".4": "rao",
+}
 LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
 LIMITS_AT = {0.0: "added_mass_zero", np.inf: "added_mass_infinity"}
 SIX = range(1, 7)
 POWER = np.array([0, 0, 0, 1, 1, 1])  # of ULEN, beyond that of translations
 SAME_PERIOD = 1e-5  # of it: programs print six digits, some the first of them as 0.1
+DRIFTS = (".8", ".9", ".7")  # by momentum, pressure, control surface: the first that is there
 DRIFT_INDEX = [DOFS.index(name) + 1 for name in DRIFT_DOFS]
 
 
@@ -40,7 +49,7 @@ def write(values, place):
     place, rho, rho_g = Path(place), values.density, values.density * values.gravity
     files = {".1": _radiation(values, A / rho, B / (rho * values.omega[:, None, None]))}
     for suffix, name in FORCES.items():
-        if values.get(name) is not None:
+        if values.get(name) is not None and suffix != ".2":  # by Haskind's relation the same as .3
             files[suffix] = _forces(values, np.conj(values.get(name)) / (1.0 if name == "rao" else rho_g))
     drift = values.get("drift_force")
     drift = values.get("drift_force_fixed") if drift is None else drift
@@ -56,11 +65,19 @@ def write(values, place):
     return paths
 
 
+def stands_for(values, name):
+    """(6, 6) of a limit, or of the frequency next to it where the limit is not there, or not finite"""
+    limit = values.get(name)
+    if limit is not None and np.all(np.isfinite(limit)):
+        return limit
+    return values.get("added_mass")[0 if name == "added_mass_zero" else -1]
+
+
 def _radiation(values, A, B):
     lines = []
     for period, name in LIMIT_PERIODS.items():
-        limit = values.get(name)
-        for i, j in np.ndindex(6, 6) if limit is not None and np.all(np.isfinite(limit)) else ():
+        limit = stands_for(values, name)  # HydroDyn and RAFT do not read a file without both
+        for i, j in np.ndindex(6, 6):
             lines.append(f"{period: .6E}{i + 1:6d}{j + 1:6d} {limit[i, j] / values.density: .6E}")
     for n in np.argsort(-values.omega)[::-1]:
         for i, j in np.ndindex(6, 6):
@@ -82,44 +99,117 @@ def _forces(values, X, index=range(1, 7), twice=False):
 
 
 def read(place, known):
-    """The Values of NAME.1 and what lies beside it (`wamit_inputs`).
+    """The Values of NAME.1 and what lies beside it (`wamit_inputs`), or of NAME.out, which holds all of it.
 
-    known : {"water_depth", "density", "gravity"}, and "length_unit" m and "rotation_center" (3,) m where they are given
-    Raises FormatError.
+    known : {"density", "gravity"}, and where they are given "water_depth" m, "length_unit" m, "rotation_center" (3,) m
+        and "body", from 1.  Raises FormatError.
     """
-    place, given = Path(place).with_suffix(".1"), inputs_of(place, known)
+    place = Path(place)
+    whole = place.suffix.lower() == ".out"
+    if whole:
+        from .wamit_out import read_out
+
+        tables, given, body = read_out(place, known)
+    else:
+        place, given = place.with_suffix(".1"), inputs_of(place, known)
+        tables, body = tables_beside(place), {}
+    if given.depth is None:
+        raise FormatError(f"--depth is missing; {place} does not say it; allowed: above 0 m, or inf")
+    count = int(max(tables[".1"][1].max() + 5, 6)) // 6 if len(tables[".1"]) else 1
+    if given.bodies == 1 and given.told:  # modes beyond six are of bending, or of water in a chamber
+        known = {"body": 1} | {name: value for name, value in known.items() if value is not None}
+    chosen = body_of(place, max(count, given.bodies), known)
     length = given.length
-    rho, rho_g = known["density"], known["density"] * known["gravity"]
-    quantities, omega = _read_radiation(place, rho, given, known)
+    rho, rho_g = known["density"], known["density"] * given.gravity
+    columns = Columns(given, 6 * chosen + np.array(SIX))
+    tables = {suffix: table for suffix, table in tables.items() if suffix in (".1", ".hst") or columns.of_body(table)}
+    quantities, omega = _read_radiation(tables[".1"], rho, columns)
     headings = np.zeros(0)
     for suffix, name in FORCES.items():
-        if place.with_suffix(suffix).exists():
-            headings, X = _read_forces(place.with_suffix(suffix), omega, headings, given, known)
+        if suffix in tables:
+            headings, X = _read_forces(tables[suffix], omega, headings, columns, SIX)
             quantities[name] = np.conj(X) * (length**-POWER if name == "rao" else rho_g * length ** (2 + POWER))
-    if place.with_suffix(".8").exists():
-        headings, F = _read_forces(place.with_suffix(".8"), omega, headings, given, known, DRIFT_INDEX)
-        F = F.real * rho_g * length ** (1 + POWER[np.array(DRIFT_INDEX) - 1])
-        quantities["drift_force" if "rao" in quantities else "drift_force_fixed"] = F
-    body = {}
-    if place.with_suffix(".hst").exists():
-        rows = table_of(place.with_suffix(".hst"), (3,))
-        C = gridded(place.with_suffix(".hst"), rows.T[:2], rows[:, 2], modes=(SIX, SIX))[1]
+    for suffix in DRIFTS:
+        if suffix in tables:
+            headings, F = _read_forces(tables[suffix], omega, headings, columns, DRIFT_INDEX)
+            F = F.real * rho_g * length ** (1 + POWER[np.array(DRIFT_INDEX) - 1])
+            quantities["drift_force" if "rao" in quantities else "drift_force_fixed"] = F
+            break
+    if ".hst" in tables:
+        path, rows = tables[".hst"].path, _of_body(tables[".hst"].rows, (0, 1), columns.modes)
+        C = gridded(path, rows.T[:2], rows[:, 2], modes=(SIX, SIX))[1]
         body["hydrostatic_stiffness"] = rho_g * C * length ** (2 + POWER + POWER[:, None])
-    water = {name: known[name] for name in ("water_depth", "density", "gravity")}
+    water = {"water_depth": given.depth, "density": rho, "gravity": given.gravity}
     return Values(omega, headings, quantities=quantities, body=body, name=place.stem, **water,
-                  rotation_center=np.array(given.about, float))  # fmt: skip
+                  rotation_center=np.array(given.about, float), others=max(count, given.bodies) - 1)  # fmt: skip
 
 
-def hull_of(place):
-    """The .gdf beside NAME.1; None where it is not there"""
-    return beside(Path(place), ".gdf")
+def hull_of(place, known=None):
+    """The .gdf of a body beside NAME.1 or NAME.out; None where it is not there"""
+    place = Path(place)
+    given = inputs_of(place, {name: known.get(name) for name in ("body",)} if known else {})
+    if given.hull:
+        return place.with_name(given.hull)
+    return beside(place, ".gdf")
 
 
-def _read_radiation(path, rho, given, known):
+class Table(NamedTuple):
+    """path : of a file, for messages; rows : (k, columns) of its numbers"""
+
+    path: Path
+    rows: np.ndarray
+
+    def __getitem__(self, column):
+        return self.rows[:, column]
+
+    def __len__(self):
+        return len(self.rows)
+
+
+class Columns(NamedTuple):
+    """given : `wamit_inputs.Inputs`; modes : (6,) numbers of the body's modes"""
+
+    given: object
+    modes: np.ndarray
+
+    def of_body(self, table):
+        """Whether a table of forces has some of the body"""
+        return bool(np.isin(table.rows[:, -5], self.modes).any())
+
+    def omega(self, column):
+        """(k,) rad/s of a first column"""
+        given = self.given
+        return omega_of(column, given.period_kind, given.depth, given.gravity, given.wave_length)
+
+
+def tables_beside(place):
+    """{suffix: Table} of the files of the name of `place`"""
+    widths = {".1": (4, 5), ".hst": (3,)} | dict.fromkeys(FORCES, (7,)) | dict.fromkeys(DRIFTS, (8,))
+    there = {suffix: beside(place, suffix) for suffix in widths}
+    there = {
+        suffix: path for suffix, path in there.items() if path and (suffix == ".1" or path.read_text("latin-1").strip())
+    }
+    found = {suffix: Table(path, table_of(path, widths[suffix])) for suffix, path in there.items()}
+    if ".1" not in found:
+        raise FormatError(f"{place} is not there; allowed: NAME.1 with added mass and damping, or NAME.out")
+    return found
+
+
+def _of_body(rows, columns, modes):
+    """Rows whose modes in `columns` are all of the body, and numbered from 1"""
+    for column in columns:
+        rows = rows[np.isin(rows[:, column], modes)]
+    rows = rows.copy()
+    rows[:, columns] -= modes[0] - 1
+    return rows
+
+
+def _read_radiation(table, rho, columns):
     """{quantity: array} of added mass, damping and limits, and ω (n,) rad/s"""
-    table = table_of(path, (4, 5))
-    at = omega_of(table[:, 0], given.period_kind, known["water_depth"], known["gravity"], given.wave_length)
-    size = rho * given.length ** (3 + POWER + POWER[:, None])
+    path, length = table.path, columns.given.length
+    table = _of_body(table.rows, [1, 2], columns.modes)
+    at = columns.omega(table[:, 0])
+    size = rho * length ** (3 + POWER + POWER[:, None])
     quantities = {}
     for limit, name in LIMITS_AT.items():
         part = table[at == limit]
@@ -136,18 +226,21 @@ def _read_radiation(path, rho, given, known):
     return quantities | {"added_mass": size * both[..., 0], "radiation_damping": damping}, omega
 
 
-def _read_forces(path, omega, headings, given, known, index=SIX):
-    """Headings (m,) rad and complex values (n, m, modes)"""
-    table = table_of(path, (7,) if len(index) == 6 else (8,))
+def _read_forces(table, omega, headings, columns, index):
+    """Headings (m,) rad and complex values (n, m, modes) at the frequencies ω of the added mass"""
+    path, table = table.path, table.rows
     extra = table.shape[1] - 7
+    table = _of_body(table, [2 + extra], columns.modes[np.array(index) - 1])
+    table[:, 2 + extra] += index[0] - 1
     if extra:  # of the mean drift of two headings, what each does alone
         table = table[table[:, 1] == table[:, 2]]
-    at = omega_of(table[:, 0], given.period_kind, known["water_depth"], known["gravity"], given.wave_length)
-    coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
+    at = columns.omega(table[:, 0])
     if not len(table):
         raise FormatError(f"{path} has drift of two different headings alone; allowed: that of each heading")
+    coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
     (found, own, _), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1], modes=(index,))
-    same = len(found) == len(omega) and np.allclose(found, omega, rtol=SAME_PERIOD)
+    places = np.array([int(np.argmin(np.abs(found - w))) for w in omega])
+    same = len(found) >= len(omega) and np.allclose(found[places], omega, rtol=SAME_PERIOD)
     if not same or (len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))):
         raise FormatError(f"{path} has other periods or headings than the files beside it; allowed: the same")
-    return own, X
+    return own, X[places]

@@ -32,6 +32,7 @@ class Format(NamedTuple):
     folder: bool = False
     hull: str = ""
     silent: tuple[str, ...] = ()
+    read_only: bool = False
 
 
 WATER = ("water_depth", "density", "gravity")
@@ -43,6 +44,8 @@ FORMATS = {
     "hydrochrono": Format("bemio", "_hydrochrono.h5"),
     "capytaine": Format("capytaine", ".nc"),
     "orcaflex": Format("orcaflex", ".yml", silent=("gravity",)),
+    "aqwa": Format("aqwa", "", read_only=True),
+    "diodore": Format("diodore", "", silent=WATER, read_only=True),
 }
 
 
@@ -75,8 +78,9 @@ def _pairs_written(db, values, output):
 
 
 def format_of(flag, name):
-    if name not in FORMATS:
-        raise ValueError(f"--{flag} is {name!r}; allowed: {', '.join(FORMATS)}")
+    allowed = [one for one, kind in FORMATS.items() if flag == "from" or not kind.read_only]
+    if name not in allowed:
+        raise ValueError(f"--{flag} is {name!r}; allowed: {', '.join(allowed)}")
     return FORMATS[name]
 
 
@@ -105,14 +109,18 @@ def _left_out(db, values, to):
     yield from map(fails, gaps._replace(unknown={n: m for n, m in gaps.unknown.items() if n in CARRIED}).not_known())
     lost = [name for name in db.names if name not in CARRIED]
     endless = [name for name in LIMITS if name in db.names and not np.all(np.isfinite(db[name]))] if db.complete else []
-    if endless:
+    if to in ("wamit", "hams"):
+        gone = [name for name in LIMITS if name in endless or values.get(name) is None]
+        if gone:
+            yield f"{', '.join(gone)} is that of the frequency next to it: HydroDyn needs rows of both limits"
+    elif endless:
         yield f"{', '.join(endless)} is not finite and left out"
     if to not in ("wamit", "hams"):
         lost += [name for name in ("rao", "drift_force", "drift_force_fixed") if name in db.names]
         if to == "orcaflex":
             kept, gone = ("rao",), ("Froude_Krylov_force", "diffraction_force", "added_mass_zero")
             lost = [name for name in lost if name not in kept] + [name for name in gone if name in db.names]
-        lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono")]
+        lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono", "capytaine")]
     elif "drift_force" in db.names and "drift_force_fixed" in db.names:
         lost.append("drift_force_fixed")
     if lost:

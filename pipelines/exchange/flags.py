@@ -32,7 +32,7 @@ def import_(
     place: Annotated[Path, Parameter(help="file or folder of another program")],
     /,
     *,
-    from_: Annotated[str, Parameter(name="--from", help=FORMATS)],
+    from_: Annotated[str, Parameter(name="--from", help=f"{FORMATS}, aqwa or diodore")],
     mesh: Annotated[Path | None, Parameter(help="of the hull [what lies with the results]")] = None,
     depth: Annotated[float | None, Parameter(help="m or inf, of files that do not say it")] = None,
     density: Annotated[float, Parameter(help="kg/m³, of files that do not say it")] = 1025.0,
@@ -42,12 +42,18 @@ def import_(
         str | None,
         Parameter(help="m, x,y,z of the point that moments are about [what the files say]", allow_leading_hyphen=True),
     ] = None,
+    body: Annotated[int | None, Parameter(help="of several in the files, from 1; the others are held fixed")] = None,
+    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, those that are taken [all]")] = None,
     mass: Annotated[float | None, Parameter(help="kg [of the files, else displaced]")] = None,
     center_of_gravity: Annotated[
         str | None, Parameter(help="m, x,y,z [of the files, else 0,0,0]", allow_leading_hyphen=True)
     ] = None,
     gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration; motions follow")] = None,
     output: Annotated[Path | None, Parameter(help="the database [beside it, .h5]")] = None,
+    correct: Annotated[
+        bool,
+        Parameter(help="units, points, phases or headings that our own solution of the hull contradicts", negative=""),
+    ] = False,
     fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
 ):
     """Read results of another program into a database; a file, or the folder of Nemoh or HAMS.
@@ -61,8 +67,43 @@ def import_(
     points = {"--about": about, "--center-of-gravity": center_of_gravity, "--gyration": gyration}
     about, center, radii = (_three(flag, text) for flag, text in points.items())
     known = {"water_depth": depth, "density": density, "gravity": gravity}
-    known |= {"length_unit": length_unit, "rotation_center": about}
-    return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh)
+    known |= {"length_unit": length_unit, "rotation_center": about, "body": body}
+    known["frequencies"] = _from_to(frequencies)
+    return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh, correct)
+
+
+def body(
+    database: Annotated[Path, Parameter(help="imported, .h5")],
+    /,
+    *,
+    mass: Annotated[float | None, Parameter(help="kg [as stored, else displaced]")] = None,
+    center_of_gravity: Annotated[str | None, Parameter(help="m, x,y,z [as stored]", allow_leading_hyphen=True)] = None,
+    gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration; motions follow")] = None,
+    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, those that stay [all]")] = None,
+    output: Annotated[Path | None, Parameter(help="another database [this one is changed]")] = None,
+):
+    """Give an imported database mass, centre of gravity and radii of gyration, so that every study reads it.
+
+    hakobune body barge_imported.h5 --gyration 6,12,13 --center-of-gravity 0,0,1
+    """
+    from hakobune.bem.formats.afloat import Weight
+
+    from .weighing import weigh
+
+    center, radii = _three("--center-of-gravity", center_of_gravity), _three("--gyration", gyration)
+    return weigh(database, Weight(mass, center, radii), _from_to(frequencies), output)
+
+
+def _from_to(text):
+    """(low, high) in rad/s of "0.2:1.5", either left out for all.  Raises ValueError."""
+    low, colon, high = (text or ":").partition(":")
+    try:
+        found = float(low or 0.0), float(high or "inf")
+    except ValueError:
+        found = (1.0, 0.0)
+    if not colon or not 0 <= found[0] < found[1]:
+        raise ValueError(f"--frequencies is {text!r}; allowed: from:to in rad/s, as 0.2:1.5, 0.2: or :1.5")
+    return found
 
 
 def _three(flag, text):

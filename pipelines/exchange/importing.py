@@ -12,6 +12,7 @@ from hakobune.bem.database import append, append_limit, create, open_database, w
 from hakobune.bem.database.file import Header, check_place
 from hakobune.bem.database.schema import DOFS, LIMITS
 from hakobune.bem.formats.afloat import on_hull
+from hakobune.bem.formats.believed import believed
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.quality import findings
@@ -24,11 +25,12 @@ from ..printing.verdict import tell
 from .command import format_of
 
 
-def import_(place, kind_name, mesh, known, weight, output, fresh=False):
+def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=False):
     """Make the database and say what is in it; 1 where a frequency could not be stored.  Raises ValueError.
 
-    known : water_depth, density, gravity, and length_unit, rotation_center, each None where it is not given
-    weight : `bem.formats.afloat.Weight`
+    known : water_depth, density, gravity, length_unit, rotation_center, body, each None where it is not given, and
+        frequencies (from, to) in rad/s
+    weight : `bem.formats.afloat.Weight`; correct : whether a cause of what contradicts our own solution is corrected
     """
     kind = format_of("from", kind_name)
     if not place.exists():
@@ -36,16 +38,16 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     _check(kind, known, output, fresh, place)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
-    of_module = {name: known[name] for name in kind.silent}
+    of_module = {name: known[name] for name in (*kind.silent, "body")}
     said = ()
     if hasattr(module, "inputs_of"):
-        length, about, *_, said = module.inputs_of(place, of_module)
-        of_module |= {"length_unit": length, "rotation_center": about}
+        inputs = module.inputs_of(place, of_module)
+        said, of_module = inputs.said, of_module | {"length_unit": inputs.length, "rotation_center": inputs.about}
     values = with_headings_once(module.read(place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
-    panels = _hull(place, kind, module, mesh, of_module.get("rotation_center"))
-    values, left_out = _finite(values)
+    panels = _hull(place, kind, module, mesh, of_module)
+    values, left_out = _finite(between(values, *known["frequencies"]))
     lost = [
         fails(f"{name} is not finite at {omega} rad/s, left out with all else there; compute these frequencies again")
         for name, omega in left_out.items()
@@ -56,26 +58,27 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
         raise ValueError(
             f"the water is {values.water_depth:g} m deep and {panels.name} draws {draft:g} m; allowed: deeper water"
         )
-    values, remarks = on_hull(values, panels, weight)
-    remarks = (*remarks, *_remarks(place, said, values))
+    on_hull(values, panels, weight)  # volume, stiffness, mass first
+    values, agreed, doubts = believed(values, panels, correct)
+    values, remarks = on_hull(with_headings_once(values), panels, weight)
+    remarks = (*remarks, *agreed, *_remarks(place, said, values))
     with made_beside(output) as partial:  # what was there stays until all of this is
-        _store(values, panels, partial, f"{kind_name}: {place}")
+        store(values, panels, partial, f"{kind_name}: {place}")
         groups = _store_pairs(partial, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
     print(", ".join([*values.quantities, *groups]))
     stored = open_database(output).rows
     if not stored.all():
         lost.append(fails(f"{stored.sum()} of {len(stored)} frequencies could be stored in {output}"))
+    lost += map(fails, doubts)
     of_hull = (fails(f"{panels.name}: {one.text}") for one in findings(panels) if one.severity == "error")
     return tell([*remarks, *of_hull, *lost], new_console(stderr=True))
 
 
 def _check(kind, known, output, fresh, place):
     """Raise ValueError for flags that are missing or impossible, and for a place that is taken"""
-    if "water_depth" in kind.silent and known["water_depth"] is None:
-        raise ValueError("--depth is missing; files of WAMIT do not say it; allowed: above 0 m, or inf")
     for name in kind.silent:
-        if name in ("water_depth", "density", "gravity") and not known[name] > 0:
+        if name in ("water_depth", "density", "gravity") and known[name] is not None and not known[name] > 0:
             raise ValueError(f"{name} is {known[name]:g}; allowed: above 0")
     length = known["length_unit"]
     if length is not None and not 0 < length < np.inf:
@@ -88,14 +91,15 @@ def _check(kind, known, output, fresh, place):
         raise ValueError(f"{output} is there already; give --fresh to replace it, or another name by --output")
 
 
-def _hull(place, kind, module, mesh, origin):
+def _hull(place, kind, module, mesh, known):
     """The hull in its water, of --mesh, or of the file that lies with the results.  Raises ValueError.
 
-    origin : (3,) m, of the axes that the latter is in; None for those of the water
+    known["rotation_center"] : (3,) m, of the axes that the latter is in; None or not there for those of the water
     """
+    origin = known.get("rotation_center")
     path = mesh or (place / kind.hull.format(stem=place.stem) if kind.hull else None)
     if path is None and hasattr(module, "hull_of"):
-        path = module.hull_of(place)
+        path = module.hull_of(place, known)
     if path is None or not path.resolve().is_file():
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {path} is not there' if path else ''}")
     panels = read_mesh(path.resolve())
@@ -111,13 +115,15 @@ def _remarks(place, said, values):
     for one in said:
         if one != "ULEN 1 m of " + place.with_suffix(".gdf").name:
             yield f"{one} is taken"
+    if values.others:
+        yield "other bodies, or modes beyond the six of this one, are in the files: they are held fixed, and left out"
     idle = [name for name, size in zip(DOFS, _sizes(values), strict=True) if size == 0]
     if idle:
         yield f"{', '.join(idle)} has no added mass in the files, which is stored as 0: the motion is not in them"
     if values.get("inertia_matrix") is None:
         yield (
-            "no inertia_matrix in it: no motions follow from this database; give --gyration kxx,kyy,kzz, "
-            "--center-of-gravity x,y,z and --mass, with --fresh"
+            "no inertia_matrix in it: no motions follow from this database; `hakobune body` gives it --gyration "
+            "kxx,kyy,kzz, --center-of-gravity x,y,z and --mass"
         )
 
 
@@ -146,6 +152,20 @@ def _store_pairs(output, pairs, values):
     return [GROUPS[forces.kind] for forces in pairs]
 
 
+def between(values, low, high):
+    """Values at the frequencies from low to high, rad/s.  Raises ValueError where there is none."""
+    kept = (values.omega >= low) & (values.omega <= high)
+    if not kept.any():
+        raise ValueError(
+            f"--frequencies {low:g}:{high:g} leaves none; the files have {values.omega.min():.4g} to "
+            f"{values.omega.max():.4g} rad/s"
+        )
+    if kept.all():
+        return values
+    some = {name: part if name in LIMITS else part[kept] for name, part in values.quantities.items()}
+    return replace(values, omega=values.omega[kept], quantities=some)
+
+
 def _finite(values):
     """Values at the frequencies at which all of them are finite, and {name: frequencies, as text} of the others
 
@@ -165,7 +185,8 @@ def _finite(values):
     return replace(values, omega=values.omega[kept], quantities=some), left
 
 
-def _store(values, mesh, output, source):
+def store(values, mesh, output, source):
+    """Make a database of Values on their hull; source : what they were imported from"""
     angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
     header = Header(
         mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,

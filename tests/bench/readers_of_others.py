@@ -24,6 +24,37 @@ def wamit_by_pyhams(place):
     return omega[keep][order], headings, *(M.transpose(2, 0, 1)[keep][order] for M in (A, B)), F
 
 
+def wamit_by_raft(place):
+    """RAFT: in SI about the origin, phases of WAMIT, forces along and across the wave"""
+    from types import SimpleNamespace
+
+    from pyhams.pyhams import read_wamit3
+    from raft.raft_fowt import FOWT
+
+    omega = np.unique(np.array(read_wamit3(f"{place}.3", TFlag=1)[4]))
+    n = len(omega)
+    stub = SimpleNamespace(
+        hydroPath=str(place), w=omega, nw=n, A_BEM=np.zeros((6, 6, n)), B_BEM=np.zeros((6, 6, n)), nDOF=6,
+        rho_water=1025.0, g=9.80665, reducedDOF=[[0, 0]], nodeList=[SimpleNamespace(r0=np.zeros(6))],
+    )  # fmt: skip
+    FOWT.readHydro(stub)
+    X = stub.X_BEM.transpose(2, 0, 1).copy()
+    c, s = np.cos(np.radians(stub.BEM_headings)), np.sin(np.radians(stub.BEM_headings))
+    for i in (0, 3):
+        X[..., i], X[..., i + 1] = c * X[..., i] - s * X[..., i + 1], s * X[..., i] + c * X[..., i + 1]
+    return omega, stub.BEM_headings, stub.A_BEM.transpose(2, 0, 1), stub.B_BEM.transpose(2, 0, 1), X
+
+
+def netcdf_out_by_capytaine(place):
+    """What Capytaine writes for WAMIT of a netCDF file"""
+    import capytaine
+    import xarray
+    from capytaine.io.xarray import merge_complex_values
+
+    capytaine.export_dataset(str(place.with_name("again")), merge_complex_values(xarray.open_dataset(place)), "wamit")
+    return wamit_by_pyhams(place.with_name("again"))
+
+
 def netcdf_by_mafredo(place):
     from mafredo.hyddb1 import Hyddb1
 

@@ -10,7 +10,7 @@ import pytest
 from hakobune.bem.database import open_database
 from hakobune.bem.formats import hams, orcaflex, wamit
 from hakobune.bem.formats.afloat import Weight, on_hull
-from hakobune.bem.formats.values import FormatError, omega_of, values_of, with_headings_once
+from hakobune.bem.formats.values import FormatError, about, omega_of, values_of, with_headings_once
 from hakobune.meshing.files import write_mesh
 from hakobune.pipelines import cli
 from hakobune.pipelines.scene.scene import make_scene
@@ -67,11 +67,21 @@ def test_a_pair_that_is_there_at_some_frequencies_alone_is_a_damaged_file(writte
         wamit.read(written, WATER)
 
 
-def test_a_seventh_mode_is_of_no_rigid_body(written):
+def test_modes_beyond_six_are_of_another_body_or_of_bending_where_the_inputs_have_one(values, written):
     lines = written.read_text().splitlines()
-    written.write_text("\n".join([*lines, *(line.replace("     1     1 ", "     7     7 ") for line in lines)]))
-    with pytest.raises(FormatError, match="has mode 7; allowed: 1, 2"):
+    other = [line.replace("     1     1 ", "     7     7 ") for line in lines if "     1     1 " in line]
+    written.write_text("\n".join([*lines, *other]))
+    with pytest.raises(FormatError, match=r"has 2 bodies; allowed: --body 1 to 2, one at a time, the others held"):
         wamit.read(written, WATER)
+    first = wamit.read(written, WATER | {"body": 1})
+    assert first.get("added_mass") == pytest.approx(values.get("added_mass"), rel=1e-5, abs=1.0) and first.others == 1
+    second = wamit.read(written, WATER | {"body": 2})
+    assert second.get("added_mass")[:, 0, 0] == pytest.approx(values.get("added_mass")[:, 0, 0], rel=1e-5)
+    assert np.count_nonzero(second.get("added_mass")) == len(values.omega)
+    pot = "h\n20.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n1\none.gdf\n0 0 0 0\n"
+    written.with_suffix(".pot").write_text(pot)
+    bending = wamit.read(written, WATER)
+    assert np.array_equal(bending.get("added_mass"), first.get("added_mass")) and bending.others == 1
 
 
 def test_results_are_made_dimensionless_by_ulen(values, written):
@@ -110,7 +120,8 @@ def test_results_are_made_dimensionless_by_ulen(values, written):
         on_hull(wrong, values.mesh)
 
 
-def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, capsys):
+def test_xbody_is_the_point_of_moments_and_moves_the_hull(values, written, tmp_path, capsys):
+    wamit.write(about(values, (0.0, 0.0, -2.0)), written)
     pot = "h\n20.0 HBOT\n1 1 IRAD IDIFF\n-2 NPER\n0.6 0.4\n2\n0.0\n90.0 BETA\n1\nbox.gdf\n0.0 0.0 -2.0 0.0 XBODY\n"
     written.with_suffix(".pot").write_text(pot)
     assert wamit.inputs_of(written, WATER).about == (0.0, 0.0, -2.0)
@@ -125,6 +136,10 @@ def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, cap
     db = open_database(output)
     assert list(db.rotation_center) == [0, 0, -2]
     assert db.header.body["center_of_buoyancy"][2] == pytest.approx(-2.0)  # half of the draft
+    wamit.write(values, written)  # moments about the waterplane beside an input that says otherwise
+    assert cli.main(["import", str(written), "--from", "wamit", "--output", str(output), "--fresh"]) == 2
+    said = capsys.readouterr().err
+    assert "moments and rotations are about (0, 0, 0) m; give --about 0,0,0, or import with --correct" in said
     pot = pot.replace("-2.0 0.0 XBODY", "-2.0 30.0 XBODY")
     written.with_suffix(".pot").write_text(pot)
     with pytest.raises(FormatError, match=r"XBODY\(4\) turns the body by 30°"):
@@ -132,11 +147,15 @@ def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, cap
 
 
 def test_an_input_file_is_read_for_what_is_not_given(written):
-    pot = "h\n20.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n2\none.gdf\n"
-    written.with_suffix(".pot").write_text(pot)
-    with pytest.raises(FormatError, match="has 2 bodies"):
-        wamit.inputs_of(written, WATER)
+    body = "0.0 0.0 -{0}. 0.0\n1 1 1 1 1 1\n"
+    head = "h\n-1.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n2\n"
+    written.with_suffix(".pot").write_text(head + "one.gdf\n" + body.format(1) + "two.gdf\n" + body.format(2))
+    first, second = (wamit.inputs_of(written, {"body": body}) for body in (1, 2))
+    assert first.about == (0, 0, -1) and second.about == (0, 0, -2) and first.bodies == 2 and first.depth == np.inf
     assert wamit.inputs_of(written, WATER | {"rotation_center": (0, 0, 1)}).about == (0, 0, 1)
+    written.with_suffix(".pot").write_text(head + "one.gdf\n")
+    with pytest.raises(FormatError, match="ends before XBODY"):
+        wamit.inputs_of(written, WATER)
 
 
 def test_lengths_are_feet_where_gravity_is_and_wavenumbers_are_times_ulen(values, written):
@@ -262,7 +281,7 @@ def test_an_import_without_mass_is_given_one_and_has_the_motions_of_the_solved_b
     output = tmp_path / "given.h5"
     words = ["import", str(written), "--from", "wamit", "--depth", "20", "--output", str(output)]
     assert cli.main(words) == 0
-    assert "give --gyration" in capsys.readouterr().err
+    assert "`hakobune body` gives it --gyration" in capsys.readouterr().err
     assert cli.main([*words, "--fresh", "--gyration", "3,6,6"]) == 0
     assert "that of the files has the weight in it" in capsys.readouterr().err
     db = open_database(output)

@@ -20,7 +20,7 @@ def check(folder, silent=SILENT, name="out.h5", fresh=False, place="in.1", **kno
 
 
 @pytest.mark.parametrize("known, says", [
-    ({}, None), ({"water_depth": None}, "--depth is missing"), ({"water_depth": 0.0}, "water_depth is 0; allowed"),
+    ({}, None), ({"water_depth": None}, None), ({"water_depth": 0.0}, "water_depth is 0; allowed"),
     ({"water_depth": np.inf}, None), ({"density": 0.0}, "density is 0; allowed"),
     ({"gravity": -9.8}, "gravity is -9.8"),
     ({"length_unit": 1e-3}, None), ({"length_unit": 0.0}, "--length-unit is 0 m; allowed: above 0"),
@@ -53,7 +53,7 @@ def values(sway=1.0, inertia=None):
     added = np.zeros((2, 6, 6))
     added[1] = np.diag([1, sway, 1, 1, 1, 1])
     held = {"added_mass": added, "inertia_matrix": inertia}
-    return SimpleNamespace(get=held.__getitem__)
+    return SimpleNamespace(get=held.__getitem__, others=0)
 
 
 def test_motions_without_added_mass_and_missing_inertia_are_told():
@@ -61,7 +61,9 @@ def test_motions_without_added_mass_and_missing_inertia_are_told():
     (said,) = importing._remarks(Path("a.1"), (), values(0.0, np.eye(6)))
     assert said == f"{DOFS[1]} has no added mass in the files, which is stored as 0: the motion is not in them"
     (said,) = importing._remarks(Path("a.1"), (), values())
-    assert said.startswith("no inertia_matrix in it: no motions follow from this database; give --gyration")
+    assert said.startswith(
+        "no inertia_matrix in it: no motions follow from this database; `hakobune body` gives it --gyration"
+    )
     told = list(importing._remarks(Path("a.1"), ("ULEN 1 m of a.gdf", "ULEN 2 m of a.gdf"), values(inertia=np.eye(6))))
     assert told == ["ULEN 2 m of a.gdf is taken"]
     assert importing._sizes(values(-3.0)) == pytest.approx([1, 3, 1, 1, 1, 1])

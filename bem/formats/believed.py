@@ -1,0 +1,42 @@
+"""What is found wrong with an imported set: by our own solution of its hull, or by its own laws."""
+
+from __future__ import annotations
+
+from . import laws
+from .causes import AGREED, corrected, finding
+from .own_solution import MOST_PANELS, own_of, sample
+from .values import FormatError
+
+WAY_OUT = "import with --correct to store the set so corrected"
+
+
+def believed(values, mesh, correct=False):
+    """Values, lines on what agrees, and lines on what contradicts and stays as it is.
+
+    correct : whether a cause that is found is corrected
+    raises : FormatError that names the cause where there is one and it is not to be corrected
+    """
+    doubts, tested = laws.doubts(values)
+    own = own_of(values, mesh)
+    if own is None:
+        why = "no frequency is of a long wave"
+        if len(mesh) > MOST_PANELS:
+            why = f"the hull has {len(mesh)} panels, solved here: up to {MOST_PANELS}"
+        if values.others:
+            why = "other bodies are beside it"
+        return values, [f"not held against our own solution, {why}; laws tested: {', '.join(tested)}"], doubts
+    found = finding(sample(values, mesh), own)
+    if found is None:
+        return values, [], doubts
+    named = found.quantity.replace("_", " ")
+    off = f"{named} differs from our own solution of the hull by {100 * found.gap:.3g} %, allowed: {100 * AGREED:g} %"
+    if found.cause is None:
+        return values, [], [f"{off}, and no single change of unit, point, sign or heading explains it", *doubts]
+    if not correct:
+        way = f"give {found.cause.way_out}, or {WAY_OUT}" if found.cause.way_out else WAY_OUT
+        raise FormatError(f"{off}: {found.cause.text}; {way}")
+    return (
+        corrected(values, found.cause),
+        [f"corrected: {found.cause.text}; motions and drift of the files are left out"],
+        [],
+    )

@@ -1,0 +1,359 @@
+"""Why a set of another program differs from our own solution of its hull: each cause is tried, the one that fits told.
+
+    corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
+
+A cause that has a number, as a length, a factor, or a point, takes it from the two by least squares first.  Causes are
+one at a time: two in one set are told as a difference without a cause.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from ..modes import reference_change
+from ..waves import wavenumber
+from .own_solution import gaps, sizes_of_forces
+
+AGREED = 0.10  # of the size of a row: the largest difference that is none
+MESH = 2.0  # the same, that panels may make
+SHIFT = 0.02  # of half the hull's size: the least way from a point that is another one
+FITS = 0.5  # of the difference: what a cause leaves of it at most
+NEARLY = 0.03  # of a factor, within which it is a known one
+FACTORS = {
+    1e3: "kilo instead of the unit", 1e-3: "the unit instead of kilo", 2.0: "per metre of wave height", 0.5: "halved",
+    9.80665: "the factor g", 1 / 9.80665: "without the factor g", 9806.65: "tonnes-force", 1e6: "mega",
+    1 / 9806.65: "tonnes-force as N", 1e-6: "mega as the unit", 4.4482: "pounds-force", 4448.22: "kilopounds-force",
+    1 / 4448.22: "kips as N", 1 / 4.4482: "pounds-force as N", 0.3048: "feet", 1 / 0.3048: "feet",
+    1025.0: "the factor ρ", 1 / 1025.0: "without the factor ρ", 1025 * 9.80665: "the factor ρ g",
+    1 / (1025 * 9.80665): "without the factor ρ g", np.pi / 180: "per degree", 180 / np.pi: "radians as degrees",
+    14.5939: "slugs", 0.453592: "pounds", 1 / 0.453592: "pounds", 1 / 14.5939: "slugs", -1.0: "the opposite sign",
+}  # fmt: skip
+LENGTHS = (1e-3, 1e-2, 0.1, 0.3048, 1 / 0.3048, 10.0, 100.0, 1e3)
+ROTATION = np.array([0, 0, 0, 1, 1, 1])
+FORCES = ("excitation_force", "diffraction_force", "Froude_Krylov_force")
+NOT_CORRECTED = ("rao", "drift_force", "drift_force_fixed")
+MATRICES = ("added_mass", "radiation_damping", "added_mass_zero", "added_mass_infinity")
+
+
+class Cause(NamedTuple):
+    """text : what it is; correct : Values → Values; way_out : how it is mended beside `--correct`"""
+
+    text: str
+    correct: Callable
+    way_out: str = ""
+
+
+class Finding(NamedTuple):
+    """gap : the largest difference, of `quantity`; cause : or None; left : what it leaves"""
+
+    gap: float
+    quantity: str
+    cause: Cause | None
+    left: float = np.inf
+
+
+def finding(values, own):
+    """`Finding` on a `sample` of Values against `Own`; None where they agree within `AGREED`, on flat panels with one
+    node, as of most programs, or with four, which are near the limit of many panels
+    """
+    found = _finding(values, own)
+    if found is None or found.gap > MESH:
+        return found
+    sharp = _finding(values, own.sharper())
+    return None if sharp is None else min(found, sharp, key=lambda one: one.gap)
+
+
+def _finding(values, own):
+    off = gaps(values, own)
+    quantity = max(off, key=off.get)
+    if off[quantity] <= AGREED:
+        return None
+    best, left = None, np.inf
+    for cause in _causes(values, own):
+        now = max(gaps(cause.correct(values), own).values())
+        if now < 0.8 * left or (best is None and now < left):  # a later cause has to be clearly better
+            best, left = cause, now
+        if left < 0.2 * AGREED:
+            break
+    if left > AGREED and np.isfinite(values.water_depth):
+        deep = max(gaps(values, own.in_water(np.inf)).values())
+        if deep < 0.8 * left:
+            text = f"the set is of deep water, not of {values.water_depth:g} m"
+            best, left = Cause(text, lambda one: replace(one, water_depth=np.inf), "--depth inf"), deep
+    certain = left <= FITS * off[quantity] and left <= 2.5 * AGREED
+    return Finding(off[quantity], quantity, best if certain else None, left)
+
+
+def _causes(values, own):
+    yield from _about_units(values, own)
+    yield from _about_directions(values)
+    yield from _about_points(values, own)
+    yield from _about_water(values, own)
+
+
+def corrected(values, cause):
+    """Values by a cause; motions and drift, which follow from what it changes, are left out"""
+    kept = {name: data for name, data in values.quantities.items() if name not in NOT_CORRECTED}
+    return cause.correct(replace(values, quantities=kept))
+
+
+def changed(values, names, function):
+    """Values with `function` of some of their quantities"""
+    new = {name: function(data) for name, data in values.quantities.items() if name in names}
+    return replace(values, quantities=values.quantities | new)
+
+
+def scaled(values, names, rows=None):
+    """A function of a factor: the quantities over it, by row where `rows` (6,) is its power"""
+
+    def of(factor):
+        def over(data):
+            size = factor if rows is None else np.sign(factor) * np.abs(factor) ** np.asarray(rows, float)
+            if rows is not None and data.shape[-2:] == (6, 6) and not np.iscomplexobj(data):
+                size = np.outer(size, size)
+            return data / size
+
+        return changed(values, names, over)
+
+    return of
+
+
+def _factor(pairs):
+    """The real factor f that minimises Σ |file − f own|² / size² over pairs of (file, own, size)"""
+    top = sum(float(np.sum((a * np.conj(b)).real / size**2)) for a, b, size in pairs)
+    factor = top / sum(float(np.sum(np.abs(b) ** 2 / size**2)) for _, b, size in pairs)
+    return next((known for known in FACTORS if abs(factor / known - 1) < NEARLY), factor)
+
+
+def _said(factor):
+    words = FACTORS.get(factor)
+    return f"{factor:.4g} times as large" + (f": {words}" if words else "")
+
+
+def _owns(values, own):
+    """A (n, 6, 6), B, X (n, m, 6) of our own solution, and sizes of rows that are finite"""
+    parts = [own.at(omega, values.wave_direction) for omega in values.omega]
+    return [np.array(part) for part in zip(*parts, strict=True)]
+
+
+def _about_units(values, own):
+    A, B, X = _owns(values, own)
+    moves = own.moves
+    parts = {}
+    for name, true in (("added_mass", A), ("radiation_damping", B), ("excitation_force", X)):
+        if name not in values.quantities or not true.size:
+            continue
+        if name == "excitation_force":
+            size = np.array([sizes_of_forces(x, own) for x in true])[:, None, :]
+        else:
+            d = np.where(moves, np.sqrt(np.abs(np.einsum("nii->ni", true)) + 1e-12), np.inf)
+            size = d[:, :, None] * d[:, None, :]
+        parts[name] = (values.quantities[name], true, np.broadcast_to(size, true.shape))
+    shift = slice(0, 3)
+    straight = {
+        name: tuple(part[..., shift] if name == "excitation_force" else part[..., shift, shift] for part in three)
+        for name, three in parts.items()
+    }
+    ratio = {name: _factor([three]) for name, three in straight.items()}
+    a, x = ratio.get("added_mass", 1.0), ratio.get("excitation_force")
+    length = np.sqrt(abs(x)) if x else abs(a) ** (1 / 3)
+    length = next((known for known in LENGTHS if abs(length / known - 1) < NEARLY), length)
+    if length > 0 and abs(length - 1) > NEARLY:
+        yield Cause(
+            f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken",
+            lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
+        )  # fmt: skip
+    forces = tuple(name for name in FORCES if name in values.quantities)
+    groups = {"forces": ("excitation_force",), "added mass": ("added_mass",), "damping": ("radiation_damping",),
+              "added mass and damping": ("added_mass", "radiation_damping"),
+              "added mass, damping and forces": ("added_mass", "radiation_damping", "excitation_force")}  # fmt: skip
+    for words, names in groups.items():
+        chosen = [straight[name] for name in names if name in straight]
+        if len(chosen) < len(names):
+            continue
+        taken = forces if names == ("excitation_force",) else names + (forces if "excitation_force" in names else ())
+        if "added_mass" in names:
+            taken += ("added_mass_zero", "added_mass_infinity")
+        factor = _factor(chosen)
+        if factor and abs(factor - 1) > NEARLY:
+            yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n)(f))
+    for words, names, power in (("moments", FORCES, ROTATION), ("rows of rotations", FORCES + MATRICES, ROTATION)):
+        if "excitation_force" in parts:
+            three = tuple(part[..., 3:] for part in parts["excitation_force"])
+            factor = _factor([three])
+            if factor and abs(factor - 1) > NEARLY:
+                yield Cause(
+                    f"{words} are {_said(factor)}",
+                    lambda one, n=names, f=factor, p=power: scaled(one, n, p)(f),
+                )
+    if "radiation_damping" in values.quantities:
+        for words, power in (("damping is that over ω", 1), ("damping is that times ω", -1)):
+            yield Cause(
+                words,
+                lambda one, p=power: changed(one, ("radiation_damping",), lambda B: B * one.omega[:, None, None] ** p),
+            )
+
+
+def of_length(values, L):
+    """Values over the powers that WAMIT gives a length in its quantities"""
+    matrix, force = L ** (3.0 + ROTATION + ROTATION[:, None]), L ** (2.0 + ROTATION)
+    out = changed(values, MATRICES, lambda data: data / matrix)
+    return changed(out, FORCES, lambda data: data / force)
+
+
+def turned(values, words):
+    """Values whose headings are "opposite", "mirrored" or both"""
+    beta = values.wave_direction
+    if "mirrored" in words:
+        beta = -beta
+    if "opposite" in words:
+        beta = beta + np.pi
+    return replace(values, wave_direction=beta)
+
+
+def _about_directions(values):
+    if "excitation_force" not in values.quantities or not values.quantities["excitation_force"].size:
+        return
+    conjugate = ("phases are the conjugates of ours, of exp(+iωt) for exp(−iωt)", np.conj)
+    phases = (("", None), conjugate, ("forces have the opposite sign, as of a trough", np.negative),
+              ("phases are 90° behind ours", lambda X: X * 1j), ("phases are 90° ahead of ours", lambda X: X * -1j),
+              ("phases are conjugates of the opposite sign", lambda X: -np.conj(X)))  # fmt: skip
+    headings = {"": "", "opposite": "headings say where waves come from, ours where they go to",
+                "mirrored": "headings are counted clockwise, ours anticlockwise",
+                "opposite mirrored": "headings say, clockwise, where waves come from, as a compass"}  # fmt: skip
+    for phase, change in phases:
+        for words, text in headings.items():
+            both = "; ".join(part for part in (phase, text) if part)
+            if both:
+                yield Cause(
+                    both,
+                    lambda one, w=words, c=change: turned(one if c is None else changed(one, FORCES, c), w),
+                )
+    for name, signs, words in (
+        ("axes have z down and y to starboard", (1, -1, -1, 1, -1, -1), "mirrored"),
+        ("axes have x aft and y to starboard", (-1, -1, 1, -1, -1, 1), "opposite"),
+        ("axes have y to starboard with z up", (1, -1, 1, -1, 1, -1), "mirrored"),
+        ("axes have x aft with y to port", (-1, 1, 1, 1, -1, -1), "opposite mirrored"),
+        ("rotations have the opposite sign", (1, 1, 1, -1, -1, -1), ""),
+        ("pitch has the opposite sign", (1, 1, 1, 1, -1, 1), ""),
+        ("roll has the opposite sign", (1, 1, 1, -1, 1, 1), ""),
+        ("heave has the opposite sign", (1, 1, -1, 1, 1, 1), ""),
+        ("surge has the opposite sign", (-1, 1, 1, 1, 1, 1), ""),
+        ("z is down", (1, 1, -1, -1, -1, 1), ""),
+    ):
+        S = np.array(signs, float)
+        for both in (True, False):
+            names = FORCES + MATRICES if both else FORCES
+            if both or not words:
+                yield Cause(
+                    name + ("" if both else ", in forces alone"),
+                    lambda one, n=names, s=S, w=words: turned(changed(one, n, lambda data: _signed(data, s)), w),
+                )
+
+
+def _signed(data, signs):
+    return data * signs if np.iscomplexobj(data) else data * np.outer(signs, signs)
+
+
+def _about_points(values, own):
+    A, B, X = _owns(values, own)
+    p = None
+    if "excitation_force" in values.quantities and X.size:
+        p = point_of_moments(values.quantities["excitation_force"], X)
+    q = _point_of_coefficients(values, A, B)
+    center = np.asarray(own.center)
+    for r, names, words in (
+        (p, FORCES + MATRICES, "moments and rotations are"), (q, FORCES + MATRICES, "moments and rotations are"),
+        (p, FORCES, "moments of the forces, and not of added mass, are"),
+        (q, MATRICES, "rotations of added mass and damping, and not moments of the forces, are"),
+    ):  # fmt: skip
+        if r is not None and np.linalg.norm(r) > SHIFT * own.arm:
+            r = -center if np.linalg.norm(center + r) < SHIFT * own.arm else r  # the origin itself
+            said = ", ".join(f"{x:.4g}" for x in np.round(center + r, 3) + 0.0)
+            way = f"--about {said.replace(' ', '')}" if names == FORCES + MATRICES else ""
+            yield Cause(f"{words} about ({said}) m", lambda one, n=names, d=r: _moved(one, n, d), way)
+    if "excitation_force" in values.quantities and X.size:
+        r = _crest_at(values, X)
+        if np.linalg.norm(r) < SHIFT * own.arm:
+            return
+        said = ", ".join(f"{x:.4g}" for x in np.round(r, 3) + 0.0)
+        yield Cause(
+            f"phases are of a crest at ({said}) m and not at the origin of the axes", lambda one: _crest_moved(one, r)
+        )
+
+
+def point_of_moments(file, true):
+    """(3,) m from our point to the file's: M_file = M − r × F, by least squares; (…, 6) each"""
+    F, M = true[..., :3].reshape(-1, 3), (true - file)[..., 3:].reshape(-1, 3)
+    zero = np.zeros(len(F))
+    cross = np.stack([  # r × F = [F]ᵀ r, rows of the system
+        np.stack([zero, F[:, 2], -F[:, 1]], 1), np.stack([-F[:, 2], zero, F[:, 0]], 1),
+        np.stack([F[:, 1], -F[:, 0], zero], 1),
+    ], axis=1).reshape(-1, 3)  # fmt: skip
+    right = M.reshape(-1)
+    cross, right = np.concatenate([cross.real, cross.imag]), np.concatenate([right.real, right.imag])
+    return np.linalg.lstsq(cross, right, rcond=1e-3)[0]
+
+
+def _point_of_coefficients(values, A, B):
+    """`point_of_moments` of what translations make of moments in added mass and damping, each with its own size"""
+    file, true = [], []
+    for name, own in (("added_mass", A), ("radiation_damping", B)):
+        size = np.linalg.norm(own[:, :3, :3])
+        file.append(values.quantities[name][:, :3] / size)
+        true.append(own[:, :3] / size)
+    return point_of_moments(np.array(file), np.array(true))
+
+
+def _moved(values, names, r):
+    """Quantities about a point that lies r (3,) m from ours, about ours"""
+    T = reference_change(-r)  # n about our point = T · n about the file's
+
+    def move(data):
+        return data @ T.T if np.iscomplexobj(data) else T @ data @ T.T
+
+    return changed(values, names, move)
+
+
+def _crest_at(values, X):
+    """(2,) m of the point whose crest the phases are of: X_file = X exp(−ik·r), by least squares of the longest wave"""
+    n = int(np.argmin(values.omega))
+    k = wavenumber(values.omega[n], values.water_depth, values.gravity)
+    file, true = values.quantities["excitation_force"][n], X[n]
+    size = np.abs(true).max(axis=0)
+    size[:3], size[3:] = size[:3].max(), size[3:].max()
+    product = np.sum(file * np.conj(true) / np.maximum(size, 1e-300) ** 2, axis=1)
+    beta = values.wave_direction
+    rows = k * np.stack([np.cos(beta), np.sin(beta)], axis=1)
+    return -np.linalg.lstsq(rows, np.angle(product), rcond=1e-3)[0]
+
+
+def _crest_moved(values, r):
+    k = wavenumber(values.omega, values.water_depth, values.gravity)[:, None]
+    beta = values.wave_direction[None, :]
+    turn = np.exp(1j * k * (r[0] * np.cos(beta) + r[1] * np.sin(beta)))[..., None]
+    return changed(values, FORCES, lambda X: X * turn)
+
+
+def _about_water(values, own):
+    for words, factor in (
+        ("frequencies are in Hz, not rad/s", 2 * np.pi),
+        ("frequencies are in rad/s and were read as Hz", 1 / (2 * np.pi)),
+    ):  # fmt: skip
+        yield Cause(words, lambda one, f=factor: replace(one, omega=one.omega * f))
+    yield Cause("frequencies are periods", lambda one: _by_period(one))
+
+
+def _by_period(values):
+    """Values whose frequencies were periods in s"""
+    omega = 2 * np.pi / values.omega
+    order = np.argsort(omega)
+    moved = {
+        name: data[order] if name not in ("added_mass_zero", "added_mass_infinity") else data
+        for name, data in values.quantities.items()
+    }
+    return replace(values, omega=omega[order], quantities=moved)

@@ -1,0 +1,315 @@
+"""What the numbers of a set say of each other, without its hull.
+
+    Z = Zᵀ,  B ≥ 0                                                                     reciprocity, energy
+    B_ii = k/(8π ρ g C_g) ∫₀²π |X_i(β)|² dβ                                            Haskind and Newman
+    X₃ → C₃₃ − ω²(A₃₃ + ρV),   X₁ → −i k g (A₁₁ + ρV) cosβ / tanh kh · tanh kh         of a wave longer than the body
+    A(0) − A(∞) = (2/π) ∫ B/ω² dω                                                      causality
+
+The second row needs headings all round, or from 0 to 180° or 90° of a body that its own added mass shows symmetric;
+else heave and surge of long waves stand for it: |X₃| is one for all headings, X₁ goes with cosβ.  Of surge the sign is
+tested: conjugates and opposite headings turn it round, the former the imaginary part of X₃ too, −ωB₃₃.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..database.schema import QUANTITIES
+from ..waves import group_factor, wavenumber
+
+NOT_SYMMETRIC = 0.1  # of √(AᵢᵢAⱼⱼ)
+LONG = 0.35  # k times the size of the body, of a long wave
+SHORT = 6.0  # the same, of waves that are so short that damping has ended
+TRUE = 0.25  # by which a ratio of laws may differ from 1: sets of few headings and coarse panels
+CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
+STEEP = 0.85  # power of ω, from which a ratio goes with it
+DEPTH_FITS = 0.04  # of 1, by which ratios differ at the right depth
+FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness of what floats
+FEW = 2  # frequencies, that tell a ratio
+NOISE = 0.02  # of ω A, under which damping may be below 0
+OFTEN = 0.1  # of the frequencies, that break a law: fewer are irregular ones
+FAINT = 1e-3  # of the largest damping, which is that of rounding
+CANCELS = 0.1  # of a force at an arm as long as the body, below which a moment is a difference of two
+EVEN = 1e-3  # of the largest diagonal, of terms that symmetry makes zero
+SURGE, SWAY, HEAVE = 0, 1, 2
+
+
+def doubts(values):
+    """Lines on the laws that Values break; names of the laws that could be tested"""
+    values, (found, tested) = _finite(values), ([], [])
+    if not len(values.omega):
+        return [], []
+    for name, law in LAWS.items():
+        answer = law(values)
+        if answer is not None:
+            tested.append(name)
+            found += [f"{name}: {line}" for line in answer]
+    return found, tested
+
+
+def _finite(values):
+    """Values at the frequencies at which all are finite"""
+    names = [name for name in values.quantities if "omega" in QUANTITIES[name][0]]
+    good = np.all([np.isfinite(values.quantities[n].reshape(len(values.omega), -1)).all(axis=1) for n in names], axis=0)
+    return values if good.all() else replace(
+        values, omega=values.omega[good],
+        quantities={n: data[good] if n in names else data for n, data in values.quantities.items()},
+    )  # fmt: skip
+
+
+def size_of(values):
+    """m, of the waterplane or, where that is more, twice the arm of added mass in yaw; without either of A₃₃"""
+    C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
+    plane = 0.0
+    if C is not None and C[2, 2] > 0:
+        plane = float(np.sqrt(C[2, 2] / (values.density * values.gravity)))
+    sway, yaw = (float(np.abs(A[:, i, i]).max()) for i in (SWAY, 5))
+    plane = max(plane, 2 * np.sqrt(yaw / sway) if sway else 0.0)
+    side = np.median(np.abs(A[:, (SURGE, SWAY), (SURGE, SWAY)]), axis=0).max() / values.density
+    return max(plane, float(side) ** (1 / 3)) or float((np.abs(A[:, 2, 2]).max() / values.density) ** (1 / 3)) or 1.0
+
+
+def _waves(values):
+    k = wavenumber(values.omega, values.water_depth, values.gravity)
+    return k, k * size_of(values)
+
+
+def _reciprocity(values):
+    A, lines = values.get("added_mass"), []
+    if len(values.omega) == 0:
+        return None
+    d = np.abs(np.einsum("nii->ni", A)).max(axis=0)
+    d[:3], d[3:] = np.maximum(d[:3], 0.01 * d[:3].max()), np.maximum(d[3:], 0.01 * d[3:].max())
+    off = np.abs(A - A.swapaxes(1, 2)) / np.sqrt(np.outer(d, d))
+    worst = np.median(off, axis=0)
+    if worst.max() > NOT_SYMMETRIC:
+        i, j = np.unravel_index(np.argmax(worst), worst.shape)
+        lines.append(
+            f"A_{i + 1}{j + 1} and A_{j + 1}{i + 1} differ by {100 * worst[i, j]:.0f} % of their size; rows of "
+            "rotations and of translations have different units or points, or panels are too few"
+        )
+    return lines
+
+
+def _energy(values):
+    B, A = (np.einsum("nii->ni", values.get(name)) for name in ("radiation_damping", "added_mass"))
+    floor = NOISE * values.omega[:, None] * np.abs(A)
+    wrong = [i + 1 for i in range(6) if np.mean(B[:, i] < -floor[:, i]) > OFTEN and B[:, i].sum() < 0]
+    if not wrong:
+        return []
+    return [f"B_{wrong[0]}{wrong[0]} is below 0: damping has the opposite sign"]
+
+
+def _circle(values):
+    """Weights (m,) of ∫ dβ of squares over all directions; None where the headings do not cover them"""
+    beta = np.mod(values.wave_direction, 2 * np.pi)
+    A = np.abs(values.get("added_mass"))
+    d = np.einsum("nii->ni", A).max(axis=0)
+    coupled = A.max(axis=0) / np.maximum(np.sqrt(np.outer(d, d)), 1e-300)
+    port = max((coupled[i, j] for i in (0, 2, 4) for j in (1, 3) if d[i] and d[j]), default=0.0)
+    fore = max((coupled[i, j] for i, j in ((0, 2), (2, 4), (1, 5)) if d[i] and d[j]), default=0.0)
+    for turn, symmetric in ((2 * np.pi, True), (np.pi, port < 30 * EVEN), (0.5 * np.pi, max(port, fore) < 30 * EVEN)):
+        closed = turn == 2 * np.pi
+        part = np.sort(beta) if closed else np.sort(beta[beta <= turn + 1e-6])
+        if not symmetric or len(part) < 4:
+            continue
+        if closed:
+            steps = np.diff(np.append(part, part[0] + 2 * np.pi))
+        elif part[0] > 1e-3 or part[-1] < turn - 1e-3:
+            continue
+        else:
+            steps = np.diff(part)
+        if steps.max() > 0.9:
+            continue
+        share = 0.5 * (steps + np.roll(steps, 1)) if closed else 0.5 * (np.append(steps, 0) + np.append(0, steps))
+        out = np.zeros(len(beta))
+        order = np.argsort(beta)
+        chosen = order if closed else order[beta[order] <= turn + 1e-6]
+        out[chosen] = share * (2 * np.pi / turn)
+        return out, steps.max()
+    return None
+
+
+def haskind_ratios(values):
+    """{mode: (q,) B / that of the far field}, and (q,) of the frequencies; None without excitation"""
+    X, B = values.get("excitation_force"), np.einsum("nii->ni", values.get("radiation_damping"))
+    if X is None or not X.size:
+        return None
+    k, kL = _waves(values)
+    speed = group_factor(k, values.water_depth) * values.omega / k
+    rate = k / (8 * np.pi * values.density * values.gravity * speed)
+    circle = _circle(values)
+    if circle is None:
+        good = (kL < LONG) & (kL > 0.02)
+        cos = np.abs(np.cos(values.wave_direction))
+        ahead = int(np.argmax(cos))
+        whole = {HEAVE: 2 * np.pi * np.mean(np.abs(X[:, :, HEAVE]) ** 2, axis=1)}
+        if cos[ahead] > 0.7:
+            whole[SURGE] = np.pi * np.abs(X[:, ahead, SURGE] / cos[ahead]) ** 2
+    else:
+        weights, step = circle
+        good = (kL < 0.4 * np.pi / step) & (kL > 0.02)
+        whole = {i: np.abs(X[:, :, i]) ** 2 @ weights for i in range(6)}
+    found, rows = {}, np.abs(X).max(axis=1)
+    arm = CANCELS * size_of(values) * rows[:, :3].max(axis=1)  # moments below are small differences
+    for i, integral in whole.items():
+        far = rate * integral
+        part = slice(0, 3) if i < 3 else slice(3, 6)
+        clear = (
+            good
+            & (B[:, i] > 3 * FAINT * np.abs(B[:, i]).max())
+            & (rows[:, i] > np.maximum(0.03 * rows[:, part].max(axis=1), arm * (i > 2)))
+        )
+        C = values.get("hydrostatic_stiffness")
+        if i == HEAVE and C is not None:  # where waves above and below a hull cancel, a small difference is left
+            clear &= rows[:, HEAVE] > 0.3 * C[2, 2]
+        if clear.sum() >= FEW:
+            found[i] = (B[clear, i] / np.maximum(far[clear], 1e-300), values.omega[clear])
+    return found or None
+
+
+def _haskind(values):
+    found = haskind_ratios(values)
+    if found is None:
+        return None
+    lines = []
+    for i, (ratio, omega) in found.items():
+        middle, slope = float(np.median(ratio)), _slope(omega, ratio)
+        off = np.abs(np.log(np.abs(ratio) + 1e-300))
+        if np.median(off) > np.log(1 + TRUE) or np.quantile(off, 0.8) > np.log(1 + 2 * TRUE) or abs(slope) > STEEP:
+            lines.append(f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "
+                         + ((not values.others and _of_depth(values)) or _why(middle, slope)))  # fmt: skip
+    return lines[:1]
+
+
+def _slope(omega, ratio):
+    """Power of ω that a ratio goes with, 0 where it goes with none"""
+    if len(omega) < 5 or np.any(ratio <= 0):
+        return 0.0
+    power, size = np.polyfit(np.log(omega), np.log(ratio), 1)
+    return power if np.std(np.log(ratio) - power * np.log(omega) - size) < 0.05 else 0.0
+
+
+def _of_depth(values):
+    """In words the depth at which damping and excitation agree, "" without one"""
+    best, said = DEPTH_FITS, ""
+    for depth in (np.inf, *np.geomspace(1000, 5, 60)):
+        found = haskind_ratios(replace(values, water_depth=depth))
+        ratios = np.concatenate([ratio for ratio, _ in found.values()]) if found else np.zeros(0)
+        off = np.median(np.abs(ratios - 1)) if len(ratios) >= 5 else np.inf
+        if off < best:
+            best, said = (
+                0.8 * off,
+                "they agree in deep water" if np.isinf(depth) else f"they agree in {depth:.3g} m of water",
+            )
+    return said and f"{said}, not in {values.water_depth:g} m (--depth)"
+
+
+def _why(ratio, slope):
+    if 0.7 < slope < 1.3:
+        return "it goes with ω: damping is that times ω"
+    if -1.3 < slope < -0.7:
+        return "it goes with 1/ω: damping is that over ω"
+    for factor, words in ((0.25, "forces are for each metre of wave height"), (1e-6, "damping in MN beside N"),
+                          (1e-3, "damping in kN beside forces in N"), (1e3, "damping in N beside forces in kN"),
+                          (1e6, "forces are in kN"), (9.80665, "the factor g"), (1 / 9.80665, "the factor g"),
+                          (1 / 1025, "the factor ρ"), (1025.0, "the factor ρ")):  # fmt: skip
+        if abs(np.log(abs(ratio / factor))) < 0.25:
+            return words
+    return "units of damping and forces, the length that one is made dimensionless by, density or water depth differ"
+
+
+def _long_waves(values):
+    X, C = values.get("excitation_force"), values.get("hydrostatic_stiffness")
+    if X is None or not X.size or values.others:  # beside others the water does not move as it would alone
+        return None
+    _, kL = _waves(values)
+    n = int(np.argmin(kL))
+    if kL[n] > LONG:
+        return None
+    lines, A = [], values.get("added_mass")[n]
+    volume = values.body.get("displaced_volume") or values.body.get("mass", 0.0) / values.density
+    moved = A[2, 2] + values.density * volume
+    mean = X[n, :, HEAVE].mean()
+    if C is not None and C[2, 2] > FLOATS * values.density * values.gravity * size_of(values) ** 2:
+        expected = C[2, 2] - values.omega[n] ** 2 * moved
+        if expected > 0.3 * C[2, 2]:
+            ratio = mean / expected
+            if ratio.real < 0 or abs(np.angle(ratio)) > 0.6:
+                lines.append(
+                    f"heave force of the longest wave is at {np.degrees(np.angle(mean)):.0f}°, at 0° where it follows "
+                    "the crest; forces have another sign, or phases are of another point or of a sine"
+                )
+            elif abs(np.log(abs(ratio))) > np.log(1 + 2 * TRUE if not volume else 1 + TRUE):
+                lines.append(
+                    f"heave force of the longest wave is {abs(ratio):.3g} times what C₃₃ makes of it; "
+                    + _factor_of_force(abs(ratio))
+                )
+    floats = C is not None and C[2, 2] > FLOATS * values.density * values.gravity * size_of(values) ** 2
+    return lines + _surge(values, n, mean, kL, floats)
+
+
+def _factor_of_force(ratio):
+    for factor, words in ((1e-3, "forces are in kN"), (1e3, "stiffness is in kN"), (2.0, "forces are for each metre of "
+                          "wave height"), (0.5, "forces are halved"), (1 / 9.80665, "forces lack g")):  # fmt: skip
+        if abs(np.log(ratio / factor)) < 0.2:
+            return words
+    return "units, lengths, or water differ between the two"
+
+
+def _surge(values, n, heave, kL, floats):
+    """Lines on the sign of surge in long waves; of a body that floats, beside that of heave, which follows the crest"""
+    beta = values.wave_direction
+    X = values.get("excitation_force")[kL <= max(LONG, kL[n])].sum(
+        axis=0
+    )  # of all long waves, against what is noise in one
+    ahead = int(np.argmax(np.abs(np.cos(beta))))
+    if abs(np.cos(beta[ahead])) < 0.5 or not abs(X[ahead, SURGE]) > 1e-6 * abs(heave):
+        return []
+    turned = X[ahead, SURGE] / (-1j * np.cos(beta[ahead])) * (np.sign(heave.real) if floats else 1.0)
+    if abs(np.angle(turned)) < 1.0:
+        return []
+    if abs(np.angle(turned)) < np.pi - 1.0:
+        return [f"surge force of the longest wave is at {np.degrees(np.angle(X[ahead, SURGE])):.0f}° at "
+                f"{np.degrees(beta[ahead]):g}°; phases are of another point than the origin of the axes, or the hull "
+                "is open"]  # fmt: skip
+    long, B = kL < 2 * LONG, values.get("radiation_damping")[:, HEAVE, HEAVE]
+    felt = values.get("excitation_force")[long, :, HEAVE].mean(axis=1).imag
+    if np.sum(felt * values.omega[long] * B[long]) > 0:
+        return ["surge and heave forces of long waves turn the other way; phases are conjugates, of exp(+iωt)"]
+    return ["surge force of long waves has the opposite sign; headings say where waves come from, or x is aft"]
+
+
+def _causality(values):
+    low, high = values.get("added_mass_zero"), values.get("added_mass_infinity")
+    if values.others or low is None or high is None or len(values.omega) < 20 or _waves(values)[1].max() < SHORT:
+        return None
+    B = values.get("radiation_damping")
+    lines, ends = [], np.abs(B[-1])
+    for i in (SURGE, SWAY):  # of heave there is no limit in finite depth, and moonpools have narrow peaks
+        b = B[:, i, i]
+        change = low[i, i] - high[i, i]
+        if not np.isfinite(change) or abs(change) < 0.1 * abs(high[i, i]) or ends[i, i] > 0.1 * np.abs(b).max():
+            continue
+        w = values.omega
+        steps = np.diff(w)
+        inside = float(np.sum(0.5 * steps * (b[1:] / w[1:] ** 2 + b[:-1] / w[:-1] ** 2)))
+        below = b[0] / (w[0] * 2)  # b goes with ω³ at the start
+        ratio = (2 / np.pi) * (inside + below) / change
+        if not 1 - CAUSAL < ratio < 1 + CAUSAL:
+            lines.append(
+                f"A_{i + 1}{i + 1} falls by {change:.4g} from long to short waves, damping makes it {ratio:.3g} times "
+                "that; units of the two differ, or limits are exchanged"
+            )
+    return lines[:1]
+
+
+LAWS = {
+    "reciprocity": _reciprocity,
+    "energy": _energy,
+    "damping and excitation": _haskind,
+    "long waves": _long_waves,
+    "causality": _causality,
+}

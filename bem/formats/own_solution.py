@@ -1,0 +1,149 @@
+"""The hull of an imported set in our own panels, at two of the set's frequencies.
+
+    k √A_w ≈ 0.4 and 1.2,    A_w the waterplane, or V^(2/3) of what is submerged
+
+long waves, where no irregular frequency lies and few panels are enough, and waves as long as five hulls, where damping
+is seen.  Sizes of rows are those of the solution: √(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), the largest force of a mode over headings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..methods.panel_problem import PanelProblem
+from ..modes import displacing
+from ..waves import wavenumber
+from .values import Values
+
+LONG = (0.4, 1.2)  # k times the size of the waterplane
+READABLE = 4.0  # the same, above which a set's lowest frequency is no long wave
+MOST_PANELS = 2500  # of the part that symmetry leaves: 8 s on one core
+MOST_HEADINGS = 5
+SMALL = 0.1  # of the largest force or moment, under which those of a mode are compared with it
+CANCELS = 0.05  # of the arm
+FAINT = 0.05  # of ω A, the same of damping
+WANT = ("added_mass", "radiation_damping", "excitation_force")
+
+
+@dataclass(frozen=True, eq=False)
+class Own:
+    """The hull (PanelMesh in its water), solved about `center` (3,) m where it is asked for"""
+
+    mesh: object
+    depth: float
+    density: float
+    gravity: float
+    center: tuple = (0.0, 0.0, 0.0)
+    nodes: int = 1  # a panel, as most programs have
+    solved: dict = field(default_factory=dict)
+
+    def at(self, omega, headings):
+        """(A (6, 6), B (6, 6), X (m, 6)) in SI"""
+        turned = np.round(np.mod(headings, 2 * np.pi), 6)
+        key = round(float(omega), 9)
+        known = self.solved.get(key)
+        if known is None or not set(turned.tolist()) <= set(known[2]):
+            wanted = np.unique(np.concatenate([turned, np.round(np.mod(_images(turned), 2 * np.pi), 6)]))
+            result = self._prepared().run(float(omega), wanted, frozenset(WANT), None, _dofs()).result()
+            A, B, X = (result[name] for name in WANT)
+            known = self.solved[key] = (A, B, dict(zip(wanted.tolist(), X, strict=True)))
+        return known[0], known[1], np.array([known[2][angle] for angle in turned.tolist()])
+
+    def _prepared(self):
+        if "prepared" not in self.solved:
+            water = {"depth": self.depth, "density": self.density, "gravity": self.gravity}
+            problem = PanelProblem(mesh=self.mesh, rotation_center=self.center, nodes_per_panel=self.nodes, **water)
+            self.solved["prepared"] = problem.prepared()
+        return self.solved["prepared"]
+
+    def in_water(self, depth):
+        """The same hull in other water"""
+        return replace(self, depth=depth, solved={})
+
+    def sharper(self):
+        """The same with four nodes a panel"""
+        return self.solved.setdefault("sharper", replace(self, nodes=4, solved={}))
+
+    @cached_property
+    def moves(self):
+        """(6,) whether a mode moves water"""
+        return displacing(self.mesh)
+
+    @cached_property
+    def arm(self):
+        """m, half the size of the hull"""
+        return 0.5 * float(np.linalg.norm(np.ptp(self.mesh.whole().points, axis=0)))
+
+
+def _dofs():
+    from .. import DOFS
+
+    return DOFS
+
+
+def _images(headings):
+    """Headings turned round, mirrored, and both, which other conventions would have"""
+    return np.concatenate([headings + np.pi, -headings, np.pi - headings])
+
+
+def own_of(values, mesh):
+    """`Own` of Values on their hull; None where other bodies are beside it, it has too many panels, or the set no long
+    wave to compare
+    """
+    if values.others or len(mesh) > MOST_PANELS or any(values.get(name) is None for name in WANT[:2]):
+        return None
+    if not np.any(_sizes_of_waves(values, mesh) < READABLE):
+        return None
+    return Own(mesh, values.water_depth, values.density, values.gravity, tuple(values.rotation_center))
+
+
+def _sizes_of_waves(values, mesh):
+    plane = abs(float(mesh.whole().area_vectors[:, 2].sum()))
+    volume = abs(float(mesh.volume))
+    size = np.sqrt(plane) if plane > 1e-3 * volume ** (2 / 3) else volume ** (1 / 3)
+    return wavenumber(values.omega, values.water_depth, values.gravity) * size
+
+
+def sample(values, mesh):
+    """The Values at one or two long waves and at most `MOST_HEADINGS` headings, which are compared"""
+    kL = _sizes_of_waves(values, mesh)
+    rows = sorted({int(np.argmin(np.abs(np.log(kL / target)))) for target in LONG})
+    m = len(values.wave_direction)
+    columns = np.unique(np.linspace(0, m - 1, min(m, MOST_HEADINGS)).round().astype(int)) if m else np.zeros(0, int)
+    quantities = {name: values.quantities[name][rows] for name in WANT if values.get(name) is not None}
+    if "excitation_force" in quantities:
+        quantities["excitation_force"] = quantities["excitation_force"][:, columns]
+    body = {name: values.body[name] for name in ("hydrostatic_stiffness",) if name in values.body}
+    return Values(values.omega[rows], values.wave_direction[columns], values.water_depth, values.density,
+                  values.gravity, quantities, body, values.rotation_center)  # fmt: skip
+
+
+def gaps(values, own):
+    """{quantity: largest difference from our own solution, over the size of its rows}, of a `sample`"""
+    found = dict.fromkeys((name for name in WANT if name in values.quantities), 0.0)
+    moves = own.moves
+    for n, omega in enumerate(values.omega):
+        A, B, X = own.at(omega, values.wave_direction)
+        inertia = np.where(moves, np.sqrt(np.abs(np.diagonal(A))), np.inf)
+        drain = np.where(moves, np.sqrt(np.maximum(np.diagonal(B), FAINT * omega * np.abs(np.diagonal(A)))), np.inf)
+        for name, true, size in (("added_mass", A, inertia), ("radiation_damping", B, drain)):
+            off = np.abs(values.quantities[name][n] - true) / np.outer(size, size)
+            found[name] = max(found[name], float(np.max(off)))
+        if "excitation_force" in found and len(X):
+            off = np.abs(values.quantities["excitation_force"][n] - X) / sizes_of_forces(X, own)
+            found["excitation_force"] = max(found["excitation_force"], float(np.max(off)))
+    return found
+
+
+def sizes_of_forces(X, own):
+    """(6,) of (m, 6): the largest of a mode, or a tenth of the largest of all translations or rotations; moments that
+    nearly cancel about a point are compared with the largest force at `CANCELS` of the arm of the hull
+    """
+    size = np.abs(X).max(axis=0)
+    for part in (slice(0, 3), slice(3, 6)):
+        size[part] = np.maximum(size[part], SMALL * np.max(size[part]))
+    size[3:] = np.maximum(size[3:], CANCELS * own.arm * size[:3].max())
+    return np.where(own.moves, size, np.inf)

@@ -1,0 +1,124 @@
+"""NAME.out of WAMIT, which a person reads: the numbers of NAME.1, .3, .8 and of still water in one file.
+
+    Gravity, Length scale, Water depth; for each body XBODY, volumes, centres, C(3,3) … C(5,6) and radii of gyration
+    for each period ADDED-MASS AND DAMPING COEFFICIENTS, EXCITING FORCES AND MOMENTS, … DRIFT FORCES (Momentum …)
+
+Phases are whole degrees there: forces are within 1 % in phase.  User manual, version 7.4, chapter 5.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from .values import FormatError, body_of, lines_of
+from .wamit_inputs import Inputs, beside
+
+PERIOD = re.compile(r"Wave period(?: \(sec\))?\s*=\s*(\S+)")
+HEADING = re.compile(r"Wave Heading\s*\(deg\)\s*:\s*(.*)")
+NUMBER = r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?"
+TITLES = (
+    ("DIFFRACTION EXCITING", ".3"), ("HASKIND EXCITING", ".2"), ("RESPONSE AMPLITUDE", ".4"),
+    ("DRIFT FORCES (Momentum", ".8"), ("DRIFT FORCES (Pressure", ".9"), ("DRIFT FORCES (Control", ".7"),
+    ("ADDED-MASS", ".1"), ("VELOCITY", ""), ("PRESSURE", ""), ("FIELD POINT", ""),
+)  # fmt: skip
+
+
+def read_out(place, known):
+    """{suffix: Table}, `Inputs` and what is known of the body in SI.  Raises FormatError."""
+    from .wamit import Table
+
+    place = Path(place)
+    lines = lines_of(place)
+    start = next((i for i, line in enumerate(lines) if PERIOD.search(line)), None)
+    if start is None or not any("WAMIT" in line for line in lines[:20]):
+        raise FormatError(f"{place} is no output of WAMIT, or it ended before the first period")
+    tables = {name: Table(place, np.array(rows)) for name, rows in _rows(lines[start:]).items() if rows}
+    if ".1" not in tables:
+        raise FormatError(f"{place} has no added mass and damping; allowed: a run with IOPTN(1) = 1")
+    return tables, *_still(place, lines[:start], known)
+
+
+def _rows(lines):
+    """{suffix: rows as in its own file} of everything after the first period"""
+    rows, period, kind, heading = {name: [] for _, name in TITLES}, 0.0, "", (0.0,)
+    for line in lines:
+        found = PERIOD.search(line)
+        if found:
+            period, kind = _period(found[1]), ""
+            continue
+        title = next((name for text, name in TITLES if text in line.upper() or text in line), None)
+        if title is not None:
+            kind = title
+            continue
+        found = HEADING.search(line)
+        if found:
+            heading = tuple(float(x) for x in re.findall(NUMBER, found[1]))
+            continue
+        words = line.split()
+        if not kind or len(words) < 3 or not words[0].lstrip("-").isdigit():
+            continue
+        _add(rows[kind], kind, period, heading, [float(word) for word in words])
+    return rows
+
+
+def _add(rows, kind, period, heading, numbers):
+    if kind == ".1":
+        rows.append([period, *numbers[:2], numbers[2], numbers[3] if len(numbers) > 3 else np.nan])
+        return
+    mode, size, phase = numbers[:3]
+    turn = np.exp(1j * np.radians(phase))
+    twice = heading * 2 if kind in (".7", ".8", ".9") and len(heading) == 1 else heading
+    rows.append([period, *twice[:2], abs(mode), size, phase, size * turn.real, size * turn.imag])
+
+
+def _period(text):
+    return {"infinite": -1.0, "zero": 0.0}.get(text.lower()) if text[0].isalpha() else float(text)
+
+
+def _still(place, lines, known):
+    """`Inputs` and the body's values in SI, of the lines before the first period"""
+    text = "\n".join(lines)
+
+    def numbers(pattern, otherwise=None):
+        found = [[float(x) for x in re.findall(NUMBER, part)] for part in re.findall(pattern, text)]
+        return found or otherwise
+
+    places = numbers(r"XBODY\s*=.*", [[0.0, 0.0, 0.0, 0.0]])
+    which = body_of(place, len(places), known)
+    if len(places[which]) > 3 and places[which][3]:
+        raise FormatError(f"{place}: PHIBODY turns the body by {places[which][3]:g}°; allowed: 0")
+    ((gravity, *rest),) = numbers(r"Gravity:.*", [[known["gravity"]]])[:1]
+    scale = known.get("length_unit") or (rest[0] if rest else 1.0)
+    depth = re.search(r"Water depth:\s*(\S+)", text)
+    depth = np.inf if depth is None or depth[1].lower().startswith("inf") else float(depth[1])
+    about = known.get("rotation_center")
+    about = tuple(places[which][:3]) if about is None else tuple(about)
+    names = re.findall(r"N=\s*\d+\s+(\S+\.gdf)", text, re.I)
+    hull = names[which] if which < len(names) and place.with_name(names[which]).is_file() else ""
+    gdf = beside(place, ".gdf")
+    given = Inputs(scale, about, "period", scale, (), known.get("water_depth") or depth, gravity, len(places),
+                   hull or (gdf.name if gdf else ""), True)  # fmt: skip
+    return given, _body(numbers, which, given, np.array(places[which][:3]), known["density"])
+
+
+def _body(numbers, which, given, origin, density):
+    body = {}
+    volumes = numbers(r"Volumes \(VOLX.*")
+    if volumes and which < len(volumes):
+        body["displaced_volume"] = float(np.median(volumes[which][-3:]))
+    for name, pattern in (("center_of_buoyancy", r"Center of Buoyancy.*"), ("center_of_mass", r"Center of Gravity.*")):
+        rows = numbers(pattern)
+        if rows and which < len(rows):
+            body[name] = np.array(rows[which][-3:]) + origin
+    upper = [numbers(rf"{re.escape(start)}.*") for start in ("C(3,3),", "C(4,4),", "        C(5,5),")]
+    if all(rows and which < len(rows) for rows in upper):
+        C, L, weight = np.zeros((6, 6)), given.length, density * given.gravity
+        (a, b, c), (d, e, f), (g, h) = (rows[which][-n:] for rows, n in zip(upper, (3, 3, 2), strict=True))
+        for i, j, x in ((2, 2, a), (2, 3, b), (2, 4, c), (3, 3, d), (3, 4, e), (3, 5, f), (4, 4, g), (4, 5, h)):
+            C[i, j] = weight * x * L ** (2 + (i > 2) + (j > 2))
+            C[j, i] = C[i, j] if j < 5 else 0.0
+        body["hydrostatic_stiffness"] = C
+    return body

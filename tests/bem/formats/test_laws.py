@@ -1,0 +1,119 @@
+"""Laws between the numbers of a set, on a small round body whose numbers obey them by construction.
+
+X₃ = C₃₃ − ω² m₃ − iωB₃₃,  X₁ = −iω² m₁ cosβ coth kh,  B₃₃ = k|X₃|² / 4ρgC_g,  B₁₁ = k|X₁(0)|² / 8ρgC_g
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from hakobune.bem.formats.laws import doubts, haskind_ratios
+from hakobune.bem.formats.values import Values
+from hakobune.bem.waves import group_factor, wavenumber
+
+RHO, G, DEPTH = 1025.0, 9.80665, 40.0
+C33 = RHO * G * 3.0  # of a waterplane of 3 m²
+HEADINGS = np.radians([0.0, 30.0, 90.0])
+
+
+def body(depth=DEPTH, headings=HEADINGS):
+    omega = np.linspace(0.2, 1.6, 15)
+    k = wavenumber(omega, depth, G)
+    rate = k / (4 * RHO * G * group_factor(k, depth) * omega / k)
+    heave, surge = 4000.0, 3000.0  # kg, displaced with added mass
+    along = -1j * G * k * surge
+    B33 = rate * (C33 - omega**2 * heave) ** 2
+    X = np.zeros((len(omega), len(headings), 6), complex)
+    X[:, :, 0], X[:, :, 1] = along[:, None] * np.cos(headings), along[:, None] * np.sin(headings)
+    X[:, :, 2] = (C33 - omega**2 * heave - 1j * omega * B33)[:, None]
+    A, B = (np.zeros((len(omega), 6, 6)) for _ in range(2))
+    A[:, range(6), range(6)] = (1500.0, 1500.0, 2000.0, 500.0, 500.0, 1.0)
+    B[:, 0, 0] = B[:, 1, 1] = 0.5 * rate * np.abs(along) ** 2
+    B[:, 2, 2] = B33
+    quantities = {"added_mass": A, "radiation_damping": B, "excitation_force": X}
+    C = np.diag([0, 0, C33, 0, 0, 0])
+    return Values(
+        omega, headings, depth, RHO, G, quantities, {"hydrostatic_stiffness": C, "displaced_volume": 2000 / RHO}
+    )
+
+
+def changed(values, **functions):
+    new = {name: functions[name](data) if name in functions else data for name, data in values.quantities.items()}
+    return replace(values, quantities=new)
+
+
+def said(values):
+    return " ".join(doubts(values)[0])
+
+
+def test_a_body_that_obeys_the_laws_is_not_doubted():
+    found, tested = doubts(body())
+    assert found == [] and tested == ["reciprocity", "energy", "damping and excitation", "long waves"]
+    ratios = haskind_ratios(body())
+    assert set(ratios) == {0, 2}
+    for ratio, _ in ratios.values():
+        assert ratio == pytest.approx(1.0, abs=0.01)  # but for the imaginary part of X₃
+
+
+def test_directions_all_round_give_every_mode_its_damping():
+    round_ = body(headings=np.radians(np.arange(0, 360, 30.0)))
+    ratios = haskind_ratios(round_)
+    assert set(ratios) == {0, 1, 2} and ratios[1][0] == pytest.approx(1.0, abs=1e-9)
+    quarter = body(headings=np.radians(np.arange(0, 91, 10.0)))
+    assert haskind_ratios(quarter)[0][0] == pytest.approx(1.0, abs=0.01)  # the trapezoidal rule
+
+
+@pytest.mark.parametrize("change, words", [
+    ({"excitation_force": np.conj}, "phases are conjugates"),
+    ({"excitation_force": lambda X: X * np.array([-1, -1, 1, -1, -1, 1])}, "headings say where waves come from"),
+    ({"excitation_force": np.negative}, "forces have another sign"),
+    ({"excitation_force": lambda X: 2 * X}, "forces are for each metre of wave height"),
+    ({"excitation_force": lambda X: X / 1e3}, "forces are in kN"),
+    ({"radiation_damping": lambda B: B / 1e3}, "damping in kN beside forces in N"),
+    ({"radiation_damping": np.negative}, "B_33 is below 0: damping has the opposite sign"),
+    ({"radiation_damping": lambda B: B / np.linspace(0.2, 1.6, 15)[:, None, None]}, "damping is that over ω"),
+    ({"added_mass": lambda A: A + 300.0 * (np.arange(36).reshape(6, 6) == 4)}, "A_15 and A_51 differ by"),
+])  # fmt: skip
+def test_a_broken_law_names_its_cause(change, words):
+    assert words in said(changed(body(), **change))
+
+
+def test_the_depth_that_a_set_is_of_is_found():
+    shallow = body(depth=12.0)
+    assert said(shallow) == ""
+    found = said(replace(shallow, water_depth=np.inf))
+    depth = float(found.split("they agree in ")[1].split(" m")[0])
+    assert depth == pytest.approx(12.0, rel=0.1) and "not in inf m (--depth)" in found
+    assert "they agree in deep water, not in 6 m" in said(replace(body(depth=np.inf), water_depth=6.0))
+
+
+def test_beside_other_bodies_long_waves_tell_nothing():
+    turned = changed(body(), excitation_force=np.conj)
+    assert said(replace(turned, others=1)) == ""
+
+
+def test_what_does_not_float_has_no_crest_to_follow():
+    """X₃ = −ω² m of a submerged body"""
+    under = body()
+    X = under.get("excitation_force").copy()
+    X[:, :, 2] = (-4000.0 * under.omega**2)[:, None]
+    under = replace(changed(under, excitation_force=lambda _: X), body={"hydrostatic_stiffness": np.zeros((6, 6))})
+    assert "surge" not in said(under) and "heave force" not in said(under)
+
+
+def test_added_mass_falls_by_what_damping_makes_of_it():
+    """A(0) − A(∞) = (2/π) ∫ b ω² exp(−ω/c) dω = 4 b c³/π of a damping b ω⁴ exp(−ω/c)"""
+    omega, c = np.linspace(0.05, 40.0, 800), 1.0
+    one = body()
+    A, B = np.zeros((800, 6, 6)), np.zeros((800, 6, 6))
+    A[:, range(6), range(6)] = 1000.0
+    for i in (0, 1):
+        B[:, i, i] = 500.0 * omega**4 * np.exp(-omega / c)
+    limits = {
+        "added_mass_zero": np.diag([1000 + 2000 / np.pi * c**3] * 6),
+        "added_mass_infinity": np.diag([1000.0] * 6),
+    }
+    right = replace(one, omega=omega, quantities={"added_mass": A, "radiation_damping": B, **limits})
+    assert doubts(right) == ([], ["reciprocity", "energy", "causality"])
+    assert "A_11 falls by" in said(changed(right, radiation_damping=lambda B: 2 * B))
