@@ -94,15 +94,24 @@ def froya_speed_at(height, hourly_speed, averaging=HOUR):
 def mean_over(speed, given, wanted, height=10.0):
     """Mean wind over `wanted` s from that over `given` s, both in m/s at `height` m, by the Frøya formula.
 
-    raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s
+    raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s, and those that the
+    formula does not reach at the height: near the sea its mean falls again in strong wind
     """
     from scipy.optimize import brentq
 
     within("wind speed", speed, 0.0, 200.0, "m/s")
     within("averaging time", given, *AVERAGING, "s")
-    if speed == 0:
-        return 0.0
-    hourly = brentq(lambda u: float(froya_speed_at(height, u, given)) - speed, 1e-9, 200.0)
+    if speed == 0 or given == wanted:
+        return float(speed)
+    tried = np.arange(1.0, 201.0)
+    reached = np.array([froya_speed_at(height, hourly, given) for hourly in tried])
+    if reached.max() < speed:
+        raise ValueError(
+            f"wind of {speed:.4g} m/s over {given:g} s at {height:g} m: the Frøya formula has at most "
+            f"{reached.max():.4g} m/s there; give the wind at 10 m"
+        )
+    upper = tried[np.argmax(reached >= speed)]
+    hourly = brentq(lambda u: float(froya_speed_at(height, u, given)) - speed, 1e-9, upper)
     return float(froya_speed_at(height, hourly, wanted))
 
 

@@ -321,3 +321,13 @@ def test_shares_of_seas_together_are_theirs_by_energy():
     assert both.directional(headings, omega)[:, 0] == pytest.approx(one / (one + two))
     assert both.directional(headings, omega)[:, 2] == pytest.approx(two / (one + two))
     assert both.direction == pytest.approx(math.atan2(4, 1))
+
+
+def test_a_wind_that_the_froya_formula_does_not_reach_near_the_sea_is_refused():
+    """u (1 + 0.0573 √(1 + 0.15u) ln(z/10)) at z = 0.2 m has its greatest, 13.4 m/s, where its derivative is nothing"""
+    u = np.linspace(0.0, 200.0, 200001)
+    top = np.max(u * (1 + 0.0573 * np.sqrt(1 + 0.15 * u) * math.log(0.02)))
+    assert mean_over(0.99 * top, 3600, 600, 0.2) > 0.99 * top
+    with pytest.raises(ValueError, match=r"at 0\.2 m: the Frøya formula has at most .* give the wind at 10 m"):
+        mean_over(1.01 * top, 3600, 600, 0.2)
+    assert mean_over(1.01 * top, 3600, 3600, 0.2) == 1.01 * top

@@ -2,11 +2,11 @@
 
 import csv
 import math
-import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from by_hand import SOFTEST, STIFFEST, line_of, numbers
 
 import hakobune
 from hakobune.mooring import berthing
@@ -15,7 +15,6 @@ from hakobune.pipelines.berth.measured import measured
 L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.0, 220_000.0, 0.12, 40.0  # m, t, m/s
 K = 20 * 1000.0  # kN/m: twenty fenders of 2 m, 1000 kN at half the height
 C_M = 1.8
-SOFTEST, STIFFEST = 0.9 * 1.0 * 1.0 * 0.8 * 0.95, 1.1 * 1.05 * 1.1 * 0.9 * 1.25  # SR179 report (1982), chapter 3.4
 STUDY = f"""
 depth = {DEPTH}
 [ship]
@@ -36,14 +35,6 @@ def written(folder, text):
     path = folder / "berth.toml"
     path.write_text(text)
     return path
-
-
-def numbers(text):
-    return [float(word) for word in re.findall(r"-?\d+\.?\d*(?:e[+-]?\d+)?", text)]
-
-
-def line_of(said, words):
-    return next(line for line in said.splitlines() if words in line)
 
 
 def test_every_number_of_a_berthing_on_a_spring_behind_which_a_dolphin_yields(tmp_path):

@@ -6,8 +6,10 @@ T = H + w h.
 
 import math
 
+import by_hand
 import numpy as np
 import pytest
+from by_hand import root
 
 import hakobune
 
@@ -21,16 +23,7 @@ POSE = ("x", "y", "z", "roll", "pitch", "yaw")
 
 def span_of(H):
     """m, of a horizontal force, kN"""
-    a = 1e3 * H / W
-    return L - math.sqrt(H_WATER * (H_WATER + 2 * a)) + a * math.acosh(1 + H_WATER / a)
-
-
-def root(value, low, high):
-    """Where a rising function is zero"""
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if value(middle) < 0 else (low, middle)
-    return middle
+    return by_hand.span_of(1e3 * H, W, L, H_WATER)
 
 
 def pull_at(span):

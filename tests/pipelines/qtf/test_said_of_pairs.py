@@ -6,8 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.bem.second_order.kinds import DIFFERENCE
-from hakobune.pipelines.qtf import question, report, running
+from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+from hakobune.pipelines.qtf import question, report, result, running
+from hakobune.pipelines.qtf.result import result_of
 
 OMEGA = np.array([0.4, 0.5, 0.6])
 
@@ -33,8 +34,81 @@ def stored(made, share=0.031, errors=None, method="panel", held=True):
                            held=SimpleNamespace(name="", floats=held))  # fmt: skip
 
 
-def numbers(line):
-    return [float(word) for word in line.split("Ω")[1].split()]
+def table(forces, **more):
+    """{(heading, motion, rad/s): {part: root mean square}} of the result"""
+    made = result_of(stored(forces, **more), None)
+    parts = {name.removeprefix("force."): q for name, q in made.quantities.items() if name.startswith("force.")}
+    labels = made.labels["force"].values.tolist()
+    return {label: {part: q.values[i] for part, q in parts.items()} for i, label in enumerate(labels)}, made
+
+
+@pytest.fixture
+def unread(monkeypatch):
+    monkeypatch.setattr(result, "provenance", lambda **_: None)
+
+
+def test_rows_are_root_mean_squares_with_each_part_added(unread):
+    """Newman 4; with the bound wave |4 + 3i| = 5; squares in its place the same; with the body |6 + 3i|"""
+    rows, made = table(forces())
+    assert [label for label in rows if "surge" in label] == ["180° surge, 0 rad/s", "180° surge, 0.1 rad/s"]
+    by_hand = {"newman": 4e3, "newman_and_bound_wave": 5e3, "squares_and_bound_wave": 5e3, "body": math.hypot(6e3, 3e3)}
+    for row in rows.values():
+        assert row == pytest.approx(by_hand)
+    assert made.notes[0] == (
+        "floating body, 3 frequencies 0.4 to 0.6 rad/s, differences to 0.1 rad/s, 1 headings and all their pairs"
+    )
+    assert made["surface_share"] == 0.031
+    assert made.notes[-1] == (
+        "left out: the forcing of the surface around the body, estimated from few pairs: 3.1 % of the force in surge "
+        "and sway; --level full"
+    )
+    assert "no estimated error" in made.notes[-2]
+
+
+def test_a_root_mean_square_is_of_the_pairs_that_there_are(unread):
+    """Of squares 3, 4 and 5 and no other part: √(50/3) on the diagonal; two pairs a step apart: √(25/2)"""
+    made = forces(squares=0.0, bound=0.0, body=0.0)
+    made.squares[0, :, 0, 0, 0], made.squares[1, :2, 0, 0, 0] = [3.0, 4.0, 5.0], [3.0, 4.0]
+    made.total[...] = made.squares
+    rows, _ = table(made)
+    assert rows["180° surge, 0 rad/s"]["body"] == pytest.approx(math.sqrt(50 / 3))
+    assert rows["180° surge, 0.1 rad/s"]["body"] == pytest.approx(math.sqrt(25 / 2))
+
+
+def test_the_surface_is_a_column_and_errors_are_shares(unread):
+    """500 of |7 + 3i| thousand"""
+    rows, made = table(forces(surface=1e3), errors=pairs(500.0), method="contour")
+    assert all(row["surface"] == pytest.approx(1e3 * math.hypot(7, 3)) for row in rows.values())
+    whole = 100 * 500 / (1e3 * math.hypot(7, 3))
+    assert (
+        f"estimated error of the contour method, root mean square of the force's: surge {whole:.2g} %"
+        in (made.notes[-2])
+    )
+    assert made.notes[-1] == (
+        "the forcing of the surface around the body is 3.1 % of the force in surge and sway, root mean square"
+    )
+
+
+@pytest.mark.parametrize("gap, told", [(0.049, False), (0.051, True)])
+def test_mean_drift_by_pressure_is_within_a_twentieth_of_the_largest(unread, gap, told):
+    added = np.zeros((3, 1, 1, 6))
+    added[1, 0, 0, 1] = gap * 4e3
+    _, made = table(forces(added=added))
+    assert len(made.fails) == told
+    assert not told or "mean drift by pressure differs from that of the far field by 5.1 % of the" in made.fails[0]
+    assert made["drift_apart"] == pytest.approx(gap)
+    assert f"by pressure it differs by {100 * gap:.2g} % of the largest" in made.notes[1]
+
+
+def test_sums_are_root_mean_squares_over_their_pairs(unread):
+    """|4|, |4 + 3i|, |6 + 3i| kN/m²; no pressure is judged"""
+    rows, made = table(forces(SUM), errors=pairs(300.0))
+    assert len(rows) == 12 and made.fails == () and "sums to 0.9 rad/s" in made.notes[0]
+    for row in rows.values():
+        assert row == pytest.approx({"squares": 4e3, "bound_wave": 5e3, "body": math.hypot(6e3, 3e3)})
+    share = 100 * 300 / (1e3 * math.hypot(6, 3))
+    assert f"of the largest force and moment: surge {share:.2g} %" in made.notes[-2]
+    assert made.notes[-1].endswith("a large part of the force at sums; --level full")
 
 
 def test_newmans_rule_is_the_signed_root_of_the_product_of_the_diagonal():

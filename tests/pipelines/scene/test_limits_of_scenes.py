@@ -3,25 +3,13 @@
 import math
 import tomllib
 
+import box_scene
 import pytest
 
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.scene.tables import SceneError
 
-SCENE = """
-tolerance = 0.01
-[water]
-depth = 20.0
-[[bodies]]
-shape = "box"
-length = 100.0
-beam = 50.0
-draft = 10.0
-gyration = [15.0, 29.0, 32.0]
-[waves]
-omegas = [0.5, 1.0]
-headings_deg = [0, 90]
-"""
+SCENE = box_scene.SCENE.replace("[0.4, 0.8]", "[0.5, 1.0]").replace("[0, 45]", "[0, 90]")
 LIMITS = [  # old, good, bad, what is said
     ("depth = 20.0", "depth = 1e6", "depth = 1.1e6", "water.depth is 1100000.0; allowed: 0.001 to 1e+06"),
     ("depth = 20.0", "depth = inf", "depth = 0.0", "water.depth is 0.0; allowed: above 0, or inf"),

@@ -93,3 +93,14 @@ def test_records_are_to_last_as_long_as_ramp_and_duration_and_to_have_waves(tmp_
     monkeypatch.setattr(simulate_study, "MOST_OF_RECORD", count - 1)
     with pytest.raises(StudyError, match=f"simulation.record has {count} waves; allowed: {count - 1}"):
         recorded(tmp_path, record)
+
+
+@pytest.mark.parametrize("tables, says", [
+    ({"waves": {"height": 1.0, "period": 8.0, "direction_deg": 90}}, "given with [waves] or simulation.sea"),
+    ({"qtf": "full"}, "simulation.qtf is 'full'; allowed: newman, auto"),
+])  # fmt: skip
+def test_a_record_takes_the_place_of_other_waves(tmp_path, tables, says):
+    table = {"duration": 9.0, "record": {"file": "berth.csv", "direction_deg": 90}}
+    study = SHIP | ({"simulation": table | tables} if "qtf" in tables else {"simulation": table} | tables)
+    with pytest.raises(StudyError, match=re.escape(says)):
+        plan_of(make_study(study), OMEGA, folder=tmp_path)

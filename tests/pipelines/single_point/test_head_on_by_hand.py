@@ -5,10 +5,11 @@ chains, inextensible, partly on the bed: X = L âˆ’ s + a arcosh(1 + h/a), s = âˆ
 """
 
 import math
-import re
 
+import by_hand
 import numpy as np
 import pytest
+from by_hand import root
 
 import hakobune
 from hakobune.pipelines.cli import main
@@ -82,15 +83,7 @@ def written(folder, *changes, more=""):
 
 
 def span_of(H):
-    a = 1e3 * H / W
-    return L - math.sqrt(h * (h + 2 * a)) + a * math.acosh(1 + h / a)
-
-
-def root(value, low, high):
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if value(middle) < 0 else (low, middle)
-    return middle
+    return by_hand.span_of(1e3 * H, W, L, h)
 
 
 def pull_at(span):
@@ -110,14 +103,6 @@ def offset(force):
 
 D = offset(PULL)
 LEADING = pull_at(span_of(H0) + D) + W * h / 1e3
-
-
-def numbers(text):
-    return [float(word) for word in re.findall(r"-?\d+\.?\d*(?:e[+-]?\d+)?", text)]
-
-
-def line_of(said, words):
-    return next(line for line in said.splitlines() if words in line)
 
 
 def test_pull_place_and_tensions_at_rest(tmp_path, asked):

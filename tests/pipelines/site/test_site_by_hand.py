@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+import hakobune
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.site import report
 from hakobune.pipelines.site.study import read_site, site_values
@@ -168,3 +169,25 @@ def test_a_wind_that_drives_the_current_has_to_be_there(tmp_path, capsys):
     (tmp_path / "site.toml").write_text(text)
     assert main(["site", str(tmp_path / "site.toml"), "--output", str(tmp_path / "v.toml")]) == 2
     assert "current.wind_driven is true and there is no [wind]" in capsys.readouterr().err
+
+
+def test_every_value_of_a_site_by_hand(tmp_path):
+    """R = 1/(1 − q^(1/T)) = 70.6 years; high water of spring tide and surge; a√(g/h) of the tsunami; a hundredth of the
+    wind drives the surface, and falls to nothing at the bed: over the draft the current of the same pressure,
+    √((1/d) ∫ U² dz) of 0.8 (1 + z/h)^0.2 + 0.3 (1 + z/h)"""
+    found = hakobune.site(written(tmp_path))
+    z = np.linspace(-6.0, 0.0, 6001)
+    U = 0.8 * (1 + z / 16) ** 0.2 + 0.3 * (1 + z / 16)
+    by_hand = {
+        "return_period": R, "probability": 0.7, "seismic": 0.27, "extreme.wind.speed": 30.0,
+        "extreme.current.speed": math.sqrt(np.trapezoid(U**2, z) / 6.0), "extreme.waves.height": 2.5,
+        "extreme.waves.period": 6.5, "operating.wind.speed": 12.0, "operating.current.speed": 0.4,
+        "operating.waves.height": 0.7, "operating.waves.period": 4.5,
+        "tsunami.current.speed": 1.5 * math.sqrt(G / 16),
+    }  # fmt: skip
+    for name, value in by_hand.items():
+        assert found[name] == pytest.approx(value, rel=2e-4), name
+    levels = dict(zip(found.labels["level"].values.tolist(), found["level.height"], strict=True))
+    assert [levels[name] for name in ("high", "low", "tsunami high", "tsunami low")] == pytest.approx(
+        [2.1, -0.8, 2.7, -2.3]
+    )

@@ -2,6 +2,7 @@
 
 import copy
 
+import numpy as np
 import pytest
 import tomli_w
 
@@ -53,3 +54,15 @@ def test_a_key_that_is_none_is_refused_before_any_case(tmp_path):
     with pytest.raises(ValueError, match="speeed"):
         hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speeed", "values": [0.1]}]}, tmp_path / "none.h5")
     assert not list(tmp_path.iterdir())
+
+
+def test_the_energy_of_a_berthing_grows_with_the_square_of_its_speed_and_what_is_too_much_fails_its_case():
+    """½ m v² of the tanker on fenders that take up 0.1 m/s and no 0.4"""
+    speeds = [0.1, *np.linspace(0.4, 1.0, 7).tolist()]
+    found = hakobune.sweep(
+        {**SWEEP, "keep": ["approach.energy"], "vary": [{"key": "approach.speed", "values": speeds}]}
+    )
+    assert found["status"].tolist() == [0] + [1] * 7
+    energy = found["approach.energy"]
+    assert energy == pytest.approx(energy[0] * (np.array(speeds) / 0.1) ** 2, rel=1e-9)
+    assert [line.split(":")[0] for line in found.fails] == [f"case {i}" for i in range(1, 8)]

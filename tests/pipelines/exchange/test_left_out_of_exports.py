@@ -1,0 +1,44 @@
+"""What `hakobune export` tells of what the files of other programs have no place for."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.pipelines.exchange import command
+from hakobune.pipelines.exchange.command import FORMATS
+
+
+@pytest.fixture
+def left_out(monkeypatch):
+    gaps = SimpleNamespace(unknown={}, not_known=list)
+    gaps._replace = lambda **_: gaps
+    monkeypatch.setattr(command, "gaps_of", lambda db: gaps)
+
+    def call(to, names=(), rows=(True, True), about=(0, 0, 0), **values):
+        db = type("Stored", (dict,), {})(values)
+        db.rows, db.names, db.path, db.complete = np.array(rows), tuple(names), "box.h5", all(rows)
+        return list(command._left_out(db, SimpleNamespace(rotation_center=np.array(about, float)), to))
+
+    return call
+
+
+@pytest.mark.parametrize("to, names, says", [
+    ("bemio", ("rao", "drift_force", "drift_force_fixed"), "bemio has no place for rao, drift_force_fixed"),
+    ("capytaine", ("rao", "drift_force"), "capytaine has no place for rao, drift_force"),
+    ("orcaflex", ("rao", "drift_force", "added_mass_zero"), "orcaflex has no place for drift_force, added_mass_zero"),
+    ("wamit", ("rao", "drift_force", "drift_force_fixed"), "wamit has no place for drift_force_fixed"),
+    ("hams", ("rao", "drift_force"), None),
+])  # fmt: skip
+def test_what_a_format_has_no_place_for_is_named(left_out, to, names, says):
+    limits = {name: np.ones(1) for name in names if name == "added_mass_zero"}
+    assert left_out(to, names, **limits) == ([] if says is None else [says]) and to in FORMATS
+
+
+def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(left_out):
+    first, about = left_out("wamit", rows=(True, False), about=(1.0, 0.0, -2.5))
+    assert "box.h5 has 1 of 2 frequencies solved, which alone are written" in first and first.startswith("FAILS: ")
+    assert about.startswith("moments and rotations are about (1, 0, -2.5) m, which these files do not say")
+    assert left_out("bemio", about=(1.0, 0.0, 0.0)) == []
+    endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
+    assert endless == ["added_mass_infinity is not finite and left out"]

@@ -1,0 +1,154 @@
+"""Every study at the scale of a wave tank, 1:70: three significant digits in print, all of them in CSV and JSON.
+
+The inputs are those of full scale by Froude's law: lengths by λ, times and speeds by √λ, masses and forces by λ³ and so
+on; so are the results, but for what comes from tables of one size, as catalogues.
+"""
+
+import csv
+import io
+import json
+import math
+import re
+import tomllib
+
+import numpy as np
+import pytest
+import tomli_w
+
+import hakobune
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.keys.kinds import SCENES
+
+SCALE = 1 / 70
+POWERS = {  # of keys, by their names
+    0.5: "speed speed_knots period periods mean_period significant_period duration wind current tsunami_period "
+    "wave_period duration_hours",
+    1: "cohesion_kPa dolphin depth length beam draft height freeboard width start end growth position x z diameter "
+    "attachment attachment_height clearance spring_high spring_low surge tsunami wave_height heights "
+    "amplitude anchor tide",
+    2: "area weight_kg_per_m weight_N_per_m mass_kg_per_m",
+    2.5: "damping",
+    3: "displacement mass added_mass  top_tension_tonf breaking_load_tonf "
+    "breaking_load_kN axial_stiffness_kN allowable_kN",
+}
+PLAIN = (
+    "eccentricity drag direction_deg incidence_deg angle_deg exponent bed_friction friction added_surge added_sway "
+    "added_yaw headings_deg angles_deg y beam_over_draft count acceleration coefficient drag_normal drag_tangential "
+    "phase_deg allowable density gravity service_life probability ground regional averaging_s roll "
+    "corner_headings_deg unit_weight_kN_per_m3 wind_driven drift_tonf_per_m2 after_segment"
+)
+POWER = {name: power for power, names in POWERS.items() for name in names.split()} | dict.fromkeys(PLAIN.split(), 0)
+CHAIN = {"weight_kg_per_m": 111.3, "breaking_load_kN": 5000.0, "axial_stiffness_kN": 5e5}
+MOVING = CHAIN | {"mass_kg_per_m": 128.0, "diameter": 0.15, "drag_normal": 2.0, "drag_tangential": 0.3}
+
+ROUNDING = 1e-9  # of the largest of a quantity, which a print has as 0
+SIZES = (1.0, 1e3, math.pi / 180, 0.01)  # of units in print, kN, ° and %
+
+
+def scaled(value, name="", at=""):
+    """Tables of a study at model scale"""
+    if isinstance(value, dict):
+        return {key: scaled(one, key, name) for key, one in value.items()}
+    if isinstance(value, list):
+        return [scaled(one, name, at) for one in value]
+    if isinstance(value, str | bool) or name in ("factors",) or at in ("factors", "coefficients"):
+        return value
+    if name in ("from", "to"):
+        name = at
+    power = POWER[f"{at}.{name}"] if f"{at}.{name}" in POWER else POWER[name]
+    return value if power == 0 else value * SCALE**power
+
+
+def of(name, change=None):
+    tables = tomllib.loads((SCENES / f"{name}.toml").read_text(encoding="utf-8"))
+    if change is not None:
+        change(tables)
+    return tables
+
+
+def few(tables):
+    del tables["measured"]
+    tables["waves"]["periods"]["count"] = 5
+
+
+def light(tables):
+    tables["types"] = {"chain": MOVING}
+
+
+def cross():
+    arms = {"E": (20.0, 0.0), "W": (-20.0, 0.0), "N": (0.0, 10.0), "S": (0.0, -10.0)}
+    made = {"water": {"depth": 50.0}, "types": {"chain": CHAIN}, "bodies": [{"name": "barge"}]}
+    made |= {"anchors": [], "fairleads": [], "lines": []}
+    for name, (x, y) in arms.items():
+        out = 1 + 310.0 / math.hypot(x, y)
+        made["anchors"].append({"name": f"a{name}", "position": [out * x, out * y, -50.0]})
+        made["fairleads"].append({"name": f"f{name}", "body": "barge", "position": [x, y, 0.0]})
+        ends = {"from": f"a{name}", "to": f"f{name}"}
+        made["lines"].append({"name": name, **ends, "type": "chain", "length": 330.0})
+    return made
+
+
+def measured(tables):
+    for key in ("maxima", "averaging_s", "family"):
+        tables["wind"].pop(key)
+    tables["wind"] |= {"speed": 30.0}
+    for key in ("maxima", "family"):
+        tables["waves"].pop(key)
+    tables["waves"] |= {"height": 1.5}
+
+
+COMMANDS = {  # tables of the study, keywords of the function, flags of the command
+    "berth": (lambda: of("berth_tanker"), {}, ()),
+    "members": (lambda: of("members_dolphin"), {}, ()),
+    "earthquake": (lambda: of("earthquake_box"), {}, ()),
+    "lines": (cross, {"broken": True}, ("--broken",)),
+    "line-dynamics": (lambda: of("line_chain_60m", light), {"duration": 2.4}, ("--duration", "2.4")),
+    "single-point": (lambda: of("single_point_A"), {}, ()),
+    "site": (lambda: of("site_bay", measured), {}, ("--output", "site.toml")),
+    "breakwater": (lambda: of("breakwater_circle", few), {}, ()),
+}
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_study_at_model_scale_is_printed_with_three_digits_and_kept_with_all(command, capsys, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "600")
+    monkeypatch.chdir(tmp_path)
+    tables, keywords, flags = COMMANDS[command]
+    study = scaled(tables())
+    (tmp_path / "study.toml").write_text(tomli_w.dumps(study))
+    made, said = getattr(hakobune, command.replace("-", "_"))(study, **keywords), {}
+    for form in ("", "--csv", "--json"):
+        capsys.readouterr()
+        assert main([command, "study.toml", *flags, *([form] if form else [])]) == made.status
+        said[form] = capsys.readouterr()
+    kept = json.loads(said["--json"].out)["quantities"]
+    exact = numbers(cell for row in csv.reader(io.StringIO(said["--csv"].out)) for cell in row)
+    printed = sorted(numbers(re.split(r"[│┃\s,]+", said[""].out)))
+    for name, one in made.quantities.items():
+        values = np.atleast_1d(one.values[np.isfinite(one.values)]) if one.numeric else []
+        if one.record or not len(values):
+            continue
+        assert set(np.ravel(values).real) <= exact & set(flat(kept[name]["values"])), name
+        if one.table and one.values.shape[:1] <= (40,):
+            for value in values[np.abs(values) > ROUNDING * np.abs(values).max()]:
+                near = np.abs(np.outer(printed, SIZES) - value) <= 5.1e-4 * abs(value)
+                assert near.any(), (name, value)
+    assert not re.findall(r"(?<![\d.])-?0\.0+(?![\d.])[^,;│]*", said[""].out + said[""].err)
+
+
+def flat(values):
+    """All numbers in lists of lists"""
+    if isinstance(values, list):
+        return [number for one in values for number in flat(one)]
+    return [values]
+
+
+def numbers(cells):
+    found = set()
+    for cell in cells:
+        try:
+            value = complex(cell.rstrip("%°").replace("−", "-"))
+            found |= {value.real, value.imag}
+        except ValueError:
+            continue
+    return found

@@ -1,0 +1,190 @@
+"""What fails, is found and is kept of equilibria and runs at a single point that are made up."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.mooring.loads.turning import FITTED
+from hakobune.mooring.single_point.equilibria import preferred
+from hakobune.mooring.single_point.history import Cycle, Record
+from hakobune.mooring.single_point.in_time import Run, largest_of
+from hakobune.pipelines.single_point.findings import findings, overloads
+from hakobune.pipelines.single_point.quantities import maps_of, rest_of, run_of
+from hakobune.pipelines.single_point.running import words
+
+
+def one(growth=-1e-3, heading=0.0, period=250.0, hawser=(1e5, 2e5), used=(0.3, np.nan), breaking=(1e6, np.inf)):
+    system = SimpleNamespace(line_names=["a", "b"], breaking_load=np.array(breaking))
+    lines = SimpleNamespace(utilisation=np.array(used), grounded_length=np.array([12.3, 45.6]))
+    return SimpleNamespace(
+        heading=heading, pull=2.5e5, hawser=np.array(hawser), point=SimpleNamespace(system=system), place=(1.0, 2.0),
+        slewing=SimpleNamespace(growth=growth, stable=growth < 0, period=period), force=np.ones(3), roots=[-1j, 1j],
+        lines=SimpleNamespace(lines=lines, tension=np.array([3e5, 4e5]), position=np.array([[5.0, 6.0, -1.0]])),
+        quartic=None,
+    )  # fmt: skip
+
+
+def found(rest, turning=False, speed=0.0, direction=0.0):
+    water = SimpleNamespace(turning=turning, speed=speed, direction=direction)
+    point = SimpleNamespace(loads=SimpleNamespace(water=water), lengths=[30.0, 30.0], system=rest[0].point.system)
+    return SimpleNamespace(best=preferred(rest), rest=rest, point=point)
+
+
+def test_the_equilibrium_that_decays_fastest_is_preferred():
+    decays = [one(-1e-3), one(-2e-3), one(1e-3)]
+    assert preferred(decays) is decays[1]
+    assert preferred([one(3e-3), one(1e-3)]).slewing.growth == 1e-3
+
+
+def test_headings_of_rest_have_their_pull_and_the_largest_of_their_lines():
+    made, axes = rest_of(found([one(heading=-math.pi / 2), one(2e-3, period=np.inf)]))
+    assert np.degrees(made["rest.heading"].values) == pytest.approx([270, 0])
+    assert made["rest.stable"].values.tolist() == [True, False]
+    assert made["rest.growth"].values.tolist() == [-1e-3, 2e-3]
+    assert made["rest.pull"].values.tolist() == [2.5e5] * 2 and made["rest.largest_line"].values.tolist() == [4e5] * 2
+    assert made["rest.hawser"].values.tolist() == [[1e5, 2e5]] * 2 and made["rest.buoy_z"].values.tolist() == [-1] * 2
+    assert axes["line"].values.tolist() == ["a", "b"]
+
+
+def test_headings_that_are_stable_are_counted():
+    assert list(findings(found([one(), one(1e-3)]))) == []
+    (said,) = findings(found([one(1e-3), one(2e-3)]))
+    assert said.startswith("no heading is stable: the body slews")
+    (said,) = findings(found([one(), one(heading=math.pi / 2), one(1e-3)]))
+    assert said == "2 headings are stable (0°, 90°): the body lies at the one it comes to"
+
+
+@pytest.mark.parametrize("angle, told", [(59.9, False), (60.1, True), (119.0, True), (121.0, False)])
+def test_water_beyond_the_turning_tests_is_told(angle, told):
+    """60° from ahead or from astern"""
+    assert math.degrees(FITTED) == pytest.approx(60)
+    at = dict(turning=True, speed=1.0, direction=math.radians(angle))
+    said = list(findings(found([one()], **at)))
+    assert len(said) == told
+    drift = min(angle, 180 - angle)
+    assert all(f"meets the hull at {drift:.0f}°, {drift - 60:.0f}° beyond the turning tests (60°)" in s for s in said)
+    for still in ({"speed": 0.0}, {"turning": False}):
+        assert list(findings(found([one()], **at | still))) == []
+
+
+def overloaded(best=None, cycle=None, run=None, load=1000.0, waves=True, allowable=0.4):
+    hawser = None if load is None else SimpleNamespace(breaking_load_kN=load, breaking_load_tonf=None)
+    study = SimpleNamespace(hawser=hawser, allowable=allowable, waves=waves or None)
+    return list(overloads(study, best or one(), cycle, run))
+
+
+def test_hawsers_and_lines_are_held_to_what_is_allowed_of_them():
+    """100 and 200 kN of hawsers of 1 MN, 30 % of a line, another of no known strength"""
+    assert overloaded() == overloaded(load=None) == []
+    assert overloaded(one(hawser=(1e5, 3.99e5))) == []
+    (said,) = overloaded(one(hawser=(1e5, 4.01e5)))
+    assert "1 of 4 lines at rest above the allowable 40 % of the breaking load: hawser 2 40" in said
+    assert said.endswith("give a stronger type or more lines")
+    assert overloaded(one(used=(0.399, np.nan))) == []
+    (said,) = overloaded(one(used=(0.41, np.nan)), load=None)
+    assert "1 of 2 lines at rest above the allowable 40 %" in said and ": a 41 %" in said
+    (said,) = overloaded(one(hawser=(1.01e6, 1e5)))
+    assert "beyond the breaking load" in said and "hawser 1 101 %" in said
+
+
+def test_limit_cycles_and_runs_are_held_to_their_largest():
+    """In a run with waves and no slow drift the report adds a fifth: 41 % · 0.85 · 1.2 = 41.82 %"""
+    pulls = np.array([[1e5, 1e5], [2e5, 4.1e5], [1e5, 1e5]])
+    cycle = SimpleNamespace(hawser=pulls, lines=np.array([[3e5, 9e9], [4.2e5, 9e9], [0, 9e9]]))
+    (said,) = overloaded(cycle=cycle)
+    assert "2 of 4 lines in the limit cycle above the allowable 40 %" in said and ": a 42 %, hawser 2 41 %" in said
+    run = SimpleNamespace(drifts=False, record=SimpleNamespace(hawser=pulls * 0.85, lines=np.full((3, 2), 1e5)))
+    (said,) = overloaded(run=run)
+    assert "in the run in time above" in said and "hawser 2 41.82 %" in said
+    assert overloaded(run=run, waves=False) == []
+    run.drifts = True
+    assert overloaded(run=run) == []
+
+
+TIME = np.arange(0.0, 400.0, 0.5)
+QUIET = Cycle(math.radians(0.5), np.nan, 1.0, False)
+
+
+def ran(cycle=None, heading=0.0, wave=0.0, gusts=0.0, drifts=False, settled=np.nan, stable=True, findings=()):
+    """A body whose waves of 20 s have 0.01 j + 0.01 of `wave` in the mode j, along x and y"""
+    n = len(TIME)
+    motion = wave * np.sin(2 * math.pi / 20 * TIME)[:, None] * 0.01 * np.arange(1, 7)
+    still = np.zeros((n, 2))
+    hawser, lines = np.full((n, 1), 2e5), np.full((n, 2), 3e5)
+    hawser[9], lines[7, 1] = 5e5, 9e5
+    record = Record(TIME, still, np.full(n, heading), motion, still, hawser, lines, 10 + gusts * np.sin(TIME))
+    point = SimpleNamespace(system=SimpleNamespace(line_names=["a", "b"]), lengths=np.array([30.0]))
+    steady = SimpleNamespace(
+        heading=0.0, hawser=np.array([1e5]), lines=SimpleNamespace(tension=np.array([2e5, 3e5])),
+        slewing=SimpleNamespace(stable=stable), point=point,
+    )  # fmt: skip
+    cycle = Cycle(math.radians(5.0), 250.0, 1.0, True) if cycle is None else cycle
+    return Run(record, steady, cycle, settled, 12.34, drifts, findings, 100.0)
+
+
+SLEWS = "the body slews: ±5.0° at a period of 250 s at the end of the run"
+SWINGS = "the heading swings ±5.0° at about 250 s at the end: gusts and slow drift drive it, at rest it is stable"
+
+
+@pytest.mark.parametrize("made, says", [
+    (ran(), SLEWS),
+    (ran(Cycle(math.radians(5), 250, 1.021, True)), f"{SLEWS}, still growing"),
+    (ran(Cycle(math.radians(5), 250, 1.019, True)), SLEWS),
+    (ran(gusts=1.0), SWINGS),
+    (ran(drifts=True), SWINGS),
+    (ran(gusts=1.0, stable=False), SLEWS),
+    (ran(QUIET, math.radians(3), settled=1200.0), "the heading decays from 3° to within 0.2° of rest in 1200 s"),
+    (ran(QUIET), "the heading is still 0.5° about its mean at the end of the run"),
+])  # fmt: skip
+def test_what_is_said_of_a_heading(made, says):
+    assert list(words(made)) == [says]
+
+
+def kept(run):
+    made, axes = run_of(SimpleNamespace(run=run, point=run.steady.point))
+    return {name: quantity.values for name, quantity in made.items()}, axes, made
+
+
+def test_motions_in_waves_are_along_and_across_the_hull():
+    """σ = a/√2; a hull that heads along y has its surge there, and the wave's x across it"""
+    run = ran(wave=100.0, heading=math.pi / 2, findings=("found",))
+    a = np.arange(1, 7) / math.sqrt(2)
+    values, _, _ = kept(run)
+    assert values["run.wave_sigma"] == pytest.approx([a[1], a[0], *a[2:]], rel=2e-3)
+    said = list(words(run))
+    assert said[1:] == ["slow drift is not in the run; the report adds 20 % for it", "found"]
+    assert not any("report adds" in line for line in words(ran(wave=100.0, drifts=True)))
+
+
+@pytest.mark.parametrize("drifts", [False, True])
+def test_tensions_of_a_run_are_kept_with_the_fifth(drifts):
+    """Significant is steady + ⅔ of what the largest is above it: 100 + 267, 300 + 400"""
+    values, axes, made = kept(ran(drifts=drifts))
+    assert axes["rope"].values.tolist() == ["hawser 1", "a", "b"]
+    by_hand = {
+        "steady": [100, 200, 300], "mean": [200 + 300 / len(TIME), 300, 300 + 600 / len(TIME)],
+        "significant": [100 + 800 / 3, 200 + 200 / 3, 700], "largest": [500, 300, 900],
+    }  # fmt: skip
+    for name, tension in by_hand.items():
+        assert values[f"run.{name}"] / 1e3 == pytest.approx(tension), name
+    assert values["run.significant_with_drift"] == pytest.approx(1.2 * values["run.significant"])
+    assert bool(made["run.significant_with_drift"].table) is not drifts
+    assert values["run.radius"] == 12.34 and values["run.amplitude"] == pytest.approx(math.radians(5))
+
+
+def test_the_report_s_fifth_is_added_where_slow_drift_is_left_out():
+    for drifts, waves, factor in ((False, True, 1.2), (True, True, 1.0), (False, False, 1.0)):
+        hawser, lines = largest_of(ran(drifts=drifts), waves)
+        assert hawser == pytest.approx([factor * 5e5]) and lines == pytest.approx([factor * 3e5, factor * 9e5])
+
+
+def test_a_map_has_the_share_of_its_answers_that_slews():
+    """Of four answers three are above 0; the fifth place has none"""
+    growth = np.array([[1.0, 2.0, -1.0, 3.0, np.nan]])
+    one = SimpleNamespace(keys=("hawser.length",), growth=growth, period=growth, heading=90 + 0 * growth,
+                          x=np.arange(5.0), y=[0.0])  # fmt: skip
+    made, axes = maps_of(SimpleNamespace(maps=[one]))
+    assert made["map_1.slews"].values == 0.75 and axes["map_1_x"].values.tolist() == [0, 1, 2, 3, 4]
+    assert made["map_1.heading"].values[0, 0] == pytest.approx(math.pi / 2)
