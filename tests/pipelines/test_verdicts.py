@@ -414,20 +414,20 @@ def designed(*warnings):
 
 
 def scenes_of(*verdicts):
-    from hakobune.pipelines.stress.campaign import Row
+    from hakobune.pipelines.validation.stress.campaign import Row
 
     rows = [Row(i, "box", 5.0, 2.0, 2.0, 1.0, 1.0, verdict=verdict) for i, verdict in enumerate(verdicts)]
-    return lambda patch: patch.setattr("hakobune.pipelines.stress.run.run", lambda *_: (rows, False))
+    return lambda patch: patch.setattr("hakobune.pipelines.validation.stress.run.run", lambda *_: (rows, False))
 
 
 def jobs(*notes):
     rows = [SimpleNamespace(note=note) for note in notes]
-    return lambda patch: patch.setattr("hakobune.pipelines.bench.run.bench", lambda *_, **__: rows)
+    return lambda patch: patch.setattr("hakobune.pipelines.validation.bench.run.bench", lambda *_, **__: rows)
 
 
 def floater(tension):
     """A case of the report's series with this static tension"""
-    from hakobune.pipelines.series import single_point
+    from hakobune.pipelines.validation.series import single_point
 
     def change(patch):
         patch.setattr(single_point, "solved", lambda cases, *_: {case.database: None for case in cases})
@@ -445,9 +445,9 @@ def floater(tension):
 def compared(*failures):
     def change(patch):
         found = SimpleNamespace(failures=failures, results={})
-        patch.setattr("hakobune.pipelines.reports.comparisons.sets.solved", lambda *_: found)
+        patch.setattr("hakobune.pipelines.validation.comparisons.sets.solved", lambda *_: found)
         for name in ("summary", "write"):
-            patch.setattr(f"hakobune.pipelines.reports.comparisons.series.Sections.{name}", lambda *_: ())
+            patch.setattr(f"hakobune.pipelines.validation.comparisons.series.Sections.{name}", lambda *_: ())
 
     return change
 
