@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -28,16 +29,18 @@ def imports(tree):
                 yield name.removeprefix(PACKAGE), id(node) in top
 
 
+@cache
 def folders_imported(file):
     """Folders of the modules below the root that a file imports, but for its own"""
-    package = file.relative_to(ROOT).parts[:-1]
+    found, package = set(), file.relative_to(ROOT).parts[:-1]
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             start = package[: len(package) - node.level + 1] if node.level else ()
             place = ROOT.joinpath(*start, *(node.module or "").removeprefix(PACKAGE).split("."))
             for target in (place, *(place / alias.name for alias in node.names)):
                 if target.with_suffix(".py").is_file() and target.parent != file.parent:
-                    yield target.parent
+                    found.add(target.parent)
+    return found
 
 
 def is_or_in(module, package):

@@ -430,14 +430,14 @@ def floater(tension):
     from hakobune.pipelines.validation.series import single_point
 
     def change(patch):
-        patch.setattr(single_point, "solved", lambda cases, *_: {case.database: None for case in cases})
-        patch.setattr(single_point, "write_study", lambda *_: None)
-        patch.setattr(single_point, "draw", lambda *_: [])
-        numbers = 0.0, tension, tension, 5.0, tension, 1.0, 100.0
-        note = "" if np.isfinite(tension) else "no heading of rest"
-        patch.setattr(single_point, "computed", lambda case, *_: single_point.Result(case, *numbers, note))
+        for name in ("database", "keep", "drift_of"):
+            patch.setattr(single_point, name, lambda *_: None)
         for name in ("statements", "trends"):
             patch.setattr(single_point, name, lambda *_: ())
+        patch.setattr(single_point, "pictures", lambda _: {})
+        note = "" if np.isfinite(tension) else "no heading of rest"
+        row = {"static_tonf": tension, "note": note}
+        patch.setattr(single_point, "computed", lambda case, *_: {"case": case.name, **row})
 
     return change
 

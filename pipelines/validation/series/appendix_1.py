@@ -23,24 +23,15 @@ tenth of critical damping beside that of waves, linear σ of heave is 1.61 and 1
 
 from __future__ import annotations
 
-import csv
-import io
 import warnings
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-import tomli_w
 
-from hakobune.bem.database import open_database
-from hakobune.meshing.text_files import read_text
-from hakobune.meshing.whole_files import write_whole
-
-from ...common.outputs import check_folder
-from ...common.quantities import StudyError
 from ...common.units import KGF
 from ...scene.scene import make_scene
-from .databases import whole_database
+from ..beside import chosen, database, keep, one_by_one, read_rows, result
 
 TABLE = Path(__file__).parent / "appendix_1.csv"
 DEPTH, PERIOD, SPAN = 1.2, 2.19, 7.1  # m, s, m
@@ -50,6 +41,7 @@ SINKER_AIR, SINKER_WATER = 3.26, 2.87  # kg
 LINES = {"bow starboard": (1, -1), "bow port": (1, 1), "stern port": (-1, 1), "stern starboard": (-1, -1)}
 WAVES_AT_45 = {"0.9": 2.994, "0.7": 2.252, "0.5": 1.802}  # cm
 HOURS = 3.0  # of each run, at the size of the prototype
+KEYS = "source", "line", "incidence_deg", "gain"
 VARIANTS = {"full": ("states", "newman"), "report": ("constant", "half-waves")}
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 COLUMNS = ("surge_cm", "sway_cm", "heave_cm", "roll_deg", "pitch_deg", "yaw_deg",
@@ -81,51 +73,19 @@ MEASURED_PERIODS = {  # tables 1.2, 1.3: tension at the model, kgf, measured and
 }
 
 
-class AtRest(NamedTuple):
-    """A model on its lines in still water: kgf, of a line at the model; s, of surge, sway, roll, pitch, yaw"""
-
-    model: str
-    line: str
-    tension: float
-    periods: np.ndarray
-
-
-class Outcome(NamedTuple):
-    """Of one row of the table in one variant: wave : cm, σ; sigma, slow : {column: σ, its slow part}"""
-
-    row: dict
-    variant: str
-    wave: float
-    sigma: dict
-    slow: dict
-
-
-def make_appendix(folder, only, seeds, fresh):
-    """Exit status.  Raises ValueError, one line."""
-    from ...printing.console import new_console
-
-    console, rows = new_console(), read_rows(only)
-    check_folder(folder)
-    (folder / "cases").mkdir(parents=True, exist_ok=True)
+def make(folder, only=None, seeds=1, fresh=False):
+    """The Result: models at rest beside tables 1.2 and 1.3; σ of each row and quantity beside the printed one"""
+    rows = read_tests(only)
     for row, variant in [(row, variant) for row in rows for variant in VARIANTS]:
-        path = folder / "cases" / f"{name_of(row)}_{variant}.toml"
-        write_whole(path, tomli_w.dumps(simulation_of(row, variant, seeds)).encode())
-    databases = {model: _database(model, folder, fresh) for model in MODELS}
-    resting = [at_rest(model, line, open_database(databases[model])) for model, line in MEASURED_PERIODS]
-    for one in resting:
-        console.print(_of_rest(one), highlight=False, soft_wrap=True, markup=False)
-    found, moved = [], bodies(open_database(databases["M3B"]))
-    for row in rows:
-        found += [computed(row, variant, moved[row["line"]], seeds) for variant in VARIANTS]
-        for one in found[-len(VARIANTS) :]:
-            console.print(_told(one), highlight=False, soft_wrap=True, markup=False)
-    paths = folder / "appendix_1_rest.csv", folder / "appendix_1.csv"
-    write_whole(paths[0], rest_text(resting).encode())
-    write_whole(paths[1], table_text(found, seeds).encode())
-    for line in summary(found):
-        console.print(line, highlight=False, soft_wrap=True, markup=False)
-    console.print(f"written: {', '.join(map(str, paths))}", highlight=False, soft_wrap=True, markup=False)
-    return 0
+        keep(folder / "cases" / f"{name_of(row)}_{variant}.toml", simulation_of(row, variant, seeds))
+    with warnings.catch_warnings(action="ignore"):  # of M3B's printed radius of gyration in yaw, larger than can be
+        solved = {model: database(make_scene(scene_of(model)), folder / f"{model}.h5", fresh) for model in MODELS}
+    resting = [at_rest(model, line, solved[model]) for model, line in MEASURED_PERIODS]
+    moved = bodies(solved["M3B"])
+    found = [one for row in one_by_one(rows, name_of) for variant in VARIANTS
+             for one in computed(row, variant, moved[row["line"]], seeds)]  # fmt: skip
+    source = "SR179 report (1982), appendix 1 and table 3.5.3.2, standard deviations"
+    return result("series appendix-1", source, {"model": resting, "test": found}, summary(found))
 
 
 def name_of(row):
@@ -133,17 +93,9 @@ def name_of(row):
     return "-".join([row["line"], row["incidence_deg"], row["gain"], *["report"] * (row["source"] == "report")])
 
 
-def read_rows(only=None):
-    """Rows of the table as dictionaries of text.  Raises StudyError."""
-    text = read_text(TABLE, StudyError, largest=1)
-    rows = list(csv.DictReader(io.StringIO("\n".join(line for line in text.splitlines() if line[:1] != "#"))))
-    if only is None:
-        return rows
-    wanted, names = [name.strip() for name in only.split(",")], [name_of(row) for row in rows]
-    for word in wanted:
-        if not any(f"{name}-".startswith(f"{word}-") for name in names):
-            raise StudyError(f"--only {word!r} is no test; allowed: {', '.join(names)}, or chain, sinker-45, …")
-    return [r for r, name in zip(rows, names, strict=True) if any(f"{name}-".startswith(f"{w}-") for w in wanted)]
+def read_tests(only=None):
+    """Rows of the table as dictionaries of text, those of names or of their beginnings.  Raises StudyError."""
+    return chosen({name_of(row): row for row in read_rows(TABLE)}, only)
 
 
 def scene_of(name):
@@ -204,16 +156,20 @@ def _wave(row):
 
 
 def at_rest(model, line, db):
-    """`AtRest` of a model on its database"""
+    """{column: number} of a model on its lines in still water beside what was measured, at the size of the model"""
     from ...moor.command import studied
     from ...moor.study import make_study
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        result = studied(make_study(study_of(model, line)), db)[0]
-    periods = np.asarray(result.at_rest.period)[[0, 1, 3, 4, 5]]
+    with warnings.catch_warnings(action="ignore"):
+        found = studied(make_study(study_of(model, line)), db)[0]
+    tension, catenary, *measured = MEASURED_PERIODS[model, line]
     size = MODELS[model].scale
-    return AtRest(model, line, float(result.tension.mean()) / (KGF * size**3), periods / np.sqrt(size))
+    periods = np.asarray(found.at_rest.period)[[0, 1, 3, 4, 5]] / np.sqrt(size)
+    row = {"model": f"{model} {line}", "tension_kgf": float(found.tension.mean()) / (KGF * size**3),
+           "catenary_tension_kgf": catenary, "measured_tension_kgf": tension}  # fmt: skip
+    for name, ours, theirs in zip(("surge", "sway", "roll", "pitch", "yaw"), periods, measured, strict=True):
+        row |= {f"{name}_s": float(ours), f"measured_{name}_s": theirs}
+    return row
 
 
 def bodies(db):
@@ -233,15 +189,17 @@ def bodies(db):
 
 
 def computed(row, variant, body, seeds):
-    """`Outcome` of a row in a variant; body : its `Moored`; seeds : how many runs"""
+    """[{column: number or text}] of a row in a variant, one for each quantity that is printed
+
+    body : its `Moored`; seeds : how many runs; σ in the units of the table
+    """
     from hakobune.mooring.motion.simulation import simulate
     from hakobune.mooring.motion.statistics import parts
 
     from ...moor.study import make_study
     from ...simulate.study import plan_of
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of lines and seas, told by `simulate`
+    with warnings.catch_warnings(action="ignore"):  # of lines and seas, told by `simulate`
         plan = plan_of(make_study(simulation_of(row, variant, seeds)), body.reader.omega)
         runs = [simulate(body, plan.weather, plan.settings, seed) for seed in plan.seeds]
     squares = []
@@ -250,8 +208,12 @@ def computed(row, variant, body, seeds):
         split = [parts(record - record.mean(), plan.settings.step, plan.split) for record in records.T]
         squares.append(np.square([(np.hypot(*pair), pair[0]) for pair in split]))
     values = np.sqrt(np.mean(squares, axis=0)) / _units("M3B")[:, None]
-    sigma, slow = (dict(zip(COLUMNS, values[:, i].tolist(), strict=True)) for i in range(2))
-    return Outcome(row, variant, _wave(row), sigma, slow)
+    return [
+        {"test": f"{name_of(row)} {variant} {column}", **{key: row[key] for key in KEYS}, "variant": variant,
+         "quantity": column, "wave_cm": _wave(row), "sigma": float(sigma), "slow_sigma": float(slow),
+         "printed": float(row[column]), "over_printed": float(sigma) / float(row[column])}
+        for column, (sigma, slow) in zip(COLUMNS, values, strict=True) if row[column]
+    ]  # fmt: skip
 
 
 def _units(model):
@@ -260,64 +222,26 @@ def _units(model):
     return np.array([*[size / 100] * 3, *[np.pi / 180] * 3, *[KGF * size**3] * len(LINES)])
 
 
-def table_text(found, seeds):
-    """CSV of Outcomes: σ in the units of the columns, with its slow part, measured or printed, and ours over it"""
-    out = io.StringIO()
-    out.write(
-        "# hakobune series appendix-1: model M3B on four lines, SR179 report (1982), tables 1.5, 1.6 (tests) and "
-        f"3.5.3.2 (the report's simulation); standard deviations; {seeds} x {HOURS:g} h of the prototype in time\n"
-    )
-    table = csv.writer(out, lineterminator="\n")
-    table.writerow(["row", "printed_by", "line", "incidence_deg", "gain", "calculation", "wave_cm", "quantity",
-                    "printed", "computed", "slow_part", "computed_over_printed"])  # fmt: skip
-    for one in found:
-        row = one.row
-        for column in COLUMNS:
-            if row[column]:
-                printed, ours = float(row[column]), one.sigma[column]
-                words = [row[key] for key in ("source", "line", "incidence_deg", "gain")]
-                table.writerow([name_of(row), *words, one.variant, f"{one.wave:.4g}", column, row[column],
-                                f"{ours:.4g}", f"{one.slow[column]:.4g}", f"{ours / printed:.3g}"])  # fmt: skip
-    return out.getvalue()
+def ratios(found, variant, quantity, incidence):
+    """(n,) computed over measured σ of the tests of an incidence"""
+    return np.array([one["over_printed"] for one in _of(found, variant, quantity, incidence)])
 
 
-def rest_text(resting):
-    """CSV of models at rest beside tables 1.2 and 1.3"""
-    out = io.StringIO()
-    out.write(
-        "# tension of a line at the model, kgf, and natural periods on the lines, s; _measured: tables 1.2, 1.3\n"
-    )
-    table = csv.writer(out, lineterminator="\n")
-    names = ("surge_s", "sway_s", "roll_s", "pitch_s", "yaw_s")
-    table.writerow(["model", "line", "tension_kgf", "tension_catenary_kgf", "tension_measured_kgf",
-                    *names, *(f"{name}_measured" for name in names)])  # fmt: skip
-    for one in resting:
-        tension, catenary, *periods = MEASURED_PERIODS[one.model, one.line]
-        numbers = ["" if np.isnan(v) else f"{v:.4g}" for v in (one.tension, catenary, tension, *one.periods, *periods)]
-        table.writerow([one.model, one.line, *numbers])
-    return out.getvalue()
-
-
-def ratios(found, variant, column, incidence, source="test"):
-    """Computed over measured σ of the rows of an incidence"""
-    chosen = [one for one in found if _is(one, variant, source) and one.row["incidence_deg"] == incidence]
-    return np.array([one.sigma[column] / float(one.row[column]) for one in chosen if one.row[column]])
-
-
-def sinker_ratios(found, variant, column, incidence):
+def sinker_ratios(found, variant, quantity, incidence):
     """(n, 2) σ with the sinker over σ of the chain at the same gain of the wavemaker: computed, measured"""
-    own = {name_of(one.row): one for one in found if _is(one, variant, "test")}
-    pairs = []
-    for name, one in own.items():
-        other = own.get(name.replace("chain", "sinker", 1))
-        if name.startswith(f"chain-{incidence}-") and other is not None and one.row[column]:
-            measured = float(other.row[column]) / float(one.row[column])
-            pairs.append((other.sigma[column] / one.sigma[column], measured))
-    return np.array(pairs).reshape(-1, 2)
+    own = {(one["line"], one["gain"]): one for one in _of(found, variant, quantity, incidence)}
+    pairs = [(own["sinker", gain], one) for (line, gain), one in own.items()
+             if line == "chain" and ("sinker", gain) in own]  # fmt: skip
+    return np.array([[s[key] / c[key] for key in ("sigma", "printed")] for s, c in pairs]).reshape(-1, 2)
+
+
+def _of(found, variant, quantity, incidence):
+    wanted = {"source": "test", "variant": variant, "quantity": quantity, "incidence_deg": incidence}
+    return [one for one in found if wanted.items() <= one.items()]
 
 
 def summary(found):
-    """Lines on all rows beside what was measured"""
+    """Lines on all tests beside what was measured"""
     for incidence in ("0", "45"):
         for column in COLUMNS:
             parts = [(variant, ratios(found, variant, column, incidence)) for variant in VARIANTS]
@@ -330,39 +254,3 @@ def summary(found):
                 if len(pairs):
                     ours, theirs = (f"{v.min():.2f} to {v.max():.2f}" for v in pairs.T)
                     yield f"{incidence}°, {column}, sinker over chain, {variant}: computed {ours}, measured {theirs}"
-
-
-def _is(one, variant, source):
-    return one.variant == variant and one.row["source"] == source
-
-
-def _database(model, folder, fresh):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of M3B's printed radius of gyration in yaw, larger than a body can have
-        return whole_database(make_scene(scene_of(model)), folder / f"{model}.h5", fresh)
-
-
-def _of_rest(one):
-    tension, catenary, *periods = MEASURED_PERIODS[one.model, one.line]
-    names = ("surge", "sway", "roll", "pitch", "yaw")
-    told = [
-        f"{name} {ours:.3g} ({_number(theirs)}) s"
-        for name, ours, theirs in zip(names, one.periods, periods, strict=True)
-    ]
-    return (
-        f"{one.model} {one.line:6}: line {one.tension:.3f} kgf (catenary {catenary}, measured {tension}); "
-        f"{', '.join(told)}"
-    )
-
-
-def _told(one):
-    parts = [
-        f"{column.replace('_', ' ')} {one.sigma[column]:.3g} ({one.row[column]})"
-        for column in COLUMNS
-        if one.row[column]
-    ]
-    return f"{name_of(one.row):22} {one.variant:6} {', '.join(parts)}"
-
-
-def _number(value):
-    return "–" if np.isnan(value) else f"{value:.4g}"

@@ -8,31 +8,25 @@ behind them the rows of the design spectrum method stand before it, by the far f
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from itertools import product
-from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem.database import open_database
 from hakobune.bem.wave_field.before_wall import least_gap
-from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.dolphins.design_spectrum import DolphinError, Dolphins, beam_of, limit_height, strains
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.fenders.families import fender_of_family
 from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
 from hakobune.mooring.studies.steady_loads import steady_loads, with_coefficients
 
-from ...common.outputs import check_folder
-from ...common.picture import save
 from ...common.quantities import StudyError
 from ...common.units import KNOT, TONF
 from ...moor.quay import REFUSED, by_far_field
 from ...scene.scene import make_scene
+from ..beside import database, one_by_one, result
+from ..picture import Curve, Panel
 from . import dolphin_simulated
-from .databases import whole_database
 from .single_point_cases import FLOATERS
 
 DEPTHS = {"A": (12.0, 14.0, 20.0, 50.0), "B": (40.0, 100.0)}
@@ -41,59 +35,38 @@ GYRATION = {"A": [15.55, 29.44, 32.28], "B": [30.55, 58.59, 64.55]}
 COUNTS = (1, 2, 3, 4, 5)
 PERIODS, HEIGHTS = (6.0, 8.0, 10.0), (0.5, 1.0, 1.5, 2.0, 3.0)
 WEATHER = ((25.0, 1.5), (50.0, 3.0))  # wind m/s, current kn
+SOURCE = "SR179 report (1982), section 3.7.5"
 FREEBOARD = 10.0
 FARTHEST = 1000.0  # m, of a quay behind
 PRINTED = {("A", 1): 0.35, ("A", 3): 0.9, ("B", 1): 1.5, ("B", 3): 1.05}  # m, in the text; at 10 s, presumably
 BEAM = 0.5 * math.pi
 
 
-class Row(NamedTuple):
-    """m, tonf; strains over the height; limit : significant height m; curve : by the equivalent spring of a cell"""
+def make(folder, quay=None, fresh=False):
+    """The Result: rows of the design spectrum method, and Table 3.7.5.2 in time; quay : m from the hull to one behind
 
-    floater: str
-    depth_m: float
-    fenders: int
-    period_s: float
-    wind_m_s: float
-    current_kn: float
-    height_m: float
-    steady_tonf: float
-    drift_tonf: float
-    static_strain: float
-    sigma_m: float
-    strain: float
-    limit_m: float
-    curve_strain: float
-
-
-def make_series(folder, fresh, gap=None):
-    """Exit status 0.  gap : m from the hull to a quay behind its dolphins, or None.  Raises ValueError, one line."""
-    from ...printing.console import new_console
-
-    if gap is not None:
-        _check_gap(gap)
-    console = new_console()
-    check_folder(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    rows, before_quay, paths = [], [], {}
-    for floater, depths in DEPTHS.items():
-        for depth in depths:
-            wall = None if gap is None else 0.5 * FLOATERS[floater].beam + gap
-            path = paths[floater, depth] = folder / f"{floater}_{depth:g}m_beam.h5"
-            db = open_database(whole_database(scene_of(floater, depth), path, fresh))
-            console.print(f"{path}: {len(db.omega)} frequencies", highlight=False, markup=False)
-            rows += rows_of(floater, depth, db)
-            if wall is not None:
-                body, told = by_far_field(db, wall)
-                before_quay += rows_of(floater, depth, db, body)
-                console.print(*told, highlight=False, soft_wrap=True, markup=False)
-    if gap is None:
-        lines, files = _beside_the_report(console, rows, paths, folder)
-    else:
-        lines, files = _beside_open_water(before_quay, rows, gap, folder)
-    for line in (*lines, *(f"written: {path}" for path in files)):
-        console.print(line, highlight=False, soft_wrap=True, markup=False)
-    return 0
+    raises : StudyError for a quay that is too near or too far
+    """
+    if quay is not None:
+        _check_gap(quay)
+    solved = {}
+    for floater, depth in one_by_one([(f, d) for f, depths in DEPTHS.items() for d in depths], str):
+        path = folder / f"{floater}_{depth:g}m_beam.h5"
+        solved[floater, depth] = database(make_scene(scene_of(floater, depth)), path, fresh)
+    rows = [row for (floater, depth), db in solved.items() for row in rows_of(floater, depth, db)]
+    if quay is None:
+        simulated = dolphin_simulated.simulated_rows(solved)
+        notes = (*statements(rows), *dolphin_simulated.statements(simulated))
+        return result("series dolphin", SOURCE, {"case": rows, "run": simulated}, notes)
+    before, told = [], []
+    for (floater, depth), db in solved.items():
+        body, lines = by_far_field(db, 0.5 * FLOATERS[floater].beam + quay)
+        before += rows_of(floater, depth, db, body)
+        told += lines
+    both = [r | {"open_water_limit_m": o["limit_m"]} for r, o in zip(before, rows, strict=True)]
+    return result(
+        "series dolphin", f"{SOURCE}, a quay {quay:g} m behind", {"case": both}, (*told, *quay_statements(both))
+    )
 
 
 def _check_gap(gap):
@@ -107,39 +80,13 @@ def _check_gap(gap):
         )
 
 
-def _beside_the_report(console, rows, paths, folder):
-    """Lines to tell and files written of the charts and of Table 3.7.5.2, which is printed"""
-    simulated = dolphin_simulated.simulated_rows(paths)
-    console.print(dolphin_simulated.table_of(simulated))
-    tables = _written(folder / "dolphin.csv", rows), _written(folder / "dolphin_simulated.csv", simulated)
-    charts = (_draw(rows, floater, folder / f"dolphin_{floater}.png", "") for floater in DEPTHS)
-    return (*statements(rows), *dolphin_simulated.statements(simulated)), (*tables, *charts)
-
-
-def _beside_open_water(rows, open_rows, gap, folder):
-    """The same of rows before a quay; the report's runs in time have none"""
-    name, where = f"quay_{gap:g}m", f", a quay {gap:g} m behind"
-    charts = (_draw(rows, floater, folder / f"dolphin_{floater}_{name}.png", where) for floater in DEPTHS)
-    return quay_statements(rows, open_rows), (_written(folder / f"dolphin_{name}.csv", rows), *charts)
-
-
-def _written(path, rows):
-    """The path of a CSV of named tuples"""
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(rows[0]._fields)
-    table.writerows([f"{value:.6g}" if isinstance(value, float) else value for value in row] for row in rows)
-    write_whole(path, text.getvalue().encode())
-    return path
-
-
 def scene_of(floater, depth):
-    """The Scene of a floater in its water, waves on the beam"""
+    """Raw tables of the scene of a floater in its water, waves on the beam"""
     f = FLOATERS[floater]
     body = {"shape": "box", "length": f.length, "beam": f.beam, "draft": f.draft, "gyration": GYRATION[floater]}
     waves = {"band": {"from": 0.05, "to": 1.6}, "headings_deg": [0, 15, 30, 45, 60, 75, 90]}  # a quay needs as many
     want = ["added_mass", "radiation_damping", "excitation_force", "rao", "drift_force", "kochin"]
-    return make_scene({"water": {"depth": depth}, "bodies": [body], "waves": waves, "want": want, "tolerance": 0.01})
+    return {"water": {"depth": depth}, "bodies": [body], "waves": waves, "want": want, "tolerance": 0.01}
 
 
 def dolphins_of(floater, count, stiffness):
@@ -150,7 +97,10 @@ def dolphins_of(floater, count, stiffness):
 
 
 def rows_of(floater, depth, db, body=None):
-    """`Row` of every number of fenders, period, weather and height of waves; body : `Reader` before a quay"""
+    """[{column: number}] of every number of fenders, period, weather and height of waves; body : `Reader` before a quay
+
+    strains are over the height of a fender; limit_m : significant height; curve : by the equivalent spring of a cell
+    """
     f, beam, out = FLOATERS[floater], beam_of((body or db.reader).floating(), BEAM), []
     hull = ExposedBox(f.length, f.beam, f.draft, FREEBOARD)
     stiffness = FENDERS[floater][1] * TONF
@@ -166,63 +116,60 @@ def rows_of(floater, depth, db, body=None):
                 curve = strains(beam, linear._replace(stiffness=None), steady, sea).strain if height == 1.0 else np.nan
             except DolphinError:
                 curve = np.inf
-            loads = steady / TONF, s.drift / TONF
-            out.append(Row(floater, depth, count, period, wind, current, height, *loads, s.static_strain, s.sigma,
-                           s.strain, limit, curve))  # fmt: skip
+            out.append({
+                "case": f"{floater} {depth:g} m, {count} fenders, {period:g} s, {wind:g} m/s, {height:g} m",
+                "floater": floater, "depth_m": depth, "fenders": count, "period_s": period, "wind_m_s": wind,
+                "current_kn": current, "height_m": height, "steady_tonf": steady / TONF, "drift_tonf": s.drift / TONF,
+                "static_strain": s.static_strain, "sigma_m": s.sigma, "strain": s.strain, "limit_m": limit,
+                "curve_strain": curve,
+            })  # fmt: skip
     return out
 
 
 def statements(rows):
     """The report's sentences beside what is computed, one line each"""
     for (floater, count), printed in PRINTED.items():
-        own = [r for r in rows if (r.floater, r.fenders, r.period_s) == (floater, count, 10.0)]
-        limits = ", ".join(
-            f"{next(r for r in own if (r.depth_m, r.wind_m_s) == (depth, wind)).limit_m:.2f} "
-            f"({depth:g} m, {wind:g} m/s)"
-            for wind, _ in WEATHER for depth in DEPTHS[floater]
-        )  # fmt: skip
+        own = _of(rows, floater=floater, fenders=count, period_s=10.0, height_m=HEIGHTS[0])
+        limits = ", ".join(f"{r['limit_m']:.2f} ({r['depth_m']:g} m, {r['wind_m_s']:g} m/s)"
+                           for r in sorted(own, key=lambda r: r["wind_m_s"]))  # fmt: skip
         yield (
             f"floater {floater}, {count} on each dolphin, 10 s: printed {printed:g} m, here {limits}; 0: the steady "
             "loads alone press too far"
         )
     for floater, worst in (("A", 1), ("B", 5)):
-        own = [r for r in rows if (r.floater, r.period_s, r.height_m, r.wind_m_s) == (floater, 10.0, 1.0, 50.0)]
-        found = {depth: max((r for r in own if r.depth_m == depth), key=lambda r: r.sigma_m).fenders
-                 for depth in DEPTHS[floater]}  # fmt: skip
-        words = ", ".join(f"{count} ({depth:g} m)" for depth, count in found.items())
+        found = [max(_of(rows, floater=floater, depth_m=depth, period_s=10.0, height_m=1.0, wind_m_s=50.0),
+                     key=lambda r: r["sigma_m"]) for depth in DEPTHS[floater]]  # fmt: skip
+        words = ", ".join(f"{r['fenders']} ({r['depth_m']:g} m)" for r in found)
         yield f"floater {floater}: motion is largest at 10 s with {worst} fenders in the report, here with {words}"
 
 
-def quay_statements(rows, open_rows):
+def quay_statements(rows):
     """Limits before a quay and in open water, one line each floater and number of fenders"""
     for floater, count in PRINTED:
-        pairs = [(r, o) for r, o in zip(rows, open_rows, strict=True)
-                 if (r.floater, r.fenders, r.wind_m_s, r.height_m) == (floater, count, WEATHER[0][0], 1.0)]  # fmt: skip
-        words = ", ".join(f"{r.limit_m:.2f} for {o.limit_m:.2f} ({r.depth_m:g} m, {r.period_s:g} s)" for r, o in pairs)
+        own = _of(rows, floater=floater, fenders=count, wind_m_s=WEATHER[0][0], height_m=1.0)
+        words = ", ".join(f"{r['limit_m']:.2f} for {r['open_water_limit_m']:.2f} ({r['depth_m']:g} m, "
+                          f"{r['period_s']:g} s)" for r in own)  # fmt: skip
         yield f"floater {floater}, {count} on each dolphin, m before the quay for open water: {words}"
 
 
-def _draw(rows, floater, path, where):
-    """Strain and limit over the number of fenders, a panel for each depth"""
-    from matplotlib.figure import Figure
+def _of(rows, **wanted):
+    return [row for row in rows if wanted.items() <= row.items()]
 
-    depths = DEPTHS[floater]
-    figure = Figure(figsize=(4.0 * len(depths), 8.0), layout="constrained")
-    axes = figure.subplots(2, len(depths), squeeze=False, sharey="row")
-    wind, current = WEATHER[-1]
-    for column, depth in enumerate(depths):
-        for period in PERIODS:
-            own = [r for r in rows if (r.floater, r.depth_m, r.period_s, r.wind_m_s) == (floater, depth, period, wind)]
-            one = [r for r in own if r.height_m == 1.0]
-            counts = [r.fenders for r in one]
-            axes[0, column].plot(counts, [100 * r.strain for r in one], "o-", label=f"{period:g} s")
-            axes[1, column].plot(counts, [r.limit_m for r in one], "o-", label=f"{period:g} s")
-        axes[0, column].axhline(35, color="grey", linewidth=0.8)
-        axes[0, column].set_title(f"floater {floater} in {depth:g} m")
-        axes[1, column].set_xlabel("fenders on each of two dolphins")
-    axes[0, 0].set(ylabel="largest strain in waves of 1 m, %", ylim=(0, None))
-    axes[1, 0].set(ylabel="limit of the significant height, m", ylim=(0, None))
-    axes[0, 0].legend(title="mean period")
-    figure.suptitle(f"wind {wind:g} m/s, current {current:g} kn, waves on the beam{where}")
-    save(figure, path, 110)
-    return path
+
+def pictures(made):
+    """Strain and limit over the number of fenders, a panel for each floater and depth, in the heavier weather"""
+    rows, (wind, current) = made.detail["case"], WEATHER[-1]
+    panels = []
+    for column, size, level in (("strain", "largest strain in waves of 1 m", (0.35,)),
+                                ("limit_m", "limit of the significant height, m", ())):  # fmt: skip
+        for floater, depth in ((f, d) for f, depths in DEPTHS.items() for d in depths):
+            own = _of(rows, floater=floater, depth_m=depth, wind_m_s=wind, height_m=1.0)
+            curves = []
+            for period in PERIODS:
+                some = _of(own, period_s=period)
+                x, y = ([r[key] for r in some] for key in ("fenders", column))
+                curves.append(Curve(f"{period:g} s", x, y, {"marker": "o"}))
+            axes = {"xlabel": "fenders on each of two dolphins", "ylabel": size}
+            panels.append(Panel(f"floater {floater} in {depth:g} m", curves, level, axes))
+    title = f"{made.provenance['source']}: wind {wind:g} m/s, current {current:g} kn, waves on the beam, mean periods"
+    return {"dolphin.png": (title, panels, len(panels) // 2)}

@@ -22,17 +22,12 @@ A return at 0.65 of the loading, as the generic fender has, moves the mean of B 
 
 from __future__ import annotations
 
-import csv
-import io
 import warnings
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem.database import open_database
-from hakobune.meshing.text_files import read_text
 from hakobune.mooring.dolphins.design_spectrum import LARGEST, TOTAL
 from hakobune.mooring.environment.gusts import davenport
 from hakobune.mooring.environment.sea import Sea
@@ -44,8 +39,8 @@ from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
 from hakobune.mooring.studies.steady_loads import with_coefficients
 
-from ...common.quantities import StudyError
 from ...common.units import KNOT
+from ..beside import number, read_rows
 from .single_point_cases import FLOATERS
 
 PRINTED = Path(__file__).parent / "dolphin_printed.csv"
@@ -60,61 +55,23 @@ VARIANTS = {"report": ("constant", "half-waves"), "significant": ("constant", "h
             "full": ("states", "newman")}  # fmt: skip
 
 
-class Row(NamedTuple):
-    """A row of the table in a variant: m; strain over the height; off : share of the time off the fenders
-
-    sigma, heave, sway, roll_deg : standard deviations, at the fenders and of the motions; printed_ : of the report,
-    halves of its significant amplitudes, nan where the print cannot be read; verdict : strain within 35 %
-    """
-
-    no: int
-    floater: str
-    depth_m: float
-    height_m: float
-    period_s: float
-    wave_m: float
-    variant: str
-    mean_m: float
-    sigma_m: float
-    strain: float
-    verdict: str
-    heave_m: float
-    sway_m: float
-    roll_deg: float
-    off: float
-    printed_mean_m: float
-    printed_sigma_m: float
-    printed_strain: float
-    printed_verdict: str
-    printed_heave_m: float
-    printed_sway_m: float
-    printed_roll_deg: float
-
-
-def printed_rows():
-    """The rows of Table 3.7.5.2 as {column: text}"""
-    text = read_text(PRINTED, StudyError, largest=1)
-    return list(csv.DictReader(io.StringIO("\n".join(line for line in text.splitlines() if line[:1] != "#"))))
-
-
 def simulated_rows(databases, wanted=None, variants=tuple(VARIANTS), duration=HOUR, seeds=SEEDS):
-    """`Row` of every row of the table in every variant.
+    """[{column: number or text}] of every row of the table in every variant, as of `row_of`
 
-    databases : {(floater, depth): path}; wanted : numbers of rows, all by default; duration : s of each run
+    databases : {(floater, depth): Database}; wanted : numbers of rows, all by default; duration : s of each run
     """
     out, bodies = [], {}
-    for printed in printed_rows():
+    for printed in read_rows(PRINTED):
         if wanted is not None and int(printed["no"]) not in wanted:
             continue
         at, height = (printed["floater"], float(printed["depth_m"])), float(printed["height_m"])
         if (*at, height) not in bodies:
-            bodies[*at, height] = _held(open_database(databases[at]), at[0], height)
+            bodies[*at, height] = _held(databases[at], at[0], height)
         for variant in variants:
             weather = _weather(printed, variant)
-            with warnings.catch_warnings():  # waves that are left out
-                warnings.simplefilter("ignore")
+            with warnings.catch_warnings(action="ignore"):  # waves that are left out
                 runs = [simulate(bodies[*at, height], weather, _settings(variant, duration), seed) for seed in seeds]
-            out.append(_row(printed, variant, runs, bodies[*at, height]))
+            out.append(row_of(printed, variant, runs, bodies[*at, height]))
     return out
 
 
@@ -155,54 +112,46 @@ def _settings(variant, duration):
     return Settings(duration, step=0.25, memory=memory, slow_drift=drift, wave_drift_damping=memory == "states")
 
 
-def _row(printed, variant, runs, body):
-    number = {key: float(value) if value else np.nan for key, value in printed.items() if key != "floater"}
+def row_of(printed, variant, runs, body):
+    """{column: number or text} of a row of the table in a variant
+
+    strain is over the height; off_share : of the time off the fenders; sigma, heave, sway, roll : standard deviations,
+    at the fenders and of the motions; printed_ : of the report, halves of its significant amplitudes
+    """
+    value = {key: number(text) for key, text in printed.items() if key != "floater"}
     late = runs[0].time >= 0
     motion = np.array([run.motion[late] for run in runs])
     above = -float(body.reader.rotation_center[2])
     at = motion[..., 1] - above * motion[..., 3] - CLEARANCE  # yaw turns about the middle fender
     spread = np.sqrt(motion.var(axis=1).mean(axis=0))
     mean, sigma = float(at.mean()), float(np.sqrt(at.var(axis=1).mean()))
-    strain = (mean + LARGEST * sigma) / number["height_m"]
-    halves = (0.5 * number[key] for key in ("heave_m", "sway_m", "roll_deg"))
-    return Row(
-        int(number["no"]), printed["floater"], number["depth_m"], number["height_m"], number["period_s"],
-        number["wave_m"], variant, mean, sigma, strain, _verdict(strain), float(spread[2]), float(spread[1]),
-        float(np.degrees(spread[3])), float((at < 0).mean()), number["mean_m"], number["sigma_m"],
-        number["strain"], _verdict(number["strain"]), *halves,
-    )  # fmt: skip
+    strain = (mean + LARGEST * sigma) / value["height_m"]
+    ours = {"mean_m": mean, "sigma_m": sigma, "strain": strain, "verdict": _verdict(strain),
+            "heave_m": float(spread[2]), "sway_m": float(spread[1]), "roll_deg": float(np.degrees(spread[3])),
+            "off_share": float((at < 0).mean())}  # fmt: skip
+    halves = {f"printed_{key}": 0.5 * value[key] for key in ("heave_m", "sway_m", "roll_deg")}
+    whole = {f"printed_{key}": value[key] for key in ("mean_m", "sigma_m", "strain")}
+    given = {key: value[key] for key in ("depth_m", "height_m", "period_s", "wave_m")}
+    name = {
+        "run": f"{printed['no']} {variant}",
+        "no": int(printed["no"]),
+        "floater": printed["floater"],
+        "variant": variant,
+    }
+    return name | given | ours | whole | {"printed_verdict": _verdict(value["strain"])} | halves
 
 
 def _verdict(strain):
     return "stands" if strain <= TOTAL else "too much"
 
 
-def table_of(rows):
-    """The rows beside the report's as a table to print"""
-    from rich.table import Table
-
-    table = Table(title="Table 3.7.5.2, in time: m and share of the height, ours over printed", title_justify="left")
-    for name in ("no", "floater", "depth", "fender", "T̄ s", "variant", "mean", "printed", "σ", "printed", "ratio",
-                 "strain", "printed", "verdict", "printed", "roll ratio"):  # fmt: skip
-        table.add_column(name, justify="left" if name in ("variant", "verdict") else "right", no_wrap=True)
-    for r in rows:
-        table.add_row(
-            str(r.no), r.floater, f"{r.depth_m:g}", f"{r.height_m:g}", f"{r.period_s:g}", r.variant,
-            f"{r.mean_m:.3f}", f"{r.printed_mean_m:.3f}", f"{r.sigma_m:.3f}", f"{r.printed_sigma_m:.3f}",
-            f"{r.sigma_m / r.printed_sigma_m:.2f}", f"{100 * r.strain:.1f} %", f"{100 * r.printed_strain:.1f} %",
-            r.verdict, r.printed_verdict, f"{r.roll_deg / r.printed_roll_deg:.2f}",
-        )  # fmt: skip
-    return table
-
-
 def statements(rows):
     """One line on each variant"""
-    for variant in dict.fromkeys(r.variant for r in rows):
-        own = [r for r in rows if r.variant == variant]
-        near = sum(abs(r.sigma_m / r.printed_sigma_m - 1) <= 0.2 for r in own)
-        same = sum(r.verdict == r.printed_verdict for r in own)
-        means = sum(abs(r.mean_m / r.printed_mean_m - 1) <= 0.2 for r in own)
-        rolls = np.array([r.roll_deg / r.printed_roll_deg for r in own])
+    for variant in dict.fromkeys(r["variant"] for r in rows):
+        own = [r for r in rows if r["variant"] == variant]
+        near, means = (sum(abs(r[key] / r[f"printed_{key}"] - 1) <= 0.2 for r in own) for key in ("sigma_m", "mean_m"))
+        same = sum(r["verdict"] == r["printed_verdict"] for r in own)
+        rolls = np.array([r["roll_deg"] / r["printed_roll_deg"] for r in own])
         yield (
             f"{variant}: σ within a fifth of the print in {near} of {len(own)} rows, mean in {means}, verdict of 35 % "
             f"the same in {same}; roll {rolls.min():.2f} to {rolls.max():.2f} times the print"

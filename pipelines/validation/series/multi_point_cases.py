@@ -17,8 +17,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from ...common.quantities import StudyError
-
 KINDS = ("chain", "buoy", "sinker")
 FREQUENCIES = {"from": 0.06, "to": 2.0, "count": 60}  # rad/s, of a database, close enough for the memory of the water
 INCIDENCE = 60.0  # degrees off the bow
@@ -80,23 +78,14 @@ CHANGES = {
 }  # fmt: skip
 
 
-def cases(only=None):
-    """All 36 Cases, or those of a list a,b,c of names or their beginnings (A, B-sinker).  Raises StudyError."""
-    made = [
+def cases():
+    """All 36 Cases"""
+    return [
         BASES[floater]._replace(name=f"{floater}-{kind}-{word}", kind=kind, **change)
         for floater in FLOATERS
         for kind in KINDS
         for word, change in CHANGES[floater].items()
     ]
-    if only is None:
-        return made
-    asked = [word.strip() for word in only.split(",")]
-    for word in asked:
-        if not any(f"{one.name}-".startswith(f"{word}-") for one in made):
-            raise StudyError(
-                f"--only {word!r} is no case; allowed: {', '.join(one.name for one in made)}, or A, A-chain, …"
-            )
-    return [one for one in made if any(f"{one.name}-".startswith(f"{word}-") for word in asked)]
 
 
 def scene(case):

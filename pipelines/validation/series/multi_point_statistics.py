@@ -13,28 +13,24 @@ The report's force is not a largest value but mean + X of eq. 3.5.1.5, as here; 
 
 from __future__ import annotations
 
-import csv
-import io
 import warnings
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem.database import open_database
-from hakobune.meshing.text_files import read_text
 from hakobune.mooring.motion.line_loads import body_lines, line_work, tables_of, tensions_along
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.statistics import record_statistics
 
-from ...common.quantities import StudyError
 from ...common.units import TONF
 from ...moor.study import make_study
 from ...simulate.study import plan_of
+from ..beside import read_rows
 from .multi_point_cases import OF_MEAN, STIFFNESS, cases, study
 
 PRINTED = Path(__file__).parent / "multi_point_printed.csv"
+STATISTICS = ("T_zero", "T_peak", "epsilon", "mean", "sigma", "largest")
 QUANTITIES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 PERIOD, STEP, SPLIT = 10.0, 0.5, 0.2  # s, mean; s; rad/s between slow and wave part
 OF_SIGNIFICANT = 0.8101  # T₀₁ over T₁/₃
@@ -49,35 +45,15 @@ MOVED = {"printed, both legs": 1.0, "printed, one leg": 0.5}
 SIGNS = np.array([-1.0, -1.0, 1.0, -1.0, -1.0, 1.0])  # of the printed mean motions: here waves go to −x, −y
 
 
-class Statistics(NamedTuple):
-    """Of one quantity in one calculation: m, rad or tonf, s; largest : X_1000, beyond the mean; slow : σ below SPLIT"""
-
-    line: str
-    quantity: str
-    calculation: str
-    T_zero: float
-    T_peak: float
-    epsilon: float
-    mean: float
-    sigma: float
-    largest: float
-    slow: float
-
-
 def printed_rows(kind):
     """{quantity: {column: number}} of a kind of line"""
-    text = read_text(PRINTED, StudyError, largest=1)
-    rows = csv.DictReader(io.StringIO("\n".join(line for line in text.splitlines() if line[:1] != "#")))
-    return {
-        row.pop("quantity"): {key: float(value) for key, value in row.items() if key != "line"}
-        for row in rows
-        if row["line"] == kind
-    }
+    rows = [row for row in read_rows(PRINTED) if row["line"] == kind]
+    return {row["quantity"]: {key: float(row[key]) for key in STATISTICS} for row in rows}
 
 
-def table_rows(kind, database, hours=1.0, calculations=(*CALCULATIONS, *MOVED)):
-    """`Statistics` of a kind of line in every calculation; where the body is moved as printed, of the force alone"""
-    db, out, memory = open_database(database), [], None
+def table_rows(kind, db, hours=1.0, calculations=(*CALCULATIONS, *MOVED)):
+    """[{column: number or text}] of a kind of line in every calculation, as of `_of`; moved as printed, of the force"""
+    out, memory = [], None
     for name in calculations:
         ratio, part, settings = CALCULATIONS.get(name, (OF_MEAN, MOVED.get(name), {}))
         made = _study(kind, part, ratio * PERIOD, hours)
@@ -89,8 +65,7 @@ def table_rows(kind, database, hours=1.0, calculations=(*CALCULATIONS, *MOVED)):
             continue
         body = moored(db, system, hull, memory=memory)
         memory = body.memory
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of lines and seas, told by `simulate`
+        with warnings.catch_warnings(action="ignore"):  # of lines and seas, told by `simulate`
             run = simulate(body, plan.weather, replace(plan.settings, **settings), 1)
         late = run.time >= 0
         for i, quantity in enumerate(QUANTITIES):
@@ -101,7 +76,7 @@ def table_rows(kind, database, hours=1.0, calculations=(*CALCULATIONS, *MOVED)):
 
 def _study(kind, part, period, hours):
     """Study of a kind of line with a part of the stiffness of both legs, in waves of T₀₁ s"""
-    raw = study(cases(f"A-{kind}-T10")[0], hours, 1)
+    raw = study(next(case for case in cases() if case.name == f"A-{kind}-T10"), hours, 1)
     raw["types"]["chain"]["axial_stiffness_tonf"] = part * STIFFNESS
     raw["waves"]["period"] = period
     return make_study(raw)
@@ -125,46 +100,32 @@ def _moved_as_printed(db, kind, system, sea):
 
 
 def _of(kind, quantity, name, record):
+    """{column: number or text}: m, rad or tonf, s; largest : X_1000, beyond the mean; slow : σ below SPLIT"""
     s = record_statistics(record, STEP, SPLIT, duration=1000 * PERIOD)
-    return Statistics(kind, quantity, name, s.T_zero, s.T_peak, s.epsilon, s.mean, s.sigma, s.extreme, s.slow)
+    ours, printed = (s.T_zero, s.T_peak, s.epsilon, s.mean, s.sigma, s.extreme), printed_rows(kind)[quantity]
+    row = {"record": f"{kind} {quantity} {name}", "line": kind, "quantity": quantity, "calculation": name}
+    for key, value in zip(STATISTICS, ours, strict=True):
+        row |= {key: float(value), f"printed_{key}": printed[key]}
+    return row | {"slow": float(s.slow), "sigma_over_printed": row["sigma"] / row["printed_sigma"]}
 
 
 def _of_force(kind, name, tension):
     """Of the line whose mean + X_1000 is the largest"""
     each = [_of(kind, "force", name, record) for record in tension.T / TONF]
-    return max(each, key=lambda one: one.mean + one.largest)
-
-
-def table_text(rows, hours):
-    """CSV of Statistics beside the printed ones"""
-    out = io.StringIO()
-    out.write(
-        "# hakobune series multi-point: SR179 report (1982), table 3.5.5.5, floater A, 12 lines, 20 m; m, rad, tonf; "
-        f"{hours:g} h in time; largest: beyond the mean, expected in 1000 mean periods\n"
-    )
-    table = csv.writer(out, lineterminator="\n")
-    columns = Statistics._fields[3:-1]
-    table.writerow([*Statistics._fields[:3], *(f"{c}{end}" for c in columns for end in ("", "_printed")), "slow",
-                    "sigma_over_printed", "mean_and_largest", "mean_and_largest_printed"])  # fmt: skip
-    for one in rows:
-        printed = printed_rows(one.line)[one.quantity]
-        pairs = [f"{v:.4g}" for column in columns for v in (getattr(one, column), printed[column])]
-        both = one.mean + one.largest, printed["mean"] + printed["largest"]
-        table.writerow([*one[:3], *pairs, f"{one.slow:.4g}", f"{one.sigma / printed['sigma']:.3g}",
-                        *(f"{v:.4g}" for v in both)])  # fmt: skip
-    return out.getvalue()
+    return max(each, key=lambda one: one["mean"] + one["largest"])
 
 
 def statements(rows):
-    """One line on the force of each calculation, one on its motions"""
+    """One line on each calculation: its force, and its motions over the print"""
     for one in rows:
-        if one.quantity == "force":
-            printed = printed_rows(one.line)["force"]
-            both, theirs = one.mean + one.largest, printed["mean"] + printed["largest"]
-            own = [r for r in rows if (r.line, r.calculation) == (one.line, one.calculation) and r.quantity != "force"]
-            moved = [f"{r.quantity} {r.sigma / printed_rows(r.line)[r.quantity]['sigma']:.2f}" for r in own]
+        if one["quantity"] == "force":
+            mean, largest, theirs = one["mean"], one["largest"], one["printed_mean"] + one["printed_largest"]
+            own = [
+                r for r in rows if (r["line"], r["calculation"]) == (one["line"], one["calculation"]) and r is not one
+            ]
+            moved = ", ".join(f"{r['quantity']} {r['sigma_over_printed']:.2f}" for r in own)
             yield (
-                f"table 3.5.5.5, {one.line}, {one.calculation}: force {one.mean:.0f} + {one.largest:.0f} = {both:.0f} "
-                f"tonf (printed {theirs:.0f}), σ {one.sigma:.0f} ({printed['sigma']:.0f})"
-                f"{'; σ of motions over the print: ' * bool(moved)}{', '.join(moved)}"
+                f"table 3.5.5.5, {one['line']}, {one['calculation']}: force {mean:.0f} + {largest:.0f} = "
+                f"{mean + largest:.0f} tonf (printed {theirs:.0f}), σ {one['sigma']:.0f} ({one['printed_sigma']:.0f})"
+                f"{'; σ of motions over the print: ' * bool(moved)}{moved}"
             )

@@ -11,15 +11,10 @@ tests at H/d = 2 (76.8 t at 1.5 kn against 68.5 t), so that its tensions at 3 kn
 
 from __future__ import annotations
 
-import csv
-import io
 from pathlib import Path
 from typing import NamedTuple
 
-from hakobune.meshing.text_files import read_text
-
-from ...common.quantities import StudyError
-from ...scene.scene import make_scene
+from ..beside import number, read_rows
 
 TABLE = Path(__file__).parent / "single_point.csv"
 HEADINGS = [30, 90, 150, 210, 270, 330]
@@ -27,8 +22,8 @@ SCOPE = 40.0  # depths of line laid out; the anchor does not move
 WAVES_AFTER, DURATION = 400.0, 1200.0  # s
 ANGLES = [0, 15, 30, 45, 60, 75, 90]
 WIND = {"x": [1, 0.98, 0.91, 0.75, 0.54, 0.28, 0], "y": [0, 0.17, 0.42, 0.64, 0.81, 0.93, 1]}
-NUMBERS = ("height_m", "mean_period_s", "wind_m_s", "current_kn", "depth_m", "weight_ton_m", "lines", "pretension_ton")
-PRINTED = ("heading_deg", "static_ton", "significant_ton", "scope", "hawser_ton")
+NUMBERS = ("height_m", "mean_period_s", "wind_m_s", "current_kn", "depth_m", "weight_t_m", "lines", "pretension_tonf")
+PRINTED = ("heading_deg", "static_tonf", "significant_tonf", "scope", "hawser_tonf")
 
 
 class Floater(NamedTuple):
@@ -54,7 +49,7 @@ FLOATERS = {
 
 
 class Case(NamedTuple):
-    """A row of the table: name, {column: number}, system "contact" or "buoy", printed {column: number or None}
+    """A row of the table: name, {column: number}, system "contact" or "buoy", printed {column: number, NaN of none}
 
     flag : what is wrong with the print
     """
@@ -78,37 +73,12 @@ class Case(NamedTuple):
         return f"{self.floater}_{self.values['depth_m']:g}m"
 
 
-def read_cases(path=None, only=None):
-    """The cases of a table (the report's), in its order; only : names with commas.  Raises StudyError."""
-    text = read_text(TABLE if path is None else path, StudyError)
-    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
-    cases = [_case(i, row) for i, row in enumerate(csv.DictReader(io.StringIO("\n".join(lines))), 1)]
-    if only is not None:
-        wanted = [name.strip() for name in only.split(",")]
-        unknown = [name for name in wanted if name not in {case.name for case in cases}]
-        if unknown:
-            raise StudyError(f"--only names {unknown[0]!r}; allowed: names of the table, as {cases[0].name}")
-        cases = [case for case in cases if case.name in wanted]
-    if not cases:
-        raise StudyError("the table has no cases")
-    return cases
-
-
-def _case(number, row):
-    name = row.get("case") or f"row {number}"
-    if row.get("floater") not in FLOATERS:
-        raise StudyError(f"{name}: floater is {row.get('floater')!r}; allowed: {', '.join(FLOATERS)}")
-    if row.get("system") not in ("contact", "buoy"):
-        raise StudyError(f"{name}: system is {row.get('system')!r}; allowed: contact, buoy")
-    try:
-        values = {key: float(row[key]) for key in NUMBERS}
-        printed = {key: float(row[key]) if row.get(key) else None for key in PRINTED}
-        current = float(row["current_deg"] or 0.0)
-    except (KeyError, TypeError, ValueError) as error:
-        raise StudyError(
-            f"{name}: {error} is missing or no number; columns: {', '.join((*NUMBERS, *PRINTED))}"
-        ) from None
-    return Case(name, row["floater"], values, current, row["system"], printed, row.get("flag") or "")
+def read_cases():
+    """{name: Case} of the table, in its order"""
+    return {row["case"]: Case(
+        row["case"], row["floater"], {key: float(row[key]) for key in NUMBERS}, float(row["current_deg"] or 0.0),
+        row["system"], {key: number(row[key]) for key in PRINTED}, row["flag"],
+    ) for row in read_rows(TABLE)}  # fmt: skip
 
 
 def study_of(case, seed=1, drift=None):
@@ -119,12 +89,12 @@ def study_of(case, seed=1, drift=None):
         "hull": {"length": f.length, "beam": f.beam, "draft": f.draft, "freeboard": 10.0},
         "attachment": {"x": 0.5 * f.length},
         "buoy": {"z": -f.attached},
-        "types": {"chain": {"weight_kg_per_m": 1e3 * n * v["weight_ton_m"], "breaking_load_tonf": n * f.breaking}},
+        "types": {"chain": {"weight_kg_per_m": 1e3 * n * v["weight_t_m"], "breaking_load_tonf": n * f.breaking}},
         "mooring": {
             "type": "chain",
             "length": SCOPE * v["depth_m"],
             "headings_deg": HEADINGS,
-            "top_tension_tonf": n * v["pretension_ton"],
+            "top_tension_tonf": n * v["pretension_tonf"],
         },
         "wind": {"speed": v["wind_m_s"], "incidence_deg": 0.0, "coefficients": {"angles_deg": ANGLES, **WIND}},
         "current": {
@@ -148,25 +118,16 @@ def study_of(case, seed=1, drift=None):
 
 
 def scene_of(case):
-    """The Scene of a case's floater in its water: a uniform box, its centre of gravity in the waterplane"""
+    """Raw tables of the scene of a case's floater, a uniform box, its centre of gravity in the waterplane"""
     f, depth = FLOATERS[case.floater], case.values["depth_m"]
     height = f.draft + 10.0
     squares = f.beam**2 + height**2, f.length**2 + height**2, f.length**2 + f.beam**2
-    return make_scene(
-        {
-            "tolerance": 0.03,
-            "want": ["radiation", "diffraction", "motions", "drift", "limits"],
-            "water": {"depth": depth},
-            "bodies": [
-                {
-                    "shape": "box",
-                    "length": f.length,
-                    "beam": f.beam,
-                    "draft": f.draft,
-                    "center_of_gravity": [0.0, 0.0, 0.0],
-                    "gyration": [(square / 12) ** 0.5 for square in squares],
-                }
-            ],
-            "waves": {"periods": {"from": 4.5, "to": 40.0, "count": 20}, "headings_deg": [0, 22.5, 45, 67.5, 90]},
-        }
-    )
+    body = {"shape": "box", "length": f.length, "beam": f.beam, "draft": f.draft, "center_of_gravity": [0.0, 0.0, 0.0],
+            "gyration": [(square / 12) ** 0.5 for square in squares]}  # fmt: skip
+    return {
+        "tolerance": 0.03,
+        "want": ["radiation", "diffraction", "motions", "drift", "limits"],
+        "water": {"depth": depth},
+        "bodies": [body],
+        "waves": {"periods": {"from": 4.5, "to": 40.0, "count": 20}, "headings_deg": [0, 22.5, 45, 67.5, 90]},
+    }

@@ -8,17 +8,14 @@ judges.  Chosen here: friction, hills of steepness 1/10, sinker and buoys at hal
 
 from __future__ import annotations
 
-import csv
-import io
-from typing import NamedTuple
-
 import numpy as np
 
-from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
-from ...common.outputs import check_folder
-from ...common.picture import save
+from ...results.provenance import provenance
+from ...results.quantity import Quantity
+from ...results.result import Result, labels
+from ..picture import Curve, Panel
 
 HEIGHT, WEIGHT, SURFACE = 20.0, 10.0, 22.0  # m, N/m, m above the anchor; every result is over w L
 SCOPE = 6.0
@@ -27,66 +24,34 @@ TIGHT = 0.975  # share from which on a line with a light buoy is all lifted
 SHARES = np.unique(np.concatenate([np.linspace(0.80, 0.99, 39), 1.0 - np.geomspace(1e-2, 5e-5, 41)]))
 STRONG = 23.0  # largest breaking load of wire rope over its weight
 SLOPES = (-1 / 10, -1 / 20, -1 / 50, -1 / 100, 0.0, 1 / 100, 1 / 50, 1 / 20, 1 / 10)
+CHARTS = {"1.7.1": "friction, scope 3.26, at the anchor", "1.7.2": "scope", "1.7.3": "slope",
+          "1.7.4": "hills and hollows", "1.7.5": "sinker and buoys at L/2", "1.7.6": "elasticity"}  # fmt: skip
 
 
-class Chart(NamedTuple):
-    """number, title; curves {name: (n,) T/wL over SHARES}; anchor : whether T is that at the anchor"""
-
-    number: str
-    title: str
-    curves: dict
-    anchor: bool = False
-
-
-def make_series(folder):
-    """Exit status 0.  Raises ValueError, one line."""
-    from ...printing.console import new_console
-
-    console = new_console()
-    check_folder(folder)
-    folder.mkdir(parents=True, exist_ok=True)
+def make(folder, fresh=False):
+    """The Result: T/wL (curve, share), a curve's name with its chart's number before it"""
     made = charts()
-    for line in statements(made):
-        console.print(line, highlight=False, soft_wrap=True, markup=False)
-    written = [folder / "lines.csv", folder / "lines.png"]
-    write_whole(written[0], table_text(made).encode())
-    _draw(made, written[1])
-    for path in written:
-        console.print(f"written: {path}", highlight=False, soft_wrap=True, markup=False)
-    return 0
+    named = {f"{number} {name}": values for number, curves in made.items() for name, values in curves.items()}
+    axes = labels("curve", list(named)) | labels("share", SHARES, "", "X / √(L² − Z²)")
+    tension = Quantity(np.array(list(named.values())), ("curve", "share"), "", "T/wL")
+    told = provenance(source="SR179 report (1982), section 3.1.7")
+    return Result("series lines", {"tension": tension}, axes, notes=tuple(statements(made)), provenance=told)
 
 
 def charts():
-    """The six `Chart`s"""
-    return [
-        Chart(
-            "1.7.1",
-            "friction, scope 3.26",
-            {f"μ = {m:g}": curve(3.26, Bed.sloping(0.0, m), anchor=True) for m in (0.0, 0.2, 0.5, 1.0)},
-            anchor=True,
-        ),
-        Chart("1.7.2", "scope", {f"L/Z = {n:g}": curve(n) for n in (2, 3, 4, 6, 8, 10)}),
-        Chart("1.7.3", "slope", {_slope(t): curve(bed=Bed.sloping(np.arctan(t))) for t in SLOPES}),
-        Chart(
-            "1.7.4",
-            "hills and hollows",
-            {"flat": curve()}
-            | {_several(n, "hill"): curve(bed=hills(n, True)) for n in (1, 2, 4, 8)}
-            | {_several(n, "hollow"): curve(bed=hills(n, False)) for n in (1, 2, 4, 8)},
-        ),
-        Chart(
-            "1.7.5",
-            "sinker and buoys at L/2",
-            {"plain": curve()}
-            | {f"sinker {b:g} wL": curve(load=b) for b in (0.25, 0.5)}
-            | {f"buoy {b:g} wL": curve(load=-b) for b in (0.1, 0.25, 1.25)},
-        ),
-        Chart(
-            "1.7.6",
-            "elasticity",
-            {f"EA/wL = {e:g}": curve(stiffness=e) for e in (500.0, 1000.0, 2000.0, 4000.0, np.inf)},
-        ),
-    ]
+    """{number of the chart: {name of the curve: (n,) T/wL over SHARES}}"""
+    hilly = [(n, thing) for thing in ("hill", "hollow") for n in (1, 2, 4, 8)]
+    return {
+        "1.7.1": {f"μ = {m:g}": curve(3.26, Bed.sloping(0.0, m), anchor=True) for m in (0.0, 0.2, 0.5, 1.0)},
+        "1.7.2": {f"L/Z = {n:g}": curve(n) for n in (2, 3, 4, 6, 8, 10)},
+        "1.7.3": {_slope(t): curve(bed=Bed.sloping(np.arctan(t))) for t in SLOPES},
+        "1.7.4": {"flat": curve()}
+        | {f"{n} {thing}{'s' * (n > 1)}": curve(bed=hills(n, thing == "hill")) for n, thing in hilly},
+        "1.7.5": {"plain": curve()}
+        | {f"sinker {b:g} wL": curve(load=b) for b in (0.25, 0.5)}
+        | {f"buoy {b:g} wL": curve(load=-b) for b in (0.1, 0.25, 1.25)},
+        "1.7.6": {f"EA/wL = {e:g}": curve(stiffness=e) for e in (500.0, 1000.0, 2000.0, 4000.0, np.inf)},
+    }
 
 
 def curve(scope=SCOPE, bed=None, load=0.0, stiffness=np.inf, anchor=False):
@@ -109,8 +74,8 @@ def hills(count, rising):
 
 def statements(made):
     """What the report's text says of the charts, each with whether it is so here"""
-    friction, scope, slope, rough, loads, elastic = (list(chart.curves.values()) for chart in made)
-    named = made[4].curves
+    friction, scope, slope, rough, loads, elastic = (list(curves.values()) for curves in made.values())
+    named = made["1.7.5"]
     flat, over, through = (np.array([c[_at(NEAR)] for c in part]) for part in (rough[:1], rough[1:5], rough[5:]))
     kept = [[np.interp(T, elastic[-1], c) / T for T in (2.0, 3.0, 10.0, 15.0)] for c in elastic[:-1]]
     tight = SHARES >= TIGHT
@@ -149,38 +114,18 @@ def _at(share):
     return int(np.argmin(np.abs(SHARES - share)))
 
 
-def _several(count, thing):
-    return f"{count} {thing}{'' if count == 1 else 's'}"
-
-
 def _slope(tangent):
     return "flat" if tangent == 0 else f"tan β = {'−' if tangent < 0 else ''}1/{abs(round(1 / tangent))}"
 
 
-def table_text(made):
-    """CSV: chart, curve, share of the distance, T/wL"""
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(["chart", "curve", "x_over_straight", "anchor_t_over_wl", "fairlead_t_over_wl"])
-    for chart in made:
-        for name, values in chart.curves.items():
-            for share, value in zip(SHARES, values, strict=True):
-                pair = (f"{value:.6g}", "") if chart.anchor else ("", f"{value:.6g}")
-                table.writerow([chart.number, name, f"{share:.6g}", *pair])
-    return text.getvalue()
-
-
-def _draw(made, path):
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(15.0, 10.0), layout="constrained")
-    for axes, chart in zip(figure.subplots(2, 3).ravel(), made, strict=True):
-        for name, values in chart.curves.items():
-            axes.plot(SHARES, values, label=name, linewidth=1.2)
-        top, left = (STRONG, 0.98) if chart.number == "1.7.6" else (4.0, SHARES[0])
-        axes.set(title=f"{chart.number}  {chart.title}", xlabel="X / √(L² − Z²)", ylim=(0, top), xlim=(left, 1.0))
-        axes.locator_params(axis="x", nbins=5)
-        axes.set_ylabel("T/wL at the anchor" if chart.anchor else "T/wL at the fairlead")
-        axes.legend(fontsize=8)
-        axes.grid(alpha=0.3)
-    save(figure, path, 110)
+def pictures(made):
+    """The charts of a Result"""
+    panels, of_curve = [], dict(zip(made.labels["curve"].values.tolist(), made["tension"], strict=True))
+    for number, title in CHARTS.items():
+        own = {name.removeprefix(f"{number} "): T for name, T in of_curve.items() if name.startswith(f"{number} ")}
+        curves = [Curve(name, SHARES, values) for name, values in own.items()]
+        top, left = (STRONG, 0.98) if number == "1.7.6" else (4.0, SHARES[0])
+        axes = {"xlabel": "X / √(L² − Z²)", "ylabel": "T/wL", "ylim": (0, top), "xlim": (left, 1.0)}
+        panels.append(Panel(f"{number}  {title}", curves, axes=axes))
+    title = "Tension of a static line, SR179 report (1982), charts 1.7.1 to 1.7.6"
+    return {"lines.png": (title, panels, 3, (5, 5), False)}
