@@ -444,10 +444,9 @@ def floater(tension):
 
 def compared(*failures):
     def change(patch):
-        found = SimpleNamespace(failures=failures, results={})
-        patch.setattr("hakobune.pipelines.validation.comparisons.sets.solved", lambda *_: found)
-        for name in ("summary", "write"):
-            patch.setattr(f"hakobune.pipelines.validation.comparisons.series.Sections.{name}", lambda *_: ())
+        patch.setattr("hakobune.pipelines.validation.comparisons.sets.solved", lambda *_: ([], failures))
+        for name in ("summary", "tables", "pictures"):
+            patch.setattr(f"hakobune.pipelines.validation.comparisons.series.Sections.{name}", lambda *_: {})
 
     return change
 

@@ -68,7 +68,7 @@ def model_case(model, method, xi, wave_height=None):
     drifting = "drift_force" not in METHODS[method].without
     raw["want"] = [*WANT, "drift_force"] if drifting else list(WANT)
     raw["waves"] = waves(xi, MODEL_CHI)
-    name, columns = f"{model}_{method}", {"model": model, "method": method, "wave_height_m": ""}
+    name, columns = f"{model}_{method}", {"model": model, "method": method, "wave_height_m": 0.0}
     if wave_height is not None:
         raw["viscous"] = {"wave_height": wave_height, "roll": "Yamashita"}
         name, columns = f"{name}_{100 * wave_height:g}cm", {**columns, "wave_height_m": wave_height}

@@ -1,4 +1,4 @@
-"""`hakobune compare`: the computed comparisons of the SR179 report (1982), as databases, tables and pictures."""
+"""`hakobune compare`: the computed comparisons of the SR179 report (1982), in its units, as one result and pictures."""
 
 from __future__ import annotations
 
@@ -21,13 +21,12 @@ def compare(
     xi: Annotated[str | None, _flag("ξ_B = ω²B/2g: a,b,c or start:stop:count [the report's, and between]")] = None,
     fresh: Annotated[bool, Parameter(help="replace the databases that are there", negative="")] = False,
 ):
-    """One of the SR179 report's (1982) comparisons made again, in its units, as CSV and pictures.
+    """One of the SR179 report's (1982) comparisons made again, in its units, as NAME.csv and pictures.
 
     depth-series: six depths, Figures 2.1.5.3-46; length-series: five L/B, 2.1.5.47-90; sections: three against two
     dimensions, 2.1.5.91-99; motions: 2.4.3.1-24; models: tank models M3A and M3B by five methods, 2.4.4.2-11.
     A second call solves nothing; sets in one folder share their databases.
     """
-    from ...printing.console import new_console
     from .sets import SETS, make
 
-    return make(SETS[which], output, new_console(), xi=xi, fresh=fresh)
+    return make(which, SETS[which], output, xi=xi, fresh=fresh)

@@ -6,78 +6,92 @@ import math
 
 import numpy as np
 
+from ...view.plots import heading_colors
+from ..picture import Curve, Panel
 from .cases import CHI, CLOSE_XI, DEPTH_DRAFT, LENGTH_BEAM, XI, series_case
-from .pictures import coefficient_picture, curves, ratio_picture, wave_picture
-from .tables import coefficient_rows, wave_rows, write_table
+from .panels import coefficient_panels, lines_of, wave_panels
+from .tables import coefficient_rows, wave_rows
 
 LONG = max(LENGTH_BEAM)
 CHECKED = 2.0, 2.0  # L/B and H/d that the panel method solves too
 MOTION_LENGTH_BEAM = (1.0, 1.5, 2.0, 4.0)
-MOTION_FIGURES = {0: "1-3", 30: "4-9", 45: "10-15", 60: "16-21", 90: "22-24"}
 RATIO_MODES = (("Heave", "H", "33", 2), ("Sway", "S", "22", 1), ("Roll", "R", "44", 3))
 
 
-class DepthSeries:
+class Series:
+    """Coefficients and forces of boxes"""
+
+    def tables(self, results):
+        return {"frequency": coefficient_rows(results), "wave": wave_rows(results, "forces")}
+
+    def pictures(self, results):
+        lines, words = self.lines(results), f"{self.shape}, B/d = 5  (figs. {self.figures})"
+        return {
+            "added_mass": (f"Added mass, {words}", coefficient_panels(lines, "A"), 5),
+            "damping": (f"Damping, {words}", coefficient_panels(lines, "B"), 5),
+            "force_amplitude": (f"Exciting force, {words}", wave_panels(lines, "forces", False, CHI), 6),
+            "force_phase": (f"Exciting force, phase, {words}", wave_panels(lines, "forces", True, CHI), 6),
+        }
+
+
+class DepthSeries(Series):
     """Six depths of water, L/B = 2"""
 
-    name = "depth-series"
-    tables = "depth-series_coefficients.csv", "depth-series_excitation.csv"
-    figures = "2.1.5.3-12", "2.1.5.13-22", "2.1.5.23-46"  # of added mass, damping, force
+    shape, figures = "L/B = 2", "2.1.5.3-46"
 
     def cases(self, xi=None):
         shown = [series_case(2.0, depth, xi=xi or CLOSE_XI) for depth in DEPTH_DRAFT]
         return [*shown, series_case(*CHECKED, "panel", xi or XI)]
 
-    def write(self, results, folder):
+    def lines(self, results):
         *shown, check = results
-        lines = curves([(r, _depth(r)) for r in shown], [(check, "H/d 2, panel method")])
-        yield from _series(self, results, lines, folder, "L/B = 2, B/d = 5")
+        return lines_of([(r, _depth(r)) for r in shown], [(check, "H/d 2, panel method")])
 
     def summary(self, results):
         yield _agreement(results[DEPTH_DRAFT.index(CHECKED[1])], results[-1])
 
 
-class LengthSeries:
+class LengthSeries(Series):
     """Five lengths, H/d = 2"""
 
-    name = "length-series"
-    tables = "length-series_coefficients.csv", "length-series_excitation.csv"
-    figures = "2.1.5.47-56", "2.1.5.57-66", "2.1.5.67-90"
+    shape, figures = "H/d = 2", "2.1.5.47-90"
 
     def cases(self, xi=None):
         shown = [series_case(ratio, 2.0, xi=xi or CLOSE_XI) for ratio in LENGTH_BEAM]
         return [*shown, series_case(*CHECKED, "panel", xi or XI), series_case(LONG, 2.0, "strip", xi or CLOSE_XI)]
 
-    def write(self, results, folder):
+    def lines(self, results):
         *shown, check, strips = results
-        lines = curves(
-            [(r, f"L/B {r.case.columns['L_over_B']:g}") for r in shown],
-            [(check, "L/B 2, panel method")],
-            [(strips, f"L/B {LONG:g}, strips")],
-        )
-        yield from _series(self, results, lines, folder, "H/d = 2, B/d = 5")
+        checks = [(check, "L/B 2, panel method")], [(strips, f"L/B {LONG:g}, strips")]
+        return lines_of([(r, _length(r)) for r in shown], *checks)
 
     def summary(self, results):
         yield _agreement(results[LENGTH_BEAM.index(CHECKED[0])], results[-2])
 
 
 class Sections:
-    """Three-dimensional against two-dimensional coefficients, H/d = 2"""
-
-    name = "sections"
-    tables = ("sections_ratios.csv",)
+    """Three-dimensional over two-dimensional coefficients, H/d = 2: M added mass, N damping, F force in beam waves"""
 
     def cases(self, xi=None):
         boxes = [series_case(ratio, 2.0, xi=xi or XI) for ratio in LENGTH_BEAM]
         return [*boxes, series_case(LONG, 2.0, "strip", xi or XI)]
 
-    def write(self, results, folder):
+    def tables(self, results):
         *boxes, strips = results
         found = ratios(boxes, strips)
-        yield write_table(folder / self.tables[0], "ratios", list(self._rows(boxes, found)))
-        titles = {f"Fig. 2.1.5.{91 + i}  {name}": values for i, (name, values) in enumerate(_titled(found).items())}
-        title = "Three-dimensional over two-dimensional, H/d = 2, B/d = 5, beam waves"
-        yield ratio_picture(folder / "sections_ratios.png", strips.xi, LENGTH_BEAM, titles, title)
+        rows = [{"frequency": f"{box.case.name} {xi:g}", **box.case.columns, "xi_B": xi,
+                 **{name: values[i, j] for name, values in found.items()}}
+                for i, box in enumerate(boxes) for j, xi in enumerate(box.xi)]  # fmt: skip
+        return {"frequency": rows}
+
+    def pictures(self, results):
+        *boxes, strips = results
+        colors, panels = heading_colors(len(strips.xi)), []
+        for i, (name, values) in enumerate(_titled(ratios(boxes, strips)).items()):
+            curves = [Curve(f"ξ_B {xi:g}", LENGTH_BEAM, values[:, j], {"color": colors[j], "marker": "."})
+                      for j, xi in enumerate(strips.xi)]  # fmt: skip
+            panels.append(Panel(f"Fig. 2.1.5.{91 + i}  {name}", curves, (1.0,), {"xlabel": "L/B", "xscale": "log"}))
+        return {"ratios": ("Three-dimensional over two-dimensional, H/d = 2, B/d = 5, beam waves", panels, 3)}
 
     def summary(self, results):
         *boxes, strips = results
@@ -91,35 +105,27 @@ class Sections:
             told = ", ".join(f"{100 * o:.0f} %" for o in off)
             yield f"{name}: off 1 by at most {told} at L/B {', '.join(f'{b:g}' for b in LENGTH_BEAM)}, ξ_B {at}"
 
-    def _rows(self, boxes, found):
-        for i, box in enumerate(boxes):
-            for j, xi in enumerate(box.xi):
-                yield {**box.case.columns, "xi_B": xi, **{name: values[i, j] for name, values in found.items()}}
-
 
 class Motions:
     """Motions of four lengths floating freely, H/d = 2"""
 
-    name = "motions"
-    tables = ("motions.csv",)
-
     def cases(self, xi=None):
         return [series_case(ratio, 2.0, xi=xi or CLOSE_XI) for ratio in MOTION_LENGTH_BEAM]
 
-    def write(self, results, folder):
-        yield write_table(folder / self.tables[0], "motions", list(wave_rows(results, "motions")))
-        lines = curves([(r, f"L/B {r.case.columns['L_over_B']:g}") for r in results])
-        rows = {chi: f"χ = {chi}°, figs. 2.4.3.{MOTION_FIGURES[chi]}" for chi in CHI}
-        for shown, word in (("logarithm", "amplitude"), ("phase", "phase")):
-            title = f"Motions, {word}, H/d = 2, B/d = 5, no viscous damping"
-            yield wave_picture(folder / f"motions_{word}.png", lines, "motions", shown, title, rows)
+    def tables(self, results):
+        return {"wave": wave_rows(results, "motions")}
+
+    def pictures(self, results):
+        lines = lines_of([(r, _length(r)) for r in results])
+        words = "H/d = 2, B/d = 5, no viscous damping  (figs. 2.4.3.1-24)"
+        return {"amplitude": (f"Motions, {words}", wave_panels(lines, "motions", False, CHI), 6),
+                "phase": (f"Motions, phase, {words}", wave_panels(lines, "motions", True, CHI), 6)}  # fmt: skip
 
     def summary(self, results):
         for r in results:
             size = np.abs(r.motions[:, r.heading(90), 3])
             yield (
-                f"L/B {r.case.columns['L_over_B']:g}: largest roll in beam waves φ_a/kζ_a = {size.max():.3g} "
-                f"at ξ_B {r.xi[size.argmax()]:.3g}"
+                f"{_length(r)}: largest roll in beam waves φ_a/kζ_a = {size.max():.3g} at ξ_B {r.xi[size.argmax()]:.3g}"
             )
 
 
@@ -145,21 +151,6 @@ def _titled(found):
     return {f"{words[name[2:]]} {kinds[name[0]]}": values for name, values in found.items()}
 
 
-def _series(series, results, lines, folder, shape):
-    """The files of a series of coefficients and forces"""
-    name = series.name
-    yield write_table(folder / series.tables[0], "coefficients", list(coefficient_rows(results)))
-    yield write_table(folder / series.tables[1], "excitation", list(wave_rows(results, "forces")))
-    of_mass, of_damping, of_force = series.figures
-    for letter, word, figures in (("A", "added mass", of_mass), ("B", "damping", of_damping)):
-        path = folder / f"{name}_{word.replace(' ', '_')}.png"
-        yield coefficient_picture(path, lines, letter, f"{word.capitalize()}, {shape}  (figs. {figures})")
-    rows = {chi: f"χ = {chi}°" for chi in CHI}
-    for shown in ("amplitude", "phase"):
-        title = f"Exciting force, {shown}, {shape}  (figs. {of_force})"
-        yield wave_picture(folder / f"{name}_force_{shown}.png", lines, "forces", shown, title, rows)
-
-
 def _spoken(xi):
     """A few values each, of many how many there are"""
     if len(xi) <= 5:
@@ -170,6 +161,10 @@ def _spoken(xi):
 def _depth(results):
     depth = results.case.columns["H_over_d"]
     return "H/d ∞, panel method" if math.isinf(depth) else f"H/d {depth:g}"
+
+
+def _length(results):
+    return f"L/B {results.case.columns['L_over_B']:g}"
 
 
 def _agreement(reference, other):
