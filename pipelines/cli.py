@@ -15,7 +15,6 @@ from cyclopts import App, CycloptsError, Parameter
 from hakobune.bem import __version__
 from hakobune.mooring.criteria.failing import fails
 
-from .bench.command import bench
 from .berth.flags import berth
 from .breakwater.command import breakwater
 from .common.interrupt import interrupted
@@ -34,16 +33,17 @@ from .printing import timing
 from .printing.console import new_console, tables_as, taken
 from .printing.verdict import tell
 from .qtf.command import qtf
-from .reports.compare_command import compare
 from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
 from .sections.command import sections
-from .series.flags import series
 from .simulate.flags import simulate
 from .single_point.flags import single_point
 from .site.command import site
-from .stress.command import stress
+from .validation.bench.command import bench
+from .validation.comparisons.command import compare
+from .validation.series.flags import series
+from .validation.stress.command import stress
 from .waves.flags import waves
 
 OWN_FORMS = ("keys",)  # commands that write JSON of their own
@@ -190,9 +190,9 @@ def plot(
     output = output or file.with_suffix(".png")
     check_picture(output, PLOTS)
     db = open_database(file)
-    for body in each_body(db):
-        picture = output.with_stem(f"{output.stem}_{body.name}") if db.bodies else output
-        plot(body, picture)
+    for one in each_body(db):
+        picture = output.with_stem(f"{output.stem}_{one.name}") if db.bodies else output
+        plot(one, picture)
         print(picture)
     return tell(map(fails, gaps_of(db).words()))
 

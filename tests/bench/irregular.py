@@ -24,8 +24,8 @@ from hakobune.bem.methods.panel_problem import PanelProblem, prepare
 from hakobune.bem.methods.shape_problem import ShapeProblem
 from hakobune.meshing.lid import lid
 from hakobune.meshing.shapes import box
-from hakobune.pipelines.stress.scenes import irregular
-from hakobune.pipelines.stress.solved import scaled
+from hakobune.pipelines.validation.stress.scenes import irregular
+from hakobune.pipelines.validation.stress.solved import scaled
 
 SCENES = {(100.0, 50.0, 10.0): (12.0, 20.0, 100.0, np.inf), (200.0, 100.0, 20.0): (22.0, 30.0, 100.0, np.inf)}  # depths
 WANT = {"added_mass", "radiation_damping", "diffraction_force", "excitation_force"}

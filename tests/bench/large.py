@@ -32,7 +32,7 @@ def one(kind, panels, length, beam, mirrors):
     from hakobune.bem.panels.one_frequency import PanelRun
     from hakobune.meshing.lid import lid
     from hakobune.meshing.shapes import box
-    from hakobune.pipelines.bench.peers.repeated import peak_memory
+    from hakobune.pipelines.validation.bench.peers.repeated import peak_memory
 
     runs = {"compressed": CompressedRun, "full": PanelRun}
     want = {"added_mass", "radiation_damping", "excitation_force"}
@@ -122,10 +122,10 @@ def command(panels, length, beam):
     """The command at two frequencies, beside what it says before it starts"""
     from rich.console import Console
 
-    from hakobune.pipelines.bench.peers.repeated import peak_memory
     from hakobune.pipelines.common.progress import duration
     from hakobune.pipelines.scene.scene import make_scene
     from hakobune.pipelines.solve.run import solve
+    from hakobune.pipelines.validation.bench.peers.repeated import peak_memory
 
     scene = make_scene(
         {

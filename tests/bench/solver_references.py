@@ -1,4 +1,4 @@
-"""The reference values of `hakobune bench`: writes pipelines/bench/references.csv and says how sure they are.
+"""The reference values of `hakobune bench`: writes its references.csv and says how sure they are.
 
     python tests/bench/solver_references.py
 
@@ -20,8 +20,8 @@ from hakobune.bem.frequency import solve_frequency
 from hakobune.bem.methods.panel_problem import PanelProblem, prepare
 from hakobune.meshing.lid import lid
 from hakobune.meshing.shapes import box
-from hakobune.pipelines.bench.cases import CASES, DENSITY, GRAVITY, HEADING
-from hakobune.pipelines.bench.references import COLUMNS, FILE, Coefficients, compared
+from hakobune.pipelines.validation.bench.cases import CASES, DENSITY, GRAVITY, HEADING
+from hakobune.pipelines.validation.bench.references import COLUMNS, FILE, Coefficients, compared
 
 FINEST = 1e-7
 BETA = np.radians(HEADING)
@@ -29,7 +29,7 @@ WANT = frozenset({"added_mass", "radiation_damping", "excitation_force"})
 NOTES = (
     "Reference coefficients of the bench: A kg, kg m, kg m2; B per s; X N/m, N m/m per unit wave amplitude",
     "About the origin in the waterplane, time factor exp(-i omega t), waves towards {heading:g} degrees",
-    "Density {density:g} kg/m3, gravity {gravity:g} m/s2; sizes and depths in pipelines/bench/cases.py",
+    "Density {density:g} kg/m3, gravity {gravity:g} m/s2; sizes and depths in pipelines/validation/bench/cases.py",
     "Cylinders: matched eigenfunctions, exact; boxes: contour method, tolerance {finest:g}",
     "Made by tests/bench/solver_references.py",
 )

@@ -414,40 +414,39 @@ def designed(*warnings):
 
 
 def scenes_of(*verdicts):
-    from hakobune.pipelines.stress.campaign import Row
+    from hakobune.pipelines.validation.stress.campaign import Row
 
     rows = [Row(i, "box", 5.0, 2.0, 2.0, 1.0, 1.0, verdict=verdict) for i, verdict in enumerate(verdicts)]
-    return lambda patch: patch.setattr("hakobune.pipelines.stress.run.run", lambda *_: (rows, False))
+    return lambda patch: patch.setattr("hakobune.pipelines.validation.stress.run.run", lambda *_: (rows, False))
 
 
 def jobs(*notes):
     rows = [SimpleNamespace(note=note) for note in notes]
-    return lambda patch: patch.setattr("hakobune.pipelines.bench.run.bench", lambda *_, **__: rows)
+    return lambda patch: patch.setattr("hakobune.pipelines.validation.bench.run.bench", lambda *_, **__: rows)
 
 
 def floater(tension):
     """A case of the report's series with this static tension"""
-    from hakobune.pipelines.series import single_point
+    from hakobune.pipelines.validation.series import single_point
 
     def change(patch):
-        patch.setattr(single_point, "solved", lambda cases, *_: {case.database: None for case in cases})
-        patch.setattr(single_point, "write_study", lambda *_: None)
-        patch.setattr(single_point, "draw", lambda *_: [])
-        numbers = 0.0, tension, tension, 5.0, tension, 1.0, 100.0
-        note = "" if np.isfinite(tension) else "no heading of rest"
-        patch.setattr(single_point, "computed", lambda case, *_: single_point.Result(case, *numbers, note))
+        for name in ("database", "keep", "drift_of"):
+            patch.setattr(single_point, name, lambda *_: None)
         for name in ("statements", "trends"):
             patch.setattr(single_point, name, lambda *_: ())
+        patch.setattr(single_point, "pictures", lambda _: {})
+        note = "" if np.isfinite(tension) else "no heading of rest"
+        row = {"static_tonf": tension, "note": note}
+        patch.setattr(single_point, "computed", lambda case, *_: {"case": case.name, **row})
 
     return change
 
 
 def compared(*failures):
     def change(patch):
-        found = SimpleNamespace(failures=failures, results={})
-        patch.setattr("hakobune.pipelines.reports.comparisons.sets.solved", lambda *_: found)
-        for name in ("summary", "write"):
-            patch.setattr(f"hakobune.pipelines.reports.comparisons.series.Sections.{name}", lambda *_: ())
+        patch.setattr("hakobune.pipelines.validation.comparisons.sets.solved", lambda *_: ([], failures))
+        for name in ("summary", "tables", "pictures"):
+            patch.setattr(f"hakobune.pipelines.validation.comparisons.series.Sections.{name}", lambda *_: {})
 
     return change
 

@@ -10,7 +10,7 @@ from hakobune.bem.methods.panel_problem import PanelProblem, prepare
 from hakobune.bem.panels.irregular_frequencies import SHARE, extent, lid_needed_from, lowest_irregular
 from hakobune.meshing.lid import lid
 from hakobune.meshing.shapes import box, buoy
-from hakobune.pipelines.stress.scenes import irregular
+from hakobune.pipelines.validation.stress.scenes import irregular
 
 BOX = 100.0, 50.0, 10.0
 DEFAULT = 0.01  # relative error that a run asks for by default

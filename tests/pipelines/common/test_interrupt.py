@@ -21,7 +21,7 @@ KEPT = "; what was solved is stored, the same command goes on"
         (["sections"], "hakobune.pipelines.sections.result.tables", ""),
         ([*BOX, "--mesh-only"], "hakobune.pipelines.solve.hull.make_hull", ""),
         (BOX, "hakobune.pipelines.solve.run.solve", KEPT),
-        (["compare", "sections"], "hakobune.pipelines.reports.comparisons.sets.solved", KEPT),
+        (["compare", "sections"], "hakobune.pipelines.validation.comparisons.sets.solved", KEPT),
     ],
 )
 def test_only_of_what_is_stored_is_said_that_it_is(words, place, said, tmp_path, monkeypatch, capsys):

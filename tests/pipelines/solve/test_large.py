@@ -114,7 +114,7 @@ from hakobune.bem.panels.band.cost import memory_alone
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.methods.shape_problem import ShapeProblem
 from hakobune.meshing.shapes import box, buoy
-from hakobune.pipelines.bench.peers.repeated import peak_memory
+from hakobune.pipelines.validation.bench.peers.repeated import peak_memory
 name, panels, *sizes = sys.argv[1:]
 hull = {"box": box, "buoy": buoy}[name](*map(int, sizes), panels=int(panels))
 body = PanelProblem(hull, depth=20.0).prepared()

@@ -1,0 +1,155 @@
+"""One job of a bench: a process with its threads, its caches and its peak memory, and the error of its result."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import subprocess
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from .cases import CASES, DENSITY, GRAVITY, HEADING
+from .references import Coefficients, error
+
+PEERS = Path(__file__).parent / "peers"
+SCRIPTS = {"capytaine": PEERS / "capytaine_job.py", "pyhams": PEERS / "hams_job.py"}
+PASSES, MORE = 3, 2.0  # passes, and more until so many s have gone
+SECONDS, LONGEST = 10.0, 300.0  # no new pass after so many s; a process is given up after so many
+THREADS = ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+
+
+class Row(NamedTuple):
+    """What was measured of one job; error NaN and a note where it failed
+
+    error : relative, of the worst coefficient; estimate : the program's own
+    warm_ms : per frequency; cpu_ms : the same in processor time of all threads
+    body_ms : a body and its first frequency, everything loaded; first_s : the same from the start of the process
+    load : of the machine in the minute before
+    """
+
+    case: str
+    program: str
+    settings: str
+    fineness: float
+    panels: int | None
+    threads: int
+    cache: str
+    error: float = math.nan
+    worst: str = ""
+    estimate: float = math.nan
+    warm_ms: float = math.nan
+    cpu_ms: float = math.nan
+    body_ms: float = math.nan
+    first_s: float = math.nan
+    estimate_ms: float = math.nan
+    memory_mb: float = math.nan
+    passes: int = 0
+    load: float = math.nan
+    note: str = ""
+
+
+def measured(job, pythons, caches):
+    """`Row` of a `Job`; a fault of the program is its note.
+
+    pythons : {program: interpreter}; caches : folder for what programs keep on disk, None for their own
+    """
+    question, panels = _question(job)
+    load = _load()
+    row = Row(job.case, job.program, job.settings, job.fineness, panels, job.threads,
+              "empty" if job.empty_cache else "full", load=load)  # fmt: skip
+    try:
+        found = _answer(job, question, pythons[job.program], _cache(job, caches))
+        worst = error(CASES[job.case], _coefficients(found))
+    except (_Failed, ValueError) as fault:
+        return row._replace(note=" ".join(str(fault).split())[-200:])
+    kept = {name: found[name] for name in Row._fields if name in found and found[name] is not None}
+    return row._replace(error=worst.value, worst=worst.of, **kept)
+
+
+class _Failed(Exception):
+    """A program ended without an answer"""
+
+
+def _question(job):
+    """(what the script takes, panels on the whole hull)"""
+    case = CASES[job.case]
+    passes, more = (1, 0.0) if job.empty_cache else (PASSES, MORE)
+    common = {"omega": case.omega, "passes": passes, "more_s": more, "seconds": SECONDS}
+    if job.program == "hakobune":
+        key, value = ("tolerance", job.fineness) if job.fineness < 1 else ("panels", int(job.fineness))
+        return {**common, "case": case.name, key: value, **job.options}, None
+    from .meshes import part
+
+    options = dict(job.options)
+    mesh = part(case, job.fineness, options.pop("graded"), options.pop("symmetry"))
+    water = {"depth": case.depth, "density": DENSITY, "gravity": GRAVITY, "heading": math.radians(HEADING)}
+    panels = mesh.pop("panels")
+    return {**common, **water, **mesh, **options}, panels
+
+
+def _cache(job, caches):
+    """Environment variables of the place where a program keeps what it compiled or tabulated"""
+    if caches is None:
+        return {}
+    method = job.settings if job.program == "hakobune" else ""
+    folder = caches / "-".join(filter(None, (job.program, method, "empty" * job.empty_cache)))
+    folder.mkdir(exist_ok=True)
+    return dict.fromkeys(("HAKOBUNE_CACHE", "CAPYTAINE_CACHE_DIR"), str(folder))
+
+
+def _answer(job, question, python, cache):
+    command = [python, "-m", "hakobune.pipelines.validation.bench.ours"]
+    if job.program != "hakobune":
+        command = [python, "-W", "ignore", SCRIPTS[job.program]]
+    environment = {**os.environ, **dict.fromkeys(THREADS, str(job.threads)), **cache}
+    try:
+        done = subprocess.run(
+            list(map(str, command)),
+            input=json.dumps({**question, "started": time.time()}),
+            capture_output=True,
+            text=True,
+            env=environment,
+            timeout=LONGEST,
+        )
+    except subprocess.TimeoutExpired:
+        raise _Failed(f"took longer than {LONGEST:g} s") from None
+    if done.returncode:
+        raise _Failed((done.stderr.strip() or f"ended with status {done.returncode}").splitlines()[-1])
+    try:
+        return json.loads(done.stdout.splitlines()[-1])
+    except (IndexError, json.JSONDecodeError):
+        raise _Failed("gave no answer") from None
+
+
+def _coefficients(found):
+    real, imaginary = map(np.array, found["X"])
+    return Coefficients(np.array(found["A"]), np.array(found["B"]), real + 1j * imaginary)
+
+
+def _load():
+    try:
+        return os.getloadavg()[0]
+    except (OSError, AttributeError):
+        return math.nan
+
+
+def peers_of(python):
+    """{program: version} of the peers that an interpreter has.  Raises ValueError if it has none or is none."""
+    code = (
+        "import importlib.metadata as m\n"
+        "for name in ('capytaine', 'pyhams'):\n"
+        "    try: print(name, m.version(name))\n"
+        "    except m.PackageNotFoundError: pass"
+    )
+    try:
+        done = subprocess.run([str(python), "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    except (OSError, subprocess.SubprocessError) as fault:
+        raise ValueError(f"--peer {python} does not run as a Python ({fault}); `make bench` makes one") from None
+    found = dict(line.split() for line in done.stdout.splitlines())
+    if not found:
+        raise ValueError(f"--peer {python} has neither capytaine nor pyhams; `make bench` installs them")
+    return found
