@@ -45,7 +45,7 @@ def make_hull(scene):
         _check_waves_along(scene)
         return MeshedHull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
-        mesh = folded(_checked_count(scene, read_mesh(scene.body.file)))
+        mesh = folded(_checked_count(scene, read_mesh(scene.body.file).standing(scene.water.depth)))
     elif scene.panels is not None:
         mesh = _meshed(scene.body, scene.panels)
     else:
