@@ -82,9 +82,8 @@ def test_moments_beside_a_year_of_ndbc_are_its_directions(tmp_path, ending):
 
 def test_moments_beside_the_last_days_of_ndbc_are_its_directions(tmp_path):
     def row(values, head="", name="spec"):
-        return (
-            "#YY MM DD hh mm\n2026 01 02 03 00 " + head + " ".join(f"{v} ({f})" for v, f in zip(values, F, strict=True))
-        )
+        pairs = " ".join(f"{v} ({f})" for v, f in zip(values, F, strict=True))
+        return f"#YY MM DD hh mm {name}_1 (freq_1)\n2026 01 02 03 00 {head}{pairs}"
 
     (tmp_path / "a.data_spec").write_text(row(S, "0.2 ") + "\n")
     for ending, value in ((".swdir", 90.0), (".swdir2", 90.0), (".swr1", 0.6), (".swr2", 0.3)):
