@@ -53,6 +53,8 @@ def _sea(path, data, x_axis, time, location):
     values = data[name].rename(rename)
     if "f" not in values.dims or set(values.dims) - {"f", "d"}:
         raise TableError(f"{path}: {name} has the axes {', '.join(data[name].dims)}; allowed: frequency and direction")
+    if not np.any(np.isfinite(values)):
+        raise TableError(f"{path} has no data there (all of {name} is missing); take another time or location")
     old = {new: axis for axis, new in rename.items()}
     if name == "d2fd":
         frequency = ERA5[0] * ERA5[1] ** np.arange(values.sizes["f"])

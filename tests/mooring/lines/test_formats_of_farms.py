@@ -178,3 +178,18 @@ def test_what_holds_no_system_is_told_for_what_it_is(tmp_path):
         (tmp_path / "a.yaml").write_text(text)
         with pytest.raises(FormatError, match=says):
             read_moorpy(tmp_path / "a.yaml")
+
+
+def test_columns_of_lines_in_another_order_are_known_or_refused(tmp_path):
+    """MoorDyn of 2015: NumNodes for the number of segments, ends after it; a strange name there is no guess"""
+    old = FARM.replace("Turbine1    10", "Fixed 10").replace("Turbine2   -10", "Fixed 110")
+    head = "ID  LineType  AttachA  AttachB  UnstrLen  NumSegs  Outputs"
+    row = "1   chain     1        2        105       20       -"
+    old = old.replace(head, "Line LineType UnstrLen NumNodes NodeAnch NodeFair Flags/Outputs")
+    old = old.replace(row, "1 chain 105 2 1 2 p")
+    (tmp_path / "old.txt").write_text(old)
+    (line,) = read_moordyn_system(tmp_path / "old.txt").lines
+    assert (line.length, line.a, line.b, line.elements) == (105.0, "1", "2", 2)
+    (tmp_path / "strange.txt").write_text(old.replace("NumNodes", "HowMany"))
+    with pytest.raises(FormatError, match="column 'howmany' is unknown and 'unstrlen' is not where version 2 has it"):
+        read_moordyn_system(tmp_path / "strange.txt")

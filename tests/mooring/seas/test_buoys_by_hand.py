@@ -214,6 +214,8 @@ def test_era5_has_logarithms_and_numbers_for_frequencies_and_directions(xarray, 
     m0 = 10 * math.radians(15) * 0.5 * (f[12] - f[10])
     assert height(sea) == pytest.approx(4 * math.sqrt(m0), rel=1e-6)
     assert mean(sea, HZ * f[11]) == pytest.approx(-math.radians(7.5), abs=1e-6)
+    with pytest.raises(TableError, match="no data there"):
+        read_sea(tmp_path / "era5.nc", 0.0, location=2)
     with pytest.raises(TableError, match="2 places, wanted is 3"):
         read_sea(tmp_path / "era5.nc", 0.0, location=3)
 
