@@ -1,7 +1,7 @@
 """Reading and writing panel meshes, the format by the suffix of the file.
 
-.gdf (WAMIT), .nemoh and .dat (Nemoh), .pnl (HAMS) and .vtu are read and written; .msh is read through meshio and
-written by gmsh; .vtk, .stl, .ply, .obj and .off are read.
+.gdf (WAMIT), .nemoh, .mar and .dat (Nemoh), .pnl (HAMS) and .vtu are read and written; .msh is read through meshio and
+written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat of Diodore, Salome and AQWA are read.
 """
 
 from __future__ import annotations
@@ -15,43 +15,48 @@ from pathlib import Path
 
 import numpy as np
 
-from . import text_formats
+from . import node_lists, text_formats
 from .panels import PanelMesh, joined
 from .text_files import check_size
 from .whole_files import made_beside
 
 TEXT_READERS = {
     ".gdf": text_formats.read_gdf,
-    ".nemoh": text_formats.read_nemoh,
-    ".dat": text_formats.read_nemoh,
-    ".pnl": text_formats.read_pnl,
+    ".nemoh": node_lists.read_nemoh,
+    ".mar": node_lists.read_nemoh,
+    ".dat": node_lists.read_dat,
+    ".pnl": node_lists.read_pnl,
+    ".hst": node_lists.read_hydrostar,
     ".obj": text_formats.read_obj,
 }
 TEXT_WRITERS = {
     ".gdf": text_formats.write_gdf,
     ".nemoh": text_formats.write_nemoh,
+    ".mar": text_formats.write_nemoh,
     ".dat": text_formats.write_nemoh,
     ".pnl": text_formats.write_pnl,
 }
 MESHIO = (".msh", ".vtu", ".vtk", ".stl", ".ply", ".off")
-READABLE = (*TEXT_READERS, *MESHIO)
+READABLE = (*TEXT_READERS, *MESHIO, ".vtp")
 WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
 
 LARGEST = 32  # MB; a hundred thousand panels with all their digits, more than any method here solves
 COUNTS = re.compile(  # what readers take for the size of their arrays, whatever the file holds
     rb"element[ \t]+\w+[ \t]+(\d+)|POINTS[ \t]+(\d+)|(?:CELLS|POLYGONS)[ \t]+(\d+)[ \t]+(\d+)|"
-    rb"NumberOf(?:Points|Cells)=\"(\d+)\"|\$(?:Nodes|Elements)\s+(\d+)[ \t]*(\d*)|^OFF\s+(\d+)[ \t]+(\d+)"
+    rb"NumberOf(?:Points|Cells|Polys)=\"(\d+)\"|\$(?:Nodes|Elements)\s+(\d+)[ \t]*(\d*)|^OFF\s+(\d+)[ \t]+(\d+)"
 )
 PACKED = 1000.0  # values for a byte, at most, of a compressed file
 SAME_POINT = 1e-6  # of the size of the mesh
-AT_SURFACE = 1e-6
+NO_AREA = 1e-9  # of the square of the longest edge
+DRAWN = 4e-3  # of an edge: how far off the surface and the mirror planes points are drawn that are meant to be in them
 
 
 def read_mesh(path):
     """Panels of the wetted hull in a file, as PanelMesh.
 
-    Points closer than 1e-6 of the mesh's size are one.  Panels in z = 0 whose normal points up, a lid or a deck,
-    have no water on them and are left out.  A half or quarter on the negative side of its mirror plane is put on the
+    Points closer than 1e-6 of the mesh's size are one; those within `DRAWN` of a middling edge of z = 0 or of a mirror
+    plane are put into it.  Panels in z = 0 whose normal points up, a lid or a deck, have no water on them and are left
+    out, and so are panels without area.  A half or quarter on the negative side of its mirror plane is put on the
     other.  Nothing else is changed: look at `meshing.quality.findings`.
     Raises ValueError naming the file and what is wrong with it, FileNotFoundError if there is none.
     """
@@ -62,16 +67,19 @@ def read_mesh(path):
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
     check_size(path, largest=LARGEST)
-    if suffix in MESHIO:
+    if suffix not in TEXT_READERS:
         _check_head(path)
         _check_counts(path)
-    read = TEXT_READERS.get(suffix, _read_with_meshio)
+    read = _read_vtp if suffix == ".vtp" else TEXT_READERS.get(suffix, _read_with_meshio)
     mesh = read(path)
     if not len(mesh):
         raise ValueError(f"{path}: no panels in it")
     if not np.all(np.isfinite(mesh.points)):
         raise ValueError(f"{path}: a coordinate is not a finite number")
-    return replace(_on_positive_side(_wetted(mesh)).merged(SAME_POINT), name=path.stem)
+    hull = _wetted(_as_meant(mesh))
+    if not len(hull):
+        raise ValueError(f"{path}: all its panels lie in the water surface and face up: a lid or a deck, no hull")
+    return replace(_on_positive_side(hull).merged(SAME_POINT), name=path.stem)
 
 
 def write_mesh(mesh, path, lid=None, fields=None):
@@ -101,10 +109,20 @@ def write_mesh(mesh, path, lid=None, fields=None):
             _write_vtu(mesh, partial, lid, fields)
 
 
+def _as_meant(mesh):
+    """The mesh with the points that are drawn a hair off the surface or a mirror plane put into it"""
+    reach = DRAWN * float(np.median(mesh.sizes))
+    points = mesh.points.copy()
+    for axis in ("z", *mesh.symmetry):
+        column = points[:, "xyz".index(axis)]
+        column[np.abs(column) <= reach] = 0.0
+    return replace(mesh, points=points)
+
+
 def _wetted(mesh):
-    size = float(np.ptp(mesh.points, axis=0).max())
-    flat = np.abs(mesh.vertices[..., 2]).max(axis=1) <= AT_SURFACE * size
-    dry = flat & (mesh.area_vectors[:, 2] > 0)
+    """The mesh without panels that face the air in z = 0 or have no area"""
+    flat = np.all(mesh.vertices[..., 2] == 0, axis=1)
+    dry = (flat & (mesh.area_vectors[:, 2] > 0)) | (mesh.areas <= NO_AREA * mesh.sizes**2)
     used, corners = np.unique(mesh.corners[~dry], return_inverse=True)
     return replace(mesh, points=mesh.points[used], corners=corners.reshape(-1, 4))
 
@@ -146,6 +164,30 @@ def _check_counts(path):
                     f"{path}: it says it has {float(count):.6g} points or panels, in {len(content)} bytes; allowed: as "
                     "many as it holds; write or copy it again"
                 )
+
+
+def _read_vtp(path):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkObject
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    vtkObject.GlobalWarningDisplayOff()
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    found = reader.GetOutput()
+    polygons = found.GetPolys()
+    if reader.GetErrorCode() or not polygons.GetNumberOfCells():
+        lines = found.GetNumberOfLines() + found.GetNumberOfStrips() + found.GetNumberOfVerts()
+        state = "no polygons in it but lines, points or strips" if lines else "it cannot be read, or holds nothing"
+        raise ValueError(f"{path}: {state}; allowed: polygons of 3 or 4 corners")
+    points = np.array(vtk_to_numpy(found.GetPoints().GetData()), float)
+    starts = vtk_to_numpy(polygons.GetOffsetsArray())
+    sides, numbers = np.diff(starts), vtk_to_numpy(polygons.GetConnectivityArray())
+    if sides.min() < 3 or sides.max() > 4 or numbers.min() < 0 or numbers.max() >= len(points):
+        raise ValueError(f"{path}: polygons of {sides.min()} to {sides.max()} corners; allowed: 3 or 4, of its points")
+    last = np.where(sides == 4, 3, 2)
+    return PanelMesh(points, numbers[starts[:-1, None] + np.minimum(np.arange(4), last[:, None])])
 
 
 def _read_with_meshio(path):

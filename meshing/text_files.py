@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import gzip
 import stat
+import zlib
 from pathlib import Path
 
 from .seals import MARK, REMEDY, text_damaged
@@ -21,19 +23,30 @@ def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
     path = Path(path)
     try:
         check_size(path, error, largest)
-        text = path.read_bytes().decode("utf-8-sig", errors).replace("\r\n", "\n")
+        text = _content(path, error, largest).decode("utf-8-sig", errors).replace("\r\n", "\n")
     except FileNotFoundError:
         raise error(f"{path} does not exist") from None
     except UnicodeDecodeError:
         raise error(f"{path} cannot be read: not text") from None
-    except OSError as fault:
-        raise error(f"{path} cannot be read: {fault.strerror}") from None
+    except (OSError, EOFError, zlib.error) as fault:
+        raise error(f"{path} cannot be read: {getattr(fault, 'strerror', None) or fault}") from None
     if text_damaged(text):
         raise error(
             f"{path} is damaged: its lines do not match their checksum; {REMEDY}; if it was changed on purpose, take "
             f"out {MARK.strip()!r} and what follows in that line"
         )
     return text
+
+
+def _content(path, error, largest):
+    """Bytes of a file, of a `.gz` what is packed in it; error for more than `largest` MB of these"""
+    if path.suffix != ".gz":
+        return path.read_bytes()
+    with gzip.open(path) as packed:
+        content = packed.read(int(largest * 1e6) + 1)
+    if len(content) > largest * 1e6:
+        raise error(f"{path} has more than {largest} MB packed in it; allowed: up to that")
+    return content
 
 
 def check_size(path, error=ValueError, largest=LARGEST):

@@ -1,4 +1,4 @@
-"""Panel files that are plain text: WAMIT GDF, Nemoh and HAMS.
+"""Panel files that are plain text: WAMIT GDF and OBJ, read and written; Nemoh and HAMS, written (read: `node_lists`).
 
 All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1),
 which is the order of PanelMesh: normals come out as they are in the file, into the water.  Readers change no
@@ -51,31 +51,6 @@ def write_gdf(mesh, path, gravity=9.80665):
     write_whole(path, "\n".join([*head, *panels, ""]))
 
 
-def read_nemoh(path):
-    """Nemoh mesh: `2 s` with s = 1 for the mirror plane y = 0, points, a line of zeros, panels, zeros."""
-    rows = [(k, line.split()) for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1)]
-    rows = [(k, [_number(path, k, word) for word in words]) for k, words in rows if words]
-    if not rows or len(rows[0][1]) < 2 or rows[0][1][1] not in (0, 1):
-        raise ValueError(f"{path}, line 1: allowed: '2 0' or '2 1', the second for the mirror plane y = 0")
-    symmetry = "y" if rows[0][1][1] else ""
-    points, panels, numbers = [], [], {}
-    rest = iter(rows[1:])
-    for k, row in rest:
-        if row[0] == 0:
-            break
-        if len(row) < 4:
-            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a point has a number and x y z")
-        numbers[row[0]] = len(points)
-        points.append(row[1:4])
-    else:
-        raise ValueError(f"{path}: no line '0 0. 0. 0.' after the points")
-    for k, row in rest:
-        if row[0] == 0:
-            break
-        panels.append(_panel(path, k, row, numbers))
-    return PanelMesh(np.array(points), np.array(panels), symmetry)
-
-
 def write_nemoh(mesh, path):
     """Write a PanelMesh for Nemoh, which knows the mirror plane y = 0 only; x = 0 is written out."""
     if "x" in mesh.symmetry:
@@ -87,36 +62,6 @@ def write_nemoh(mesh, path):
     panels = [" ".join(map(str, panel + 1)) for panel in mesh.corners]
     head = f"2 {int(mesh.symmetry == 'y')}"
     write_whole(path, "\n".join([head, *points, "0 0. 0. 0.", *panels, "0 0 0 0", ""]))
-
-
-def read_pnl(path):
-    """HAMS hull mesh: numbers of panels and points and mirror planes, then points, then panels of 3 or 4."""
-    rows = []
-    for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1):
-        words = line.split("!")[0].split()
-        if words and _is_number(words[0]):
-            rows.append((k, [_number(path, k, word) for word in words]))
-    if not rows or len(rows[0][1]) < 4:
-        raise ValueError(f"{path}: no line with numbers of panels, nodes, x symmetry, y symmetry")
-    n_panels, n_points = (int(value) for value in rows[0][1][:2])
-    symmetry = _symmetry(path, rows[0][0], rows[0][1][2:4])
-    if len(rows) != 1 + n_points + n_panels:
-        raise ValueError(
-            f"{path}: {len(rows) - 1} lines of numbers; {n_points} nodes and {n_panels} panels need "
-            f"{n_points + n_panels}"
-        )
-    points, numbers = [], {}
-    for k, row in rows[1 : 1 + n_points]:
-        if len(row) < 4:
-            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a node has a number and x y z")
-        numbers[row[0]] = len(points)
-        points.append(row[1:4])
-    panels = []
-    for k, row in rows[1 + n_points :]:
-        if len(row) < 2 or row[1] not in (3, 4) or len(row) < 2 + row[1]:
-            raise ValueError(f"{path}, line {k}: a panel has a number, 3 or 4, and so many nodes")
-        panels.append(_panel(path, k, row[2 : 2 + int(row[1])], numbers))
-    return PanelMesh(np.array(points), np.array(panels), symmetry)
 
 
 def write_pnl(mesh, path):

@@ -18,6 +18,7 @@ from .seams import rings
 
 WELD = 1e-6  # of the hull's size: points closer than that are one
 AT_SURFACE = 1e-6  # of the draft
+DRAWN = 4e-3  # of an edge: how far off a plane points are drawn that are meant to be in it
 NO_AREA = 1e-9  # of the square of the longest edge
 LONGEST_ASPECT = 100.0
 LARGEST_WARP = 0.1  # distance of a corner from the panel's mean plane, of the longest edge
@@ -111,9 +112,24 @@ class _Edges:
         """Where the first of some edges is, in words"""
         return _where(self.points[self.ends[np.flatnonzero(which)[0]]].mean(axis=0))
 
+    def half(self, which):
+        """The axis of the plane, x = 0 or y = 0, in which some edges lie with all of the mesh on one side; else None"""
+        reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
+        for axis in "xy":
+            place, side = self.points[self.ends[which]][..., "xy".index(axis)], self.points[:, "xy".index(axis)]
+            if np.abs(place).max() <= reach and (side.min() >= -reach or side.max() <= reach):
+                return axis
+        return None
+
     @property
     def stands_on_bed(self):
         return bool(np.any(self.at_bed & ~self.on_plane & (self.uses == 1)))
+
+    @property
+    def on_bed_length(self):
+        """m of the edges on which the hull stands, without those of its images"""
+        ends = self.points[self.ends[self.at_bed & ~self.on_plane & (self.uses == 1)]]
+        return float(np.linalg.norm(np.diff(ends, axis=1), axis=2).sum())
 
 
 def _numbers(mesh):
@@ -219,6 +235,12 @@ def _holes(edges, area):
                 f"the hull is open {along}: {open_area:.3g} m² of {area:.5g} m², limit {100 * OPEN_AREA:g} %; it is "
                 "solved as it is",
             )
+        elif plane := edges.half(which):
+            yield Finding(
+                "error",
+                f"the hull is open {along}, all of them in {plane} = 0: it is a half; add its image "
+                f"(`hakobune mesh --mirror {plane}`)",
+            )
         else:
             yield Finding("error", f"the hull is open {along}; close it")
     crowded = edges.uses > 2
@@ -282,6 +304,12 @@ def _overlaps(mesh):
 def _clearance(mesh, depth, edges):
     gap = depth - mesh.draft
     if edges.stands_on_bed and abs(gap) <= _reach(mesh):
+        length = mesh.copies * edges.on_bed_length
+        yield Finding(
+            "warning",
+            f"the hull stands on the sea bed, z = {-depth:.6g} m, along {length:.4g} m: no water is under it; it is "
+            "solved as held there",
+        )
         return
     if not gap > 0:
         yield Finding(

@@ -45,7 +45,7 @@ def _decimal_points(text):
 
 UNITS = {  # in m and s
     "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "ft": 0.3048, "in": 0.0254, "feet": 0.3048},
-    "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "hr": 3600.0, "hours": 3600.0},
+    "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "hr": 3600.0, "hours": 3600.0, "seconds": 1.0},
 }
 
 
@@ -103,13 +103,17 @@ def check_even(path, time, off):
         raise fault_of_steps(path, time, off)
 
 
-def fault_of_steps(path, time, off):
-    """`TableError` on times (n,) of a table that do not step evenly, within `off` of a step: its line and what to do"""
+def fault_of_steps(path, time, off, lines=None):
+    """`TableError` on times (n,) of a table that do not step evenly, within `off` of a step: its line and what to do
+
+    lines : (n,) numbers of the lines of the file, where `line_of` does not know them
+    """
     steps = np.diff(time)
     usual = float(np.median(steps))
     falling, wrong = np.flatnonzero(steps <= 0), np.flatnonzero(np.abs(steps - usual) > off * abs(usual))
     i = int(falling[0]) if len(falling) else int(wrong[0]) if len(wrong) else int(np.argmax(np.abs(steps - usual)))
-    where, a, b = f"{path}: line {line_of(path, i + 1)}", time[i], time[i + 1]
+    line = line_of(path, i + 1) if lines is None else lines[i + 1]
+    where, a, b = f"{path}: line {line}", time[i], time[i + 1]
     if len(falling):
         moved = f"stays at {a:g} s" if a == b else f"goes back from {a:.8g} to {b:.8g} s"
         return TableError(

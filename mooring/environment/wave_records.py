@@ -16,7 +16,8 @@ from hakobune.bem.waves import wavenumber
 from hakobune.meshing.seals import write_sealed
 
 from .allowed import positive, row_of_numbers
-from .tables import TableError, column_of, fault_of_steps, read_table, unit_of
+from .logger_files import read_columns
+from .tables import TableError, column_of, fault_of_steps, unit_of
 
 UNEVEN = 0.01  # of a step, that a time in a file may lie off
 FAINT = 1e-6  # of the largest amplitude, of components that are left out
@@ -78,18 +79,24 @@ def write_record(path, record, comment=""):
 
 
 def read_record(path, step=None, column=None):
-    """Record of a text file: times and elevations in columns, or elevations alone.
+    """Record of a text file (`logger_files`): times and elevations in columns, or elevations alone.
 
     Units in the names of columns, as "eta (mm)" and "Time (ms)", count.
     step : s, where the file has no column of times, which otherwise is its first
     column : name of the column of elevations, by default the second (the only one)
     Raises TableError for what is no table, for times that do not step evenly, for a step given twice or not at all.
     """
-    names, values = read_table(path)
+    names, values, lines = read_columns(path)
     if len(values) < 2:
         raise TableError(f"{path} has one row; allowed: at least 2")
     timed = values.shape[1] > 1
     place = column_of(path, names, column) if column else int(timed)
+    gaps = np.flatnonzero(~np.isfinite(values[:, [0, place]]).all(axis=1))
+    if len(gaps):
+        many = f", the first of {len(gaps)} gaps" if len(gaps) > 1 else ""
+        raise TableError(
+            f"{path}: line {lines[gaps[0]]} has no finite number{many}; fill it in, or cut the record there"
+        )
     if timed and step is not None:
         raise TableError(f"{path} has a column of times; a step of {step:g} s is given too; leave it out")
     if not timed and step is None:
@@ -97,7 +104,7 @@ def read_record(path, step=None, column=None):
     elevation = values[:, place] * (unit_of(path, names[place], "length") if names else 1.0)
     if timed:
         clock = unit_of(path, names[0], "time") if names else 1.0
-        return Record(elevation, *(clock * part for part in _even_steps(path, values[:, 0])))
+        return Record(elevation, *(clock * part for part in _even_steps(path, values[:, 0], lines)))
     return Record(elevation, positive("step", step, "s"))
 
 
@@ -119,9 +126,9 @@ def components_of(record, direction, shortest=0.0):
     return Components(omega[kept], np.abs(X[kept]), -np.angle(X[kept]), np.full(np.count_nonzero(kept), direction))
 
 
-def _even_steps(path, t):
+def _even_steps(path, t, lines):
     step = (t[-1] - t[0]) / (len(t) - 1)
     off = np.abs(t - (t[0] + step * np.arange(len(t))))
     if not step > 0 or off.max() > UNEVEN * step:
-        raise fault_of_steps(path, t, UNEVEN)
+        raise fault_of_steps(path, t, UNEVEN, lines)
     return float(step), float(t[0])

@@ -132,7 +132,7 @@ def _rows(key, rows, path, alone):
     section = SECTIONS[key]
     if len(rows) < 2:
         raise fault(path, rows[0][0] if rows else None, section.title, "a line of names and a line of units are needed")
-    fields = _columns(key, rows[0][1].split())
+    fields = _columns(key, rows[0][1].split(), (path, rows[0][0], section.title))
     made = tuple(_row(key, fields, number, line.split("#")[0].split(), path) for number, line in rows[2:])
     seen = set()
     for (number, _), row in zip(rows[2:], made, strict=True):
@@ -142,12 +142,22 @@ def _rows(key, rows, path, alone):
     return made
 
 
-def _columns(key, names):
-    """Fields in the order of a file's columns; None for the forces on points of version 1"""
+def _columns(key, names, place):
+    """Fields in the order of a file's columns; None for the forces on points of version 1
+
+    place : path, line and section, for the fault of a name that is not known where others stand in another order
+    """
     known = _fields(key)
     names = [name.lower() for name in names]
-    if key == "bodies" or not all(name in known or name in FORCES for name in names):
-        return SECTIONS[key].row._fields
+    strange = [name for name in names if name not in known and name not in FORCES]
+    if key == "bodies" or strange:
+        usual = SECTIONS[key].row._fields
+        moved = [name for name, field in zip(names, usual, strict=False) if known.get(name, field) != field]
+        if key == "lines" and moved:
+            raise fault(
+                *place, f"column {strange[0]!r} is unknown, and {moved[0]!r} stands where version 2 has another"
+            )
+        return usual
     return [known.get(name) for name in names]
 
 

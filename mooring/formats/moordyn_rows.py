@@ -264,6 +264,7 @@ SECTIONS = {
             "nodeb": "b",
             "nodeanch": "a",
             "nodefair": "b",
+            "numnodes": "segments",
             "enda": "a",
             "endb": "b",
             "flags/outputs": "outputs",

@@ -10,6 +10,7 @@ What statics cannot represent is refused by name, or left out with a warning for
 
 from __future__ import annotations
 
+import re
 import warnings
 from dataclasses import replace
 from typing import NamedTuple
@@ -50,9 +51,10 @@ class _Water(NamedTuple):
     path: object
 
 
-def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=False) -> System:
+def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=False, turbines=None) -> System:
     """The System of what was read.
 
+    turbines : {number: (x, y, z)} m, where the turbines of a farm stand, whose points are Turbine1 …
     depth : m, for a file that does not say it or has a bathymetry; else that of its lowest point, with a warning
     moves : whether its lines are to move by themselves, which then weigh as in air above the water
     warns : of each kind of thing that is left out
@@ -66,7 +68,7 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     friction = _option(file, path, 0.0, FRICTION)
     types = {row.name: _type(row, water) for row in file.line_types}
     lines = _lines(file, types, friction, path)
-    points, bodies, idle = _points_and_bodies(file, water, lines)
+    points, bodies, idle = _points_and_bodies(file, water, lines, turbines or {})
     lines, out = _joined(lines, points), []
     if not moves:
         lines, dry = in_air(lines, points, bodies, water)
@@ -108,9 +110,9 @@ def _lines(file, types, friction, path):
     return made
 
 
-def read_moordyn_system(path, depth=None) -> System:
-    """The System of a MoorDyn input file; depth : m, where the file does not say it."""
-    return system_of_moordyn(read_moordyn(path), path, depth)
+def read_moordyn_system(path, depth=None, turbines=None) -> System:
+    """The System of a MoorDyn input file; depth : m, where the file does not say it; turbines : `system_of_moordyn`"""
+    return system_of_moordyn(read_moordyn(path), path, depth, turbines=turbines)
 
 
 def _option(file, path, default, names):
@@ -180,10 +182,10 @@ def _end(name):
     return plain if plain.isdigit() else name
 
 
-def _points_and_bodies(file, water, lines):
+def _points_and_bodies(file, water, lines, turbines):
     """Points of points and rods, the bodies that bear lines, and what is said of those that bear none"""
     used = {end for line in lines for end in (line.a, line.b)}
-    points = [_point(row, file.bodies, water.path) for row in file.points]
+    points = [_point(row, file.bodies, water.path, turbines) for row in file.points]
     idle = [point.name for point in points if isinstance(point, FreePoint) and point.name not in used]
     points = [point for point in points if point.name not in idle]
     said = [f"point {', '.join(idle)} is free and no line holds it: left out"] if idle else []
@@ -201,6 +203,8 @@ def _points_and_bodies(file, water, lines):
     idle = [row.id for row in file.bodies if f"body {row.id}" not in borne]
     said += [f"body {', '.join(idle)} bears no line: left out"] if idle else []
     bodies = [_body(row, file, water) for row in file.bodies if row.id not in idle] + bodies
+    placed = [(f"turbine {number}", place) for number, place in turbines.items()]
+    bodies = [MooredBody(name, (*place, 0.0, 0.0, 0.0), ()) for name, place in placed if name in borne] + bodies
     if VESSEL in borne:
         bodies.insert(0, MooredBody(VESSEL, freedom=()))
     return points, bodies, said
@@ -270,7 +274,7 @@ def _joined(lines, points):
     return [replace(line, a=one.get(line.a, line.a), b=one.get(line.b, line.b)) for line in lines]
 
 
-def _point(row, bodies, path):
+def _point(row, bodies, path, turbines):
     kind, place, name = row.attachment.lower(), (row.x, row.y, row.z), _end(row.id)
     if kind in FIXED:
         return Anchor(name, place)
@@ -281,9 +285,21 @@ def _point(row, bodies, path):
     body = _body_of(row.attachment, bodies)
     if body is not None:
         return Fairlead(name, f"body {body.id}", place)
+    if farm := re.fullmatch(r"turbine(\d+)", kind):
+        return Fairlead(name, f"turbine {_turbine(row, int(farm[1]), turbines, path)}", place)
     raise FormatError(
         f"{path}, section POINTS: attachment of point {row.id} is {row.attachment!r}; "
         "allowed: Fixed, Coupled, Free, or Body and the id of one of BODIES"
+    )
+
+
+def _turbine(row, number, turbines, path):
+    if number in turbines:
+        return number
+    known = f"1 to {len(turbines)} are known" if turbines else "this file does not say where that stands"
+    raise FormatError(
+        f"{path}, section POINTS: point {row.id} is in the axes of {row.attachment}, and {known}; allowed: FAST.Farm's "
+        "NAME.fstf or RAFT's design with its array, which name this file and have the places"
     )
 
 
@@ -309,7 +325,7 @@ def _body(row, file, water):
             "and MoorDyn's versions turn in different orders; allowed: one"
         )
     position = (row.x0, row.y0, row.z0, *turns)
-    kind, name = row.attachment.lower(), f"body {row.id}"
+    kind, name = row.attachment.lower().rstrip("0123456789"), f"body {row.id}"  # MoorDyn counts them: Coupled1
     if kind in (*FIXED, *COUPLED):
         return MooredBody(name, position, freedom=())
     if kind not in FREE:

@@ -1,4 +1,4 @@
-"""MoorPy's YAML, also inside a RAFT design (`mooring:`), as a System of lines.
+"""MoorPy's YAML, also inside a RAFT design (`mooring:`, `array_mooring:`), as a System of lines.
 
 Keys: water_depth (depth), water_density (rho_water, rho), line_types, points, lines; mass_density is mass per metre, so
 the submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors, vessel and fairlead
@@ -19,6 +19,7 @@ from ..lines.system.graph import System
 from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineType, MooredBody, UniformLine
 from .fault import FormatError
 from .moordyn_system import read_moordyn_system
+from .orcaflex import is_orcaflex, system_of_orcaflex
 from .yaml_text import parse_yaml
 
 LARGEST = 0.5  # MB; a parser in Python takes some seconds
@@ -28,6 +29,7 @@ KNOWN = {
     "points": {"name", "type", "location", "mass", "volume", "anchor_type"},
     "lines": {"name", "endA", "endB", "type", "length"},
 }  # fmt: skip
+FAMODEL = {"mooring_line_configs", "mooring_systems", "array_mooring_systems", "mooring_line_types"}
 READ = ("water_depth", "depth", "water_density", "rho_water", "rho", *KNOWN, "anchor_types", "bodies", "file")
 
 
@@ -39,10 +41,14 @@ def read_moorpy(path, depth=None) -> System:
 def system_of_moorpy(data, path="YAML file", depth=None) -> System:
     """The System of nested dictionaries.  Raises FormatError naming table and key."""
     site = {}
-    if isinstance(data, dict) and isinstance(data.get("mooring"), dict):
+    if is_orcaflex(data):
+        return system_of_orcaflex(data, path, depth)
+    _check_kind(data, path)
+    if isinstance(data.get("array_mooring"), dict) and data["array_mooring"].get("file"):
+        file = Path(path).parent / str(data["array_mooring"]["file"])
+        return read_moordyn_system(file, depth, turbines=_turbines(data.get("array"), path))
+    if isinstance(data.get("mooring"), dict):
         site, data = data.get("site"), data["mooring"]
-    if not isinstance(data, dict):
-        raise FormatError(f"{path}: the file is not a table of keys; this is no MoorPy file")
     unknown = sorted(str(key) for key in data if key not in READ)
     if unknown:
         warnings.warn(f"{path}: not read: {', '.join(unknown)}; known: {', '.join(READ)}", stacklevel=3)
@@ -61,6 +67,33 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
     bodies = sorted({point.body for point in points if isinstance(point, Fairlead)})
     lines = [_line(row, types, path) for row in tables["lines"]]
     return System(depth, lines, points, [MooredBody(name) for name in bodies], density)
+
+
+def _check_kind(data, path):
+    """Raises FormatError for what is no table of MoorPy or RAFT, saying what it is where that is known"""
+    if not isinstance(data, dict):
+        raise FormatError(f"{path}: the file is not a table of keys; this is no MoorPy file")
+    if FAMODEL & set(data):
+        raise FormatError(
+            f"{path} is an ontology of FAModel ({', '.join(sorted(FAMODEL & set(data)))}), which lays out whole arrays "
+            "and is not read; allowed: the system that FAModel makes of it (getMoorPyArray), unloaded as MoorDyn input"
+        )
+    known = data.get("mooring") or data
+    if not (data.get("array_mooring") or (isinstance(known, dict) and (known.get("file") or set(KNOWN) & set(known)))):
+        raise FormatError(
+            f"{path} has no mooring: neither line_types, points and lines nor a file of MoorDyn; it has "
+            f"{', '.join(list(map(str, data))[:8])}"
+        )
+
+
+def _turbines(array, path):
+    """{number: (x, y, z)} m of RAFT's array"""
+    try:
+        keys, rows = list(array["keys"]), array["data"]
+        places = [[float(row[keys.index(key)]) for key in ("x_location", "y_location")] for row in rows]
+    except (KeyError, TypeError, ValueError, IndexError):
+        raise FormatError(f"{path}: array has no x_location and y_location of its turbines; allowed: both") from None
+    return {number: (*place, 0.0) for number, place in enumerate(places, 1)}
 
 
 def _table(data, key, path):

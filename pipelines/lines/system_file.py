@@ -1,4 +1,5 @@
-"""A system of mooring lines from a file: TOML of this house, MoorDyn input, or MoorPy's YAML.
+"""A system of mooring lines from a file: TOML of this house, MoorDyn input, FAST.Farm's .fstf, or YAML of MoorPy, RAFT
+or OrcaFlex.
 
 TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, and the lists [[bodies]], [[anchors]],
 [[fairleads]], [[points]] (free: buoys, sinkers, joints) and [[lines]].
@@ -192,6 +193,10 @@ def _read(path, depth):
         return moorpy.system_of_moorpy(moorpy.parse_yaml(text, path), path, depth), text, None
     from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 
+    if path.suffix.lower() == ".fstf":
+        from hakobune.mooring.formats.fast_farm import read_fast_farm
+
+        return read_fast_farm(path, depth), read_text(path, FormatError, errors="replace"), None
     text = read_text(path, FormatError, errors="replace", largest=moordyn.LARGEST)
     file = moordyn.parse_moordyn(text, path)
     return (system_of_moordyn(file, path, depth) if file.lines else None), text, file

@@ -13,7 +13,7 @@
     peak_period = 8.0
     direction_deg = 180.0
     [[sea.systems]]
-    file = "hindcast.sp2"            # SWAN, NDBC or WAVEWATCH III, beside the study
+    file = "hindcast.sp2"            # SWAN, WAVEWATCH III, ERA5, NDBC, Datawell …, beside the study
     x_axis_compass_deg = 30.0
 
     [body]
@@ -296,12 +296,15 @@ def _system(where, table, folder, depth):
 
 def _of_file(where, table, folder):
     """The Sea of a file of `spectra_files`, or of a table of densities; a direction of the study goes before its own"""
+    from hakobune.meshing.text_files import read_text
     from hakobune.mooring.environment.sea import Sea
     from hakobune.mooring.environment.spectra import read_spectrum
+    from hakobune.mooring.environment.tables import TableError
+    from hakobune.mooring.seas import buoys
     from hakobune.mooring.seas.spectra_files import TabulatedSpreading, read_sea
 
     path = folder / table.file
-    if path.suffix == ".csv":
+    if path.suffix == ".csv" and buoys.kind(read_text(path, TableError)) is None:
         sea = Sea(read_spectrum(path))
     else:
         sea = read_sea(path, table.x_axis_compass_deg, table.time, table.location)

@@ -5,11 +5,11 @@ import pytest
 
 from hakobune.meshing.files import READABLE, WRITABLE, read_mesh, write_mesh
 from hakobune.meshing.lid import lid
-from hakobune.meshing.panels import structured
+from hakobune.meshing.panels import joined, structured
 from hakobune.meshing.quality import findings
 from hakobune.meshing.shapes import box, buoy
 
-KEPT = {".gdf": "xy", ".pnl": "xy", ".nemoh": "y", ".dat": "y", ".msh": "", ".vtu": ""}
+KEPT = {".gdf": "xy", ".pnl": "xy", ".nemoh": "y", ".mar": "y", ".dat": "y", ".msh": "", ".vtu": ""}
 
 
 def sorted_centroids(mesh):
@@ -103,15 +103,97 @@ def test_a_deck_in_the_water_surface_is_left_out(tmp_path):
     assert len(read_mesh(tmp_path / "a.stl")) == 3
 
 
-def test_a_deck_within_a_millionth_of_the_length_is_in_the_surface(tmp_path):
-    """Of 100 m; its normal points up"""
-    for z, panels in ((-0.8e-4, 3), (-1.2e-4, 4)):
-        deck = structured(np.array([[[-50, -2, z], [-50, 2, z]], [[50, -2, z], [50, 2, z]]]))
-        hull = box(100, 10, 5, counts=(1, 1, 1))
-        whole = replace(hull, points=np.vstack([hull.points, deck.points]),
-                        corners=np.vstack([hull.corners, deck.corners + len(hull.points)]), symmetry="")  # fmt: skip
-        write_mesh(whole, tmp_path / "a.gdf")
-        assert len(read_mesh(tmp_path / "a.gdf")) == panels
+def test_what_is_drawn_a_hair_off_the_surface_is_in_it(tmp_path):
+    """0.01 mm at panels of 5 mm and 1 m, either side; a deck 1 % of an edge below it is wetted"""
+    for edge, off in ((0.005, 1e-5), (0.005, -1e-5), (1.0, 1e-5), (1.0, -2e-3)):
+        hull = box(8 * edge, 4 * edge, edge, counts=(8, 4, 1), symmetry="y")
+        points = hull.points + np.where(hull.points[:, 2:] == 0, (0, 0, off), 0)
+        write_mesh(replace(hull, points=points), tmp_path / "a.gdf")
+        mesh = read_mesh(tmp_path / "a.gdf")
+        assert findings(mesh) == [], (edge, off)
+        assert lid(mesh).areas.sum() == pytest.approx(16 * edge**2, rel=1e-9)
+    deck = structured(np.array([[[-4, 0, -0.01], [-4, 2, -0.01]], [[4, 0, -0.01], [4, 2, -0.01]]]))
+    write_mesh(joined([hull, replace(deck, symmetry="y")]), tmp_path / "a.gdf")
+    assert len(read_mesh(tmp_path / "a.gdf")) == len(hull) + 1
+
+
+NODES = "1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n4 0 1 -1\n5 0.5 0.5 0\n"
+PYRAMID = ((1, 4, 3, 2), (1, 2, 5), (2, 3, 5), (3, 4, 5), (4, 1, 5))
+
+
+def rows_of(form, corners=PYRAMID):
+    return "".join(f"{form.format(k)}{' '.join(map(str, row))}\n" for k, row in enumerate(corners, 1))
+
+
+def aqwa():
+    points = "".join(f"     1{i:5d}          {x:>9.4f}{y:>10.4f}{z:>10.4f}\n"
+                     for i, x, y, z in (map(float, line.split()) for line in NODES.splitlines())
+                     for i in (int(i),))  # fmt: skip
+    panels = "".join(f"     1{'Q' if len(row) == 4 else 'T'}PPL DIFF   14(1)" + "".join(f"({n:5d})" for n in row) + "\n"
+                     for row in PYRAMID)  # fmt: skip
+    return f"********* DECK  1 ****\n          COOR\n      STRC        1\n{points} END\n********* DECK  2 ****\n" \
+        f"          ELM1      Body1\n      ZLWL          (        0.)\n{panels} END\n          FINI\n"  # fmt: skip
+
+
+LISTS = {
+    "a.dat": NODES + "*RETURN\n" + rows_of("{} "),
+    "salome.dat": "5 6\n" + NODES + "9 102 1 2\n" + "".join(
+        f"{k} {200 + len(row)} {' '.join(map(str, row))}\n" for k, row in enumerate(PYRAMID, 1)),
+    "aqwa.dat": aqwa(),
+    "a.hst": f"PROJECT: by hand\nNBODY 1\nCOORDINATES\n{NODES}ENDCOORDINATES\nPANEL TYPE 0\n{rows_of('')}ENDPANEL\n",
+    "b.hst": f"NBBODY 1\nCOORDINATES\n{NODES}ENDCOORDINATES\nPANEL TYPE 1\n{rows_of('{} ')}ENDPANEL\nENDFILE\n",
+    "a.mar": "2 0\n" + NODES + "0 0. 0. 0.\n" + rows_of("", [(*row, row[0])[:4] for row in PYRAMID]) + "0 0 0 0\n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LISTS)
+def test_lists_of_points_and_panels_of_other_programs_are_read(tmp_path, name):
+    """A pyramid on a square of 1 m, 1 m high: 1/3 m³"""
+    (tmp_path / name).write_text(LISTS[name])
+    mesh = read_mesh(tmp_path / name)
+    assert len(mesh) == 5
+    np.testing.assert_allclose(mesh.volume, 1 / 3, rtol=1e-12)
+    assert findings(mesh) == []
+
+
+def test_symmetries_of_hydrostar_and_aqwa_are_mirror_planes(tmp_path):
+    half = "1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n4 0 1 -1\n5 0 0 0\n6 1 0 0\n7 1 1 0\n8 0 1 0\n"
+    faces = ((1, 4, 3, 2), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8))
+    (tmp_path / "a.hst").write_text(
+        f"SYMMETRY_BODY 1 1\nNBBODY 1\nCOORDINATES\n{half}ENDCOORDINATES\nPANEL TYPE 0\n{rows_of('', faces)}ENDPANEL\n"
+    )
+    mesh = read_mesh(tmp_path / "a.hst")
+    assert (mesh.symmetry, mesh.volume) == ("y", pytest.approx(2.0))
+
+
+def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    points = [[float(word) for word in line.split()[1:]] for line in NODES.splitlines()]
+    faces = [number for row in PYRAMID for number in (len(row), *(n - 1 for n in row))]
+    pyvista.PolyData(points, faces).save(tmp_path / "a.vtp")
+    assert read_mesh(tmp_path / "a.vtp").volume == pytest.approx(1 / 3, rel=1e-6)
+    pyvista.Line().save(tmp_path / "line.vtp")
+    with pytest.raises(ValueError, match=r"line\.vtp: no polygons"):
+        read_mesh(tmp_path / "line.vtp")
+    (tmp_path / "cut.vtp").write_bytes((tmp_path / "a.vtp").read_bytes()[:700])
+    with pytest.raises(ValueError, match=r"cut\.vtp"):
+        read_mesh(tmp_path / "cut.vtp")
+
+
+WRONG = {
+    "lid.pnl": ("1 4 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n1 4 1 2 3 4\n", "a lid or a deck"),
+    "wamit.hst": (" 3 3 1.0E+00\n", "no COORDINATES"),
+    "two.dat": (aqwa().replace("FINI", "FINI\n ELM2\n     1TPPL DIFF   14(1)(    1)(    2)(    5)"), "2 structures"),
+    "gone.dat": (LISTS["a.dat"].replace("4 3 2", "4 3 9"), "line 7: there is no point 9"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_what_a_list_cannot_be_is_told(tmp_path, name):
+    text, words = WRONG[name]
+    (tmp_path / name).write_text(text)
+    with pytest.raises(ValueError, match=words):
+        read_mesh(tmp_path / name)
 
 
 def test_a_bottom_in_the_water_surface_is_kept(tmp_path):

@@ -200,8 +200,8 @@ def test_chords_leave_a_ring_by_a_tenth_of_the_width_of_its_lid(sides, kept):
     assert (len(plan) == sides) == kept and len(plan) >= sides
 
 
-def test_a_disc_is_as_wide_as_what_lies_across_it():
-    """Its own corners count where the way along the rim is over 1.5 chords: x / sin x = 1.5 of half the angle"""
+def test_a_disc_is_as_wide_as_a_quarter_of_what_lies_across_it():
+    """A quarter of it; its own corners count from 1.5 chords along the rim on: x / sin x = 1.5 of half the angle"""
     from scipy.optimize import brentq
 
     from hakobune.meshing.lid import _width
@@ -209,7 +209,7 @@ def test_a_disc_is_as_wide_as_what_lies_across_it():
     angle = np.arange(720) * np.pi / 360
     ring = 10 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     half = brentq(lambda x: x / np.sin(x) - 1.5, 0.5, 3)
-    np.testing.assert_allclose(_width(ring, []), 20 * np.sin(half), rtol=1e-3)
+    np.testing.assert_allclose(_width(ring, []), 0.25 * 20 * np.sin(half), rtol=1e-3)
     np.testing.assert_allclose(_width(ring, [ring * 0.9, ring * 0.5]), 1.0, rtol=1e-3)  # the nearer of two pools
 
 

@@ -82,8 +82,22 @@ def test_what_is_broken_is_found(name):
 
 
 @pytest.mark.parametrize("symmetry", SYMMETRIES)
-def test_a_wall_that_stands_on_the_bed_is_closed(symmetry):
-    assert findings(buoy(10, 20, bottom=False, symmetry=symmetry), depth=20.0) == []
+def test_a_wall_that_stands_on_the_bed_is_closed_and_said(symmetry):
+    hull = buoy(10, 20, bottom=False, symmetry=symmetry)
+    (found,) = findings(hull, depth=20.0)
+    rim = hull.whole().points
+    sides, radius = np.count_nonzero(rim[:, 2] < -19.99), np.hypot(*rim[0, :2])
+    assert found.severity == "warning"
+    assert f"z = -20 m, along {2 * radius * sides * np.sin(np.pi / sides):.4g} m" in found.text
+
+
+@pytest.mark.parametrize("axis", "xy")
+def test_a_half_that_nothing_mirrors_is_told(axis):
+    half = replace(buoy(10, 10, panels=60, symmetry=axis), symmetry="")
+    errors = [found.text for found in findings(half) if found.severity == "error"]
+    assert len(errors) == 1
+    assert f"in {axis} = 0: it is a half" in errors[0]
+    assert f"--mirror {axis}" in errors[0]
 
 
 def test_one_inward_hull_beside_an_outward_one_is_found():

@@ -166,6 +166,44 @@ def test_a_comma_is_a_decimal_mark_where_semicolons_separate_columns(tmp_path):
     assert read.step == pytest.approx(0.05) and read.elevation == pytest.approx([-0.0452, -0.0551])
 
 
+WAYS = {
+    "a preamble, units in a line of their own, a foot, as of OpenFAST": (
+        "Made on 19-Oct-2018 at 10:15\n\n   Time     Wave1Elev\n  (sec)       (mm)\n 0.0  1.0e+03\n 2.0 -1.0E3\n"
+        "Closed on 19-Oct\n", 2.0, [1.0, -1.0]),
+    "names with blanks, tabs": ("Time (ms)\tprobe 1 (cm)\n0\t100\n250\t-100\n", 0.25, [1.0, -1.0]),
+    "colons": ("0 : -0\n0.5 : 1\n", 0.5, [0.0, 1.0]),
+    "dates": ("time;eta\n2026-01-02 23:59:59,5;1\n2026-01-03 00:00:00;2\n", 0.5, [1.0, 2.0]),
+    "dates of the south, blanks": ("02.01.2026 03:04:05 1.0\n02.01.2026 03:05:05 2.0\n", 60.0, [1.0, 2.0]),
+    "dates as one word": ("UTC,eta (ft)\n2026-01-02T03:04:05Z,1\n2026-01-02T03:04:05.25Z,2\n", 0.25, [0.3048, 0.6096]),
+    "decimal commas between blanks": ("0,00  0,10\n0,50  -0,10\n", 0.5, [0.1, -0.1]),
+    "points of thousands": ("Zeit [s];WP [mm]\n999,5;1.234,5\n1.000,0;-2.000\n", 0.5, [1.2345, -2.0]),
+    "gaps in a column that is not used": ("t,eta,other\n0,1,\n1,2,nan\n", 1.0, [1.0, 2.0]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_records_are_read_as_loggers_and_programs_write_them(tmp_path, way):
+    text, step, wanted = WAYS[way]
+    (tmp_path / "a.txt").write_text(text, encoding="utf-8")
+    read = read_record(tmp_path / "a.txt")
+    assert read.step == pytest.approx(step)
+    assert read.elevation == pytest.approx(wanted)
+
+
+def test_gaps_and_odd_words_have_their_lines(tmp_path):
+    for text, says in (
+        ("t,eta\n# a remark\n0,1\n1,\n2,-\n3,1\n", "line 4 has no finite number, the first of 2 gaps; fill it in"),
+        ("t,eta\n0,1\n1,abc\n2,1\n", "line 3 has 'abc'; allowed: numbers"),
+        ("head\nt,eta\n0,1\n1,1,1\n", "line 4 has 3 columns; allowed: 2"),
+        ("head\nt,eta\n\n0,1\n1,1\n2,1\n4,1\n", "line 7: time goes from 2 to 4 s"),
+        ("t,eta\n", "no rows of numbers"),
+        ("t;eta\n0,5;1.25\n1,0;2\n", "line 2 has '1.25'; allowed: numbers of one decimal mark"),
+    ):
+        (tmp_path / "a.txt").write_text(text, encoding="utf-8")
+        with pytest.raises(TableError, match=says):
+            read_record(tmp_path / "a.txt")
+
+
 def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
     (tmp_path / "a.csv").write_text("t,heave,eta\n0,9,1\n1,9,3\n2,9,1\n", encoding="utf-8")
     assert read_record(tmp_path / "a.csv", column="eta").elevation.tolist() == [1, 3, 1]
@@ -182,8 +220,8 @@ def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
             "line 4: time goes from 1 to 3 s where the step is 1 s: 1 row is missing",
         ),
         ("t,eta\n0,1\n1,2\n2.4,1\n3.1,2\n4,1\n", None, "from 0.7 to 1.4 s in the file; allowed: equal steps; interp"),
-        ("t,eta\n0,1\n1,\n2,1\n", None, "line 3 has ''; allowed: finite numbers"),
-        ("t,eta\n0,1\n1,nan\n", None, "line 3 has 'nan'"),
+        ("t,eta\n0,1\n1,\n2,1\n", None, "line 3 has no finite number"),
+        ("t,eta\n0,1\n1,nan\n", None, "line 3 has no finite number"),
         ("t,eta\n0,1\n1,2,3\n", None, "line 3 has 3 columns; allowed: 2"),
         ("t,eta\n0,1\n1,2\n", 0.5, "a step of 0.5 s is given too"),
         ("1\n2\n", None, "give the step"),

@@ -418,7 +418,7 @@ REFUSED = [
     ("70       WtrDpth", "bathy.txt WtrDpth", "WtrDpth is 'bathy.txt', a bathymetry; allowed: a number"),
     ("653.3E6 ", "table.txt ", "EA of chain is 'table.txt'"),
     ("122.54     653.3E6", "0     653.3E6", "section LINE TYPES: Mass/m of chain is 0 kg/m; allowed: above 0"),
-    ("3    Body1 ", "3    Turbine1 ", "attachment of point 3 is 'Turbine1'"),
+    ("3    Body1 ", "3    Turbine1 ", "point 3 is in the axes of Turbine1"),
     ("0      0     0      0     0     30 ", "0      0     0      5     0     30 ", "2 angles that are not 0"),
 ]  # fmt: skip
 

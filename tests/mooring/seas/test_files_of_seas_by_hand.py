@@ -174,6 +174,18 @@ def test_a_fault_of_a_swan_file_has_its_line(tmp_path, change, says):
     assert says in str(refused.value) and "\n" not in str(refused.value)
 
 
+def test_of_source_terms_beside_densities_the_densities_are_taken(tmp_path):
+    """SWAN's test output has iterations for times, and blocks of further quantities after that of the densities"""
+    quantities = TWO.replace("     1\n{name}", "     2\n{name}").replace("{times}", "Swind\nm2\n0.0\n{times}")
+    block = "FACTOR\n 0.5\n1 0 0 0\n 0 2 6 0\n0 0 0 3\nFACTOR\n 9.0\n1 1 1 1\n1 1 1 1\n1 1 1 1\n"
+    times = f"7 iteration\nZERO\nZERO\n{block}8 iteration\nZERO\nZERO\nZERO\nZERO\n"
+    body = quantities.format(kind="CDIR", first=-90.0, name="VaDens", times=times)
+    path = written(tmp_path, SWAN.format(head="ITER\n 0\n", quantities=body))
+    assert read_sea(path, time="7", location=2).spectrum.values == pytest.approx(
+        0.5 * 90 * np.array([1.0, 8.0, 3.0]) / HZ
+    )
+
+
 def test_a_sector_of_directions_ends_beside_its_last_ones():
     """Four directions 10° apart: nothing travels beyond them; each inner one stands for 10°, an outer one for half"""
     angle = np.radians([350.0, 0.0, 10.0, 20.0])

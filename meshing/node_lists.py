@@ -1,0 +1,168 @@
+"""Panel files of other programs that list numbered points, then panels of them.
+
+    Nemoh       `2 s`, s = 1 for the mirror plane y = 0; points; a line of zeros; panels; a line of zeros
+    Salome      numbers of points and of elements; points; elements `number type corners`, 203 and 204 are panels
+    Diodore     points; *RETURN; panels `number corners`
+    AQWA        a deck COOR of points, a deck ELM1 of panels QPPL and TPPL; SYMX, SYMY (AQWA reference manual, 7.2)
+    HydroStar   COORDINATES; PANEL TYPE 0 (corners) or 1 (number, corners); SYMMETRY_BODY
+    HAMS        numbers of panels, points, mirror planes; points; panels `number 3-or-4 corners`
+
+Corners run counter-clockwise seen from the water in all of them.  Readers change no orientation.
+"""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from .panels import PanelMesh
+from .text_files import read_text
+from .text_formats import _is_number, _number, _panel, _symmetry
+
+NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+PANEL_OF = {"203": 3, "204": 4}  # corners of Salome's types
+
+
+def read_dat(path):
+    """The panels of a `.dat` of Nemoh, Salome, Diodore or AQWA, told apart by what is in it.  Raises ValueError."""
+    text = read_text(path, errors="replace")
+    first = text.split("\n", 1)[0].split()
+    if re.search(r"^\s*\d*\s*COOR\s*$", text, re.MULTILINE):
+        return _aqwa(path, text)
+    if "*RETURN" in text:
+        return _diodore(path, text)
+    if len(first) == 2 and all(word.isdecimal() for word in first) and int(first[1]) > 1:
+        return _salome(path, text)
+    return read_nemoh(path)
+
+
+def read_nemoh(path):
+    """Nemoh mesh: `2 s` with s = 1 for the mirror plane y = 0, points, a line of zeros, panels, zeros."""
+    rows = [(k, line.split()) for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1)]
+    rows = [(k, [_number(path, k, word) for word in words]) for k, words in rows if words]
+    if not rows or len(rows[0][1]) < 2 or rows[0][1][1] not in (0, 1):
+        raise ValueError(f"{path}, line 1: allowed: '2 0' or '2 1', the second for the mirror plane y = 0")
+    symmetry = "y" if rows[0][1][1] else ""
+    points, panels, numbers = [], [], {}
+    rest = iter(rows[1:])
+    for k, row in rest:
+        if row[0] == 0:
+            break
+        if len(row) < 4:
+            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a point has a number and x y z")
+        numbers[row[0]] = len(points)
+        points.append(row[1:4])
+    else:
+        raise ValueError(f"{path}: no line '0 0. 0. 0.' after the points")
+    for k, row in rest:
+        if row[0] == 0:
+            break
+        panels.append(_panel(path, k, row, numbers))
+    return PanelMesh(np.array(points), np.array(panels), symmetry)
+
+
+def read_pnl(path):
+    """HAMS hull mesh: numbers of panels and points and mirror planes, then points, then panels of 3 or 4."""
+    rows = []
+    for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1):
+        words = line.split("!")[0].split()
+        if words and _is_number(words[0]):
+            rows.append((k, [_number(path, k, word) for word in words]))
+    if not rows or len(rows[0][1]) < 4:
+        raise ValueError(f"{path}: no line with numbers of panels, nodes, x symmetry, y symmetry")
+    n_panels, n_points = (int(value) for value in rows[0][1][:2])
+    symmetry = _symmetry(path, rows[0][0], rows[0][1][2:4])
+    if len(rows) != 1 + n_points + n_panels:
+        raise ValueError(
+            f"{path}: {len(rows) - 1} lines of numbers; {n_points} nodes and {n_panels} panels need "
+            f"{n_points + n_panels}"
+        )
+    points, numbers = [], {}
+    for k, row in rows[1 : 1 + n_points]:
+        if len(row) < 4:
+            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a node has a number and x y z")
+        numbers[row[0]] = len(points)
+        points.append(row[1:4])
+    panels = []
+    for k, row in rows[1 + n_points :]:
+        if len(row) < 2 or row[1] not in (3, 4) or len(row) < 2 + row[1]:
+            raise ValueError(f"{path}, line {k}: a panel has a number, 3 or 4, and so many nodes")
+        panels.append(_panel(path, k, row[2 : 2 + int(row[1])], numbers))
+    return PanelMesh(np.array(points), np.array(panels), symmetry)
+
+
+def _salome(path, text):
+    rows = [(k, line.split()) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
+    count = int(rows[0][1][0])
+    panels = [
+        (k, words[2 : 2 + PANEL_OF[words[1]]]) for k, words in rows[1 + count :] if words[1:] and words[1] in PANEL_OF
+    ]
+    return _mesh(path, rows[1 : 1 + count], panels, "")
+
+
+def _diodore(path, text):
+    rows = [(k, line.split()) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
+    end = next(i for i, (_, words) in enumerate(rows) if words[0] == "*RETURN")
+    rest = [(k, words[1:]) for k, words in rows[end + 1 :] if not words[0].startswith("*")]
+    return _mesh(path, rows[:end], rest, "")
+
+
+def _aqwa(path, text):
+    """Points of the deck COOR, panels of the one deck ELM that has some; what is not a panel is left out"""
+    points, decks, symmetry, within = [], [], set(), ""
+    for k, line in enumerate(text.splitlines(), 1):
+        words = line.split("*")[0].split()
+        name = next((word for word in words[:2] if re.fullmatch(r"COOR|ELM\w*|FINI", word)), None)
+        if " DECK " in line or name == "FINI":
+            within = ""
+        elif name:
+            within = name
+            decks += [[]] if name != "COOR" else []
+        elif within == "COOR" and len(words) > 1 and words[0].isdecimal():
+            points.append((k, [line[6:11], *NUMBER.findall(line[11:])]))  # fields of fixed width, often without blanks
+        elif within.startswith("ELM"):
+            symmetry |= {axis for card, axis in (("SYMX", "y"), ("SYMY", "x")) if card in line[:16]}
+            if re.search(r"[QT]PPL", line[:16]):
+                decks[-1].append((k, [word.strip() for word in re.findall(r"\(([^)]*)\)", line)[1:5]]))
+    bodies = [panels for panels in decks if panels]
+    if len(bodies) != 1:
+        raise ValueError(f"{path}: {len(bodies)} structures of panels (QPPL, TPPL); allowed: one body a file")
+    return _mesh(path, points, bodies[0], "".join(sorted(symmetry)))
+
+
+def read_hydrostar(path):
+    """HydroStar's mesh of one body; raises ValueError, also for a matrix of WAMIT, which has the same ending."""
+    rows = [(k, line.split()) for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1)]
+    rows = [(k, words) for k, words in rows if words]
+    points, panels, symmetry, within, kind = [], [], "", "", 0
+    for k, words in rows:
+        head = words[0].upper()
+        if head in ("COORDINATES", "PANEL", "ENDCOORDINATES", "ENDPANEL"):
+            within, kind = head, int(words[2] == "1") if head == "PANEL" and len(words) > 2 else kind
+        elif head == "SYMMETRY_BODY" and len(words) > 2:
+            symmetry = {"0": "", "1": "y", "2": "xy"}.get(words[2], "")
+        elif head in ("NBODY", "NBBODY") and words[1:] != ["1"]:
+            raise ValueError(f"{path}, line {k}: {' '.join(words[1:])} bodies; allowed: one body a file")
+        elif within == "COORDINATES":
+            points.append((k, words))
+        elif within == "PANEL":
+            panels.append((k, words[kind:]))
+    if not points:
+        raise ValueError(f"{path}: no COORDINATES in it; a mesh of HydroStar has them, a matrix of WAMIT is no mesh")
+    return _mesh(path, points, panels, symmetry)
+
+
+def _mesh(path, points, panels, symmetry):
+    """PanelMesh of rows (line, words): points `number x y z`, panels of their corners; a triangle may repeat one"""
+    numbers, places, corners = {}, [], []
+    for k, words in points:
+        if len(words) < 4:
+            raise ValueError(f"{path}, line {k}: {len(words)} numbers; a point has a number and x y z")
+        row = [_number(path, k, word) for word in words[:4]]
+        numbers[row[0]] = len(places)
+        places.append(row[1:])
+    for k, words in panels:
+        row = [_number(path, k, word) for word in words]
+        corners.append(_panel(path, k, row[:-1] if row[0] == row[-1] else row, numbers))
+    return PanelMesh(np.reshape(places, (-1, 3)), np.reshape(corners, (-1, 4)).astype(int), symmetry)

@@ -1,0 +1,49 @@
+"""Directions of a measured spectrum from what buoys give for each frequency: moments, or a mean and a spread.
+
+    D(α) = (1/2π) (1 − φ₁ c₁* − φ₂ c₂*) / |1 − φ₁ e^{−iα} − φ₂ e^{−2iα}|²
+    φ₁ = (c₁ − c₂ c₁*) / (1 − |c₁|²),   φ₂ = c₂ − φ₁ c₁,   c₁ = r₁ e^{iα₁},   c₂ = r₂ e^{2iα₂}
+
+has the moments c₁, c₂ = ∫ D e^{iα} dα, ∫ D e^{2iα} dα and is nowhere negative, as their Fourier sum is (Lygre and
+Krogstad 1986, J. Phys. Oceanogr. 16).  Of a spread σ alone it is cos²ˢ{(α − α₁)/2}, s = 2/σ² − 1 (Kuik et al. 1988).
+Angles α are where waves come from, clockwise from north.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+ROWS = 180  # directions
+ALPHA = np.arange(ROWS) * (2 * np.pi / ROWS)  # rad
+LARGEST_S = 2000.0  # 1.3° of spread, less than a row
+LARGEST = 0.99  # of r₁ and r₂, beyond which D is narrower than a row
+
+
+def of_moments(r1, r2, alpha1, alpha2):
+    """(n, ROWS) 1/rad on ALPHA; r1, r2 : (n,); alpha1, alpha2 : (n,) rad, NaN where unknown: all alike there"""
+    r1, r2 = np.clip(r1, 0, LARGEST), np.clip(r2, 0, LARGEST)
+    c1, c2 = r1 * np.exp(1j * alpha1), r2 * np.exp(2j * alpha2)
+    with np.errstate(invalid="ignore"):  # of NaN, which is no direction
+        p1 = (c1 - c2 * c1.conj()) / (1 - np.abs(c1) ** 2)
+    p2 = c2 - p1 * c1
+    turn = np.exp(-1j * ALPHA)
+    below = np.abs(1 - p1[:, None] * turn - p2[:, None] * turn**2) ** 2
+    return _whole((1 - p1 * c1.conj() - p2 * c2.conj()).real[:, None] / below)
+
+
+def of_spread(alpha1, spread):
+    """(n, ROWS) 1/rad on ALPHA; alpha1, spread : (n,) rad, NaN where unknown: all alike there"""
+    s = np.clip(2 / np.maximum(spread, 1e-3) ** 2 - 1, 0, LARGEST_S)
+    with np.errstate(divide="ignore"):
+        return _whole(np.exp(2 * s[:, None] * np.log(np.abs(np.cos((ALPHA - alpha1[:, None]) / 2)))))
+
+
+def towards(x_axis):
+    """(ROWS,) rad that waves from ALPHA travel to in axes whose x heads x_axis degrees of the compass"""
+    return np.radians(x_axis) - ALPHA - np.pi
+
+
+def _whole(values):
+    """Rows of integral one; all alike where a row is unknown or negative, as of moments that no sea has"""
+    bad = ~np.all(np.isfinite(values) & (values >= 0), axis=1)
+    values = np.where(bad[:, None], 1.0, values)
+    return values / (values.sum(axis=1, keepdims=True) * (2 * np.pi / ROWS))

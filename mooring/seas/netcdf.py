@@ -1,0 +1,117 @@
+"""Spectra in netCDF: by names and units of the variables, as the programs write them.
+
+    WAVEWATCH III   efth(time, station, frequency, direction) m² s/rad, directions towards
+    ERA5            d2fd(time, frequency, direction, place): log₁₀ of m² s/rad; 30 frequencies from 0.03453 Hz, each
+                    1.1 times the one before; 24 directions towards, from 7.5°
+    SWAN            density(time, points, frequency, direction) m² s/rad, directions in rad from (or towards)
+    wavespectra     efth(…, freq, dir) m² s/degree, directions from
+    NDBC            spectral_wave_density(time, frequency) m²/Hz, mean_wave_dir, principal_wave_dir, wave_spectrum_r1,
+                    wave_spectrum_r2
+
+Directions are clockwise from north, towards where the standard name has "to_direction", else from.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..environment.tables import TableError
+from . import buoys, directions
+
+DENSITIES = ("efth", "d2fd", "density", "spectral_wave_density")
+AXES = {"frequency": "f", "freq": "f", "frequencyNumber": "f", "direction": "d", "dir": "d", "directionNumber": "d"}
+TIMES = ("time", "valid_time")
+HEIGHTS = ("hs", "swh", "VHM0")
+NDBC = ("mean_wave_dir", "principal_wave_dir", "wave_spectrum_r1", "wave_spectrum_r2")
+ERA5 = 0.03453, 1.1  # Hz, and from one frequency to the next (ECMWF, 2D wave spectra)
+INTEGRALS = {"swh": "m high", "hs": "m high", "VHM0": "m high", "pp1d": "s of peak", "mwp": "s mean", "mwd": "° from"}
+
+
+def read_netcdf(path, x_axis, time, location):
+    """Sea of one time and place, as `spectra_files.read_sea`.  Raises TableError."""
+    try:
+        import xarray
+    except ImportError:
+        raise TableError(f"{path} is netCDF; pip install 'hakobune[xarray]' to read it") from None
+    try:
+        with xarray.open_dataset(path) as data:
+            return _sea(path, data.load(), x_axis, time, location)
+    except TableError:
+        raise
+    except Exception as error:
+        raise TableError(
+            f"{path}: cannot be read ({str(error).splitlines()[0] if str(error) else type(error)})"
+        ) from None
+
+
+def _sea(path, data, x_axis, time, location):
+    name = next((name for name in DENSITIES if name in data and set(data[name].dims) & set(AXES)), None)
+    if name is None:
+        raise TableError(f"{path} has no spectrum ({', '.join(DENSITIES)}){_integrals(data)}")
+    data = _at_place(path, _at_time(path, data, time), name, location)
+    rename = {axis: AXES[axis] for axis in data[name].dims if axis in AXES}
+    values = data[name].rename(rename)
+    if "f" not in values.dims or set(values.dims) - {"f", "d"}:
+        raise TableError(f"{path}: {name} has the axes {', '.join(data[name].dims)}; allowed: frequency and direction")
+    if not np.any(np.isfinite(values)):
+        raise TableError(f"{path} has no data there (all of {name} is missing); take another time or location")
+    old = {new: axis for axis, new in rename.items()}
+    if name == "d2fd":
+        frequency = ERA5[0] * ERA5[1] ** np.arange(values.sizes["f"])
+        values = 10**values
+    else:
+        frequency = np.asarray(data[old["f"]], float)
+    frequency, order = np.sort(frequency), np.argsort(frequency)
+    if "d" not in values.dims:
+        return _measured(path, data, frequency, order, np.nan_to_num(np.asarray(values, float)), x_axis)
+    density = np.nan_to_num(np.asarray(values.transpose("f", "d"), float))[order]
+    density = np.degrees(density) if "deg" in str(data[name].attrs.get("units", "")) else density
+    if x_axis is None:
+        raise buoys._no_axis(path)
+    sea = buoys._plane(path, frequency, np.radians(x_axis) - _towards(data, name, old["d"]), density)
+    height = next((float(data[one]) for one in HEIGHTS if one in data and data[one].size == 1), np.nan)
+    buoys.check_height(path, sea, height)
+    return sea
+
+
+def _towards(data, name, axis):
+    """(m,) rad clockwise from north that waves travel to"""
+    if name == "d2fd":
+        count = data.sizes[axis]
+        return (np.arange(count) + 0.5) * (2 * np.pi / count)
+    values, attrs = np.asarray(data[axis], float), data[axis].attrs
+    values = values if str(attrs.get("units", "")).startswith("rad") else np.radians(values)
+    return values if "to_direction" in str(attrs.get("standard_name", "")) else values + np.pi
+
+
+def _measured(path, data, frequency, order, density, x_axis):
+    if x_axis is None or any(name not in data for name in NDBC):
+        return buoys._plain(path, frequency, density[order])
+    a1, a2, r1, r2 = (np.asarray(data[name], float)[order] for name in NDBC)
+    spread = directions.of_moments(r1, r2, np.radians(a1), np.radians(a2))
+    return buoys._spread(path, frequency, density[order], spread, x_axis)
+
+
+def _at_time(path, data, time):
+    axis = next((one for one in TIMES if one in data.dims), None)
+    if axis is None:
+        return data
+    times = [str(one)[:16] for one in data[axis].values]
+    wanted = None if time is None else str(time).strip().replace(" ", "T")
+    return data.isel({axis: buoys.one_of(path, times, wanted)})
+
+
+def _at_place(path, data, name, location):
+    """The place `location`, from 1, of the axes that are neither frequency nor direction, the last fastest"""
+    axes = [axis for axis in data[name].dims if axis not in AXES]
+    sizes = [data.sizes[axis] for axis in axes]
+    if not 1 <= location <= np.prod(sizes, dtype=int):
+        raise TableError(f"{path} has {np.prod(sizes, dtype=int)} places, wanted is {location}; allowed: to that")
+    place = np.unravel_index(location - 1, sizes) if sizes else ()
+    return data.isel(dict(zip(axes, map(int, place), strict=True)))
+
+
+def _integrals(data):
+    there = [(name, unit) for name, unit in INTEGRALS.items() if name in data and data[name].size == 1]
+    found = ", ".join(f"{name} {data[name].values.item():.4g} {unit}" for name, unit in there)
+    return f" but {found}: give height, a period and a direction" if found else ""

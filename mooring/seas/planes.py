@@ -1,0 +1,69 @@
+"""A sea given as a plane: densities by frequency and direction, straight lines between."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..environment.sea import Sea
+from ..environment.spectra import tabulated
+from ..environment.spreading import Spreading
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class TabulatedSpreading(Spreading):
+    """Directions of a two-dimensional spectrum: straight between rows of omega (n,) rad/s and of angle (m,) rad.
+
+    values : (n, m) 1/rad, each row of integral one; angle rising over one turn at most, closed at its end
+    """
+
+    omega: np.ndarray
+    angle: np.ndarray
+    values: np.ndarray
+    depends_on_frequency = True
+
+    def __repr__(self):
+        return f"<spreading of {len(self.omega)} frequencies and {len(self.angle)} directions>"
+
+    def __str__(self):
+        return f"spread over directions as {len(self.omega)} × {len(self.angle)} values of a file"
+
+    def density(self, angle, omega=None):
+        if omega is None:
+            raise ValueError("a spectrum in two dimensions spreads by frequency; give omega")
+        angle, omega = np.broadcast_arrays(np.asarray(angle, float), np.asarray(omega, float))
+        i, s = _place(self.omega, omega)
+        turned = np.mod(angle - self.angle[0], 2 * np.pi) + self.angle[0]
+        closed = np.append(self.angle, self.angle[0] + 2 * np.pi)
+        values = np.concatenate([self.values, self.values[:, :1]], axis=1)
+        j, t = _place(closed, turned)
+        low = (1 - t) * values[i, j] + t * values[i, j + 1]
+        return (1 - s) * low + s * ((1 - t) * values[i + 1, j] + t * values[i + 1, j + 1])
+
+
+def two_dimensional(omega, angle, density, name):
+    """Sea of S(ω, θ) (n, m) m² s/rad², omega (n,) rad/s rising, angle (m,) rad travelled to, in any order."""
+    order = np.argsort(np.mod(angle, 2 * np.pi))
+    angle, density = np.mod(angle, 2 * np.pi)[order], np.asarray(density, float)[:, order]
+    if len(angle) < 3 or np.diff(angle).min(initial=1.0) < 1e-6:
+        raise ValueError(f"{name}: {len(angle)} directions; allowed: at least 3, each once")
+    gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
+    if np.count_nonzero(gaps > 1.5 * np.median(gaps)):  # a sector: nothing travels beyond it
+        k = int(np.argmax(gaps))
+        ends = angle[k] + 1e-4, angle[(k + 1) % len(angle)] - 1e-4 + 2 * np.pi * (k == len(angle) - 1)
+        angle = np.mod(np.concatenate([angle, ends]), 2 * np.pi)
+        density = np.concatenate([density, np.zeros((len(density), 2))], axis=1)
+        order = np.argsort(angle)
+        angle, density = angle[order], density[:, order]
+        gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
+    weight = 0.5 * (gaps + np.roll(gaps, 1))  # of straight lines between rows
+    total = density @ weight
+    even = np.where(total[:, None] > 0, density / np.maximum(total, 1e-300)[:, None], 1 / (2 * np.pi))
+    return Sea(tabulated(omega, total, name), 0.0, TabulatedSpreading(np.asarray(omega, float), angle, even))
+
+
+def _place(rows, values):
+    """Place below (…,) and share of the way to the next, held at both ends"""
+    i = np.clip(np.searchsorted(rows, values, side="right") - 1, 0, len(rows) - 2)
+    return i, np.clip((values - rows[i]) / (rows[i + 1] - rows[i]), 0.0, 1.0)

@@ -1,0 +1,86 @@
+"""Panel files of others, found under a folder: is each read, and is what was read the hull that it is meant to be.
+
+    python tests/bench/public_meshes.py FOLDER
+
+A hull drawn whole is cut at the surface.  Right is one without an error among its findings, whose volumes by x, y and
+z agree within 1 % and whose lid has the area of its waterplane within 5 %; the rest is refused, with the reason.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+
+from hakobune.meshing.files import READABLE, read_mesh
+from hakobune.meshing.lid import lid
+from hakobune.meshing.mirror import folded
+from hakobune.meshing.quality import findings
+
+VOLUMES, LID = 0.01, 0.05
+LARGEST = 6000  # panels that are looked at whole
+
+
+def of_meshes(folder):
+    """Files under a folder that hold panels by their ending; of those with a common one, by how they begin"""
+    for path in sorted(folder.rglob("*")):
+        ending = path.suffix.lower()
+        if path.is_file() and ending in READABLE and (ending not in (".dat", ".hst", ".mar") or _lists_points(path)):
+            yield path
+
+
+def judged(path):
+    """("right", "refused" or "wrong", why) of a file of panels"""
+    try:
+        mesh = read_mesh(path)
+        if mesh.points[:, 2].max() > 0:
+            mesh = mesh.clipped()
+    except ValueError as error:
+        return "refused", str(error).replace(str(path), path.name)
+    if mesh.total > LARGEST:
+        return "right", f"{mesh.total} panels, only read"
+    mesh = folded(mesh)
+    errors = [one.text for one in findings(mesh) if one.severity == "error"]
+    if errors:
+        return "refused", errors[0]
+    hull = mesh.whole()
+    x, y, z = (float(hull.centroids[:, i] @ hull.area_vectors[:, i]) for i in range(3))
+    if max(x, y, z) - min(x, y, z) > VOLUMES * abs(z):
+        return "wrong", f"volumes {x:.5g}, {y:.5g}, {z:.5g} m³"
+    waterplane = -hull.area_vectors[:, 2].sum()
+    if waterplane > 1e-6 * hull.areas.sum() and mesh.draft > 0:
+        try:
+            made = lid(mesh)
+        except ValueError as error:
+            return "refused", str(error)
+        covered = 0.0 if made is None else made.whole().areas.sum()
+        if abs(covered / waterplane - 1) > LID:
+            return "wrong", f"a lid of {covered:.5g} m² on a waterplane of {waterplane:.5g} m²"
+    return "right", f"{mesh.total} panels, {z:.6g} m³"
+
+
+def _lists_points(path):
+    with path.open(errors="replace") as file:
+        lines = [line for line, _ in zip(file, range(4000), strict=False)]
+    words = lines[0].split() if lines else []
+    text = "".join(lines)
+    if path.suffix.lower() == ".hst":
+        return "COORDINATES" in text
+    pair = len(words) == 2 and all(word.isdecimal() for word in words)
+    return pair or "QPPL" in text or "*RETURN" in text
+
+
+def main(folder):
+    count = Counter()
+    for path in of_meshes(folder):
+        verdict, why = judged(path)
+        count[verdict] += 1
+        print(f"{verdict:8} {path.relative_to(folder)}: {why[:160]}")
+    print(dict(count))
+
+
+if __name__ == "__main__":
+    np.seterr(all="ignore")
+    main(Path(sys.argv[1]))
