@@ -168,3 +168,14 @@ def test_a_wind_that_drives_the_current_has_to_be_there(tmp_path, capsys):
     (tmp_path / "site.toml").write_text(text)
     assert main(["site", str(tmp_path / "site.toml"), "--output", str(tmp_path / "v.toml")]) == 2
     assert "current.wind_driven is true and there is no [wind]" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("last, told", [(60.0, True), (26.0, False)])
+def test_a_value_below_what_was_measured_in_fewer_years_is_told(tmp_path, last, told):
+    """Eleven years about 25 m/s and one of 60: Gumbel's value of twelve years is b + 2.44 s, below it"""
+    maxima = [24.0 + 0.2 * i for i in range(11)] + [last]
+    change = ("speed = 30.0\n", f"maxima = {maxima}\n"), ("probability = 0.7", "return_period = 12.0")
+    _, values = made(tmp_path, *change)
+    said = [line for line in values.findings if "largest of 12 years measured" in line]
+    assert bool(said) is told and (values.wind.value < last) is told
+    assert not told or f"gumbel, {values.wind.value:.4g}, is below 60, the" in said[0]
