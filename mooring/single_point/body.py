@@ -31,6 +31,10 @@ class SinglePointError(ValueError):
     """An impossible single-point mooring, or one that cannot be followed: the message names the number and the limit"""
 
 
+class NotFollowedError(SinglePointError):
+    """A motion that goes where the mooring does not hold, or that no step is short enough for"""
+
+
 class Pull(NamedTuple):
     """Force of its lines on a buoy.
 

@@ -101,8 +101,22 @@ def equilibria(point: SinglePoint):
                 start = found[-1].lines.pose if found else None  # loads from one side pull alike at all headings
                 found.append(_at(point, heading, force, end, length, tension, start))
     if not found:
-        raise SinglePointError("no heading is at rest: wind, current and waves exert no force; give one of them")
+        raise SinglePointError(f"no heading is at rest: {_why_none(point)}")
     return sorted(found, key=lambda one: one.heading)
+
+
+def _why_none(point):
+    force = point.loads.at_rest(np.linspace(0.0, 2 * np.pi, 24, endpoint=False))
+    if not np.any(force[:, :2]):
+        return "wind, current and waves exert no force; give one of them"
+    if not np.any(_about(force, point.apex)):
+        return (
+            "wind, current and waves do not turn the body about its attachment, so that it lies at any heading; give "
+            "attachment another place, or coefficients with their moment"
+        )
+    return (
+        "where no moment is left, wind, current and waves push the body onto its mooring, or pull by one hawser alone"
+    )
 
 
 def headings_of_rest(loads, end):

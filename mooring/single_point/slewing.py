@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .body import Hold, SinglePoint, SinglePointError
+from .body import Hold, NotFollowedError, SinglePoint, SinglePointError
 
 LONGEST = 40.0, 2.0  # s, of a step in steady and in gusty wind
 UNITS = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])  # of the tolerance of each state
@@ -137,7 +137,7 @@ def until_turn(point: SinglePoint, start, direction, longest, tolerance):
     def counting(t, y):
         counted[0] += 1
         if counted[0] > MOST:
-            raise SinglePointError(f"after {t:.4g} s each step is too short to follow the motion{refused[0]}")
+            raise NotFollowedError(f"after {t:.4g} s each step is too short to follow the motion{refused[0]}")
         return rate(t, y)
 
     turns.terminal, turns.direction = True, direction
@@ -146,7 +146,7 @@ def until_turn(point: SinglePoint, start, direction, longest, tolerance):
         found = solve_ivp(counting, (0.0, longest), start, "DOP853", rtol=tolerance, atol=tolerance * UNITS,
                           events=turns, dense_output=True, first_step=min(FIRST, longest))  # fmt: skip
     if not found.success:
-        raise SinglePointError(f"the motion cannot be followed{refused[0]}")
+        raise NotFollowedError(f"the motion cannot be followed{refused[0]}")
     if found.status != 1:
         raise SinglePointError(
             f"the heading does not turn back within {longest:.3g} s, it is at {np.degrees(found.y[2, -1]) % 360:.1f}°"

@@ -229,7 +229,7 @@ def case(one, links):
             *_place_words(row),
             f"{row['largest_tension_N'] / 1e3:.4g}",
             row["line"],
-            "not given" if np.isnan(share) else f"{100 * share:.0f} %",
+            "not given" if np.isnan(share) else percent(share),
             f"{row['horizontal_at_anchor_N'] / 1e3:.4g}",
             f"{max(row['uplift_at_anchor_N'], 0.0) / 1e3 + 0.0:.4g}",
         ]

@@ -167,7 +167,7 @@ def _forces(one, span, found):
         "weight": (kind.weight, "N/m", "weight in water"),
         "axial_stiffness": (kind.axial_stiffness, "N", "axial stiffness EA"),
         "breaking_load": (kind.breaking_load, "N", "breaking load"),
-        "used": (float(found.tension_fairlead) / kind.breaking_load, "", "used of the breaking load"),
+        "used": (largest_in(found) / kind.breaking_load, "", "used of the breaking load"),
     }
     unknown = () if np.isfinite(kind.breaking_load) else ("breaking_load", "used")
     if np.isinf(kind.axial_stiffness):
@@ -178,18 +178,23 @@ def _forces(one, span, found):
     }
 
 
+def largest_in(found):
+    """N: the larger tension of both ends, which is that at the anchor where the line floats or the anchor is higher"""
+    return np.maximum(found.tension_fairlead, found.tension_anchor)
+
+
 def _curves(one, found):
     breaking = one.type.breaking_load if np.isfinite(one.type.breaking_load) else np.nan
     return quantities("from slack to taut", {
         "curve.horizontal": (found.horizontal_fairlead, "N", "horizontal"),
         "curve.tension": (found.tension_fairlead, "N", "tension"),
         "curve.grounded": (found.grounded_length, "m", "floats" if one.floats else "on the bed"),
-        "curve.used": (found.tension_fairlead / breaking, "%", "used"),
+        "curve.used": (largest_in(found) / breaking, "%", "used"),
     }, "at_span")  # fmt: skip
 
 
 def _overloads(one, found):
-    largest, breaking = float(max(found.tension_fairlead, found.tension_anchor)), one.type.breaking_load
+    largest, breaking = float(largest_in(found)), one.type.breaking_load
     if largest > breaking:
         yield fails(
             f"the tension is {significant(largest / KN)} kN, {100 * largest / breaking:.4g} % of the breaking load "

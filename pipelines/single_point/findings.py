@@ -34,17 +34,36 @@ def findings(found):
 
 def overloads(study, best, cycle, run):
     """What fails of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run, either None"""
-    load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
     count = 0 if study.hawser is None else len(best.hawser)
     names = [*(f"hawser {i + 1}" for i in range(count)), *best.point.system.line_names]
+    for where, used in used_in(study, best, cycle, run).items():
+        yield from overused(names, used, study.allowable, where, HELP)
+
+
+def used_in(study, best, cycle, run):
+    """{where: (k + n,) shares of the breaking load of hawsers, none without their table, and lines}, nan if unknown"""
+    load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
+    count = 0 if study.hawser is None else len(best.hawser)
     breaking = np.array([*np.full(count, np.nan if load is None else load), *best.point.system.breaking_load])
     breaking[~np.isfinite(breaking)] = np.nan
-    at_rest = [*best.hawser[:count] / breaking[:count], *best.lines.lines.utilisation]
-    yield from overused(names, at_rest, study.allowable, "at rest", HELP)
-    pulls = {}
+    found = {
+        where: np.array([*hawser[:count], *lines]) / breaking
+        for where, (hawser, lines) in pulls(study, best, cycle, run).items()
+    }
+    found["at rest"][count:] = best.lines.lines.utilisation  # of the segment that is nearest to it
+    return found
+
+
+def pulls(study, best, cycle, run):
+    """{where: (hawsers (k,), lines (n,)) N}, the largest: at rest, in the LimitCycle and in the Run, where they are"""
+    found = {"at rest": (best.hawser, best.lines.tension)}
     if cycle is not None:
-        pulls["in the limit cycle"] = cycle.hawser.max(axis=0), cycle.lines.max(axis=0)
+        found["in the limit cycle"] = cycle.hawser.max(axis=0), cycle.lines.max(axis=0)
     if run is not None:
-        pulls["in the run in time"] = largest_of(run, study.waves is not None)
-    for where, (hawser, lines) in pulls.items():
-        yield from overused(names, np.array([*hawser[:count], *lines]) / breaking, study.allowable, where, HELP)
+        found["in the run in time"] = largest_of(run, study.waves is not None)
+    return found
+
+
+def largest_pulls(study, best, cycle, run):
+    """Hawsers (k,) and lines (n,) N: the largest of `pulls`, wherever it is"""
+    return tuple(np.max(part, axis=0) for part in zip(*pulls(study, best, cycle, run).values(), strict=True))

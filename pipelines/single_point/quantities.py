@@ -15,6 +15,7 @@ from hakobune.mooring.single_point.yaw_criteria import yaw_stability
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
 from . import running
+from .findings import used_in
 
 REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
 ROUNDING = 1e-7  # rad, of a heading of rest
@@ -119,13 +120,16 @@ def yaw_of(one):
 
 
 def lines_at(found):
-    """Hawsers and lines at the heading it comes to"""
+    """Lines at the heading it comes to, and what they use of their breaking load where that is most"""
     one = found.best
     lines = one.lines.lines
+    shares = used_in(found.study, one, found.cycle, found.run)
+    most = np.max(list(shares.values()), axis=0)[-len(one.lines.tension) :]
+    where = "used" if len(shares) == 1 else f"used at most ({', '.join(shares)})"
     made = quantities(f"lines at {bow(one):.4g}°", {
         "line.tension": (one.lines.tension, "N", "tension"),
         "line.grounded": (lines.grounded_length, "m", "on the bed"),
-        "line.used": (lines.utilisation, "%", "used"),
+        "line.used": (most, "%", where),
     }, "line")  # fmt: skip
     made |= quantities("", {"line.breaking_load": (one.point.system.breaking_load, "N", "breaking load")}, "line")
     return made | quantities("", {"allowable": (float(found.study.allowable), "%", "allowable")}), {}

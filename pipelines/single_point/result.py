@@ -5,11 +5,13 @@ from __future__ import annotations
 import tomllib
 from typing import TYPE_CHECKING, NamedTuple
 
-from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
+from hakobune.mooring.criteria.failing import failing, fails
+from hakobune.mooring.single_point.body import NotFollowedError, SinglePoint, SinglePointError
 from hakobune.mooring.single_point.equilibria import Equilibrium, equilibria, preferred
 from hakobune.mooring.single_point.in_time import Run
 from hakobune.mooring.single_point.limit_cycle import LimitCycle, limit_cycle
 
+from ..common.bounds import told
 from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.result import Result
@@ -23,6 +25,9 @@ from .tables import Study, make_study
 
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
+
+
+A_CYCLE = 15.0  # s, of a box on six chains
 
 
 class Found(NamedTuple):
@@ -63,7 +68,9 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     run = None if read.slewing is None else running.run(read, made.point, best, db)
     maps = tuple(computed(raw, i, db) for i, _ in enumerate(read.maps))
     found = Found(read, made.point, rest, best, cycle, run, maps)
-    return result_of(found, made.findings, () if none is None else (none,), text, db)
+    lost = () if none is None else (none,)
+    broken = failing(lost)
+    return result_of(found, (*made.findings, *broken), () if broken else lost, text, db)
 
 
 def _read(path: File) -> tuple[Study, str]:
@@ -72,11 +79,17 @@ def _read(path: File) -> tuple[Study, str]:
 
 
 def _cycle_of(one):
-    """LimitCycle of an Equilibrium that is not stable, or why it comes to none; None for both where it is stable"""
+    """LimitCycle of an Equilibrium that is not stable, or why it comes to none; None for both where it is stable
+
+    It fails where the body slews beyond what the mooring holds: what lines carry there is not known.
+    """
     if one.slewing.stable:
         return None, None
+    told("the body slews; its limit cycle takes minutes where nothing damps it, else", A_CYCLE)
     try:
         return limit_cycle(one), None
+    except NotFollowedError as error:
+        return None, fails(f"limit cycle: {error}")
     except SinglePointError as error:
         return None, f"limit cycle: {error}"
 
@@ -87,12 +100,12 @@ def result_of(found, first, notes, text, db):
     for part in (rest_of, state_of, lines_at, cycle_of, run_of, maps_of, hull_of):
         made, labels = part(found)
         quantities, axes = quantities | made, axes | labels
-    told = (
+    said = (
         *first, *findings(found), *overloads(found.study, found.best, found.cycle, found.run),
         *(_lost(one) for one in found.maps if one.failed),
     )  # fmt: skip
     notes = (*notes_of(found), *notes)
-    return Result("single-point", quantities, axes, told, notes, provenance=provenance(text, db), detail=found)
+    return Result("single-point", quantities, axes, said, notes, provenance=provenance(text, db), detail=found)
 
 
 def _lost(found):

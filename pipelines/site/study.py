@@ -275,6 +275,11 @@ def _extreme(where, table, given, years, confidence, folder, findings):
         )
     if years > 4 * count:
         findings.append(f"{where}: {years:.0f} years are more than four times the {count} measured: an extrapolation")
+    if years >= count and found.value < (most := float(fit.maxima.max())):
+        findings.append(
+            f"{where}: the value of {years:.0f} years by {fit.family}, {found.value:.4g}, is below {most:.4g}, the "
+            f"largest of {count} years measured; take another family, or the measured one"
+        )
     if not found.value > 0:
         raise StudyError(f"{where}: the value of {years:.0f} years is {found.value:.4g}; allowed: above 0")
     return found

@@ -13,7 +13,11 @@ largest of a run by peaks over a threshold (largest between upward crossings of 
 probability-weighted moments, Hosking and Wallis 1987; bootstrap over seeds).  beyond: share of trials in which more of
 all runs than `share_beyond(20)` go beyond the largest of the trial, which is to be a tenth.
 
+Rows of `all` are the mean over the quantities of a kind, ± its standard error over the trials (in each the quantities
+are of the same 20 runs, so that twelve lines are not twelve trials).
+
 Blocks of 20 seeds are kept in FOLDER and not made again; 1 000 seeds take 3 minutes (mild) to 8 (berth) on one core.
+The interval counts runs, so that shorter ones (--seconds) show as much of it.
 """
 
 import argparse
@@ -50,7 +54,7 @@ def study(scene):
     return tomli_w.dumps(raw), 600.0
 
 
-def made(scene, folder, first, count):
+def made(scene, folder, first, count, seconds=None):
     """Names of the quantities, and peaks (seeds, quantities, largest and −smallest, PEAKS) of all seeds"""
     from hakobune.pipelines.cli import main
     from hakobune.pipelines.moor.study import make_study
@@ -64,7 +68,7 @@ def made(scene, folder, first, count):
         if not place.exists():
             if task is None:
                 text, duration = study(scene)
-                task = Task(make_study(tomllib.loads(text)), str(database), duration, None, str(folder))
+                task = Task(make_study(tomllib.loads(text)), str(database), seconds or duration, None, str(folder))
                 task = replace(task, memory=prepared(task)[0].memory)
                 names = names_of(prepared(task)[0])
             rows = [simulate_seed(task, seed, True) for seed in range(begin, begin + TRIAL)]
@@ -114,7 +118,7 @@ def over_threshold(peaks, rng):
 
 
 def row_of(peaks, rng):
-    """Shares of trials that hold the truth (drawn, median, Gumbel, threshold), and of those with too much beyond"""
+    """% of trials that hold the truth (drawn, median, Gumbel, threshold), with too much beyond; median in each trial"""
     largest, held = peaks[:, 0], []
     for trial in np.split(peaks, len(peaks) // TRIAL):
         own, gumbel = median_extreme(trial[:, 0]), fit_extremes(trial[:, 0]).interval(RUNS_OF_MEAN)
@@ -129,7 +133,8 @@ def row_of(peaks, rng):
         )
     drawn = [median_extreme(some) for some in rng.choice(largest, (DRAWN, TRIAL))]
     middle = np.median(largest)
-    return 100 * np.r_[np.mean([one.low <= middle <= one.high for one in drawn]), np.mean(held, axis=0)]
+    shares = np.r_[np.mean([one.low <= middle <= one.high for one in drawn]), np.mean(held, axis=0)]
+    return 100 * shares, 100.0 * np.array(held)[:, 0]
 
 
 def told(scene, names, peaks):
@@ -140,11 +145,14 @@ def told(scene, names, peaks):
             one_sided = name.startswith(("tension", "fender", "wind"))
             if np.ptp(peaks[:, j, 0, 0]) == 0 or (end and one_sided):
                 continue
-            row = row_of(peaks[:, j, end], rng)
-            pooled.setdefault(name.split()[0] if name.startswith(("tension", "fender")) else "motions", []).append(row)
+            row, trials = row_of(peaks[:, j, end], rng)
+            kind = name.split()[0] if name.startswith(("tension", "fender")) else "motions"
+            pooled.setdefault(kind, []).append((row, trials))
             print(f"  {name:26}{sign:10}" + "".join(f"{value:6.0f}" for value in row))
     for kind, rows in pooled.items():
-        print(f"  all {kind:32}" + "".join(f"{value:6.1f}" for value in np.mean(rows, axis=0)), flush=True)
+        shares, trials = (np.mean(part, axis=0) for part in zip(*rows, strict=True))
+        error = trials.std(ddof=1) / np.sqrt(len(trials))
+        print(f"  all {kind:32}" + "".join(f"{value:6.1f}" for value in shares) + f"   ± {error:.1f}", flush=True)
 
 
 if __name__ == "__main__":
@@ -153,7 +161,8 @@ if __name__ == "__main__":
     words.add_argument("--seeds", type=int, default=1000)
     words.add_argument("--from", type=int, default=10001, dest="first")
     words.add_argument("--scenes", default="snap,mild,berth")
+    words.add_argument("--seconds", type=float, help="of a run, in place of those above; with a FOLDER of its own")
     given = words.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     for one in given.scenes.split(","):
-        told(one, *made(one, given.folder, given.first, given.seeds))
+        told(one, *made(one, given.folder, given.first, given.seeds, given.seconds))

@@ -35,7 +35,8 @@ def berth_numbers(study, database, path, runs):
         anchor, fairlead, breaking = file["anchor"][()], file["fairlead"][()], file.attrs["breaking_load"]
         start, place = file.attrs["place_at_rest"], _mean_place(file)
         parts = _of_fenders(file, made, berth)
-        warnings = (*runs["findings"], _periods(file), *findings_on_periods(file), *findings_on_fenders(file),
+        warnings = (*runs["findings"], _periods(file), *_steady_of_few(file), *findings_on_periods(file),
+                    *findings_on_fenders(file),
                     *filter(None, [str(file.attrs.get("design_spectrum", ""))]))  # fmt: skip
     at_rest = courses(berth, start[None])[1][0][len(berth.fenders) :]
     held = _at_rest(made, db, hull, start)
@@ -63,6 +64,16 @@ def _periods(file):
     known = [(n, T) for n, T in zip(PLANE, file.attrs["natural_period"], strict=True) if np.isfinite(T)]
     words = ", ".join(f"{name} {T:.3g} s" for name, T in known)
     return f"natural periods of small motions at the berth: {words or 'none, nothing holds them at rest'}"
+
+
+def _steady_of_few(file):
+    """That steady strains are of the kept records, where there are runs beside them"""
+    kept, runs = len(file["deflection"]), len(file["seed"])
+    if kept < runs:
+        yield (
+            f"steady strains are of the {kept} runs whose records are kept, of {runs}; others may have more: "
+            f"simulation.keep_series = {runs}"
+        )
 
 
 def _at_rest(made, db, hull, start):

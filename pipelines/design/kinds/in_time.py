@@ -2,7 +2,8 @@
 
 Some rules take the tension at a multiple of the dynamic displacement: there the body is moved from its mean by the
 multiple of where it is at the largest tension of a line, in each run that is kept, and statics give the tension, times
-what the largest simulated is over that of statics at the displacement itself.
+what the largest simulated is over that of statics at the displacement itself; a multiple above 1 never gives less than
+what was simulated.
 """
 
 from __future__ import annotations
@@ -67,7 +68,8 @@ def _simulated(study, database, path, factors):
     more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # of runs that are not kept, and of lines in motion
     for factor in factors:
         if factor != 1:
-            largest[factor] = more * _moved(study, database, motion, tension, factor)[0]
+            further = more * _moved(study, database, motion, tension, factor)[0]
+            largest[factor] = np.maximum(largest[1.0], further) if factor > 1 else further
     return {
         "mean": np.array([row["mean"] for row in rows]),
         "largest": largest,

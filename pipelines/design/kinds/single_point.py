@@ -162,17 +162,18 @@ def _found(raw, database, path):
     result.write(path)
     names = [] if found.study.hawser is None else [*(f"hawser {i + 1}" for i in range(len(found.best.hawser)))]
     stable = sum(one.slewing.stable for one in found.rest)
-    return _numbers(found.study, found.best, stable, found.run, names, lost(raw), (*result.told, *result.notes))
+    parts = found.study, found.best, stable, found.cycle, found.run
+    return _numbers(*parts, names, lost(raw), (*result.told, *result.notes))
 
 
-def _numbers(study, best, stable, ran, hawsers, line_names, warnings):
-    from hakobune.mooring.single_point.in_time import largest_of
+def _numbers(study, best, stable, cycle, ran, hawsers, line_names, warnings):
+    from ...single_point.findings import largest_pulls
 
     lines, system = best.lines, best.lines.system
     anchors, tops = lines.points[system.arrays.ends].swapaxes(0, 1)
     count, own = len(hawsers), ("hawser",) if hawsers else ()
-    pulls, largest = (best.hawser, lines.tension) if ran is None else largest_of(ran, study.waves is not None)
-    pulls = np.asarray(pulls)[:count]
+    pulls, largest = largest_pulls(study, best, cycle, ran)
+    pulls = pulls[:count]
     share = largest / np.maximum(lines.tension, 1e-300)
     load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
     none = np.zeros(count)

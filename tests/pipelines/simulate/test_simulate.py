@@ -450,19 +450,22 @@ def test_what_lines_use_is_never_less_than_in_any_run_and_a_line_that_broke_in_o
 
 
 def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(folder, monkeypatch):
-    """Statics at the displacement give 1.5 MN, at 1.5 times it 2 MN; run 4, which is not kept, pulled with 20 MN"""
+    """Statics at the displacement give 1.5 MN, at 1.5 times it 2 MN; run 4, which is not kept, pulled with 20 MN
+
+    At 1.2 times it they give 1 MN, less than what was simulated, which stands."""
     monkeypatch.setattr(engine, "simulate", snapping)
     simulate(6)
     made = runs.Outcome(0, 6, 6, (), False)
     monkeypatch.setattr(in_time, "_run", lambda *given: made)
-    held = {1.0: 1.5e6, 1.5: 2e6}
+    held = {1.0: 1.5e6, 1.2: 1e6, 1.5: 2e6}
     monkeypatch.setattr(in_time, "_moved", lambda *given: np.full((3, 12), held[given[-1]]))
-    found = in_time._simulated(Path("study.toml"), "box.h5", Path("run.h5"), (1.0, 1.5))
+    found = in_time._simulated(Path("study.toml"), "box.h5", Path("run.h5"), (1.0, 1.2, 1.5))
     with opened("run.h5") as file:
         rows = file["statistics"][()]
     largest, smallest = rows[:, :, STATISTICS.index("largest")], rows[:, :, STATISTICS.index("smallest")]
     assert np.array_equal(found["largest"][1.0], largest[:, 8:].max(axis=0)) and found["largest"][1.0][0] == 2e7
     assert found["largest"][1.5][0] == pytest.approx(2e6 * 2e7 / 1.5e6)
+    assert np.array_equal(found["largest"][1.2], found["largest"][1.0])
     broken, snaps = found["findings"][-2:]
     assert "part: fore port 1 " in broken and "in 1 of 6 runs" in broken and "fore port 1 in 1 of 6" in snaps
     mean = rows[:, :, STATISTICS.index("mean")].mean(axis=0)

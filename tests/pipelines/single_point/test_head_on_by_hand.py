@@ -259,3 +259,9 @@ def test_a_study_is_taken_up_to_its_limits(tmp_path, capsys, pictures, monkeypat
         said = capsys.readouterr().err
         assert (says in said) is refused, (status, said)
         assert not refused or (status == 2 and said.count("\n") == 1)
+
+
+def test_a_body_held_where_nothing_turns_it_is_refused_for_that_and_not_for_want_of_a_force(tmp_path, asked):
+    """Held at its centre of mass with forces that have no moment it lies at any heading"""
+    with pytest.raises(ValueError, match="do not turn the body about its attachment, so that it lies at any heading"):
+        hakobune.single_point(written(tmp_path, (f"x = {BOW}", "x = 0.0")))

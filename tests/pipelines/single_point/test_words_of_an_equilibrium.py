@@ -5,7 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.mooring.single_point.body import NotFollowedError, SinglePointError
 from hakobune.mooring.single_point.equilibria import bow
+from hakobune.pipelines.single_point import result
 from hakobune.pipelines.single_point.quantities import state_of, turned
 from hakobune.pipelines.single_point.result import _cycle_of
 
@@ -42,3 +44,17 @@ def test_a_bow_is_told_from_0_to_below_360_degrees():
 
 def test_what_does_not_slew_has_no_limit_cycle():
     assert _cycle_of(at_rest()) == (None, None)
+
+
+@pytest.mark.parametrize("error, said", [
+    (NotFollowedError("the motion cannot be followed: line 1 cannot span 330 m"), "FAILS: limit cycle: the motion"),
+    (SinglePointError("the slewing dies out at a heading of 3.0°"), "limit cycle: the slewing dies out"),
+])  # fmt: skip
+def test_a_body_that_slews_beyond_its_mooring_fails_and_says_what_it_takes_before(error, said, monkeypatch, capsys):
+    def refused(one):
+        raise error
+
+    monkeypatch.setattr(result, "limit_cycle", refused)
+    cycle, why = _cycle_of(at_rest(0.02))
+    assert cycle is None and why.startswith(said)
+    assert "the body slews; its limit cycle takes minutes" in capsys.readouterr().err

@@ -1,0 +1,154 @@
+"""What a study tells as largest, or as used of a strength, is never below what it simulated: one table of studies.
+
+Each row is a function that gives (told, simulated): what the result says, and the largest of what was computed on the
+way there, of its records or at both ends.  Runs over seeds and designs made of them, those that are not kept too, are
+in `simulate/test_simulate.py`, fenders there and in `simulate/test_quay.py`, snapping breakwaters in
+`design/test_worked_designs.py`.  Films have numbers of time alone.
+"""
+
+import tomllib
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import hakobune
+from hakobune.pipelines.design.kinds.berth import _steady_of_few
+from hakobune.pipelines.single_point.findings import largest_pulls, used_in
+
+BREAKING = 4e6  # N
+ROPE = "HMPE 160 mm"
+SINGLE_POINT = """
+[water]
+depth = 50.0
+[hull]
+length = 100.0
+beam = 40.0
+draft = 8.0
+[mass]
+added_surge = 0.1
+added_sway = 0.6
+added_yaw = 0.4
+[attachment]
+x = 48.0
+[hawser]
+length = 25.0
+[buoy]
+z = -5.0
+[types.chain]
+weight_N_per_m = 2000.0
+breaking_load_kN = 4000.0
+[mooring]
+type = "chain"
+length = 330.0
+headings_deg = [0, 90, 180, 270]
+pretension_kN = 200.0
+[current]
+speed = 1.0
+incidence_deg = 0.0
+sway_damping = 500.0
+yaw_damping = 2e6
+coefficients = { angles_deg = [0, 45, 90], x = [0.7, 0.5, 0], y = [0, 0.7, 1.0] }
+[slewing]
+duration = 120.0
+offset_deg = 60.0
+"""
+MOVING = """
+anchor = [0.0, 0.0, -60.0]
+duration = 16.0
+water = { depth = 60.0 }
+types = { chain = { catalogue = "R3 studless 76 mm" } }
+segments = [{ type = "chain", length = 315.0 }]
+[fairlead]
+position = [292.0, 0.0, -2.0]
+motions = [{ period = 8.0, amplitude = [0.5, 0.0, 0.2] }]
+"""
+QUAKE = {
+    "motion": "sway",
+    "body": {"mass": 51250.0, "added_mass": 15000.0, "damping": 2000.0},
+    "fender": {"table": "fender.csv", "height": 2.0, "count": 3},
+    "record": {"file": "record.csv"},
+}
+FENDER = "strain,reaction_kN\n0,0\n0.125,250\n0.25,500\n0.375,600\n0.5,700\n"
+PILE = {"start": [0.0, 0.0, -12.0], "end": [0.0, 0.0, 3.0], "drag": 1.0, "width": 1.2, "shape": "circular"}
+
+
+def floating_line(folder):
+    """A rope lighter than water pulls most at the anchor: at the fairlead less by its lift"""
+    found = hakobune.line(type=ROPE, length=500.0, depth=300.0, span=380.0)
+    anchor, fairlead = found["anchor.tension"], found["fairlead.tension"]
+    assert anchor > 1.001 * fairlead
+    return found["used"], anchor / found["breaking_load"]
+
+
+def moving_line(folder):
+    found = hakobune.line_dynamics(tomllib.loads(MOVING))
+    record = np.array([found[f"history.{end}"].max() for end in ("fairlead", "anchor")])
+    return found["tension.used"], record / found["breaking_load"]
+
+
+def single_point(folder):
+    """Turned by 60° the body swings back and pulls more than at rest"""
+    found = hakobune.single_point(tomllib.loads(SINGLE_POINT))
+    simulated = found["run.line_tension"].max(axis=0) / BREAKING
+    assert np.any(simulated > 1.01 * found["line.tension"] / BREAKING)
+    return found["line.used"], simulated
+
+
+def in_a_sweep(folder):
+    vary = [{"key": "slewing.offset_deg", "values": [60.0]}]
+    found = hakobune.sweep({"command": "single-point", "study": tomllib.loads(SINGLE_POINT), "vary": vary})
+    return found["line.used"][0], single_point(folder)[1]
+
+
+def shaken(folder):
+    t = np.arange(0.0, 20.0, 0.05)
+    rows = "".join(f"{at:.2f},{0.08 * np.sin(0.6 * at) ** 3:.6f}\n" for at in t)
+    (folder / "record.csv").write_text(f"time_s,acceleration_m_s2\n{rows}")
+    (folder / "fender.csv").write_text(FENDER)
+    found = hakobune.earthquake(QUAKE)
+    told = [found[f"method[record in time].{name}"] for name in ("reaction", "deflection")]
+    return told, [np.abs(found[f"course.{name}"]).max() for name in ("reaction", "deflection")]
+
+
+def members(folder):
+    found = hakobune.members({
+        "water": {"depth": 12.0}, "wave": {"height": 3.0, "period": 8.0, "direction_deg": 0.0},
+        "members": [{"name": "here", **PILE}, {"name": "there", **PILE, "start": [9, 0, -12], "end": [9, 0, 3]}],
+    })  # fmt: skip
+    parts = [np.linalg.norm(found[f"course.{name}"], axis=-1).max(axis=0) for name in ("force", "moment")]
+    return [*found["force.size"], *found["moment.size"]], np.concatenate(parts)
+
+
+STUDIES = floating_line, moving_line, single_point, in_a_sweep, shaken, members
+
+
+@pytest.mark.parametrize("study", STUDIES, ids=lambda one: one.__name__)
+def test_what_is_told_is_never_below_what_was_simulated(study, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    told, simulated = map(np.ravel, study(tmp_path))
+    assert told.shape == simulated.shape and np.all(simulated > 0)
+    assert np.all(told >= simulated * (1 - 1e-6)), (told, simulated)
+
+
+@pytest.mark.parametrize("place", ["at rest", "in the limit cycle", "in the run in time"])
+def test_a_single_point_takes_the_largest_wherever_it_is(place):
+    """Of two lines of 4 MN and a hawser of 3 MN that pull with 1 MN, and with 2 MN in one of three places"""
+    pull = {one: 2e6 if one == place else 1e6 for one in ("at rest", "in the limit cycle", "in the run in time")}
+    rest, cycle, run = (np.array([value]) for value in pull.values())
+    lines = SimpleNamespace(tension=np.full(2, rest[0]), lines=SimpleNamespace(utilisation=np.full(2, rest[0] / 4e6)))
+    system = SimpleNamespace(breaking_load=np.array([4e6, 4e6]))
+    best = SimpleNamespace(hawser=rest, lines=lines, point=SimpleNamespace(system=system))
+    records = [SimpleNamespace(hawser=np.array([[0.0], one]), lines=np.array([[0.0, 0.0], [one[0]] * 2]))
+               for one in (cycle, run)]  # fmt: skip
+    hawser = SimpleNamespace(breaking_load_tonf=None, breaking_load_kN=3e3)
+    study = SimpleNamespace(hawser=hawser, waves=None)
+    given = study, best, records[0], SimpleNamespace(record=records[1], drifts=False)
+    assert [part.tolist() for part in largest_pulls(*given)] == [[2e6], [2e6, 2e6]]
+    assert np.max(list(used_in(*given).values()), axis=0) == pytest.approx([2 / 3, 0.5, 0.5])
+
+
+@pytest.mark.parametrize("kept, told", [(3, False), (2, True)])
+def test_steady_strains_of_fewer_records_than_runs_are_told(kept, told):
+    said = list(_steady_of_few({"deflection": np.zeros((kept, 5, 1)), "seed": np.arange(3)}))
+    assert bool(said) is told and (not told or ("of the 2 runs" in said[0] and "keep_series = 3" in said[0]))
