@@ -30,10 +30,12 @@ if TYPE_CHECKING:
     from hakobune.pipelines.lines.lines_result import lines as lines
     from hakobune.pipelines.members.result import members as members
     from hakobune.pipelines.moor.result import moor as moor
+    from hakobune.pipelines.qtf.result import qtf as qtf
     from hakobune.pipelines.reading import read as read
     from hakobune.pipelines.response.result import response as response
     from hakobune.pipelines.results.quantity import Quantity as Quantity
     from hakobune.pipelines.results.result import Result as Result
+    from hakobune.pipelines.sea.result import sea as sea
     from hakobune.pipelines.sections.result import sections as sections
     from hakobune.pipelines.simulate.result import simulate as simulate
     from hakobune.pipelines.single_point.result import single_point as single_point

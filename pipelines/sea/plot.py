@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..common.picture import save
-from .report import curve
+from .result import curve
 
 SHOWN = 600.0  # s of the record that are drawn large enough to be read
 

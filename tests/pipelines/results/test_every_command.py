@@ -28,6 +28,11 @@ COMMANDS = {  # words: what the function of the same name makes of the same inpu
         beam_draft=[5.0], depth_draft=[2.0, 3.0], xi=[0.5, 1.0]
     ),
     "damping decay.csv --mass 2000": lambda: hakobune.damping("decay.csv", mass=2e6),
+    "sea --height 3 --mean-period 8 --record waves.csv --duration 600 --components 60 --direction 30": lambda: (
+        hakobune.sea(
+            {"height": 3.0, "mean_period": 8.0}, record={"duration": 600.0, "components": 60, "direction": 30.0}
+        )
+    ),
     LINE: lambda: hakobune.line(type="R3 studless 76 mm", length=300.0, depth=60.0, tension=3e5, characteristic=True),
     "lines lines_barge.toml --characteristic stern --offset 2 --direction 30 --broken": lambda: hakobune.lines(
         "lines_barge.toml", characteristic="stern", offset=2.0, directions=[np.radians(30.0)], broken=True

@@ -32,15 +32,14 @@ def test_the_picture_of_a_spectrum_has_its_density_and_its_periods(tmp_path, ask
 
 def test_a_record_that_is_made_has_its_steps_and_its_picture(tmp_path, asked, pictures):
     words = ["--record", tmp_path / "r.csv", "--duration", 1200, "--step", 0.25, "--plot", tmp_path / "p.png"]
-    tables, said = asked(*SEA, *words)
+    (made,), _ = asked(*SEA, *words)
     t, eta = np.loadtxt(tmp_path / "r.csv", delimiter=",", comments="#", skiprows=0, usecols=(0, 1),
                         converters=lambda x: float(x) if x[0].isdigit() or x[0] == "-" else math.nan).T  # fmt: skip
     t, eta = t[np.isfinite(t)], eta[np.isfinite(t)]
     assert len(t) == 4800 and np.diff(t) == pytest.approx(np.full(4799, 0.25))
-    assert "record of 4800 values at 0.25 s" in said
-    heights = next(table for table in tables if table["title"] == "heights")["rows"]
-    own = {row[""].split(",")[0]: float(row["of the record"]) for row in heights}
-    assert own["4√m₀"] == pytest.approx(4 * eta.std(), rel=1e-3) and own["4√m₀"] == pytest.approx(3.0, rel=0.1)
+    assert "record of 4800 values at 0.25 s" in made["notes"][0]
+    height = made["quantities"]["height.record"]["values"][made["axes"]["of"]["values"].index("4√m₀")]
+    assert height == pytest.approx(4 * eta.std(), rel=1e-3) and height == pytest.approx(3.0, rel=0.1)
     _, whole, first = pictures[0].axes
     assert whole.lines[0].get_xydata() == pytest.approx(np.stack([t, eta], 1), abs=1e-5)
     assert first.lines[0].get_xdata()[-1] == pytest.approx(600.0, abs=0.3)
@@ -49,8 +48,8 @@ def test_a_record_that_is_made_has_its_steps_and_its_picture(tmp_path, asked, pi
 
 def test_the_band_of_a_record_loses_the_shortest_waves_of_its_tail(tmp_path, asked):
     """Σ of 0.1 to 99.9 % of the energy: m₂ of a tail ω⁻⁵ up to ω_h misses ∫ ω² A ω⁻⁵, so that T02 is longer"""
-    _, said = asked(*SEA, "--record", tmp_path / "r.csv", "--duration", 600)
-    line = next(line for line in said.splitlines() if "the record holds waves of" in line)
+    (made,), _ = asked(*SEA, "--record", tmp_path / "r.csv", "--duration", 600)
+    line = next(line for line in made["notes"] if "the record holds waves of" in line)
     low, high, period, more = (float(x) for x in re.findall(r"\d+\.?\d*", line.replace("T02", ""))[:4])
     omega = np.linspace(low, high, 40000)
     S = issc(omega)
@@ -150,12 +149,13 @@ def test_a_sea_by_fetch_has_the_peak_and_height_of_jonswap(asked):
     """f_p = 3.5 (g/U) (gF/U²)^−0.33, α = 0.076 (U²/Fg)^0.22; H = 4√m₀ of
     α g² ω⁻⁵ exp(−1.25 (ω_p/ω)⁴) γ^exp(−(ω/ω_p−1)²/2σ²), γ = 3.3, σ = 0.07, 0.09 (Hasselmann et al. 1973)"""
     U, F, g = 20.0, 100e3, 9.80665
-    tables, _ = asked("sea", "--wind-speed", U, "--fetch", F)
+    (made,), _ = asked("sea", "--wind-speed", U, "--fetch", F)
     peak = 7 * math.pi * g / U * (g * F / U**2) ** -0.33
     alpha = 0.076 * (U**2 / (F * g)) ** 0.22
     w = np.linspace(0.2, 30, 200_000)
     sigma = np.where(w <= peak, 0.07, 0.09)
     S = alpha * g**2 * w**-5 * np.exp(-1.25 * (peak / w) ** 4) * 3.3 ** np.exp(-((w / peak - 1) ** 2) / (2 * sigma**2))
-    rows = {row[""].split(",")[0]: row["of the spectrum"] for table in tables for row in table["rows"]}
-    assert float(rows["Tp"]) == pytest.approx(2 * math.pi / peak, rel=5e-3)
-    assert float(rows["4√m₀"]) == pytest.approx(4 * math.sqrt(np.trapezoid(S, w)), rel=5e-3)
+    values = {name: one["values"] for name, one in made["quantities"].items()}
+    Tp = values["period.spectrum"][made["axes"]["kind"]["values"].index("Tp, peak")]
+    assert Tp == pytest.approx(2 * math.pi / peak, rel=5e-3)
+    assert 4 * math.sqrt(values["m0"]) == pytest.approx(4 * math.sqrt(np.trapezoid(S, w)), rel=5e-3)

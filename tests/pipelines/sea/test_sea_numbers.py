@@ -1,7 +1,6 @@
 """The numbers that `hakobune sea` prints, against text-book formulas and records whose waves are known one by one."""
 
 import json
-import math
 from math import gamma, pi, sqrt
 
 import numpy as np
@@ -10,41 +9,38 @@ import pytest
 from hakobune.pipelines.cli import main
 
 
-def printed(words, capsys):
-    """{title: {row: [numbers]}} of the tables of a command"""
+def found_by(words, capsys):
+    """Quantities {name: values}, and labels {axis: values}, of a command"""
     assert main([*words, "--json"]) == 0
-    tables = [json.loads(line) for line in capsys.readouterr().out.splitlines() if line.startswith("{")]
-    return {
-        table["title"]: {
-            row.pop(""): [float(v) if v not in (None, "–") else math.nan for v in row.values()] for row in table["rows"]
-        }
-        for table in tables
-    }
+    made = json.loads(capsys.readouterr().out)
+    return [{name: one["values"] for name, one in made[part].items()} for part in ("quantities", "axes")]
+
+
+def rows(made, axes, name, axis):
+    """{label without its words: value}"""
+    return {label.split(",")[0]: value for label, value in zip(axes[axis], made[name], strict=True)}
 
 
 def test_a_two_parameter_spectrum_has_the_moments_and_periods_of_its_closed_form(capsys):
     """S = A ω⁻⁵ exp(−Bω⁻⁴): m_n = (A/4) B^{n/4−1} Γ(1 − n/4) (Bretschneider 1959; Price & Bishop 1974, ch. 7), and
     Tp = 2π (4B/5)^{−1/4}.  One period sets B; m₀ = H²/16."""
-    found = printed(["sea", "--height", "3", "--mean-period", "8"], capsys)
-    T = {row.split(",")[0]: values[0] for row, values in found["periods"].items()}
+    found, axes = found_by(["sea", "--height", "3", "--mean-period", "8"], capsys)
+    T = rows(found, axes, "period.spectrum", "kind")
     B = 0.8**-1 * (2 * pi / T["Tp"]) ** 4  # 4B/5 = (2π/Tp)⁴
     A = 4 * B * 3**2 / 16
     m = {n: A / 4 * B ** (n / 4 - 1) * gamma(1 - n / 4) for n in (-1, 0, 1, 2, 3)}
-    moments = [values[0] for row, values in found["moments"].items() if row.startswith("m")]
-    assert moments == pytest.approx(list(m.values()), rel=2e-4)
+    assert [found[f"m{n}"] for n in m] == pytest.approx(list(m.values()), rel=2e-4)
     assert T["T01"] == pytest.approx(2 * pi * m[0] / m[1], rel=2e-4)
     assert T["T02"] == pytest.approx(2 * pi * sqrt(m[0] / m[2]), rel=2e-4)
     assert T["Te"] == pytest.approx(2 * pi * m[-1] / m[0], rel=2e-4)
     assert T["T01"] == pytest.approx(8.0, rel=3e-3)  # ISSC prints its constants 0.11 and 0.44 to two digits
-    width = found["moments"]["width √(m₀m₂/m₁² − 1)"][0]
-    assert width == pytest.approx(sqrt(m[0] * m[2] / m[1] ** 2 - 1), rel=2e-4)
+    assert found["width"] == pytest.approx(sqrt(m[0] * m[2] / m[1] ** 2 - 1), rel=2e-4)
 
 
 def test_heights_of_a_narrow_spectrum_are_those_of_rayleigh(capsys):
     """Longuet-Higgins (1952), in 4√m₀ = 1: mean √(2π)/4 = 0.6267, H1/3 1.0011, H1/10 1.2727, and the expected highest
     of 1000 √(2 ln N)/2 + γ/(2√(2 ln N)) = 1.9361 (he prints 1.53 √(2 ln N) H_rms for the first term)"""
-    heights = printed(["sea", "--height", "2", "--mean-period", "8"], capsys)["heights"]
-    found = {row.split(",")[0]: values[0] for row, values in heights.items()}
+    found = rows(*found_by(["sea", "--height", "2", "--mean-period", "8"], capsys), "height.spectrum", "of")
     assert found["4√m₀"] == pytest.approx(2.0, rel=1e-4)
     assert found["mean"] == pytest.approx(2 * 0.6267, rel=2e-4)
     assert found["H1/3"] == pytest.approx(2 * 1.0011, rel=2e-4)
@@ -60,11 +56,10 @@ def test_a_record_of_thirty_known_waves_has_the_means_of_its_highest_ten_and_thr
     waves = [0.5 * h * np.sin(2 * pi * np.arange(n) / n) for h, n in zip(heights, lengths, strict=True)]
     record = np.concatenate([[-0.01], *waves, [0.01]])
     path = tmp_path / "waves.csv"
-    rows = [f"{0.1 * i:.1f},{value:.9g}" for i, value in enumerate(record)]
-    path.write_text("\n".join(["time_s,elevation_m", *rows]), encoding="utf-8")
-    found = printed(["sea", str(path)], capsys)
-    height = {row.split(",")[0]: values[1] for row, values in found["heights"].items()}
-    period = {row.split(",")[0]: values[1] for row, values in found["periods"].items()}
+    lines = [f"{0.1 * i:.1f},{value:.9g}" for i, value in enumerate(record)]
+    path.write_text("\n".join(["time_s,elevation_m", *lines]), encoding="utf-8")
+    found = found_by(["sea", str(path)], capsys)
+    height, period = rows(*found, "height.record", "of"), rows(*found, "period.record", "kind")
     inside = np.sort(heights)
     assert height["mean"] == pytest.approx(inside.mean(), rel=0.01)
     assert height["H1/3"] == pytest.approx(inside[-10:].mean(), rel=0.01)

@@ -171,7 +171,6 @@ def test_a_wind_that_drives_the_current_has_to_be_there(tmp_path, capsys):
     assert "current.wind_driven is true and there is no [wind]" in capsys.readouterr().err
 
 
-<<<<<<< HEAD
 def test_every_value_of_a_site_by_hand(tmp_path):
     """R = 1/(1 − q^(1/T)) = 70.6 years; high water of spring tide and surge; a√(g/h) of the tsunami; a hundredth of the
     wind drives the surface, and falls to nothing at the bed: over the draft the current of the same pressure,
@@ -192,7 +191,8 @@ def test_every_value_of_a_site_by_hand(tmp_path):
     assert [levels[name] for name in ("high", "low", "tsunami high", "tsunami low")] == pytest.approx(
         [2.1, -0.8, 2.7, -2.3]
     )
-=======
+
+
 @pytest.mark.parametrize("last, told", [(60.0, True), (26.0, False)])
 def test_a_value_below_what_was_measured_in_fewer_years_is_told(tmp_path, last, told):
     """Eleven years about 25 m/s and one of 60: Gumbel's value of twelve years is b + 2.44 s, below it"""
@@ -202,4 +202,3 @@ def test_a_value_below_what_was_measured_in_fewer_years_is_told(tmp_path, last, 
     said = [line for line in values.findings if "largest of 12 years measured" in line]
     assert bool(said) is told and (values.wind.value < last) is told
     assert not told or f"gumbel, {values.wind.value:.4g}, is below 60, the" in said[0]
->>>>>>> unsafe
