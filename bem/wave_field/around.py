@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..plan import convex_hull
+from hakobune.meshing.plan import convex_hull
+
 from ..waves import wavenumber
 from .sources import Sources, covers, directions, incident
 
