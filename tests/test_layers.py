@@ -94,6 +94,17 @@ def test_modules_import_in_one_direction():
     assert circle_of({file: modules_imported(file) for file in FILES}) is None
 
 
+def test_modules_that_are_imported_are_there():
+    """Also those that a function imports, which no other test may call"""
+    gone = []
+    for file in FILES:
+        for node in (node for node in ast.walk(tree_of(file)) if isinstance(node, ast.ImportFrom)):
+            name, folder = node.module or "", file.parents[node.level - 1] if node.level else ROOT
+            if (node.level or name.startswith(PACKAGE)) and file_of(folder, name.removeprefix(PACKAGE)) is None:
+                gone.append(f"{file.relative_to(ROOT)}: {name}")
+    assert gone == []
+
+
 def test_a_circle_of_modules_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr(sys.modules[__name__], "ROOT", tmp_path)
     (tmp_path / "bem").mkdir()
