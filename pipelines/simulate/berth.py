@@ -9,7 +9,7 @@ import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.dolphin import led_on
-from hakobune.mooring.motion.windows import FEWEST, PLANE
+from hakobune.mooring.motion.statistics import FEWEST_IN_WINDOW, PLANE
 
 from .file import fender_names, summary_of
 
@@ -98,7 +98,9 @@ def check_windows(length, plan):
     from ..common.quantities import StudyError
 
     step, duration = plan.settings.step, plan.settings.duration
-    if not FEWEST * step <= length <= duration:
-        raise StudyError(f"--windows is {length:g} s; allowed: {FEWEST * step:g} s to the duration, {duration:g} s")
+    if not FEWEST_IN_WINDOW * step <= length <= duration:
+        raise StudyError(
+            f"--windows is {length:g} s; allowed: {FEWEST_IN_WINDOW * step:g} s to the duration, {duration:g} s"
+        )
     if plan.keep_series < 1:
         raise StudyError("--windows is given, and no record is stored; allowed: with keep_series of 1 or more")

@@ -17,7 +17,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from hakobune.mooring.motion.windows import PLANE, windows
+from hakobune.mooring.motion.statistics import PLANE, windows
 from hakobune.mooring.studies.natural_periods import periods_at_berth
 
 from ..common.quantities import StudyError

@@ -11,7 +11,7 @@ import numpy as np
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.motion.extremes import CONFIDENCE
-from hakobune.mooring.motion.windows import windows
+from hakobune.mooring.motion.statistics import windows
 
 from ..executors.choice import executor_of
 from ..results.given import File, Tables, database_of

@@ -21,7 +21,7 @@ sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
 from hakobune import pipelines
 from hakobune.bem.database import open_database
 from hakobune.mooring.motion.simulation import moored, simulate
-from hakobune.mooring.motion.windows import windows
+from hakobune.mooring.motion.statistics import windows
 from hakobune.mooring.studies.natural_periods import periods_at_berth
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.scene.scene import make_scene

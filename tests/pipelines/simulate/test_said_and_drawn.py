@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from test_simulate import folder, plan, simulate  # noqa: F401 - a fixture among them
 
-from hakobune.mooring.motion.windows import windows
+from hakobune.mooring.motion.statistics import windows
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.simulate import berth, findings, over_runs
 from hakobune.pipelines.simulate.file import SUMMARY, opened
