@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..environment.crossings import local_maxima
+from ..environment.crossings import local_maxima, zero_crossings
 from ..response.extremes import expected_maximum
 
 FEWEST_WAVES = 3  # zero crossings below which a record has no extreme
@@ -26,6 +26,8 @@ STEADY = 1e-9  # σ over the largest value of a record that does not vary
 # of the largest σ of all motions or all forces, below which one is what rounding and the tolerance of the steps leave
 # of what symmetry makes zero; of the hull's length and weight, where nothing moves
 ROUNDING, NOTHING = 1e-6, 1e-9
+PLANE = {"surge": 0, "sway": 1, "yaw": 5}  # motions that windows of a record tell
+FEWEST_IN_WINDOW = 5  # waves
 FEW = 8.0  # frequencies in a record, below which it has lines and no spectrum, and its maxima no distribution
 
 
@@ -138,3 +140,39 @@ def highest_mean(falling, share):
 def over_runs(values):
     """Root mean square, over the runs, of standard deviations (runs, …), as of one record as long as all of them"""
     return np.sqrt(np.mean(np.square(values), axis=0))
+
+
+class Windows(NamedTuple):
+    """start : (w,) s; amplitude : (w, 3) m, m, rad, significant, of surge, sway and yaw; period : (w, 3) s
+
+    nan of fewer than FEWEST_IN_WINDOW waves
+    """
+
+    start: np.ndarray
+    amplitude: np.ndarray
+    period: np.ndarray
+
+
+def windows(motion, step, length):
+    """`Windows` of `length` s of a record (n, 6) m, rad, at steps of `step` s.
+
+    Amplitudes are halves of H₁/₃ of the waves between zero crossings about the window's mean.  A last window that is
+    not whole is left out.
+    """
+    count = round(length / step)
+    begin = count * np.arange((len(motion) - 1) // count)
+    found = np.array([[_significant(motion[i : i + count + 1, k], step) for k in PLANE.values()] for i in begin])
+    return Windows(begin * step, *np.moveaxis(found.reshape(len(begin), len(PLANE), 2), -1, 0))
+
+
+def _significant(part, step):
+    """Amplitude and period of a record (n,); nan of too few waves"""
+    try:
+        waves = zero_crossings(part - part.mean(), step)
+    except ValueError:
+        return np.nan, np.nan
+    return (
+        (0.5 * waves.significant_height, waves.significant_period)
+        if len(waves) >= FEWEST_IN_WINDOW
+        else (np.nan, np.nan)
+    )

@@ -102,7 +102,10 @@ def carried_by(mesh, depth, gravity):
 
 
 def waves_of(db, omega, heading, difference):
-    """Frequencies (n,) rad/s, headings (m,) rad and the largest difference that are asked for.  Raises ValueError."""
+    """Frequencies (n,) rad/s, headings (m,) rad and the largest difference that are asked for.  Raises ValueError.
+
+    omega : (n,) rad/s, heading : (m,) rad, difference : rad/s; None for what the database suggests
+    """
     if len(db.omega) < 2:
         raise ValueError(f"{db.path} has {len(db.omega)} solved frequencies; allowed: two or more")
     low, high = float(db.omega[0]), float(db.omega[-1])
@@ -125,24 +128,31 @@ def waves_of(db, omega, heading, difference):
     return frequencies, np.unique(headings), min(difference or SHARE * float(frequencies.mean()), widest)
 
 
+def listed(flag, text):
+    """(n,) numbers of a text, `a,b,c` or `start:stop:count`.  Raises ValueError."""
+    found = numbers(flag, text)
+    return np.linspace(found["from"], found["to"], found["count"]) if isinstance(found, dict) else np.array(found)
+
+
 def _frequencies(omega, low, high):
-    given = numbers("--omega", omega)
-    given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else np.array(given)
+    given = np.asarray(omega, float)
     if len(given) < 2 or not np.all(np.diff(given) > 0) or np.ptp(np.diff(given)) > EVEN * np.diff(given).mean():
-        raise ValueError(f"--omega is {omega}; allowed: two or more frequencies at equal steps, rising, rad/s")
+        raise ValueError(f"--omega is {_said(given)}; allowed: two or more frequencies at equal steps, rising, rad/s")
     if not (np.all(np.isfinite(given)) and given.min() >= low * (1 - 1e-9) and given.max() <= high * (1 + 1e-9)):
-        raise ValueError(f"--omega is {omega}; allowed: within the stored {low:.4g} to {high:.4g} rad/s")
+        raise ValueError(f"--omega is {_said(given)}; allowed: within the stored {low:.4g} to {high:.4g} rad/s")
     return given
 
 
-def _headings(heading):
-    given = numbers("--heading", heading)
-    given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else given
-    headings = np.radians(np.asarray(given, float))
+def _headings(given):
+    headings = np.asarray(given, float)
     if not len(headings) or not np.all(np.isfinite(headings)):
-        raise ValueError(f"--heading is {heading}; allowed: one or more, finite, degrees")
+        raise ValueError(f"--heading is {_said(np.degrees(headings))}; allowed: one or more, finite, degrees")
     turned = np.exp(1j * headings)  # of those that are one by full circles the first is kept
     return headings[[np.abs(turned[:n] - turned[n]).min(initial=1.0) > SAME for n in range(len(headings))]]
+
+
+def _said(values):
+    return ", ".join(f"{value:g}" for value in values) or "of none"
 
 
 def multiples(low, high):

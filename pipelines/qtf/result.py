@@ -1,18 +1,101 @@
-"""What is kept of forces of pairs of waves beside the database that holds them: how large each part is."""
+"""`hakobune.qtf`: forces of pairs of waves, in the database of their body, and how large each part of them is."""
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.database import DatabaseError, open_database
+from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+from hakobune.bem.second_order.stored import GROUPS, Held, read_forces
 
+from ..results.given import File, database_of
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
+from .problem import METHODS
+from .question import Question, waves_and_sums_of, waves_of
 from .report import ALL, MODES, NAMES, diagonal_gap, failures, levels, notes, parts_of_sums
 
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+
+LEVELS = ("body", "full", "auto")
 SMALL = 1e-6  # of the largest force, m beside N: what symmetry makes zero
 ARM = 100.0  # m, by which a moment is divided to stand beside forces
+
+
+def qtf(
+    database: File | Database,
+    *,
+    omega: Sequence[float] | None = None,
+    headings: Sequence[float] | None = None,
+    highest: float | None = None,
+    sums: bool = False,
+    fixed: bool = False,
+    moored: File | None = None,
+    level: str | None = None,
+    method: str = "auto",
+    fresh: bool = False,
+) -> Result:
+    """Forces of pairs of waves at the difference of their frequencies, or at the sum, on the body of a database.
+
+    database : path or an open one; the forces are stored there, and what it has already is not solved again
+    omega : (n,) rad/s at even steps in the stored band; headings : (m,) rad; highest : rad/s, difference or sum
+    fixed : of the body held; moored : path of a mooring study whose lines hold the floating body
+    level : body, full (with the surface's forcing) or, of differences, auto; by default body, of sums full
+    method : panel, contour or auto; fresh : whether it is solved again
+    returns : Result, in SI; its `detail` is the `bem.second_order.stored.StoredForces`
+    raises : ValueError, one line
+    """
+    level, allowed = level or ("full" if sums else "body"), LEVELS[:2] if sums else LEVELS
+    if level not in allowed:
+        raise ValueError(f"--level is {level!r}; allowed: {', '.join(allowed)}")
+    if method not in METHODS:
+        raise ValueError(f"--method is {method!r}; allowed: {', '.join(METHODS)}")
+    if fixed and moored is not None:
+        raise ValueError("--fixed and --moored are both given; allowed: one of them")
+    db = database_of(database)
+    chosen = any(value is not None for value in (omega, headings, highest))
+    held = Held(not fixed, "" if moored is None else str(moored))
+    waves = (waves_and_sums_of if sums else waves_of)(db, omega, headings, highest)
+    question = Question(*waves, held, level, method, chosen, SUM if sums else DIFFERENCE)
+    return result_of(_answer(db, question, moored, fresh), db)
+
+
+def _answer(db, question, moored, fresh):
+    """`StoredForces` of a question, solved where they are not stored; moored : its mooring study, or None"""
+    from .running import solve
+
+    try:
+        stored = None if fresh else read_forces(db, question.kind)
+    except DatabaseError:
+        stored = None
+    if stored is not None:
+        question = question.continued(stored)
+        if question.answered_by(stored):
+            return stored
+    if moored is not None:
+        question = replace(question, held=replace(question.held, lines=_stiffness(moored, db)))
+    solve(db, question, fresh)
+    print(f"{db.path}: group {GROUPS[question.kind]}", file=sys.stderr)
+    return read_forces(open_database(db.path), question.kind)
+
+
+def _stiffness(study, db):
+    """(6, 6) of the lines of a mooring study about the rotation centre, where they hold the body in its steady loads"""
+    from hakobune.mooring.studies.multi_point import multi_point
+
+    from ..moor.study import read_study
+
+    read, _ = read_study(study)
+    hull = read.without_berth("qtf --moored").hull_of(db.dimensions)
+    system = read.system(hull, db.rotation_center, db.density, db.gravity)
+    return multi_point(db, system, hull, read.conditions(), read.allowable).equilibrium.stiffness
 
 
 def result_of(stored, db):

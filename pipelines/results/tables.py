@@ -16,7 +16,9 @@ import numpy as np
 from ..printing.number import NOTHING, number
 from .quantity import READ_IN, read_in
 
-WIDTH = 14  # characters of a heading
+LINE = 80  # characters of a table
+WIDTHS = (14, 1), (10, 1), (6, 1), (6, 0)  # of a heading, and beside a cell, until they bring it there
+TEXT = 36  # characters of a line of text in a cell
 LONG, PRINTED = 40, 12  # rows of a table over numbers, and how many of them are printed where there are more
 FEW = 3  # rows, that are printed as columns where these are more than twice as many
 ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
@@ -127,13 +129,26 @@ def printed(result, console=None):
 
 
 def rich_table(shown, labels):
-    """A table of rich"""
+    """A table of rich, within LINE characters where narrow headings or rows for columns bring it there"""
+    from rich.console import Console
+
+    measured = Console(width=10 * LINE).measure
+    for width, beside in WIDTHS:
+        table = _table(shown, labels, width, beside)
+        if measured(table).maximum <= LINE:
+            return table
+    turned = _table(shown, labels, *WIDTHS[0], turned=True)
+    return turned if measured(turned).maximum <= LINE else table
+
+
+def _table(shown, labels, width, beside, turned=False):
+    """width, beside : of headings, and beside cells; turned : rows for columns where these are more"""
     from rich.table import Table
 
     rows, title = _printed_rows(shown, labels), shown.title
     if len(rows) < len(shown.labels):
         title = f"{title}, {len(rows)} of {len(shown.labels)} rows".removeprefix(", ")
-    table = Table(title=title or None, title_justify="left")
+    table = Table(title=title or None, title_justify="left", padding=(0, beside))
     if not shown.axis:
         for name in ("quantity", "value", "unit"):
             table.add_column(name, justify="right" if name == "value" else "left", no_wrap=True)
@@ -143,19 +158,20 @@ def rich_table(shown, labels):
             table.add_row(column.heading, cell, unit)
         return table
     by_row = next((column.units for column in shown.columns if len(column.units) > 1), None)
-    if by_row is None and len(shown.labels) <= FEW and len(shown.columns) > 2 * len(shown.labels):
+    few = len(shown.labels) <= FEW and len(shown.columns) > 2 * len(shown.labels)
+    if by_row is None and (few or (turned and len(shown.labels) < len(shown.columns))):
         return _turned(table, shown, labels[shown.axis])
     head = labels[shown.axis]
     unit, size = read_in(head.unit, _sizes(head.values)) if head.numeric else ("", 1.0)
-    table.add_column(_heading(shown.axis.replace("_", " "), unit), justify="left", no_wrap=True)
+    table.add_column(_heading(shown.axis.replace("_", " "), unit, width), justify="left", no_wrap=True)
     cells, units, largest = [], None, _largest(shown)
     for column in shown.columns:
         words, filled = _filled(column, largest)
         if len(column.units) > 1:
             units = units or words
-        table.add_column(
-            _heading(column.heading, "" if len(column.units) > 1 else words[0]), justify="right", no_wrap=True
-        )
+        heading = _heading(column.heading, "" if len(column.units) > 1 else words[0], width)
+        text = width < WIDTHS[0][0] and column.values.dtype.kind in "US"
+        table.add_column(heading, justify="right", no_wrap=not text, max_width=TEXT if text else None)
         cells.append(filled)
     for row in rows:
         label = shown.labels[row]
@@ -219,9 +235,9 @@ def _without_rounding(column, largest):
     return np.where(np.abs(column.values) < limit, 0.0, column.values)
 
 
-def _heading(words, unit):
-    """Over a column, in lines of up to WIDTH characters"""
-    return textwrap.fill(f"{words}, {unit}" if unit else words, WIDTH, break_long_words=False)
+def _heading(words, unit, width):
+    """Over a column, in lines of up to `width` characters"""
+    return textwrap.fill(f"{words}, {unit}" if unit else words, width, break_long_words=False)
 
 
 def _sizes(values):

@@ -1,19 +1,19 @@
-"""A ship at a berth: its natural periods beside those of the harbour, and its motions window by window."""
+"""What is told of a ship at a berth: natural periods beside those of the harbour, its fenders, windows of a record."""
 
 from __future__ import annotations
 
 import json
+from functools import partial
 
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.dolphin import led_on
+from hakobune.mooring.motion.statistics import FEWEST_IN_WINDOW, PLANE
 
 from .file import fender_names, summary_of
 
-PLANE = {"surge": 0, "sway": 1, "yaw": 5}
 NEAR = 0.2  # of a harbour's period, within which a natural period is near it
-FEWEST = 5  # waves of a window
 
 
 def findings_on_periods(file):
@@ -58,8 +58,8 @@ def by_design_spectrum(study, db, body, hull, fenders):
     study : `Study`; body : `Reader`, before a quay where there is one
     fenders : sequence of `QuayFender`, of which those count that the steady loads across push to
     """
-    from hakobune.mooring.dolphins.design_spectrum import STATIC, TOTAL, Dolphins, beam_of, limit_height, strains
-    from hakobune.mooring.response.viscous import in_sea
+    from hakobune.mooring.dolphins.at_quay import at_quay
+    from hakobune.mooring.dolphins.design_spectrum import STATIC, TOTAL, DolphinError
     from hakobune.mooring.studies.steady_loads import steady_loads, with_coefficients
 
     from ..common.weather.seas import family_of, shape_of
@@ -71,27 +71,18 @@ def by_design_spectrum(study, db, body, hull, fenders):
         return ""
     steady = with_coefficients(conditions, hull, study.water.depth)
     across = sum(load[1] for load in steady_loads(db, hull, steady, study.water.depth).values())
-    beam = beam_of(in_sea(body, conditions.sea)[0], conditions.waves.direction)
-    density = conditions.sea.spectrum.density(beam.omega)
-    side = np.sign(across + 2 * np.trapezoid(beam.drift * density, beam.omega)) or 1.0
-    met = [one for one in fenders if one.normal[1] * side > 0.5]
-    if not met:
-        return ""
-    beam, family = beam._replace(drift=side * beam.drift), family_of("waves", study.waves, study.water.depth)
-    dolphins = Dolphins(met[0].fender, np.array([one.face for one in met]))
+    family = partial(family_of("waves", study.waves, study.water.depth), **shape_of(study.waves))
     try:
-        s = strains(beam, dolphins, side * across, conditions.sea.spectrum)
-    except ValueError as error:
-        return f"design spectrum method, {len(met)} fenders: {error}"
-
-    def sea(height, mean_period):
-        return family(height, mean_period=mean_period, **shape_of(study.waves))
-
-    limit = limit_height(beam, dolphins, side * across, sea, conditions.waves.period)
+        found = at_quay(body, fenders, across, conditions, family)
+    except DolphinError as error:
+        return f"design spectrum method: {error}"
+    if found is None:
+        return ""
+    s = found.strains
     return (
-        f"design spectrum method, {len(met)} fenders: static {s.static:.3g} m ({100 * s.static_strain:.3g} %), "
+        f"design spectrum method, {found.count} fenders: static {s.static:.3g} m ({100 * s.static_strain:.3g} %), "
         f"σ {s.sigma:.3g} m, largest {s.largest:.3g} m ({100 * s.strain:.3g} %); allowed: {100 * STATIC:g} and "
-        f"{100 * TOTAL:g} %, up to a significant height of {limit:.2f} m"
+        f"{100 * TOTAL:g} %, up to a significant height of {found.limit:.2f} m"
     )
 
 
@@ -102,35 +93,14 @@ def check_harbour(periods):
     return [positive(f"harbour.periods[{i}]", T) for i, T in enumerate(periods)]
 
 
-def windows(motion, step, length):
-    """Rows (start s, significant amplitude and period of surge, sway and yaw (6,)) of windows of a record (n, 6)
-
-    Amplitudes are halves of H₁/₃ of the waves between zero crossings about the window's mean, yaw in degrees; nan of
-    fewer than FEWEST waves.  A last window that is not whole is left out.
-    """
-    from hakobune.mooring.environment.crossings import zero_crossings
-
-    count, rows = round(length / step), []
-    for i in range((len(motion) - 1) // count):
-        part, values = motion[i * count : (i + 1) * count + 1], []
-        for name, mode in PLANE.items():
-            unit = np.degrees(1.0) if name == "yaw" else 1.0
-            try:
-                waves = zero_crossings(unit * (part[:, mode] - part[:, mode].mean()), step)
-            except ValueError:
-                waves = ()
-            known = len(waves) >= FEWEST
-            values += [0.5 * waves.significant_height, waves.significant_period] if known else [np.nan, np.nan]
-        rows.append((i * count * step, values))
-    return rows
-
-
 def check_windows(length, plan):
     """Raise StudyError for windows of `length` s that the records of a `study.Plan` do not have."""
     from ..common.quantities import StudyError
 
     step, duration = plan.settings.step, plan.settings.duration
-    if not FEWEST * step <= length <= duration:
-        raise StudyError(f"--windows is {length:g} s; allowed: {FEWEST * step:g} s to the duration, {duration:g} s")
+    if not FEWEST_IN_WINDOW * step <= length <= duration:
+        raise StudyError(
+            f"--windows is {length:g} s; allowed: {FEWEST_IN_WINDOW * step:g} s to the duration, {duration:g} s"
+        )
     if plan.keep_series < 1:
         raise StudyError("--windows is given, and no record is stored; allowed: with keep_series of 1 or more")

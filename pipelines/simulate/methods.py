@@ -17,6 +17,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from hakobune.mooring.motion.statistics import PLANE, windows
 from hakobune.mooring.studies.natural_periods import periods_at_berth
 
 from ..common.quantities import StudyError
@@ -24,10 +25,9 @@ from ..results.given import database_of
 from ..results.quantity import Quantity
 from ..results.result import labels
 from . import work
-from .berth import PLANE, windows
 from .run import input_of
 
-STILL = 1e-6  # m, degrees: no motion
+STILL = 1e-6, 1e-6, np.radians(1e-6)  # m, m, rad: no motion
 SIGNIFICANT = 0.9  # mean over significant period, of the spectra of the report
 
 
@@ -56,7 +56,7 @@ def compared(result, study, database, duration=None, division=None):
         try:
             rows.append(_row(one, plan, changed, seed))
         except ValueError as error:
-            rows.append(np.full(2 * len(PLANE), np.nan))
+            rows.append(np.full((2, len(PLANE)), np.nan))
             refused.append(f"{name}: {' '.join(str(error).split())}")
     axes, table = (
         labels("method", [name for name, _, _ in cases]),
@@ -64,8 +64,7 @@ def compared(result, study, database, duration=None, division=None):
     )
     found = {}
     for k, (name, unit) in enumerate(zip(PLANE, ("m", "m", "rad"), strict=True)):
-        size, period = np.array(rows)[:, 2 * k], np.array(rows)[:, 2 * k + 1]
-        size = np.radians(size) if unit == "rad" else size
+        size, period = np.array(rows)[:, :, k].T
         found[f"method.{name}"] = Quantity(size, ("method",), unit, name, table)
         found[f"method.{name}_period"] = Quantity(period, ("method",), "s", f"period of {name}", table)
     return replace(
@@ -79,7 +78,7 @@ def _constant(period):
 
 
 def _row(body, plan, changed, seed):
-    """(6,) significant amplitudes, m, m, degrees, and periods, s; nan of too few waves"""
+    """(2, 3) significant amplitudes, m, m, rad, and periods, s; nan of too few waves"""
     from hakobune.mooring.motion.simulation import simulate, with_memory
 
     settings = replace(plan.settings, **changed)
@@ -89,8 +88,8 @@ def _row(body, plan, changed, seed):
         warnings.simplefilter("ignore")
         run = simulate(body, plan.weather, settings, seed)
     late = run.motion[run.time >= -1e-9]
-    values = windows(late, settings.step, settings.step * (len(late) - 1))[0][1]
-    return np.where(np.asarray(values) > STILL, values, np.where(np.isnan(values), np.nan, 0.0))
+    found = windows(late, settings.step, settings.step * (len(late) - 1))
+    return np.array([np.where(found.amplitude[0] <= STILL, 0.0, found.amplitude[0]), found.period[0]])
 
 
 def _divided(study, body, path):

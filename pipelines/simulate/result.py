@@ -11,13 +11,14 @@ import numpy as np
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.motion.extremes import CONFIDENCE
+from hakobune.mooring.motion.statistics import windows
 
 from ..executors.choice import executor_of
 from ..results.given import File, Tables, database_of
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
-from .berth import fender_strains, findings_on_fenders, findings_on_periods, windows
+from .berth import fender_strains, findings_on_fenders, findings_on_periods
 from .file import LEFT_OUT, SUMMARY, fender_names, opened, stored_findings, units_of, whole_rows
 from .file import told as file_told
 from .findings import findings
@@ -233,11 +234,10 @@ def _scalars(file):
 def _windows(file, length):
     """Begin of each window, s, and {name: Quantity} of the first stored record"""
     step = float(np.diff(file["time"][:2])[0])
-    rows = windows(file["motion"][0].astype(float), step, length)
-    values, made = np.array([row for _, row in rows]).reshape(len(rows), 6), {}
+    found, made = windows(file["motion"][0].astype(float), step, length), {}
     title = f"seed {int(file['kept_seed'][0])} in windows of {length:g} s"
     for k, (name, unit) in enumerate(zip(PLANE, ("m", "m", "rad"), strict=True)):
-        size = np.radians(values[:, 2 * k]) if unit == "rad" else values[:, 2 * k]
-        made[f"window.{name}"] = Quantity(size, ("window",), unit, f"{name}, significant amplitude", title)
-        made[f"window.{name}_period"] = Quantity(values[:, 2 * k + 1], ("window",), "s", "period", title)
-    return [start for start, _ in rows], made
+        words = f"{name}, significant amplitude"
+        made[f"window.{name}"] = Quantity(found.amplitude[:, k], ("window",), unit, words, title)
+        made[f"window.{name}_period"] = Quantity(found.period[:, k], ("window",), "s", "period", title)
+    return found.start, made

@@ -21,10 +21,10 @@ sys.path[:0] = [str(Path(__file__).resolve().parents[2])]
 from hakobune import pipelines
 from hakobune.bem.database import open_database
 from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.statistics import windows
 from hakobune.mooring.studies.natural_periods import periods_at_berth
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.scene.scene import make_scene
-from hakobune.pipelines.simulate.berth import windows
 from hakobune.pipelines.simulate.study import damping, plan_of, quadratic
 from hakobune.pipelines.solve import run as solving
 
@@ -64,7 +64,8 @@ class Port:
         for seed in SEEDS:
             run = simulate(body, plan.weather, plan.settings, seed)
             late = run.time >= 0
-            found.append(windows(run.motion[late], plan.settings.step, 3600.0 * hours - 1)[0][1][:2])
+            one = windows(run.motion[late], plan.settings.step, 3600.0 * hours - 1)
+            found.append((one.amplitude[0, 0], one.period[0, 0]))
         return periods_at_berth(body)[0], *np.mean(found, axis=0)
 
 

@@ -393,7 +393,7 @@ def pairs(gap):
         patch.setattr("hakobune.pipelines.qtf.result.notes", lambda *_: ())
         patch.setattr("hakobune.pipelines.qtf.result._rows", lambda *_: [])
         forces = SimpleNamespace(kind=SimpleNamespace(name="difference"))
-        patch.setattr("hakobune.pipelines.qtf.command._answer", lambda *_: SimpleNamespace(forces=forces, share=None))
+        patch.setattr("hakobune.pipelines.qtf.result._answer", lambda *_: SimpleNamespace(forces=forces, share=None))
 
     return change
 

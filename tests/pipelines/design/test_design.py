@@ -8,7 +8,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import tomli_w
+from result_views import check_views
 
+import hakobune
 from hakobune.meshing.seals import text_damaged
 from hakobune.mooring.criteria.rules import Criterion, RuleError, unit_of
 from hakobune.mooring.criteria.verdict import OF_TENSIONS, SHARE
@@ -107,6 +109,16 @@ class Page(HTMLParser):
 
     def handle_endtag(self, tag):
         assert self.open.pop() == tag
+
+
+def test_views_of_a_design_have_the_quantities_of_its_function(folder, first, tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", "40")
+    monkeypatch.setattr("hakobune.pipelines.design.command.made", lambda *_: first)
+    project = folder / "project.toml"
+    found = hakobune.design(project, folder / "out", advice=False)
+    words = ["design", str(project), "--output", str(folder / "out"), "--no-advice"]
+    check_views(found, words, tmp_path / "design.h5", capsys)
+    assert found["load_case.largest_tension"].tolist() == [one.numbers.largest.max() for one in first[0].ran]
 
 
 def test_the_intact_case_is_the_mooring_study_itself(folder, first):

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from chain_study import chain_study
+from result_views import check_views
 
 import hakobune
 from hakobune.bem.database import open_database
@@ -55,6 +56,12 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
     assert 0.1 < float(re.search(r"estimated error of the panels.*surge (\S+) %", said)[1]) < 50
     assert float(re.search(r"by pressure it differs by (\S+) %", said)[1]) < 10
     assert path.read_bytes() == before and (tmp_path / "qtf.png").stat().st_size > 10_000
+
+
+def test_views_of_stored_pairs_have_the_quantities_of_the_function(path, tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", "40")
+    made = hakobune.qtf(path)
+    check_views(made, ["qtf", str(path)], tmp_path / "qtf.h5", capsys)
 
 
 @pytest.mark.parametrize(

@@ -128,36 +128,41 @@ def test_the_highest_sum_is_that_of_a_wave_three_panels_long():
     assert question.carried_by(mesh, math.inf, 9.8) == pytest.approx(math.sqrt(9.8 * k))
 
 
+SEVEN = np.linspace(0.4, 1.0, 7)
+
+
 def database(low=0.3, high=1.2):
     return SimpleNamespace(omega=np.linspace(low, high, 10), wave_direction=np.array([0.0, math.pi]), path="box.h5",
                            mesh=SimpleNamespace(sizes=np.array([3.0])), water_depth=20.0, gravity=9.8)  # fmt: skip
 
 
 def test_differences_go_to_two_fifths_of_the_mean_of_the_band_by_default():
-    omega, headings, most = question.waves_of(database(), "0.4:1.0:7", None, None)
+    omega, headings, most = question.waves_of(database(), SEVEN, None, None)
     assert omega == pytest.approx(np.linspace(0.4, 1.0, 7)) and headings == pytest.approx([0.0, math.pi])
     assert most == pytest.approx(0.4 * 0.7)
-    assert question.waves_of(database(), "0.4:1.0:7", "0,90", 9.0)[2] == pytest.approx(0.6)  # the band is no wider
-    assert question.waves_of(database(), "0.4:1.0:7", "0,90,360", 0.2)[1] == pytest.approx([0.0, math.pi / 2])
+    assert question.waves_of(database(), SEVEN, np.radians([0, 90]), 9.0)[2] == pytest.approx(
+        0.6
+    )  # the band is no wider
+    assert question.waves_of(database(), SEVEN, np.radians([0, 90, 360]), 0.2)[1] == pytest.approx([0.0, math.pi / 2])
 
 
 def test_sums_lie_between_twice_the_lowest_and_the_highest_frequency():
-    _, _, most = question.waves_and_sums_of(database(), "0.4:1.0:7", None, 1.5)
-    assert most == 1.5 and question.waves_and_sums_of(database(), "0.4:1.0:7", None, 9.0)[2] == pytest.approx(2.0)
+    _, _, most = question.waves_and_sums_of(database(), SEVEN, None, 1.5)
+    assert most == 1.5 and question.waves_and_sums_of(database(), SEVEN, None, 9.0)[2] == pytest.approx(2.0)
     with pytest.raises(ValueError, match=r"--highest is 0\.79; allowed: 0\.8 rad/s, twice the lowest"):
-        question.waves_and_sums_of(database(), "0.4:1.0:7", None, 0.79)
-    assert question.waves_and_sums_of(database(), "0.4:1.0:7", None, 0.8)[2] == 0.8
+        question.waves_and_sums_of(database(), SEVEN, None, 0.79)
+    assert question.waves_and_sums_of(database(), SEVEN, None, 0.8)[2] == 0.8
 
 
 @pytest.mark.parametrize("headings, good", [(15, True), (16, False)])
 def test_waves_of_a_question_fit_into_memory(headings, good):
     """100 frequencies with up to 15 headings are 1500"""
-    words = ",".join(f"{20 * i}" for i in range(headings))
+    words = np.radians(20.0 * np.arange(headings))
     if good:
-        question.waves_of(database(), "0.4:1.0:100", words, None)
+        question.waves_of(database(), np.linspace(0.4, 1.0, 100), words, None)
         return
     with pytest.raises(ValueError, match="100 frequencies and 16 headings are asked for; allowed: 1500 waves"):
-        question.waves_of(database(), "0.4:1.0:100", words, None)
+        question.waves_of(database(), np.linspace(0.4, 1.0, 100), words, None)
 
 
 @pytest.mark.parametrize("share, level, adds", [(0.051, "auto", True), (0.049, "auto", False), (None, "auto", False),

@@ -132,6 +132,17 @@ def test_a_table_of_few_rows_and_many_columns_is_printed_turned_without_shares_o
     assert cells == [["mean", "2", "kN"], ["largest", "2", "kN"], ["least", "2", "kN"]]
 
 
+@pytest.mark.parametrize("rows", [2, 3, 8])
+def test_a_table_of_many_columns_and_a_long_text_are_within_80_characters(rows, capsys):
+    """14 characters of a heading and 3 beside it, eight times, would be 137"""
+    given = {f"largest {name}": (np.full(rows, -1234.5), "N", f"largest {name}") for name in "abcdefg"}
+    words = quantities("texts", {"size": (["a long size of an anchor " * 4] * rows, "", "size")}, "line")
+    printed(Result("example", quantities("forces", given, "line") | words, labels("line", np.arange(rows).astype(str))))
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 80 and sum(line.count("-1.23") for line in lines) == 7 * rows
+    assert " ".join(lines).count("anchor") == 4 * rows
+
+
 def test_a_quantity_is_found_by_its_name_and_the_label_of_its_axis():
     made = example()
     assert made["tension[aft].largest"] == 7e-3 and np.array_equal(made["tension[*].largest"], made["tension.largest"])

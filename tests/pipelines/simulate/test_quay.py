@@ -8,7 +8,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from result_views import check_views
 
+import hakobune
 from hakobune import pipelines
 from hakobune.bem.database import open_database
 from hakobune.bem.time_domain.memory import no_memory
@@ -20,7 +22,7 @@ from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.moor.quay import body_of
 from hakobune.pipelines.moor.study import make_study, read_study
-from hakobune.pipelines.simulate.berth import by_design_spectrum, findings_on_periods, windows
+from hakobune.pipelines.simulate.berth import by_design_spectrum, findings_on_periods
 from hakobune.pipelines.simulate.file import opened
 from hakobune.pipelines.simulate.study import plan_of
 
@@ -62,6 +64,10 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     assert main([*words, *more]) == 0
     told = capsys.readouterr().out
     assert "deflection" in told and "head 1" in told and "natural period" in told
+    monkeypatch.setenv("COLUMNS", "40")
+    made = hakobune.simulate(SCENE, database, run, duration=60.0, seeds=1)
+    check_views(made, [*words, *more], tmp_path / "quay_result.h5", capsys)
+    assert made["natural_period"].tolist() == values["natural_period"]
     with opened(run) as file:
         names = list(file["quantity"].asstr()[()])
         assert file["deflection"].shape == (1, 121, 4) and file["tension"].shape == (1, 121, 12)
@@ -126,19 +132,6 @@ def test_natural_periods_of_a_berth_are_those_of_its_springs_and_are_told_beside
     assert found[0] == pytest.approx(4 * np.pi, rel=1e-12) and found[1] > 2 * np.pi
     near = list(findings_on_periods(SimpleNamespace(attrs={"natural_period": found, "harbour_period": [14.0, 100.0]})))
     assert len(near) == 1 and "the harbour with 14 s: it resonates" in near[0]
-
-
-def test_windows_of_a_record_have_its_significant_amplitude_and_period():
-    t = np.arange(0, 1200.5, 0.5)
-    motion = np.zeros((len(t), 6))
-    motion[:, 0] = np.where(t < 600, 2.0, 1.0) * np.sin(2 * np.pi * t / 60) + 3.0
-    motion[:, 5] = np.radians(0.5) * np.sin(2 * np.pi * t / 30)
-    first, second = windows(motion, 0.5, 600.0)
-    assert (first[0], second[0]) == (0.0, 600.0)
-    assert first[1][:2] == pytest.approx([2.0, 60.0], rel=1e-2) and second[1][:2] == pytest.approx(
-        [1.0, 60.0], rel=1e-2
-    )
-    assert first[1][4:] == pytest.approx([0.5, 30.0], rel=1e-2) and np.isnan(first[1][2])
 
 
 def test_waves_of_a_record_beside_the_study_move_the_ship(tmp_path):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from test_simulate import folder, plan, simulate  # noqa: F401 - a fixture among them
 
+from hakobune.mooring.motion.statistics import windows
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.simulate import berth, findings, over_runs
 from hakobune.pipelines.simulate.file import SUMMARY, opened
@@ -101,18 +102,20 @@ def test_slow_yaw_is_told_in_degrees():
 
 
 def test_windows_have_half_the_significant_height_and_the_period_of_their_waves():
-    """Surge of 8 s and 2 m, then of 10 s and 1 m; sway is still; yaw of 0.02 rad in degrees"""
+    """Surge of 8 s and 2 m, then of 10 s and 1 m; sway is still; yaw of 0.02 rad"""
     t = np.arange(0, 400.0, 0.5)
     surge = np.where(t < 200, 2 * np.sin(2 * np.pi * t / 8), np.sin(2 * np.pi * t / 10)) + 5.0
     motion = np.zeros((len(t) + 1, 6))
     motion[:-1, 0], motion[:-1, 5] = surge, 0.02 * np.sin(2 * np.pi * t / 8)
     motion[-1] = motion[-2]
-    first, second = berth.windows(motion, 0.5, 200.0)
-    assert (first[0], second[0]) == (0.0, 200.0)
-    assert first[1][:2] == pytest.approx([2.0, 8.0], rel=0.01)
-    assert second[1][:2] == pytest.approx([1.0, 10.0], rel=0.01)
-    assert first[1][4:] == pytest.approx([math.degrees(0.02), 8.0], rel=0.01) and np.all(np.isnan(first[1][2:4]))
-    assert len(berth.windows(motion, 0.5, 150.0)) == 2  # the last 100 s are no whole window
+    found = windows(motion, 0.5, 200.0)
+    assert found.start.tolist() == [0.0, 200.0]
+    assert found.amplitude[:, 0] == pytest.approx([2.0, 1.0], rel=0.01)
+    assert found.period[:, 0] == pytest.approx([8.0, 10.0], rel=0.01)
+    assert (found.amplitude[0, 2], found.period[0, 2]) == pytest.approx((0.02, 8.0), rel=0.01)
+    assert np.all(np.isnan([found.amplitude[0, 1], found.period[0, 1]]))
+    assert len(windows(motion, 0.5, 150.0).start) == 2  # the last 100 s are no whole window
+    assert windows(motion, 0.5, 500.0).amplitude.shape == (0, 3)
 
 
 @pytest.mark.parametrize("length, good", [(2.5, True), (2.4, False), (600.0, True), (601.0, False)])
