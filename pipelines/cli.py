@@ -22,7 +22,7 @@ from .damping.command import damping
 from .design.command import design
 from .doctor import doctor
 from .earthquake.flags import earthquake
-from .exchange.flags import body, export, import_
+from .exchange.flags import body_, export, import_
 from .fender.flags import fender
 from .films.flags import animate
 from .keys.command import keys, new
@@ -272,7 +272,7 @@ app.command(earthquake)
 app.command(doctor)
 app.command(export)
 app.command(import_, name="import")
-app.command(body)
+app.command(body_, name="body")
 app.command(keys)
 app.command(new)
 

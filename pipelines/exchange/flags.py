@@ -72,7 +72,7 @@ def import_(
     return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh, correct)
 
 
-def body(
+def body_(
     database: Annotated[Path, Parameter(help="imported, .h5")],
     /,
     *,

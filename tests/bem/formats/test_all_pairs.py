@@ -58,3 +58,16 @@ def test_what_goes_through_two_formats_is_what_it_was(first, second, values, tmp
         true = values.get(name)
         assert np.abs(found.get(name) - true).max() < 3e-6 * np.abs(true).max(), name
     assert (found.water_depth, found.density, found.gravity) == pytest.approx((20.0, RHO, G), rel=1e-9)
+
+
+def test_wamit_s_files_have_rows_of_both_limits_whatever_is_known(values, tmp_path):
+    """Those of the lowest and the highest frequency stand for limits that are not there"""
+    known = {name: data for name, data in values.quantities.items() if name != "added_mass_infinity"}
+    wamit.write(replace(values, quantities=known), tmp_path / "a.1")
+    found = wamit.read(tmp_path / "a.1", WATER)
+    A = values.get("added_mass")
+    for name, true in (("added_mass_zero", A[0]), ("added_mass_infinity", A[-1])):
+        assert found.get(name) == pytest.approx(true, rel=1e-5, abs=1.0)
+    wamit.write(values, tmp_path / "a.1")
+    again = wamit.read(tmp_path / "a.1", WATER).get("added_mass_infinity")
+    assert again == pytest.approx(values.get("added_mass_infinity"), rel=1e-5, abs=1.0)

@@ -18,14 +18,16 @@ def left_out(monkeypatch):
     def call(to, names=(), rows=(True, True), about=(0, 0, 0), **values):
         db = type("Stored", (dict,), {})(values)
         db.rows, db.names, db.path, db.complete = np.array(rows), tuple(names), "box.h5", all(rows)
-        return list(command._left_out(db, SimpleNamespace(rotation_center=np.array(about, float)), to))
+        known = dict.fromkeys(("added_mass_zero", "added_mass_infinity"), np.ones(1)) | values
+        exported = SimpleNamespace(rotation_center=np.array(about, float), get=known.get)
+        return list(command._left_out(db, exported, to))
 
     return call
 
 
 @pytest.mark.parametrize("to, names, says", [
     ("bemio", ("rao", "drift_force", "drift_force_fixed"), "bemio has no place for rao, drift_force_fixed"),
-    ("capytaine", ("rao", "drift_force"), "capytaine has no place for rao, drift_force"),
+    ("capytaine", ("rao", "drift_force"), "capytaine has no place for rao"),
     ("orcaflex", ("rao", "drift_force", "added_mass_zero"), "orcaflex has no place for drift_force, added_mass_zero"),
     ("wamit", ("rao", "drift_force", "drift_force_fixed"), "wamit has no place for drift_force_fixed"),
     ("hams", ("rao", "drift_force"), None),
@@ -40,5 +42,12 @@ def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(lef
     assert "box.h5 has 1 of 2 frequencies solved, which alone are written" in first and first.startswith("FAILS: ")
     assert about.startswith("moments and rotations are about (1, 0, -2.5) m, which these files do not say")
     assert left_out("bemio", about=(1.0, 0.0, 0.0)) == []
-    endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
+    endless = left_out("bemio", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
     assert endless == ["added_mass_infinity is not finite and left out"]
+
+
+def test_rows_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_out):
+    endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
+    assert endless == ["added_mass_infinity is that of the frequency next to it: HydroDyn needs rows of both limits"]
+    (said,) = left_out("hams", added_mass_zero=None)
+    assert said.startswith("added_mass_zero is that of the frequency next to it")
