@@ -121,6 +121,20 @@ class _Edges:
                 return axis
         return None
 
+    def level(self, which):
+        """How a text on open edges ends: with the water they were drawn for, where they are all of the top or foot"""
+        z, ends = self.points[:, 2], np.unique(self.ends[which])
+        reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
+        top, foot = (np.array_equal(np.flatnonzero(np.abs(z - at) <= reach), ends) for at in (z.max(), z.min()))
+        if top:
+            return (
+                f", all of its top, z = {z.max():.6g} m: if that is the waterline, move it there "
+                f"(`hakobune mesh --move 0,0,{-z.max():.6g}`); else close it"
+            )
+        if foot:
+            return f", all of its foot, z = {z.min():.6g} m: a wall may end so on a bed of that depth; else close it"
+        return "; close it"
+
     @property
     def stands_on_bed(self):
         return bool(np.any(self.at_bed & ~self.on_plane & (self.uses == 1)))
@@ -242,7 +256,7 @@ def _holes(edges, area):
                 f"(`hakobune mesh --mirror {plane}`)",
             )
         else:
-            yield Finding("error", f"the hull is open {along}; close it")
+            yield Finding("error", f"the hull is open {along}{edges.level(which)}")
     crowded = edges.uses > 2
     if crowded.any():
         yield Finding(

@@ -154,9 +154,7 @@ def _columns(key, names, place):
         usual = SECTIONS[key].row._fields
         moved = [name for name, field in zip(names, usual, strict=False) if known.get(name, field) != field]
         if key == "lines" and moved:
-            raise fault(
-                *place, f"column {strange[0]!r} is unknown, and {moved[0]!r} stands where version 2 has another"
-            )
+            raise fault(*place, f"column {strange[0]!r} is unknown and {moved[0]!r} is not where version 2 has it")
         return usual
     return [known.get(name) for name in names]
 

@@ -34,6 +34,10 @@ def read_netcdf(path, x_axis, time, location):
     except ImportError:
         raise TableError(f"{path} is netCDF; pip install 'hakobune[xarray]' to read it") from None
     try:
+        if path.open("rb").read(4) == b"\x89HDF":
+            import h5py
+
+            h5py.File(path).close()  # of a file that is cut h5netcdf prints a traceback
         with xarray.open_dataset(path) as data:
             return _sea(path, data.load(), x_axis, time, location)
     except TableError:

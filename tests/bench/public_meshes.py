@@ -3,7 +3,7 @@
     python tests/bench/public_meshes.py FOLDER
 
 A hull drawn whole is cut at the surface.  Right is one without an error among its findings, whose volumes by x, y and
-z agree within 1 % and whose lid has the area of its waterplane within 5 %; the rest is refused, with the reason.
+z agree within 2 % and whose lid has the area of its waterplane within 5 %; the rest is refused, with the reason.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from hakobune.meshing.lid import lid
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
 
-VOLUMES, LID = 0.01, 0.05
+VOLUMES, LID = 0.02, 0.05
 LARGEST = 6000  # panels that are looked at whole
 
 
@@ -49,7 +49,8 @@ def judged(path):
     x, y, z = (float(hull.centroids[:, i] @ hull.area_vectors[:, i]) for i in range(3))
     if max(x, y, z) - min(x, y, z) > VOLUMES * abs(z):
         return "wrong", f"volumes {x:.5g}, {y:.5g}, {z:.5g} m³"
-    waterplane = -hull.area_vectors[:, 2].sum()
+    below = np.any(hull.vertices[..., 2] < 0, axis=1)  # not the piston of a chamber, which is in the surface
+    waterplane = -hull.area_vectors[below, 2].sum()
     if waterplane > 1e-6 * hull.areas.sum() and mesh.draft > 0:
         try:
             made = lid(mesh)

@@ -91,6 +91,16 @@ def test_a_wall_that_stands_on_the_bed_is_closed_and_said(symmetry):
     assert f"z = -20 m, along {2 * radius * sides * np.sin(np.pi / sides):.4g} m" in found.text
 
 
+def test_a_rim_below_the_water_and_a_foot_above_the_bed_are_told():
+    hull = buoy(10, 20, panels=60)
+    (text,) = [found.text for found in findings(hull.moved(0, 0, -0.5)) if found.severity == "error"]
+    assert "all of its top, z = -0.5 m: if that is the waterline" in text
+    assert "--move 0,0,0.5" in text
+    wall = buoy(10, 20, bottom=False)
+    (text,) = [found.text for found in findings(wall, depth=25.0) if found.severity == "error"]
+    assert "all of its foot, z = -20 m" in text
+
+
 @pytest.mark.parametrize("axis", "xy")
 def test_a_half_that_nothing_mirrors_is_told(axis):
     half = replace(buoy(10, 10, panels=60, symmetry=axis), symmetry="")
