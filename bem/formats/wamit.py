@@ -25,7 +25,8 @@ from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
 from .values import FormatError, Values, body_of, gridded, omega_of, table_of
-from .wamit_inputs import beside, inputs_of
+from .wamit_inputs import Table, beside, inputs_of
+from .wamit_out import read_out
 
 FORCES = {
     ".2": "excitation_force",
@@ -107,8 +108,6 @@ def read(place, known):
     place = Path(place)
     whole = place.suffix.lower() == ".out"
     if whole:
-        from .wamit_out import read_out
-
         tables, given, body = read_out(place, known)
     else:
         place, given = place.with_suffix(".1"), inputs_of(place, known)
@@ -151,19 +150,6 @@ def hull_of(place, known=None):
     if given.hull:
         return place.with_name(given.hull)
     return beside(place, ".gdf")
-
-
-class Table(NamedTuple):
-    """path : of a file, for messages; rows : (k, columns) of its numbers"""
-
-    path: Path
-    rows: np.ndarray
-
-    def __getitem__(self, column):
-        return self.rows[:, column]
-
-    def __len__(self):
-        return len(self.rows)
 
 
 class Columns(NamedTuple):

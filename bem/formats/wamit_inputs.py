@@ -16,12 +16,27 @@ from math import inf
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
+
 from hakobune.meshing.text_files import numbers_of
 from hakobune.meshing.text_formats import length_unit
 
 from .values import FormatError, lines_of
 
 PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumber"}  # IPEROUT
+
+
+class Table(NamedTuple):
+    """path : of a file, for messages; rows : (k, columns) of its numbers"""
+
+    path: Path
+    rows: np.ndarray
+
+    def __getitem__(self, column):
+        return self.rows[:, column]
+
+    def __len__(self):
+        return len(self.rows)
 
 
 class Inputs(NamedTuple):

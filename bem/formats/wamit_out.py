@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from .values import FormatError, body_of, lines_of
-from .wamit_inputs import Inputs, beside
+from .wamit_inputs import Inputs, Table, beside
 
 PERIOD = re.compile(r"Wave period(?: \(sec\))?\s*=\s*(\S+)")
 HEADING = re.compile(r"Wave Heading\s*\(deg\)\s*:\s*(.*)")
@@ -28,8 +28,6 @@ TITLES = (
 
 def read_out(place, known):
     """{suffix: Table}, `Inputs` and what is known of the body in SI.  Raises FormatError."""
-    from .wamit import Table
-
     place = Path(place)
     lines = lines_of(place)
     start = next((i for i, line in enumerate(lines) if PERIOD.search(line)), None)
