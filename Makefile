@@ -2,6 +2,8 @@
 # make test    ruff and all tests, in two processes (PROCESSES=1 in one)
 # make test-quick   what the change of this branch touches, the nearest tests first, in two minutes
 # make test-nojit   kernels as plain Python (a subset); make test-bounds: with array bounds checked
+# make test-ends    kernels with the oldest numba, numpy and scipy that are supported, and with the newest
+# make test-kernels the two subsets above, where the change of this branch touches kernels
 # make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
 # make docs    the guide with the reference of all keys, into docs/html
 # make lint    ruff alone; make types: pyright on the public names
@@ -16,9 +18,13 @@ SCENES := pipelines/scenes
 # what is quick enough as plain Python, and what indexes most
 NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels/test_jit.py tests/mooring/lines/test_static.py
 BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines
+OLDEST := numba==0.60.* numpy==2.0.* scipy==1.13.*
+NEWEST := numba<0.69 numpy scipy
+ENDS := tests/bem/kernels tests/bem/green tests/bem/depth_modes tests/mooring/lines/test_static.py
+KERNELS = $(shell git diff --name-only --diff-filter=d main -- '*.py' | xargs -r grep -l '@kernel')
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
-.PHONY: docs demo test test-quick test-nojit test-bounds bench lint types venv format clean
+.PHONY: docs demo test test-quick test-nojit test-bounds test-ends test-kernels bench lint types venv format clean
 .DELETE_ON_ERROR:
 
 venv: $(STAMP)
@@ -83,6 +89,19 @@ test-nojit: venv
 
 test-bounds: venv
 	NUMBA_BOUNDSCHECK=1 HAKOBUNE_CACHE=$(CURDIR)/build/bounds $(BIN)/python -m pytest $(BOUNDS)
+
+test-ends: .venv-oldest/.installed .venv-newest/.installed
+	for end in oldest newest; do \
+	  HAKOBUNE_CACHE=$(CURDIR)/build/$$end .venv-$$end/bin/python -m pytest $(ENDS) || exit 1; done
+
+.venv-%/.installed: pyproject.toml
+	$(PYTHON) -m venv .venv-$*
+	.venv-$*/bin/python -m pip install --quiet --disable-pip-version-check --upgrade -e '.[test]' \
+	  $(foreach one,$(if $(filter oldest,$*),$(OLDEST),$(NEWEST)),'$(one)')
+	@touch $@
+
+test-kernels:
+	$(if $(KERNELS),$(MAKE) test-nojit test-bounds,@echo "this branch touches no kernel")
 
 format: venv
 	$(BIN)/ruff check --fix .

@@ -252,18 +252,6 @@ class Clone:
 
     def tests(self, files, seconds):
         """(status, last lines, seconds) of tests run up to the first that fails; status None if they hang"""
-        words = [
-            sys.executable,
-            "-m",
-            "pytest",
-            "-x",
-            "-q",
-            "--tb=no",
-            "-rf",
-            "--seconds",
-            f"{seconds:g}",
-            *map(str, files),
-        ]
         seconds *= min(BUSIEST, max(1.0, os.getloadavg()[0] / os.cpu_count()))
         words = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-rf", "--seconds", f"{seconds:g}"]
         words += map(str, files)
