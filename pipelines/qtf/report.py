@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.waves import wavenumber
 from hakobune.mooring.criteria.failing import fails
+
+from .question import A_WAVE, carried_by
 
 APART = 0.05  # of the largest mean drift, that pressure and far field may differ by
 NAMES = ("surge", "sway", "yaw")
@@ -33,14 +36,33 @@ def diagonal_gap(forces):
     return float(np.abs(forces.added[:, h, h][..., :2]).max() / max(np.abs(drift).max(), 1e-300))
 
 
-def failures(stored):
-    """What fails of `StoredForces`: mean drift by pressure that is not that of the far field"""
+def failures(stored, db=None):
+    """What fails of `StoredForces`: mean drift by pressure that is not that of the far field
+
+    db : its open database, whose panels may be too large for the waves; None to say nothing of them
+    """
     gap = None if stored.forces.kind is SUM else diagonal_gap(stored.forces)
     if gap is not None and gap > APART:
         yield fails(
             f"mean drift by pressure differs from that of the far field by {100 * gap:.2g} % of the largest, limit "
-            f"{100 * APART:g} %; more panels bring them together"
+            f"{100 * APART:g} %; {_smaller_panels(stored.forces, db)}"
         )
+
+
+def _smaller_panels(forces, db):
+    """The way out: panels that carry the waves, or waves that the panels carry"""
+    size, most = (np.inf, np.inf) if db is None else (float(db.mesh.sizes.max()), _carried(db))
+    if most >= forces.omega[-1]:
+        return "more panels bring them together"
+    length = 2 * np.pi / wavenumber(float(forces.omega[-1]), db.water_depth, db.gravity)
+    return (
+        f"the waves go to {forces.omega[-1]:.3g} rad/s, {length:.3g} m long, on panels of up to {size:.3g} m, of which "
+        f"a wave has {A_WAVE:g} up to {most:.3g} rad/s; give the scene smaller panels, or --omega up to there"
+    )
+
+
+def _carried(db):
+    return carried_by(db.mesh, db.water_depth, db.gravity)
 
 
 def notes(stored):

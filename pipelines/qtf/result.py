@@ -117,7 +117,7 @@ def result_of(stored, db):
     ):
         if value is not None:
             made[name] = Quantity(float(value), (), "", word, "checks", share=True)
-    return Result("qtf", made, labels("force", words), tuple(failures(stored)), tuple(notes(stored)),
+    return Result("qtf", made, labels("force", words), tuple(failures(stored, db)), tuple(notes(stored)),
                   provenance=provenance(database=db), detail=stored)  # fmt: skip
 
 

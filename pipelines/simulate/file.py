@@ -8,6 +8,7 @@ wider file, which takes over the rows of the old one.  Records are kept of the f
 from __future__ import annotations
 
 import json
+import re
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -30,6 +31,7 @@ STATISTICS = RecordStatistics._fields
 SUMMARY = (*STATISTICS, *(f"{end}_{part}" for end in ("upper", "lower") for part in Extreme._fields))
 SLOW = ("Surge", "Sway", "Yaw")
 LEFT_OUT = "left out"  # with which a finding on it begins
+DECIMAL = re.compile(r"\d+\.\d+")
 LONGEST = 1000  # bytes of the findings of a seed
 SERIES = {  # name: (axes, unit, long name)
     "motion": (("kept_seed", "time", "dof"), "m, m, m, rad, rad, rad", "displacement of the rotation centre from rest"),
@@ -199,11 +201,19 @@ def told(file):
 
 
 def stored_findings(file):
-    """Lines of text on what holds of all runs, and what single runs found"""
+    """Lines of text on what holds of all runs, and what single runs found
+
+    Of those that differ in their decimals alone, as the mean frequency of each seed's waves, that with the largest.
+    """
     of_all = str(file.attrs.get("findings_of_all", "")).split("\n")
     rows = file["findings"][whole_rows(file)]
-    of_runs = sorted({line for one in rows for line in bytes(one).decode().split("\n")})
-    return tuple(filter(None, dict.fromkeys((*of_all, *of_runs))))
+    of_runs = {line for one in rows for line in bytes(one).decode().split("\n")}
+    alike = {DECIMAL.sub("#", line): line for line in sorted(of_runs, key=_decimals)}
+    return tuple(filter(None, dict.fromkeys((*of_all, *sorted(alike.values())))))
+
+
+def _decimals(line):
+    return [float(number) for number in DECIMAL.findall(line)]
 
 
 def units_of(file):

@@ -22,7 +22,7 @@ from hakobune.mooring.response.pair_levels import beside_newman, stored_pairs
 from hakobune.mooring.response.sea_state import sea_state
 from hakobune.mooring.response.slow_drift import HORIZONTAL
 from hakobune.pipelines.cli import main
-from hakobune.pipelines.qtf import running
+from hakobune.pipelines.qtf import report, running
 from hakobune.pipelines.qtf.question import multiples
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28 --heading 0,180"
@@ -333,3 +333,16 @@ def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_
     assert main(["qtf", str(path), *["--omega", "0.3:1.2:13", "--heading", "180", "--difference", "0.3"]]) == 0
     assert main(["qtf", str(path), *["--omega", "0.3:0.525:4", "--heading", "180,540", "--difference", "9"]]) == 0
     assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize("panel, says", [(4.0, "more panels bring them together"), (8.5, "3 up to 1.55 rad/s; give")])
+def test_drift_by_pressure_that_is_off_on_panels_too_large_for_the_waves_is_told_with_the_waves_they_carry(panel, says):
+    """A wave of 25.5 m, three panels of 8.5 m, has ω = √(2πg/25.5) = 1.554 rad/s in deep water; of 12 m 2.27 rad/s"""
+    forces = SimpleNamespace(
+        added=np.full((2, 1, 1, 3), 0.06), headings=[0.0], squares=np.ones((1, 2, 1, 1, 6), complex), kind=None,
+        omega=np.array([0.5, 2.25]),
+    )  # fmt: skip
+    db = SimpleNamespace(mesh=SimpleNamespace(sizes=np.array([1.0, panel])), water_depth=500.0, gravity=9.80665)
+    (said,) = report.failures(SimpleNamespace(forces=forces), db)
+    assert said.startswith("FAILS: mean drift by pressure differs") and "6 % of the largest, limit 5 %" in said
+    assert says in said

@@ -11,6 +11,7 @@ from test_simulate import folder, plan, simulate  # noqa: F401 - a fixture among
 from hakobune.mooring.motion.statistics import windows
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.simulate import berth, findings, over_runs
+from hakobune.pipelines.simulate import file as stored
 from hakobune.pipelines.simulate.file import SUMMARY, opened
 from hakobune.pipelines.simulate.pictures import draw, spectrum
 from hakobune.pipelines.simulate.study import MISSED, MOST_MISSED, _outside
@@ -249,3 +250,15 @@ def test_a_spectrum_of_one_sine_has_its_variance_at_its_frequency():
     step = omega[1] - omega[0]
     assert density.sum() * step == pytest.approx(1.25, rel=0.02)
     assert omega[np.argmax(density)] == pytest.approx(0.5, abs=step)
+
+
+def test_a_finding_of_many_runs_is_told_once_with_its_largest_number(monkeypatch):
+    """Mean frequencies of the waves of each seed differ; lines of other numbers stay apart"""
+    monkeypatch.setattr(stored, "whole_rows", lambda file: slice(None))
+    lines = ["damps as waves of 0.965 rad/s do", "damps as waves of 0.966 rad/s do\nline 2 parts at 10.5 s",
+             "line 2 parts at 9.5 s\nline 3 parts at 9.5 s"]  # fmt: skip
+    file = type("File", (dict,), {"attrs": {"findings_of_all": "of all"}})(
+        findings=np.array([line.encode() for line in lines], "S100")
+    )
+    said = stored.stored_findings(file)
+    assert said == ("of all", "damps as waves of 0.966 rad/s do", "line 2 parts at 10.5 s", "line 3 parts at 9.5 s")
