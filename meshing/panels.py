@@ -14,7 +14,9 @@ import numpy as np
 
 SYMMETRIES = ("", "x", "y", "xy")
 ON_BED = 1e-6  # of the size of the hull: closer to the bed is on it
+SAME_PLACE = 1e-5  # of the largest radius: a point closer to another is that one, as files round
 SAME_SIDE = 1e-9  # of the size of the hull: closer to a plane is on it
+ROUND = 12  # turns about the vertical that map a mesh to itself, from which on it is one of revolution
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +127,27 @@ class PanelMesh:
     def sizes(self):
         """(n,) m, longest edge"""
         return self.edge_lengths.max(axis=1)
+
+    @cached_property
+    def is_round(self):
+        """Whether a twelfth or less of a turn about the vertical through the origin maps the hull to itself"""
+        from scipy.spatial import cKDTree
+
+        points = self.whole().points if self.symmetry else self.points
+        radius = np.hypot(*points[:, :2].T)
+        if not len(points) or not radius.max() > 0:
+            return False
+        near = SAME_PLACE * radius.max()
+        rim = np.unique(np.round(points[radius > radius.max() - near] / (10 * near)), axis=0)
+        levels = np.unique(rim[:, 2], return_counts=True)[1]
+        tree = cKDTree(points)
+        for count in range(int(levels.max()), ROUND - 1, -1):
+            if np.all(levels % count == 0):
+                c, s = np.cos(2 * np.pi / count), np.sin(2 * np.pi / count)
+                turned = points @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+                if tree.query(turned)[0].max() <= near:
+                    return True
+        return False
 
     @cached_property
     def volume(self):
