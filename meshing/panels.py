@@ -180,11 +180,14 @@ class PanelMesh:
             base = self.whole()
         return replace(base, points=base.points + np.array([dx, dy, dz]))
 
-    def rotated(self, angle):
-        """A copy rotated about the z axis by `angle` rad, without mirror planes."""
+    def rotated(self, angle, axis="z"):
+        """A copy rotated about an axis through the origin, x, y or z, by `angle` rad, without mirror planes."""
         c, s = np.cos(angle), np.sin(angle)
+        i, j = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}[axis]
+        turn = np.eye(3)
+        turn[i, i], turn[i, j], turn[j, i], turn[j, j] = c, s, -s, c
         base = self.whole()
-        return replace(base, points=base.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]))
+        return replace(base, points=base.points @ turn)
 
     def scaled(self, factor):
         """A copy with its points multiplied by `factor`, a positive number or one for each axis."""

@@ -38,6 +38,11 @@ class Body(NamedTuple):
     stored: frozenset
     has_inertia: bool
 
+    @property
+    def sizes(self):
+        """As of a database: what is known before the hull is meshed"""
+        return self.dimensions
+
 
 def body_of_database(db):
     """Body of an open database"""
