@@ -1,7 +1,8 @@
 """Reading and writing panel meshes, the format by the suffix of the file.
 
 .gdf (WAMIT), .nemoh, .mar and .dat (Nemoh), .pnl (HAMS) and .vtu are read and written; .msh is read through meshio and
-written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat of Diodore, Salome and AQWA are read.
+written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat of Diodore, Salome and AQWA are read, and
+.toml, a drawing that gmsh meshes (`drawing`).
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ TEXT_WRITERS = {
     ".pnl": text_formats.write_pnl,
 }
 MESHIO = (".msh", ".vtu", ".vtk", ".stl", ".ply", ".off")
-READABLE = (*TEXT_READERS, *MESHIO, ".vtp")
+READABLE = (*TEXT_READERS, *MESHIO, ".vtp", ".toml")
 WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
 
 LARGEST = 32  # MB; a hundred thousand panels with all their digits, more than any method here solves
@@ -67,9 +68,13 @@ def read_mesh(path):
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
     check_size(path, largest=LARGEST)
-    if suffix not in TEXT_READERS:
+    if suffix not in (*TEXT_READERS, ".toml"):
         _check_head(path)
         _check_counts(path)
+    if suffix == ".toml":
+        from .drawing import read_drawing
+
+        return read_drawing(path)
     read = _read_vtp if suffix == ".vtp" else TEXT_READERS.get(suffix, _read_with_meshio)
     mesh = read(path)
     if not len(mesh):

@@ -14,6 +14,30 @@ from .panels import PanelMesh
 SAME_POINT = 1e-6  # of the size of the mesh
 
 
+def healed(mesh, near):
+    """The mesh with points closer than `near` m as one, at their middle, and what is that near to x = 0, y = 0 or z = 0
+    there; panels that have no area left go"""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import KDTree
+
+    pairs = KDTree(mesh.points).query_pairs(near, output_type="ndarray").T
+    linked = coo_array((np.ones(pairs.shape[1]), tuple(pairs)), (len(mesh.points),) * 2)
+    count, group = connected_components(linked, directed=False)
+    points = np.stack([np.bincount(group, column, count) for column in mesh.points.T], axis=1)
+    points /= np.bincount(group, minlength=count)[:, None]
+    points[np.abs(points) <= near] = 0.0
+    corners = group[mesh.corners]
+    kept = np.array([len(set(panel)) > 2 for panel in corners.tolist()], bool)
+    return replace(mesh, points=points, corners=np.array([_closed_up(panel) for panel in corners[kept].tolist()]))
+
+
+def _closed_up(panel):
+    """Four corners, of a triangle the last one twice, without one that repeats another"""
+    ring = list(dict.fromkeys(panel))
+    return ring if len(ring) == 4 else [*ring, ring[-1]]
+
+
 def folded(mesh, tolerance=SAME_POINT):
     """The part of a hull whose mirror images in x = 0 and y = 0 make it whole; the mesh itself where there are none.
 

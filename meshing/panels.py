@@ -14,7 +14,9 @@ import numpy as np
 
 SYMMETRIES = ("", "x", "y", "xy")
 ON_BED = 1e-6  # of the size of the hull: closer to the bed is on it
+SAME_PLACE = 1e-5  # of the largest radius: a point closer to another is that one, as files round
 SAME_SIDE = 1e-9  # of the size of the hull: closer to a plane is on it
+ROUND = 12  # turns about the vertical that map a mesh to itself, from which on it is one of revolution
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,6 +129,27 @@ class PanelMesh:
         return self.edge_lengths.max(axis=1)
 
     @cached_property
+    def is_round(self):
+        """Whether a twelfth or less of a turn about the vertical through the origin maps the hull to itself"""
+        from scipy.spatial import cKDTree
+
+        points = self.whole().points if self.symmetry else self.points
+        radius = np.hypot(*points[:, :2].T)
+        if not len(points) or not radius.max() > 0:
+            return False
+        near = SAME_PLACE * radius.max()
+        rim = np.unique(np.round(points[radius > radius.max() - near] / (10 * near)), axis=0)
+        levels = np.unique(rim[:, 2], return_counts=True)[1]
+        tree = cKDTree(points)
+        for count in range(int(levels.max()), ROUND - 1, -1):
+            if np.all(levels % count == 0):
+                c, s = np.cos(2 * np.pi / count), np.sin(2 * np.pi / count)
+                turned = points @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+                if tree.query(turned)[0].max() <= near:
+                    return True
+        return False
+
+    @cached_property
     def volume(self):
         """m³ enclosed by the whole hull and the water plane: ∬ x·n dS / 3 (the plane z = 0 adds nothing)"""
         return self.copies * float(np.einsum("ni,ni->", self.centroids, self.area_vectors)) / 3
@@ -157,11 +180,14 @@ class PanelMesh:
             base = self.whole()
         return replace(base, points=base.points + np.array([dx, dy, dz]))
 
-    def rotated(self, angle):
-        """A copy rotated about the z axis by `angle` rad, without mirror planes."""
+    def rotated(self, angle, axis="z"):
+        """A copy rotated about an axis through the origin, x, y or z, by `angle` rad, without mirror planes."""
         c, s = np.cos(angle), np.sin(angle)
+        i, j = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}[axis]
+        turn = np.eye(3)
+        turn[i, i], turn[i, j], turn[j, i], turn[j, j] = c, s, -s, c
         base = self.whole()
-        return replace(base, points=base.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]))
+        return replace(base, points=base.points @ turn)
 
     def scaled(self, factor):
         """A copy with its points multiplied by `factor`, a positive number or one for each axis."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import re
 import signal
@@ -153,7 +152,8 @@ def mesh(
     *,
     output: Annotated[Path, Parameter(help=".gdf, .pnl, .nemoh, .dat, .msh or .vtu")],
     scale: Annotated[str, Parameter(help="a factor, or three")] = "1",
-    turn: Annotated[float, Parameter(help="degrees about z", allow_leading_hyphen=True)] = 0.0,
+    heal: Annotated[float, Parameter(help="m: points closer than that are one", show_default=False)] = 0.0,
+    turn: Annotated[str, Parameter(help="degrees about z, or about x,y,z in turn", allow_leading_hyphen=True)] = "0",
     move: Annotated[str, Parameter(help="m, x,y,z", allow_leading_hyphen=True)] = "0,0,0",
     flip: Annotated[bool, Parameter(help="turn the normals round", negative="")] = False,
     mirror: Annotated[str, Parameter(help="x, y or xy: add the images in these planes")] = "",
@@ -166,7 +166,7 @@ def mesh(
     """
     from .view.changing import change
 
-    return change(file, output, scale, math.radians(turn), move, flip, mirror, clip, fold)
+    return change(file, output, scale, turn, move, flip, mirror, clip, fold, heal)
 
 
 @app.command

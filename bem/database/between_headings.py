@@ -312,10 +312,10 @@ def whole_mirrors(symmetry, matrices, center):
 
 
 def is_turned(matrices, center):
-    """Whether all of `matrices` (6, 6) and `center` stay what they are when turned about the z axis"""
+    """Whether `matrices` (6, 6) and `center` stay what they are, to rounding of files, when turned about the z axis"""
     turn = _turn(np.array([1.0]), "force")[0]  # one radian: no part of a circle
-    on_axis = np.abs(np.asarray(center)[:2]).max() <= 1e-9
-    return bool(on_axis and all(_is_same(m, turn @ m @ turn.T) for m in matrices))
+    on_axis = np.abs(np.asarray(center)[:2]).max() <= 1e-6
+    return bool(on_axis and all(_is_same(m, turn @ m @ turn.T, 1e-6) for m in matrices))
 
 
 def _turn(angles, kind):
@@ -373,6 +373,6 @@ def _is_even(matrix, signs):
     return _is_same(matrix, signs[:, None] * matrix * signs)
 
 
-def _is_same(matrix, other):
+def _is_same(matrix, other, share=1e-9):
     scale = np.sqrt(np.abs(np.outer(np.diag(matrix), np.diag(matrix)))).max() + np.abs(matrix).max()
-    return np.all(np.abs(matrix - other) <= 1e-9 * scale)
+    return np.all(np.abs(matrix - other) <= share * scale)

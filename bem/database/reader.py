@@ -164,10 +164,10 @@ class Reader:
         """(q, 6, 6) at omega (q,) rad/s from 0, with the end value where it is not known"""
         return self.between.value(self._nearest(omega), "added_mass")
 
-    def coefficients(self, omega):
-        """Added mass and radiation damping (q, 6, 6) at omega (q,) rad/s."""
-        omega = self.inside(omega)
-        return tuple(_known(name, self.between.value(omega, name)) for name in RADIATION)
+    def coefficients(self, omega, motions=range(6)):
+        """Added mass and radiation damping (q, 6, 6) at omega (q,) rad/s; 0 of motions that are not asked for."""
+        omega, out = self.inside(omega), [i for i in range(6) if i not in motions]
+        return tuple(_known(name, without_rows(self.between.value(omega, name), out)) for name in RADIATION)
 
     def inside(self, omega):
         """omega (q,) as an array.  Raises BetweenError outside the stored frequencies, and between too few of them."""
@@ -381,6 +381,13 @@ def _known(name, values):
     if not np.all(np.isfinite(values)):
         raise BetweenError(f"{name} is not known for all motions; solve again without a choice of motions")
     return values
+
+
+def without_rows(matrices, motions):
+    """Matrices (…, 6, 6) with 0 in the rows and columns of `motions`"""
+    out = np.array(matrices)
+    out[..., motions, :] = out[..., :, motions] = 0.0
+    return out
 
 
 def _matrix(name, value):

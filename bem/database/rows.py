@@ -160,6 +160,10 @@ class Database:
             return self.header.body.get(name)
         raise AttributeError(f"a database has no {name!r}")
 
+    def __contains__(self, name: object) -> bool:
+        """Whether every solved frequency has a quantity"""
+        return isinstance(name, str) and self.holds(name)
+
     def __getitem__(self, name: str) -> np.ndarray:
         """Solved rows of a quantity, axes as in `schema.QUANTITIES`; also period, wavenumber, theta."""
         if name in QUANTITIES:
@@ -308,9 +312,20 @@ class Database:
         return dict(self.header.dimensions)
 
     @property
+    def sizes(self) -> dict[str, float]:
+        """`dimensions`, and of a hull that is no box or ship those of the box about the origin that holds it, m"""
+        if self.mesh is None or not len(self.mesh) or "length" in self.dimensions:
+            return self.dimensions
+        points = self.mesh.whole().points
+        length, beam = 2 * np.abs(points[:, :2]).max(axis=0)
+        return {"length": float(length), "beam": float(beam), "draft": float(-points[:, 2].min())} | self.dimensions
+
+    @property
     def is_round(self) -> bool:
-        """Whether the hull is a buoy about the origin, and no wall is beside it"""
-        return set(self.dimensions) == {"radius", "draft"} and set(self.symmetry) == {"x", "y"}
+        """Whether the hull is one of revolution about the vertical through the origin, and no wall is beside it"""
+        return self.wall is None and (
+            set(self.dimensions) == {"radius", "draft"} or (self.mesh is not None and self.mesh.is_round)
+        )
 
     @property
     def symmetry(self) -> str:

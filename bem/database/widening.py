@@ -36,6 +36,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
             or len(wider_heading) > len(old["wave_direction"])
             or len(wider) > len(stored)
             or header.scene_hash != kept.scene_hash
+            or len(header.theta) != len(kept.theta)
         )
         if grown:
             with beside(old.filename, LATER) as file:
@@ -69,7 +70,10 @@ def take_over(old, new, anew=()):
         axes = cell_axes(name)
         for path in (p for p in (name, f"stored/{name}", estimate_of(name)) if p in old and p in new):
             value = np.asarray(new[path])
-            value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = old[path][()]
+            there = old[path][()]
+            if path == name and QUANTITIES[name][0][-1:] == ("theta",) and there.shape[-1] != value.shape[-1]:
+                there = at_angles(there, value.shape[-1])
+            value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = there
             new[path][...] = value
         kinds = [file[estimate_of(name)].dtype if estimate_of(name) in file else None for file in (old, new)]
         if not has_checksums(old) or kinds[0] != kinds[1]:
@@ -82,6 +86,17 @@ def take_over(old, new, anew=()):
     sums, found = new[ROWS][()], row_crcs(new)
     sums[i] = np.array(found, sums.dtype)[i]
     new[ROWS][...] = sums
+
+
+def at_angles(values, count):
+    """Kochin functions (…, count) at more evenly spaced angles than those (…, t) that resolve them
+
+    They are trigonometric polynomials to the last digits there, which their series carries to any angles.
+    """
+    series = np.fft.fft(values, axis=-1)
+    half, out = values.shape[-1] // 2, np.zeros((*values.shape[:-1], count), complex)
+    out[..., :half], out[..., count - half :] = series[..., :half], series[..., -half:]
+    return np.fft.ifft(out, axis=-1) * (count / values.shape[-1])
 
 
 def _union(old, new, same):

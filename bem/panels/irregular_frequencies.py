@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.meshing.plan import convex_hull
+from ..kernels.convex_hull import convex_hull
 
 # of the lower bound, up to which results are as good without a lid: 250 panels on the box 100 × 50 × 10 m in 12, 20 and
 # 100 m are 0.94, 0.81 and 0.80 % off with and without, forces 0.34, 0.47 and 0.54 %; in 12 m these are twice as far off

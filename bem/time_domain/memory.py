@@ -27,18 +27,21 @@ from warnings import warn
 import numpy as np
 
 from .. import DOFS
-from ..database.reader import Reader, reader
+from ..database.reader import Reader, reader, without_rows
 from .passive_fit import MOVED, passive_fit
 from .rational import balanced, fitted
 from .sensitivity import sensitivity
-from .whole_axis import Causal, ends_of, whole_axis, without_negative
+from .whole_axis import Causal, WholeAxis, ends_of, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
 POINTS = 800  # of the band, straight between
 POLES = (32, 48, 64)  # that the states are taken from, an input
 MOST = (76, 4)  # states of coupled motions, and for each of them
 STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
+FACETS = 1e-3, 1e-4  # change of A and B/ω over the band, relative to M + A, that are none: yaw of a mesh of revolution
+SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # of the band, tried where its upper end contradicts the rest
 SPREAD = (30.0, 8.0)  # how far below and above the band is fitted, as a factor
+FELT = 0.05  # of ω (M + A): of what moves less water, as a semi-submersible in heave, an error counts by that
 CLOSE = (0.03, 0.1)  # deviation of what is fitted from the database: remarked, refused
 ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: the factor by which memory is nearer,
 # and the largest one.  Free decay of boxes and a buoy is then within 8e-5 of its start for a tolerance of 3e-4
@@ -122,11 +125,26 @@ class Memory(Causal):
         return np.einsum("ik,qk,jk->qij", left, decay, right).real
 
 
-def memory_of_database(db, tolerance=1e-3):
+class _Goal(NamedTuple):
+    """What is fitted: axis (`WholeAxis`) of a band, transform (q, 6, 6) at (q,) rad/s, size (6,) of each motion, 0 of
+    one without memory, scale its squares, deviation from the database, damping (n, 6, 6) of the band"""
+
+    band: tuple
+    axis: WholeAxis
+    at: np.ndarray
+    transform: np.ndarray
+    size: np.ndarray
+    scale: np.ndarray
+    deviation: np.ndarray
+    damping: np.ndarray
+
+
+def memory_of_database(db, tolerance=1e-3, motions=range(6)):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
     tolerance : of the transform, relative to the largest of each motion, 1e-5 to 0.1
-    raises : ValueError where damping or added mass are not known for all motions, at too few frequencies, or contradict
+    motions : numbers 0 to 5 of those that a study has; the others are neither asked for nor fitted
+    raises : ValueError where damping or added mass are not known for these, at too few frequencies, or contradict
     each other because the band is too short; and where the tolerance is not reached
     """
     if not 1e-5 <= tolerance <= 0.1:
@@ -137,16 +155,10 @@ def memory_of_database(db, tolerance=1e-3):
             f"memory needs radiation at {FEWEST} frequencies at least, {len(body.omega)} are stored; solve a band, "
             "as --omega auto:0.1:2"
         )
-    band = body.between.span
-    omega = np.linspace(*band, POINTS)
-    added_mass, damping = (0.5 * (x + x.swapaxes(1, 2)) for x in body.coefficients(omega))
-    axis = _axis(body, omega, added_mass, damping)
-    at = _frequencies(axis, band)
-    wanted = axis.transform(at)
-    size = np.sqrt(np.abs(np.einsum("qii->qi", wanted)).max(axis=0))
-    size[_still(size)] = 0.0
-    scale = np.outer(size, size)
-    deviation = _deviation(axis, omega, added_mass, damping, scale)
+    goal = _goal(body, body.between.span, motions)
+    if goal.deviation.max() > CLOSE[0]:
+        goal = _shorter(body, goal, motions)
+    band, axis, at, wanted, size, scale, deviation, damping = goal
     _check_deviation(deviation, band, damping, size)
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size)
@@ -173,10 +185,43 @@ def no_memory(body):
     return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, band, ())
 
 
-def _axis(body, omega, added_mass, damping):
-    """`WholeAxis` of a body, its damping without what would give energy"""
-    damping = without_negative(damping, damping)
-    return whole_axis(omega, added_mass, damping, *ends_of(body))
+def _goal(body, band, motions):
+    """`_Goal` of a body in a band (low, high) rad/s"""
+    omega = np.linspace(*band, POINTS)
+    added_mass, damping = (0.5 * (x + x.swapaxes(1, 2)) for x in body.coefficients(omega, motions))
+    still = _still(body, omega, added_mass, damping)
+    moving = [i for i in motions if not still[i]]
+    damping = without_rows(damping, np.flatnonzero(still))
+    damping = without_negative(damping, damping)  # what would give energy
+    limit, monopole = ends_of(body, moving)
+    if limit is not None:
+        limit = np.where(np.diag(still), added_mass.mean(axis=0), limit)
+    axis = whole_axis(omega, added_mass, damping, limit, monopole)
+    at = _frequencies(axis, band)
+    wanted = axis.transform(at)
+    size = np.sqrt(np.abs(np.einsum("qii->qi", wanted)).max(axis=0))
+    size[still | (size <= STILL * np.repeat([size[:3].max(), size[3:].max()], 3))] = 0.0
+    scale = np.outer(size, size)
+    inertia = np.zeros((6, 6)) if body.inertia is None else body.inertia
+    return _Goal(
+        band, axis, at, wanted, size, scale, _deviation(axis, omega, added_mass, damping, scale, inertia), damping
+    )
+
+
+def _shorter(body, goal, motions):
+    """`_Goal` of as much of the lower band as agrees with itself, `goal` where nothing does"""
+    low, high = goal.band
+    for share in SHORTER:
+        found = _goal(body, (low, low + share * (high - low)), motions)
+        if found.deviation.max() <= CLOSE[0]:
+            warn(
+                f"added mass and damping above {found.band[1]:.3g} rad/s contradict those below by "
+                f"{goal.deviation.max():.2g} of the largest, good: {CLOSE[0]:g}; the memory is made of those below: "
+                "leave the higher frequencies out, or solve them to a smaller tolerance",
+                stacklevel=3,
+            )
+            return found
+    return goal
 
 
 def _frequencies(axis, band):
@@ -193,23 +238,29 @@ def _frequencies(axis, band):
     )
 
 
-def _still(size):
-    kind = np.repeat([size[:3].max(), size[3:].max()], 3)
-    return size <= STILL * kind
+def _still(body, omega, added_mass, damping):
+    """(6,) whether added mass and damping (n, 6, 6) of motions are nothing beside the body's own inertia"""
+    if body.inertia is None:
+        return np.zeros(6, bool)
+    A, B = (np.einsum("nii->in", x) for x in (added_mass, damping))
+    own = np.diag(body.inertia) + A.mean(axis=1)  # NaN of a mass that is not known compares as false
+    return (np.ptp(A, axis=1) <= FACETS[0] * own) & (B / omega <= FACETS[1] * own[:, None]).all(axis=1)
 
 
 def _relative(values, scale):
     return np.divide(values, scale, out=np.zeros_like(values), where=scale > 0)
 
 
-def _deviation(axis, omega, added_mass, damping, scale):
+def _deviation(axis, omega, added_mass, damping, scale, inertia):
+    """(6, 6) of the transform from the database, relative to scale (6, 6), or FELT of ω (M + A) where that is more"""
     at = slice(2, -2, 8)  # at the ends damping has a corner, and added mass its logarithm
     middle = 0.5 * (omega[1:] + omega[:-1])[at]
-    mean = (0.5 * (x[1:] + x[:-1])[at] for x in (added_mass, damping))
-    A, B = mean
+    A, B = (0.5 * (x[1:] + x[:-1])[at] for x in (added_mass, damping))
     made = axis.transform(middle)
     given = B + 1j * middle[:, None, None] * (axis.added_mass_infinity - A)
-    return _relative(np.abs(made - given).max(axis=0), scale)
+    own = np.sqrt(np.maximum(np.diag(inertia) + np.einsum("qii->qi", A), 0.0)) * (np.diag(scale) > 0)
+    felt = FELT * middle[:, None, None] * own[:, :, None] * own[:, None, :]
+    return _relative(np.abs(made - given), np.maximum(scale, np.nan_to_num(felt))).max(axis=0)
 
 
 def _check_deviation(deviation, band, damping, size):

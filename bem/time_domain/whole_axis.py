@@ -24,6 +24,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..database.reader import without_rows
+
 LOWEST, DIPOLE, HIGHEST = 1.0, 3.0, 12.0  # powers of ω that are believed
 SIDE = 3.0  # slowest power of ω⁻¹ that is believed
 END = 0.85  # share of the band above which its upper slope is taken
@@ -92,15 +94,22 @@ def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=No
     return WholeAxis(axis, np.concatenate([low, damping, high]), limit)
 
 
-def ends_of(body):
-    """A(∞) (6, 6) and M of a `bem.database.reader.Reader` for `whole_axis`, each None where it is not known"""
+def ends_of(body, motions=range(6)):
+    """A(∞) (6, 6) and M of a `bem.database.reader.Reader` for `whole_axis`, each None where it is not known
+
+    motions : numbers 0 to 5 of those that are asked for, A(∞) and M being 0 of the others
+    """
+    out = [i for i in range(6) if i not in motions]
     limit = body.between.limits.get("added_mass_infinity")
+    if limit is not None:
+        limit = without_rows(limit, out)
     if limit is not None and not np.all(np.isfinite(limit)):
         limit = None
     if body.stiffness is None:
         return limit, None
     flux = np.zeros(6)
     flux[2:5] = body.stiffness[2, 2:5] / (body.density * body.gravity)
+    flux[out] = 0.0
     return limit, monopole_damping(flux, body.density, body.depth, body.gravity)
 
 

@@ -11,8 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.meshing.plan import convex_hull
-
+from ..kernels.convex_hull import convex_hull
 from ..waves import wavenumber
 from .sources import Sources, covers, directions, incident
 

@@ -92,19 +92,17 @@ def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0):
     for key, value in (("mass", mass), ("radius of gyration", gyration)):
         if not 0 < value < np.inf:
             raise BerthingError(f"the {key} of the ship is {value:g}; allowed: above 0, finite")
-    memory = memory_of_database(db, tolerance)
+    memory = memory_of_database(db, tolerance, PLANE)
     a, b, c = memory.matrices
-    of_plane = np.any(b[:, PLANE] != 0, axis=1) | np.any(c[PLANE, :] != 0, axis=0)
-    keep = np.flatnonzero(of_plane)
     inertia = mass * np.array([[1.0, center], [center, gyration**2 + center**2]])
     return BerthingShip(
         inertia,
         memory.added_mass_infinity[np.ix_(PLANE, PLANE)],
-        a[np.ix_(keep, keep)],
-        b[np.ix_(keep, PLANE)],
-        c[np.ix_(PLANE, keep)],
-        memory.storage[np.ix_(keep, keep)],
-        memory.loss[keep],
+        a,
+        b[:, PLANE],
+        c[PLANE, :],
+        memory.storage,
+        memory.loss,
         center,
     )
 

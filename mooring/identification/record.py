@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 FEWEST = 16  # values
-UNEVEN = 1e-3  # of a step
+UNEVEN = 5e-3  # of a step: records print their times with few digits
 
 
 class RecordError(ValueError):

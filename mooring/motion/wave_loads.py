@@ -115,6 +115,11 @@ def wave_forces(body):
     return WaveForces(omega, force, drift)
 
 
+def no_wave_forces(body):
+    """`WaveForces` of a `bem.database.reader.Reader` in a run without waves, whatever headings it is solved for"""
+    return WaveForces(body.omega, np.zeros((len(body.omega), HEADINGS, 12)), None)
+
+
 def drift_of(forces, components, heading):
     """(c, 3) drift, in still water, of wave components alone on a body turned to `heading` rad, as runs take it"""
     table = forces.curves[1](np.clip(components.omega, forces.omega[0], forces.omega[-1]))

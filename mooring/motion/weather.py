@@ -96,6 +96,7 @@ class Settings:
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off, and a third to a
         hundredth where the second differs by more than a third of the tolerance
+    offset, velocity : (6,) m, rad and m/s, rad/s from the place at rest at the start
     """
 
     duration: float
@@ -114,6 +115,8 @@ class Settings:
     fixed_step: float | None = None
     estimate_error: bool = False
     wave_ramp: tuple[float, float] | None = None
+    offset: tuple[float, ...] = (0.0,) * 6
+    velocity: tuple[float, ...] = (0.0,) * 6
 
     def __post_init__(self):
         for name, low in (("duration", 0.0), ("step", 0.0), ("tolerance", 0.0)):

@@ -20,7 +20,12 @@ from ..on_current.body import carrier_of_body
 COARSE = 64  # steps over the band to begin with, at least one between two stored frequencies and at most four
 CONVERGED = 1e-3  # of the largest integral of |X|² of its mode
 NEAREST = 1e-4, 2e-3  # of the highest frequency, between places that show resonances, of one heading and of many
-FINEST = 256  # steps between two stored frequencies
+FINEST = 2**20  # steps between two stored frequencies where a resonance is narrow: spars have damping ratios of 1e-5
+LEAST = 1e-9  # damping ratio that `resonances` has for none
+UNDAMPED = (
+    "the resonance of {} has no damping; give it some: linear_damping, quadratic_damping or damping_ratio of the "
+    "study, or [viscous] of the scene"
+)
 
 
 class Moments(NamedTuple):
@@ -39,13 +44,17 @@ def frequencies(body, density=None, headings=None):
     headings : (p,) rad of the waves, of a body that a current shows its resonances at other frequencies of each
     Steps between stored frequencies, and places about resonances (`bem.database.resonances`), are halved, all once and
     then where it counts, until ∫ |X|² S dω of every mode and stored heading is known to 1e-3 of the largest of its
-    mode.  Raises ValueError where 256 steps are not enough: a mode without damping.
+    mode.  Raises ValueError where a million steps are not enough: a mode without damping.
     """
     coarse = int(np.clip(np.ceil(COARSE / max(len(body.omega) - 1, 1)), 1, 4))
     carried = carrier_of_body(body) is not None
     headings = (body.headings if headings is None else headings) if carried else None
     steps = subdivided(body.omega, coarse)
-    peaks = _apart(body.resonant(headings), steps, len(headings)) if carried else about(body, resonances(body))
+    found = [] if carried else resonances(body)
+    for one in found:
+        if density is None and one.damping <= LEAST:
+            raise ValueError(UNDAMPED.format(DOFS[one.mode].lower()))
+    peaks = _apart(body.resonant(headings), steps, len(headings)) if carried else about(body, found)
     omega = np.union1d(steps, peaks)
     power, steps = _power(body, omega, density, headings), np.full(len(omega) - 1, coarse)
     open_ = np.ones(len(steps), bool)
@@ -63,10 +72,7 @@ def frequencies(body, density=None, headings=None):
             return omega
         if steps[rough].max() >= FINEST // 2:
             worst = DOFS[int(np.argmax(share.sum(axis=0)))].lower()
-            raise ValueError(
-                f"the resonance of {worst} is narrower than 1/{FINEST} of the step between stored frequencies; "
-                "store more frequencies around it or give the body damping"
-            )
+            raise ValueError(UNDAMPED.format(worst))
         again = np.full(len(rough), True) if first else share.max(axis=1) > CONVERGED / len(steps)
         halved = np.repeat(open_, np.where(open_, 2, 1))
         steps = np.where(halved, 2, 1) * np.repeat(steps, np.where(open_, 2, 1))

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hakobune.bem import DOFS
-from hakobune.bem.viscous import EQUIVALENT_AMPLITUDE, Quadratic, linearised_response
+from hakobune.bem.viscous import EQUIVALENT_AMPLITUDE, Quadratic, Tabulated, Viscous, linearised_response
 
 from ..on_current.body import carrier_of_body
 from .linear import frequencies, moments, moments_met, response_spectrum
@@ -26,6 +26,7 @@ from .seas import directions, heading_step
 FIRST = 0.05  # m, rad, of the first guess
 CLOSE = 1e-6
 MOST = 60
+RESTORED = [2, 3, 4]  # heave, roll, pitch
 
 
 class InTime(NamedTuple):
@@ -70,23 +71,36 @@ def in_regular_waves(reader, omega, amplitude, direction):
     return body.restrained(damping=damping), damping
 
 
-def in_time(reader, waves=None):
+def in_time(reader, waves=None, damping=None, quadratic=None):
     """`InTime` of a `Reader` in waves: a Sea, `mooring.studies.conditions.Waves` that are regular, or None for none,
-    in which only laws that are a drag damp."""
-    laws = laws_of(reader)
-    if waves is None:
-        body, damping = reader.floating(), np.zeros((6, 6))
-    elif hasattr(waves, "spectrum"):
-        body, damping = in_sea(reader, waves)
-    else:
-        body, damping = in_regular_waves(reader, waves.omega, 0.5 * waves.height, waves.direction)
-    if not reader.rebuilds_drift:  # what is stored is all that is known of it, at the scene's own waves
-        body = replace(reader, viscous=None)
-    damping, quadratic = damping.copy(), np.zeros(6)
+    in which only laws that are a drag damp.
+
+    damping : (6, 6), quadratic : (6,) of a study, beside the laws of its scene; of these heave, roll and pitch count
+    for the drift, whose resonances waves reach, and not what damps slow motion
+    """
+    linear = np.zeros((6, 6)) if damping is None else np.asarray(damping, float)
+    drag = np.zeros(6) if quadratic is None else np.array(quadratic, float)
+    laws = dict(laws_of(reader))
     for i, dof in enumerate(DOFS):
         if isinstance(laws.get(dof), Quadratic):
-            quadratic[i], damping[i, i] = laws[dof].drag, 0.0
-    return InTime(quadratic, damping, body)
+            drag[i] += laws[dof].drag
+        if drag[i] > 0 and i in RESTORED and not isinstance(laws.get(dof), Tabulated):
+            laws[dof] = Quadratic(drag[i])
+    held = np.zeros((6, 6))
+    held[RESTORED, RESTORED] = linear[RESTORED, RESTORED]
+    body, added = reader.floating().restrained(damping=held), np.zeros((6, 6))
+    if waves is not None and laws and hasattr(waves, "spectrum"):
+        body, added = linearised(body, waves, laws)
+    elif waves is not None and laws:
+        damped = replace(body, viscous=Viscous(laws, 0.5 * waves.height))
+        body, added = in_regular_waves(damped, waves.omega, 0.5 * waves.height, waves.direction)
+    if not reader.rebuilds_drift:  # what is stored is all that is known of it, at the scene's own waves
+        body = replace(reader, viscous=None)
+    added = linear + added
+    for i, dof in enumerate(DOFS):
+        if isinstance(laws.get(dof), Quadratic):
+            added[i, i] = linear[i, i]
+    return InTime(drag, added, body)
 
 
 def linearised(body, sea, laws):

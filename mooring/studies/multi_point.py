@@ -177,7 +177,7 @@ def _check(db, system, hull, allowable):
         if not 0 < getattr(hull, name) < np.inf:
             raise ValueError(f"hull {name} is {getattr(hull, name):g} m; allowed: above 0")
     depth = system.depth
-    if not abs(depth - db.water_depth) <= 1e-6 * depth:
+    if np.isfinite(db.water_depth) and not abs(depth - db.water_depth) <= 1e-6 * depth:
         raise ValueError(f"the study is for {depth:g} m of water, its database for {db.water_depth:g} m")
     if not 0 < allowable <= 1:
         raise ValueError(f"allowable fraction is {allowable:g}; allowed: above 0, at most 1")

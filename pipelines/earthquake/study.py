@@ -166,11 +166,10 @@ def _floater(study, database):
     from hakobune.bem.time_domain.memory import memory_of_database
 
     db, i = database_of(database), MOTIONS.index(study.motion)
-    memory = memory_of_database(db, 3e-3)
+    memory = memory_of_database(db, 3e-3, (i,))
     a, b, c = memory.matrices
-    keep = np.flatnonzero((b[:, i] != 0) | (c[i] != 0))
     mass = float(db.reader.floating().inertia[i, i])
-    return Floater(mass, float(memory.added_mass_infinity[i, i]), 0.0, a[np.ix_(keep, keep)], b[keep, i], c[i, keep])
+    return Floater(mass, float(memory.added_mass_infinity[i, i]), 0.0, a, b[:, i], c[i])
 
 
 def _spectrum(table):

@@ -80,7 +80,7 @@ def _scene(file):
     length, beam, draft, freeboard = file.attrs["hull"]
     hull = study.hull_of({"length": length, "beam": beam, "draft": draft})
     center = file.attrs["rotation_center"]
-    system = study.system(hull, center, file.attrs["density"], file.attrs["gravity"])
+    system = study.system(hull, center, file.attrs["density"], file.attrs["gravity"], in_time=True)
     box = (-length / 2, length / 2, -beam / 2, beam / 2, -draft, freeboard)
     lines = 0 if system is None else len(system.lines)
     ropes = file["anchor"][lines:], file["fairlead"][lines:] - center

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +37,11 @@ class Body(NamedTuple):
     ring: Ring | None
     stored: frozenset
     has_inertia: bool
+
+    @property
+    def sizes(self):
+        """As of a database: what is known before the hull is meshed"""
+        return self.dimensions
 
 
 def body_of_database(db):
@@ -106,8 +110,7 @@ def check_period(waves, omega):
 
 def check_weather(study, body):
     """ExposedBox of a `Study` on a Body.  Raises ValueError for a hull, weather or quay that does not fit."""
-    if not math.isclose(study.water.depth, body.water_depth, rel_tol=1e-6):
-        raise StudyError(f"water.depth is {study.water.depth:g} m, {body.name} is for {body.water_depth:g} m")
+    study.check_depth(body.water_depth, body.name)
     hull = study.hull_of(body.dimensions)
     study.check_streams(hull, body.density)
     check_stored(body, study.waves is not None)

@@ -62,7 +62,7 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
 
 def studied(study, db):
     """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
-    hull = study.without_berth("moor").hull_of(db.dimensions)
+    hull = study.without_berth("moor").hull_of(db.sizes)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
     result = multi_point(db, system, hull, study.conditions(), study.allowable)
     return replace(result, warnings=(*study.remarks(hull, db), *result.warnings)), hull

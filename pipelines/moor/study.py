@@ -38,6 +38,7 @@ from .tables import (
     Spread,
 )
 
+GRAVITY = 9.80665
 MOST_LINES = 500  # of a study; they take three seconds
 
 
@@ -48,7 +49,7 @@ class Study(Table):
     """
 
     water: DepthTable
-    hull: HullTable
+    hull: HullTable | None = None
     site: SiteLink | None = None
     types: dict[str, TypeTable] = msgspec.field(default_factory=dict)
     spreads: list[Spread] = msgspec.field(default_factory=list)
@@ -81,25 +82,44 @@ class Study(Table):
 
     def hull_of(self, dimensions):
         """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error."""
-        sizes = {}
+        sizes, given = {}, HullTable() if self.hull is None else self.hull
         for key in ("length", "beam", "draft"):
-            own, stored = getattr(self.hull, key), dimensions.get(key)
+            own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:
                 raise StudyError(f"hull.{key} is not given and the database does not know it; allowed: m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
-        freeboard = positive("hull.freeboard", self.hull.freeboard)
-        return ExposedBox(**sizes, freeboard=freeboard, **superstructures(self.hull))
+        if given.freeboard is None and self.wind is not None:
+            raise StudyError("hull.freeboard is not given, and a wind blows on it; allowed: m, above 0")
+        freeboard = sizes["draft"] if given.freeboard is None else positive("hull.freeboard", given.freeboard)
+        return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
 
     def remarks(self, hull, db):
         """What comes first of what a reader has to know of an `ExposedBox` and the database of its hull, a line each
 
         raises : StudyError as `check_streams`
         """
+        self.check_depth(db.water_depth, db.path)
         self.check_streams(hull, db.density)
         volume = db.displaced_volume
         return [] if volume is None else no_box(volume / (hull.length * hull.beam * hull.draft), hull, self)
+
+    def check_depth(self, solved, name):
+        """Raises StudyError where a body solved in `solved` m is in other waves in this depth: waves in deep water are
+        those of any depth of half their length"""
+        depth = self.water.depth
+        if math.isclose(depth, solved, rel_tol=1e-6):
+            return
+        if math.isfinite(solved):
+            raise StudyError(f"water.depth is {depth:g} m, {name} is for {solved:g} m")
+        waves = self.conditions().waves
+        felt = 0.0 if waves is None else GRAVITY * waves.period**2 / (4 * math.pi)
+        if felt > depth:
+            raise StudyError(
+                f"water.depth is {depth:g} m, {name} is for deep water, and waves of {waves.period:.3g} s feel a bed "
+                f"above {felt:.3g} m; solve it in {depth:g} m"
+            )
 
     def check_streams(self, hull, density):
         """Raises StudyError for weather that cannot be, or that has no coefficients for an `ExposedBox`; kg/m³"""
@@ -133,16 +153,20 @@ class Study(Table):
             )
         return self
 
-    def system(self, hull, center, density=1025.0, gravity=9.80665):
-        """System of the hull on all spreads and lines, None where a berth alone holds it
+    def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
+        """System of the hull on all spreads and lines, None where a berth alone holds it, or nothing in time
 
         its axes at `center` (3,) m; density : kg/m³; gravity : m/s²
         """
         check_types(self.types, density, gravity)
         if not self.spreads and not self.lines:
-            if self.at_berth:
+            if self.at_berth or in_time:
                 return None
-            raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]]")
+            raise StudyError(
+                "the study has no lines; allowed: at least one [[spreads]] or [[lines]], or none with hakobune simulate"
+            )
+        if not math.isfinite(self.water.depth):
+            raise StudyError("water.depth is inf; lines need the depth of their anchors, m")
         count = len(self.lines) + sum(4 * len(spread.corner_headings_deg) for spread in self.spreads)
         if count > MOST_LINES:
             raise StudyError(
@@ -205,7 +229,8 @@ def make_study(raw):
         raise StudyError("site is given to tables without a file; allowed: in a study file, read by read_study")
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
-    water_depth("water.depth", study.water.depth)
+    if study.water.depth != math.inf:
+        water_depth("water.depth", study.water.depth)
     return study
 
 

@@ -13,13 +13,13 @@ from ..common.weather.streams import SuperstructureTable
 class HullTable(SuperstructureTable, kw_only=True):
     """The hull as wind and current meet it
 
-    freeboard : m, depth of the hull less draft
+    freeboard : m, depth of the hull less draft, where a wind blows
     length : m, by default that of the database
     beam : m, by default that of the database
     draft : m, by default that of the database
     """
 
-    freeboard: float
+    freeboard: float | None = None
     length: float | None = None
     beam: float | None = None
     draft: float | None = None
@@ -118,6 +118,9 @@ class SimulationTable(Table):
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study
     linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
     quadratic_damping : kN s²/m², {motion = B₂}, kN m s² of rotations, as `hakobune damping` finds it
+    spring : kN/m, {motion = K}, kN m of rotations, about the place at rest in calm water: a test rig, a power take-off
+    offset : m, {motion = x}, degrees of rotations, from its place at rest at the start; with a ramp of 0 a free decay
+    velocity : m/s, {motion = v}, degrees/s of rotations, at the start
     """
 
     duration: float | None = None
@@ -140,6 +143,9 @@ class SimulationTable(Table):
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
     linear_damping: dict[str, float] = msgspec.field(default_factory=dict)
     quadratic_damping: dict[str, float] = msgspec.field(default_factory=dict)
+    spring: dict[str, float] = msgspec.field(default_factory=dict)
+    offset: dict[str, float] = msgspec.field(default_factory=dict)
+    velocity: dict[str, float] = msgspec.field(default_factory=dict)
     lines_lost: list[LostTable] = msgspec.field(default_factory=list)
     force: list[GivenForceTable] = msgspec.field(default_factory=list)
     sea: list[SeaTable] = msgspec.field(default_factory=list)

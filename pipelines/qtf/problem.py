@@ -72,7 +72,7 @@ def _fits_contour(db, highest):
 
     from ..scene.methods import METHODS as SOLVERS
 
-    if not db.is_round or not db.water_depth < float("inf"):
+    if not db.is_round or "radius" not in db.dimensions or not db.water_depth < float("inf"):
         return False
     radius, draft = db.dimensions["radius"], db.dimensions["draft"]
     k = float(wavenumber(highest, db.water_depth, db.gravity))

@@ -93,7 +93,7 @@ def _stiffness(study, db):
     from ..moor.study import read_study
 
     read, _ = read_study(study)
-    hull = read.without_berth("qtf --moored").hull_of(db.dimensions)
+    hull = read.without_berth("qtf --moored").hull_of(db.sizes)
     system = read.system(hull, db.rotation_center, db.density, db.gravity)
     return multi_point(db, system, hull, read.conditions(), read.allowable).equilibrium.stiffness
 

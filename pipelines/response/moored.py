@@ -43,7 +43,7 @@ def moored(path, read, db, sea, duration, points):
     if read.current is not None:
         raise StudyError(f"current is given with --moored; allowed: the current of {path} alone")
     study, _ = read_study(path)
-    hull = study.without_berth("response --moored").hull_of(db.dimensions)
+    hull = study.without_berth("response --moored").hull_of(db.sizes)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
     spectrum, given, gusts = sea.spectrum, study.conditions(), gusts_of(study.wind)
     waves = Waves(spectrum.significant_height, spectrum.T01, sea.direction)

@@ -48,10 +48,13 @@ class Beside:
 def simplified(study, db):
     """Beside of a Study on an open database"""
     unknown, none = np.full(3, np.nan), np.zeros(0)
-    for there, words in ((study.at_berth, "fenders and ropes"), (study.quay is not None, "quay")):
+    alone = not (study.spreads or study.lines or study.at_berth)
+    for there, words in (
+        (study.at_berth, "fenders and ropes"), (study.quay is not None, "quay"), (alone, "body without lines"),
+    ):  # fmt: skip
         if there:
             return Beside(none, none, unknown, unknown, (f"the simplified method knows no {words} and is left out",))
-    hull = study.hull_of(db.dimensions)
+    hull = study.hull_of(db.sizes)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
     try:
         found = multi_point(db, system, hull, study.conditions(), study.allowable)

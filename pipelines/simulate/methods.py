@@ -101,7 +101,7 @@ def _divided(study, body, path):
     method = db.attributes["method"]
     if method != "contour":
         raise StudyError(f"--division is {path}, solved by the {method} method; allowed: contour")
-    study.hull_of(db.dimensions)  # of the same length, beam and draft
+    study.hull_of(db.sizes)  # of the same length, beam and draft
     water, here = db.reader, body.reader
     if not np.allclose(water.rotation_center, here.rotation_center, atol=1e-6) or water.depth != here.depth:
         raise StudyError(f"--division is {path}, of another depth or rotation centre; allowed: those of the database")

@@ -44,9 +44,10 @@ def _figure(rows, columns, size, **more):
 
 
 class Worst(NamedTuple):
-    """The line with the largest tension of all runs, or without lines the fender with the largest deflection
+    """The line with the largest tension of all runs, without lines the fender with the largest deflection, without both
+    the largest motion
 
-    kind : "tension" or "deflection", its dataset; at : its place there; factor : to its unit
+    kind : "tension", "deflection" or "motion", its dataset; at : its place there; factor : to its unit
     """
 
     kind: str
@@ -55,11 +56,20 @@ class Worst(NamedTuple):
     factor: float
     unit: str
 
+    @property
+    def quantity(self):
+        """As the file names it"""
+        return self.name if self.kind == "motion" else f"{self.kind} {self.name}"
+
 
 def _worst(file):
     kind, factor, unit = ("tension", 1 / KN, "kN") if len(file["line"]) else ("deflection", 1.0, "m")
     names = file["quantity"].asstr()[()]
     chosen = [i for i, name in enumerate(names) if name.startswith(f"{kind} ")]
+    if not chosen:
+        ends = file["statistics"][()][whole_rows(file)][:, : len(MOTIONS), STATISTICS.index("largest")]
+        at = int(np.argmax(np.abs([factor for _, factor, _ in MOTIONS] * ends).max(axis=0)))
+        return Worst("motion", at, *MOTIONS[at])
     largest = file["statistics"][()][whole_rows(file)][:, chosen, STATISTICS.index("largest")]
     at = int(np.argmax(largest.max(axis=0)))
     return Worst(kind, at, names[chosen[at]].removeprefix(f"{kind} "), factor, unit)
@@ -138,7 +148,7 @@ def _spectra(file, kept, path):
     figure, axes = _figure(2, 4, (15, 7))
     columns = [("wave", 1.0, "m", file["wave"][kept])]
     columns += [(name, f, unit, file["motion"][kept, :, j]) for j, (name, f, unit) in enumerate(MOTIONS)]
-    columns.append((f"{worst.kind} {worst.name}", worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
+    columns.append((worst.quantity, worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
     for one, (name, factor, unit, records) in zip(axes.flat, columns, strict=True):
         if not _has_spectrum(file, name, records):
             one.set(title=name, xticks=[], yticks=[])
@@ -173,8 +183,8 @@ def _offsets(file, kept, path):
         _against_offset(curve, file, worst, motion, file["tension"][kept, :, worst.at].ravel(), step)
     else:
         pressed = file[worst.kind][kept, :, worst.at].ravel()
-        curve.plot(y[::step], pressed[::step], ".", ms=1.5, color="C1", alpha=0.35)
-        curve.set(xlabel="sway, m", ylabel="deflection, m", ylim=(0, None))
+        curve.plot(y[::step], worst.factor * pressed[::step], ".", ms=1.5, color="C1", alpha=0.35)
+        curve.set(xlabel="sway, m", ylabel=f"{worst.kind}, {worst.unit}")
     curve.set_title(f"{worst.name}, {_runs(kept)}")
     for one in (plan, curve):
         one.grid(alpha=0.3)
@@ -214,7 +224,8 @@ def _extremes(file, kept, path):
         left.semilogy(level, np.exp(-0.5 * level**2), "k--", lw=1, label="Rayleigh")
     left.set(xlabel="maximum from the mean, standard deviations", ylabel="share of maxima above", xlim=(0, 6))
     worst = _worst(file)
-    for i, name in enumerate(file["line" if worst.kind == "tension" else "fender"].asstr()[()]):
+    held = {"tension": "line", "deflection": "fender"}.get(worst.kind)
+    for i, name in enumerate(file[held].asstr()[()] if held else ()):
         records = file[worst.kind][kept, :, i].astype(float)
         if not _has_spectrum(file, f"{worst.kind} {name}", records):
             continue

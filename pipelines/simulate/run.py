@@ -102,7 +102,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
             console.print(_made_again(shorter, plan.settings.duration), highlight=False, soft_wrap=True)
     todo = _missing(output, identity, plan, fresh)
     if todo or not summary_is_of_today(output):
-        remarks = tuple(study.remarks(study.hull_of(db.dimensions), db))  # refuses before anything is made
+        remarks = tuple(study.remarks(study.hull_of(db.sizes), db))  # refuses before anything is made
         moving, before = (None, ()) if fresh else _of_lines(output)
         task, ready, more = _made_once(task, moving, db)
         ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
@@ -241,7 +241,7 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
     from hakobune.mooring.motion.line_loads import body_lines
 
     body = prepared(task)[0]
-    ropes, hull = body.berth.ropes, body.hull
+    ropes, hull = body.berth.ropes, task.study.hull_of(db.sizes)
     names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
     fenders = tuple(one.name for one in body.berth.fenders)
     attributes = {

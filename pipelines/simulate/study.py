@@ -202,7 +202,7 @@ def damping(study, body):
 def _check_damping(table):
     """Raises StudyError for a motion that there is not"""
     checked_ratios("simulation", table.damping_ratio)
-    for key in ("linear_damping", "quadratic_damping"):
+    for key in ("linear_damping", "quadratic_damping", "spring"):
         _by_motion(key, getattr(table, key))
 
 
@@ -211,15 +211,27 @@ def quadratic(study):
     return _by_motion("quadratic_damping", study.simulation.quadratic_damping if study.simulation else {})
 
 
-def _by_motion(key, values):
-    """(6,) SI of numbers in kN by motion.  Raises StudyError."""
+def spring(study):
+    """(6, 6) SI of the springs of a study"""
+    return np.diag(_by_motion("spring", study.simulation.spring if study.simulation else {}))
+
+
+def _start(key, values):
+    """(6,) m, rad or per second, of numbers in m and degrees by motion.  Raises StudyError."""
+    found = _by_motion(key, values, -math.inf, 1.0)
+    return (*map(float, found[:3]), *map(float, np.radians(found[3:])))
+
+
+def _by_motion(key, values, least=0.0, unit=1e3):
+    """(6,) SI of numbers in kN by motion, at least `least`.  Raises StudyError."""
     out = np.zeros(6)
     for name, value in values.items():
         if name.capitalize() not in DOFS:
             raise StudyError(f"simulation.{key}: there is no motion {name!r}; allowed: {', '.join(DOFS).lower()}")
-        if not 0 <= value < math.inf:
-            raise StudyError(f"simulation.{key}.{name} is {value:g}; allowed: 0 or more, finite")
-        out[DOFS.index(name.capitalize())] = 1e3 * value
+        if not (least <= value < math.inf and math.isfinite(value)):
+            known = "0 or more, finite" if least == 0 else "finite"
+            raise StudyError(f"simulation.{key}.{name} is {value:g}; allowed: {known}")
+        out[DOFS.index(name.capitalize())] = unit * value
     return out
 
 
@@ -262,8 +274,9 @@ def _settings(table, duration):
         raise StudyError(f"simulation.lines_lost: {wrong[0].line} breaks at {wrong[0].time:g} s; allowed: from 0 s on")
     try:
         settings = Settings(
-            duration, lines_lost=lost, dynamic_lines=dynamic, **{name: getattr(table, name) for name in names}
-        )
+            duration, lines_lost=lost, dynamic_lines=dynamic, offset=_start("offset", table.offset),
+            velocity=_start("velocity", table.velocity), **{name: getattr(table, name) for name in names},
+        )  # fmt: skip
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
     if duration < FEWEST * settings.step:

@@ -18,7 +18,7 @@ from ..moor.study import Study
 from ..results.given import database_of
 from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
-from .study import check_names, damping, level_of_pairs, plan_of, quadratic
+from .study import check_names, damping, level_of_pairs, plan_of, quadratic, spring
 
 QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
     "wave": "m",
@@ -58,13 +58,17 @@ def prepared(task, db=None):
         from hakobune.bem.time_domain.memory import no_memory
         from hakobune.mooring.motion.moving_lines.prepare import moving_of
         from hakobune.mooring.motion.simulation import moored
+        from hakobune.mooring.motion.wave_loads import no_wave_forces
         from hakobune.mooring.response.viscous import in_time
 
         study, db = task.study, database_of(task.database if db is None else db)
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
-        hull = study.hull_of(db.dimensions)
+        hull = study.hull_of(db.sizes)
         first = study.remarks(hull, db)
-        system = study.system(hull, db.rotation_center, db.density, db.gravity)
+        system = study.system(hull, db.rotation_center, db.density, db.gravity, in_time=True)
+        weather = plan.weather
+        calm = not weather.seas and weather.waves is None and weather.components is None
+        exposed = None if study.hull is None and not (weather.wind or weather.current) else hull
         check_names(plan.settings, () if system is None else system.line_names)
         berth = study.berth(hull, db.rotation_center)
         reader, of_quay = body_of(study, db)
@@ -75,8 +79,9 @@ def prepared(task, db=None):
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
         with heard() as caught:
             body = moored(
-                reader, system, hull, memory=memory, damping=extra, quadratic=drag, berth=berth,
-                linearised_in=plan.weather.waves,
+                reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
+                spring=spring(study),
+                waves=no_wave_forces(reader) if calm else None, linearised_in=plan.weather.waves,
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
                 body = _remembering(body, db, plan.settings.memory)

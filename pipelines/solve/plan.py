@@ -68,7 +68,7 @@ def resumed(scene, file):
         fixed = scene_hash(fixed_part(scene))
         header = replace(header, body=body_properties(scene, db.mesh), scene_hash=fixed)
     scene = _by_the_same_method(scene, header, db.path)
-    _check_angles(scene, db, pending(file))
+    header = _with_angles(scene, db, pending(file), header)
     _check_far_field(scene, db)
     plan = _plan(scene, stored_hull(scene, header), header)
     anew = tuple(name for name in (*NEEDS_MOTION, "pressure") if moved and name in db.names)
@@ -104,18 +104,15 @@ def _by_the_same_method(scene, header, output):
     return same
 
 
-def _check_angles(scene, db, lacking):
-    """The angles of the Kochin functions stay what they are; mean drift has its own at every frequency."""
+def _with_angles(scene, db, lacking, header):
+    """The header with as many angles of the Kochin functions as the shortest waves need; mean drift has its own"""
     if not KOCHIN & {*db.names, *scene.names()}:
-        return
+        return header
     highest = max([*db.omega, *(row.omega for row in lacking.rows), *scene.omegas()])
-    wave = 2 * np.pi / float(wavenumber(highest, scene.water.depth, scene.water.gravity))
-    needed = len(kochin_angles(scene, db.mesh, wave))
-    if needed > len(db.header.theta):
-        raise SceneError(
-            f"{db.path} has Kochin functions at {len(db.header.theta)} angles, "
-            f"ω = {highest:.4g} rad/s needs {needed}; give --fresh to replace it or another --output"
-        )
+    needed = kochin_angles(
+        scene, db.mesh, 2 * np.pi / float(wavenumber(highest, scene.water.depth, scene.water.gravity))
+    )
+    return replace(header, theta=needed) if len(needed) > len(header.theta) else header
 
 
 def _check_far_field(scene, db):

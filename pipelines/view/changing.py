@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hakobune.meshing.files import WRITABLE, read_mesh, write_mesh
-from hakobune.meshing.mirror import folded
+from hakobune.meshing.mirror import folded, healed
 from hakobune.meshing.panels import SYMMETRIES
 from hakobune.meshing.quality import findings
 from hakobune.mooring.criteria.failing import fails
@@ -15,11 +15,14 @@ from ..printing.verdict import tell
 from ..scene.scene import numbers
 
 
-def change(place, output, scale="1", turn=0.0, move="0,0,0", flip=False, mirror="", clip=False, fold=False):
+def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror="", clip=False, fold=False,
+           heal=0.0):  # fmt: skip
     """Write a changed mesh and say what is in it and amiss with it; 1 where an error is left.  Raises ValueError.
 
     The changes are made in the order of the arguments.
-    scale : a factor or three; turn : rad about z; move : m, x,y,z; mirror : x, y or xy, planes whose images are
+    heal : m, points closer than that are one, before all else; scale : a factor or three
+    turn : degrees about z, or about x, y and z, one after the other, as 180,0,0 for a hull drawn z down
+    move : m, x,y,z; mirror : x, y or xy, planes whose images are
     added; clip : only what lies below z = 0; fold : keep a half or quarter where images make the hull whole
     """
     from hakobune.bem.database.file import check_place
@@ -34,9 +37,14 @@ def change(place, output, scale="1", turn=0.0, move="0,0,0", flip=False, mirror=
     if min(factors) <= 0:
         raise ValueError(f"--scale is {scale!r}; allowed: a factor above 0, or three")
     shift = _finite("--move", move, (3,), "three distances in m, as 0,0,-2")
-    if not math.isfinite(turn):
-        raise ValueError(f"--turn is {turn:g}; allowed: degrees")
-    mesh = _changed(read_mesh(place), factors, turn, shift, flip, mirror, clip, fold)
+    angles = _finite("--turn", turn, (1, 3), "degrees about z, or about x,y,z")
+    turn = dict(zip("xyz"[-len(angles) :], map(math.radians, angles), strict=True))
+    if not 0 <= heal < math.inf:
+        raise ValueError(f"--heal is {heal:g}; allowed: m, 0 or more")
+    mesh = read_mesh(place)
+    if heal:
+        mesh = healed(mesh, heal)
+    mesh = _changed(mesh, factors, turn, shift, flip, mirror, clip, fold)
     write_mesh(mesh, output)
     print(f"{output}: {mesh!r}")
     return tell(
@@ -54,10 +62,18 @@ def _finite(flag, text, counts, allowed):
 
 def _changed(mesh, factors, turn, shift, flip, mirror, clip, fold):
     mesh = mesh.scaled(factors)
-    mesh = mesh.rotated(turn) if turn else mesh
+    for axis, angle in turn.items():
+        mesh = mesh.rotated(angle, axis) if angle else mesh
     mesh = mesh.moved(*shift) if any(shift) else mesh
     mesh = mesh.flipped() if flip else mesh
     for axis in mirror:
         mesh = mesh.mirrored(axis)
     mesh = mesh.clipped() if clip else mesh
-    return folded(mesh) if fold else mesh
+    if not fold:
+        return mesh
+    half = folded(mesh)
+    if half.symmetry == mesh.symmetry:
+        raise ValueError(
+            "--fold: no image in x = 0 or y = 0 makes the hull whole; leave it out, or --heal and --move it"
+        )
+    return half

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hakobune.meshing.mirror import folded
+from hakobune.meshing.mirror import folded, healed
 from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.shapes import box, buoy
 
@@ -67,3 +67,15 @@ def test_points_near_a_plane_are_put_on_it():
     part = folded(PanelMesh(off, whole.corners))
     assert part.symmetry == "xy" and part.points[:, :2].min() == 0.0
     assert np.sum(part.points[:, 0] == 0.0) == 3  # keel, bilge and waterline of the plane
+
+
+def test_points_off_by_less_than_the_tolerance_are_healed():
+    """A box of panels with corners of their own, each 0.01 mm off: the box again, which folds to a quarter"""
+    whole = box(10.0, 6.0, 2.0, panels=64).whole()
+    loose = whole.points[whole.corners].reshape(-1, 3)
+    loose = loose + 1e-5 * np.sin(np.arange(loose.size)).reshape(-1, 3)
+    found = healed(PanelMesh(loose, np.arange(len(loose)).reshape(-1, 4)), 1e-4)
+    assert len(found.points) == len(whole.merged().points) and folded(found, 1e-5).symmetry == "xy"
+    assert found.volume == pytest.approx(120.0, rel=1e-5)
+    down = whole.rotated(np.pi, "x")  # drawn with z down: the same box above the water
+    assert down.points[:, 2].min() == pytest.approx(0.0, abs=1e-12) and down.volume == pytest.approx(120.0)

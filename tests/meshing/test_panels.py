@@ -8,7 +8,7 @@ import pytest
 from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.panels import PanelMesh, joined, structured
 from hakobune.meshing.quality import findings
-from hakobune.meshing.shapes import box
+from hakobune.meshing.shapes import box, buoy
 
 
 def one(*corners, **more):
@@ -69,6 +69,13 @@ def test_a_quarter_turn_takes_x_to_y_and_y_to_minus_x():
     turned = one((1, 2, -3), (2, 2, -3), (2, 3, -3), (1, 3, -3)).rotated(np.pi / 2)
     np.testing.assert_allclose(turned.vertices, [[(-2, 1, -3), (-2, 2, -3), (-3, 2, -3), (-3, 1, -3)]], atol=1e-12)
     np.testing.assert_allclose(turned.normals, [[0, 0, 1]], atol=1e-12)
+
+
+def test_a_hull_of_revolution_about_the_origin_is_round_also_as_files_round_it():
+    quarter = buoy(3.0, 2.0, panels=96)
+    filed = replace(quarter.whole(), points=np.round(quarter.whole().points, 5))
+    moved, square = quarter.whole().moved(dx=1e-3), box(3.0, 3.0, 1.0, panels=48)
+    assert [mesh.is_round for mesh in (quarter, filed, moved, square)] == [True, True, False, False]
 
 
 def test_a_model_to_scale_has_the_cube_of_the_volume():

@@ -17,7 +17,7 @@ from .low_rank_waves import FEW_NODES, wave_operator
 # error allowed at a node of mean size, times the accuracy of the basis: that of a row in the L² norm of
 # `bem.panels.band.low_rank_waves`
 ALLOWED = FEW_NODES**0.5
-LARGEST_FULL_SYSTEM = 5000  # nodes of the hull
+LARGEST_FULL_SYSTEM = 8000  # nodes of the hull: a gigabyte for each symmetry class
 
 
 class BandRun(PanelRun):
@@ -86,7 +86,8 @@ class BandRun(PanelRun):
         if self.geometry.hull > LARGEST_FULL_SYSTEM:
             raise FloatingPointError(
                 f"ω = {self.omega:.6g} rad/s: the low-rank waves of the band are {error:.1e} off; allowed: "
-                f"{ALLOWED * self.equations_of_band.accuracy:.1e}; ask for a narrower band or fewer panels"
+                f"{ALLOWED * self.equations_of_band.accuracy:.1e}; ask for a narrower band, fewer panels or "
+                "a larger tolerance"
             )
 
     @cached_property

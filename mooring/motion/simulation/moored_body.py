@@ -77,12 +77,10 @@ def moored(
     raises : ValueError naming what is missing or does not fit
     """
     reader, findings = db if isinstance(db, Reader) else db.reader, ()
-    body, viscous = reader.floating(), in_time(reader, linearised_in)
+    body, viscous = reader.floating(), in_time(reader, linearised_in, damping, quadratic)
     if memory is None:
         memory, findings = fitted_memory(body)
-    spring, damping = (np.zeros((6, 6)) if m is None else np.asarray(m, float) for m in (spring, damping))
-    quadratic = viscous.quadratic + (0.0 if quadratic is None else np.asarray(quadratic, float))
-    damping = damping + viscous.damping
+    spring, damping = np.zeros((6, 6)) if spring is None else np.asarray(spring, float), viscous.damping
     findings = (*findings, *_of_viscous(reader, linearised_in))
     start, stiffness, tables = np.zeros(6), body.stiffness + spring, ((), ())
     if system is not None:
@@ -96,7 +94,7 @@ def moored(
         stiffness = stiffness + berth_stiffness(berth, start)
     slow = body.held_added_mass(0.0)[0]
     rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
-    return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow, *rest_of_it)
+    return Moored(body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it)
 
 
 def _of_viscous(reader, waves):
@@ -153,5 +151,5 @@ def _check_place(system, body):
     place, center = np.asarray(system.bodies[0].position[:3]), body.rotation_center
     if not np.allclose(place, center, rtol=0, atol=1e-9):
         raise ValueError(f"the body's axes lie at {place}; allowed: at the rotation centre {center} of the database")
-    if not abs(system.depth - body.depth) <= 1e-6 * system.depth:
+    if np.isfinite(body.depth) and not abs(system.depth - body.depth) <= 1e-6 * system.depth:
         raise ValueError(f"the lines are for {system.depth:g} m of water, the database for {body.depth:g} m")

@@ -142,8 +142,9 @@ def _followed(moored, settings, begun, progress):
     end, scene, moving = settings.ramp + settings.duration, begun.scene, begun.moving
     rows = int(np.floor(end / settings.step + integrator.AT_ONCE)) + 1
     y = np.zeros(MEMORY + len(scene.body.memory.decay))
-    y[:6] = moored.start
-    y[SLOW : SLOW + 3] = moored.start[[0, 1, 5]]
+    y[:6] = moored.start + settings.offset
+    y[6:12] = settings.velocity
+    y[SLOW : SLOW + 3] = y[[0, 1, 5]]
     if moored.buoy is not None:
         y[FLOAT : FLOAT + 3] = moored.buoy.start
     scale = SHARE * settings.tolerance / FORGOTTEN * begun.expected

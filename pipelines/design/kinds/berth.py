@@ -28,7 +28,7 @@ def berth_numbers(study, database, path, runs):
     from ...simulate.file import opened
 
     db, made = open_database(database), make_study_of(path.with_name(path.name.replace("_runs.h5", ".toml")))
-    hull = made.hull_of(db.dimensions)
+    hull = made.hull_of(db.sizes)
     berth = made.berth(hull, db.rotation_center)
     with opened(path) as file:
         names = tuple(file["line"].asstr()[()])

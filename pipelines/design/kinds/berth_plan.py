@@ -24,7 +24,7 @@ def draw_berth(made, db, numbers, path):
 
     from ...common.picture import save
 
-    hull = made.hull_of(db.dimensions)
+    hull = made.hull_of(db.sizes)
     fenders = made.berth(hull, db.rotation_center).fenders
     used, strain = numbers.largest / numbers.breaking, numbers.parts.get(OF_ALLOWABLE, {})
     top = max([1.0, *used[np.isfinite(used)], *filter(np.isfinite, strain.values())])

@@ -128,7 +128,7 @@ def _moved(study, database, motion, tension, factor):
     from hakobune.bem.database import open_database
 
     db, made = open_database(database), make_study_of(study)
-    hull = made.hull_of(db.dimensions)
+    hull = made.hull_of(db.sizes)
     system = made.system(hull, db.rotation_center, db.density, db.gravity)
     berth, out = made.berth(hull, db.rotation_center), np.zeros((3, tension.shape[-1]))
     count = 0 if system is None else len(system.lines)

@@ -150,7 +150,7 @@ def without(study, name):
 def laid_lines(raw, db):
     """Raw tables of the lines of a study, each with name, fairlead and anchor"""
     typed = make_study(raw)
-    hull = typed.hull_of(db.dimensions)
+    hull = typed.hull_of(db.sizes)
     system = typed.system(hull, db.rotation_center, db.density, db.gravity)
     if system is None:
         return []

@@ -103,7 +103,7 @@ def test_what_a_database_is_is_said_in_one_line(tmp_path):
         db["periods"]
 
 
-def test_hulls_are_round_where_they_are_buoys_about_the_origin_and_no_wall_is_beside_them(tmp_path):
+def test_hulls_are_round_where_they_are_of_revolution_about_the_origin_and_no_wall_is_beside_them(tmp_path):
     for sizes, scene, symmetry, is_round in (({"radius": 3.0, "draft": 2.0}, "", "xy", True),
                                              ({"length": 3.0}, "", "xy", False),
                                              ({"radius": 3.0, "draft": 2.0}, "wall = 40.0\n", "x", False)):  # fmt: skip

@@ -8,6 +8,7 @@ import pytest
 from test_database import HEADINGS, NAMES, OMEGAS, header, result
 
 from hakobune.bem.database import Storing, append, create, pending, storing, writing
+from hakobune.bem.database.widening import at_angles
 
 MORE = (0.2, *OMEGAS, 1.6)
 
@@ -68,3 +69,11 @@ def test_a_run_killed_while_frequencies_are_stored_together_marks_none_whose_num
             run()
     run()
     assert not pending(path).rows
+
+
+def test_kochin_functions_are_the_same_at_more_angles():
+    """A trigonometric polynomial of degree 20, known at 60 angles, and its own values at 82"""
+    order = np.arange(-20, 21)
+    shares = np.exp(1j * order**2) / (1 + order**2)
+    few, many = (np.exp(1j * np.outer(2 * np.pi * np.arange(n) / n, order)) @ shares for n in (60, 82))
+    assert at_angles(np.stack([few, 2 * few]), 82) == pytest.approx(np.stack([many, 2 * many]), abs=1e-12)

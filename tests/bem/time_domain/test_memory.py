@@ -2,6 +2,7 @@
 
 import re
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -150,6 +151,39 @@ def test_bands_and_tolerances_that_cannot_do_are_refused(box, tmp_path):
     few = database(tmp_path / "few.h5", {"omegas": [0.3, 0.6, 0.9]})
     with pytest.raises(ValueError, match="memory needs radiation at 8 frequencies at least, 3 are stored"):
         memory_of_database(few)
+
+
+def changed(box, **values):
+    return replace(box, between=replace(box.between, quantities=box.between.quantities | values))
+
+
+def test_rounding_of_yaw_is_no_motion(box):
+    """A mesh of revolution: added mass in yaw of its facets, with another limit, beside a thousand times the inertia"""
+    A, B = (np.array(box.between.quantities[name]) for name in ("added_mass", "radiation_damping"))
+    inertia = np.diag([6e7] * 3 + [2e10, 6e10, 1e6])
+    A[:, 5, 5] = 1e6 + np.linspace(-500.0, 300.0, len(A))
+    B[:, 5, 5] = -1e-6
+    found = memory_of_database(replace(changed(box, added_mass=A, radiation_damping=B), inertia=inertia), 3e-2)
+    assert (5,) not in found.groups and found.groups
+    assert found.added_mass_infinity[5, 5] == pytest.approx(1e6, rel=1e-3)  # not what is stored as the limit
+
+
+def test_only_the_motions_asked_for_are_fitted(box):
+    A = np.array(box.between.quantities["added_mass"])
+    A[:, 4] = A[:, :, 4] = np.nan
+    holed = changed(box, added_mass=A)
+    found = memory_of_database(holed, 1e-2, motions=(1, 5))
+    assert found.groups == ((1,), (5,)) and not found.matrices[2][[0, 2, 3, 4]].any()
+    with pytest.raises(ValueError, match="added_mass is not known for all motions"):
+        memory_of_database(holed, 1e-2)
+
+
+def test_frequencies_that_contradict_the_rest_are_left_out(box):
+    A, high = np.array(box.between.quantities["added_mass"]), box.omega > 1.85
+    A[high, 1, 1] *= np.where(np.arange(np.sum(high)) % 2, 3.0, 0.3)
+    with pytest.warns(UserWarning, match=r"above 1.81 rad/s contradict those below by .* leave the higher"):
+        found = memory_of_database(changed(box, added_mass=A), 1e-2, motions=(1,))
+    assert found.band[1] == pytest.approx(0.1 + 0.9 * 1.9)
 
 
 @pytest.mark.parametrize("share, told", [(0.9, ""), (1.1, "warned"), (9.9, "warned"), (10.1, "refused")])

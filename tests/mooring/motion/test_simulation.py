@@ -80,6 +80,16 @@ def test_viscous_damping_of_a_scene_is_a_drag_in_time(database, on_springs):
     assert found[3] == pytest.approx(abs(X[3]), rel=0.01)
 
 
+def test_a_run_begins_where_it_is_put(on_springs):
+    """Offset and velocity at the start, and a decay back through rest with the signs of a pendulum on its spring"""
+    start = {"offset": (0.5, 0, 0, 0, 0.01, 0), "velocity": (0, 0.2, 0, 0, 0, 0)}
+    run = simulate(on_springs, Weather(), Settings(duration=60.0, ramp=0.0, step=0.1, **start))
+    motion = run.motion
+    assert motion[0] == pytest.approx([0.5, 0, 0, 0, 0.01, 0], abs=1e-12)
+    assert (motion[1, 1] - motion[0, 1]) / 0.1 == pytest.approx(0.2, rel=0.01)
+    assert motion[1, 0] < 0.5 and motion[:, 0].min() < -0.1 and motion[:, 1].max() > 0.1
+
+
 def test_states_that_decay_at_once_change_the_memory_by_their_speed_squared(on_springs):
     memory, omega = on_springs.memory, np.linspace(0.1, 1.5, 15)
     slow = slow_memory(memory, FASTEST)

@@ -99,6 +99,11 @@ def test_every_study_takes_the_viscous_damping_of_a_scene(tmp_path):
     assert time.quadratic.tolist() == [0, 0, 0, drag, 0, 0] and not time.damping.any()
     omega = np.array([0.8])
     assert np.allclose(time.body.drift(omega, [BEAM]), body.drift(omega, [BEAM]), rtol=1e-6)
+    given = in_time(replace(db.reader, viscous=None), sea, quadratic=[0, 0, 0, drag, 0, 0])  # by a study, not the scene
+    assert np.allclose(given.body.drift(omega, [BEAM]), time.body.drift(omega, [BEAM]), rtol=1e-9)
+    held = in_time(db.reader, None, damping=np.diag([0, 0, 0, 1e9, 0, 0])).body.drift(omega, [BEAM])
+    own = db.reader.floating().restrained(damping=np.diag([0, 0, 0, 1e9, 0, 0])).drift(omega, [BEAM])
+    assert np.array_equal(held, own)
     table = replace(db.reader, viscous=Viscous({"Roll": Tabulated(1e9, (0.1,), (0.2,))}, 1.0))
     assert not in_time(table, sea).quadratic.any()
     assert np.array_equal(in_time(table, sea).damping, in_sea(table, sea)[1])

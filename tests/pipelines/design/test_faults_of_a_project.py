@@ -425,6 +425,6 @@ def test_a_quay_stands_in_the_load_cases_of_its_berth():
     """It stands still where the water rises"""
     box = SCENE["bodies"][0]
     sizes = {name: box[name] for name in ("length", "beam", "draft")}
-    body = SimpleNamespace(dimensions=sizes, rotation_center=np.zeros(3), density=1025.0, gravity=9.80665)
+    body = SimpleNamespace(dimensions=sizes, sizes=sizes, rotation_center=np.zeros(3), density=1025.0, gravity=9.80665)
     base = mooring.base({**BERTH, "quay": {"y": 30.0}}, body)
     assert mooring.at(base, 21.5, {})["quay"] == {"y": 30.0}

@@ -100,7 +100,9 @@ def drawn(pictures, tmp_path, strain=0.5, place=PLACE):
         anchor=np.array([[80.0, -40.0, 5.0], [-80.0, 30.0, 5.0]]), parts={OF_ALLOWABLE: {"F1": strain}},
         fairlead=np.array([[50.0, -10.0, 3.0], [-50.0, 10.0, 3.0]]), place=np.array(place),
     )  # fmt: skip
-    berth_plan.draw_berth(made, SimpleNamespace(dimensions={}, rotation_center=(0, 0, 0)), numbers, tmp_path / "b.png")
+    berth_plan.draw_berth(
+        made, SimpleNamespace(dimensions={}, sizes={}, rotation_center=(0, 0, 0)), numbers, tmp_path / "b.png"
+    )
     return pictures[0].axes
 
 

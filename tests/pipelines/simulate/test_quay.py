@@ -53,7 +53,8 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     monkeypatch.setattr("hakobune.pipelines.simulate.command.draw", lambda file, output: [])
     run, words = tmp_path / "quay.h5", ["simulate", str(SCENE), "--database", str(database)]
     more = ["--duration", "60", "--seeds", "1", "--output", str(run)]
-    assert main([*words, *more, "--windows", "30", "--methods", "--division", str(database), "--json"]) == 0
+    failing = 1  # breast lines carry 41 % of their strength, 40 % are allowed
+    assert main([*words, *more, "--windows", "30", "--methods", "--division", str(database), "--json"]) == failing
     found = json.loads(capsys.readouterr().out)
     values = {name: one["values"] for name, one in found["quantities"].items()}
     assert found["axes"]["method"]["values"][0].startswith("1 memory, divided") and len(values["method.surge"]) == 4
@@ -61,7 +62,7 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     assert found["axes"]["window"]["values"] == [0.0, 30.0] and values["natural_period"][0] > 0
     assert values["strain.allowable"] == [0.5] * 4 and 0 < max(values["strain.largest"]) < 0.5
     assert any("knows no fenders" in one["text"] for one in found["findings"])
-    assert main([*words, *more]) == 0
+    assert main([*words, *more]) == failing
     told = capsys.readouterr().out
     assert "deflection" in told and "head 1" in told and "natural period" in told
     monkeypatch.setenv("COLUMNS", "40")

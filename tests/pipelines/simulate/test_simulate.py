@@ -73,7 +73,7 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "box.h5").write_bytes(b"a database")
     reader = SimpleNamespace(omega=WIDE, depth=20.0, gravity=9.8)
     db = SimpleNamespace(
-        reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0, dimensions={},
+        reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0, sizes={},
         displaced_volume=None, path=Path("box.h5"),
     )  # fmt: skip
     study = read_study("study.toml")[0]

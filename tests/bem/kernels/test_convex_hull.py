@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
-from hakobune.meshing.plan import convex_hull
+from hakobune.bem.kernels.convex_hull import convex_hull
 
 
 def clouds():

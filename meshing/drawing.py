@@ -1,0 +1,260 @@
+"""A hull drawn from its parts in a TOML file: cylinders, cones, spheres, boxes and extruded outlines, as one body.
+
+    size = 2.0                      # m, edges of panels
+    symmetry = "xy"                 # "x", "y", "xy" or left out: its mirror planes; one part is meshed
+    around = 24                     # panels on a circle, at least
+    [[parts]]
+    shape = "cylinder"              # from, to : m, the ends of its axis; radius : m; end_radius : m, of a cone
+    from = [0, 0, -120]
+    to = [0, 0, 10]
+    radius = 4.7
+    turns = 3                       # as many of it, in equal steps about the vertical through the origin
+    cut = true                      # what it holds is taken away from the parts before it: a moonpool
+
+    box : center, m, size, [length, breadth, height]
+    sphere : center, radius
+    outline : points, [[x, z], …] of a side view, breadth, m: a barge with raked ends, a bow; y : m, of its middle
+
+The parts below still water, z = 0, are joined, and their surface is meshed by gmsh.  What lies in z = 0 is left open.
+Flat panels with their corners on a circle hold less than it: all radii are enlarged by a share, 1 % or so, with which
+the panels hold the volume of the drawing.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from dataclasses import dataclass, field, replace
+from itertools import groupby
+
+import numpy as np
+
+from .gmsh_session import panels_of, session
+
+NEEDED = {
+    "cylinder": ("from", "to", "radius"),
+    "box": ("center", "size"),
+    "sphere": ("center", "radius"),
+    "outline": ("points", "breadth"),
+}
+ALLOWED = {"cylinder": ("end_radius",), "outline": ("y",)}
+EVERY = ("shape", "turns", "cut")
+MOST_PARTS, FINEST, COARSEST = 200, 1e-3, 0.5  # size of panels over that of the hull
+MOST_TRIES, SAME_VOLUME = 8, 2e-3  # of the volume that panels hold, whose corners lie on the body
+AT_SURFACE = 1e-6  # of the size of the hull
+
+
+@dataclass
+class Drawing:
+    """size : m, of panels; symmetry : as of a PanelMesh; around : panels on a circle; parts : [(table, turn rad)]"""
+
+    size: float
+    symmetry: str = ""
+    around: int = 24
+    parts: list = field(default_factory=list)
+
+
+def read_drawing(path):
+    """PanelMesh of a drawing.  Raises ValueError naming file, part and what is allowed."""
+    try:
+        raw = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path}: {error}") from None
+    try:
+        return meshed(drawing_of(raw), path.stem)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def drawing_of(raw):
+    """`Drawing` of nested dictionaries as TOML gives them.  Raises ValueError."""
+    unknown = set(raw) - {"size", "symmetry", "around", "parts"}
+    if unknown or not isinstance(raw.get("parts"), list) or not 1 <= len(raw["parts"]) <= MOST_PARTS:
+        what = f"{min(unknown)} is unknown" if unknown else "there are no parts"
+        raise ValueError(f"{what}; allowed: size, symmetry, around and 1 to {MOST_PARTS} of [[parts]]")
+    out = Drawing(_number(raw, "size", "the drawing"), raw.get("symmetry", ""), raw.get("around", 24))
+    if not (isinstance(out.around, int) and 8 <= out.around <= 200):
+        raise ValueError(f"around is {out.around}; allowed: 8 to 200 panels on a circle")
+    if out.symmetry not in ("", "x", "y", "xy"):
+        raise ValueError(f"symmetry is {out.symmetry!r}; allowed: x, y, xy")
+    for i, part in enumerate(raw["parts"]):
+        _check(part, f"parts[{i}]")
+        turns = int(part.get("turns", 1))
+        out.parts += [(part, 2 * math.pi * k / turns) for k in range(turns)]
+    return out
+
+
+def _check(part, where):
+    shape = part.get("shape")
+    if shape not in NEEDED:
+        raise ValueError(f"{where}.shape is {shape!r}; allowed: {', '.join(NEEDED)}")
+    known = (*NEEDED[shape], *ALLOWED.get(shape, ()), *EVERY)
+    for key in part:
+        if key not in known:
+            raise ValueError(f"{where}.{key} is unknown; allowed for a {shape}: {', '.join(known)}")
+    for key in NEEDED[shape]:
+        if key not in part:
+            raise ValueError(f"{where}.{key} is missing; a {shape} has {', '.join(NEEDED[shape])}")
+    for key in ("radius", "end_radius", "breadth"):
+        if key in part:
+            _number(part, key, where)
+    for key in ("from", "to", "center", "size"):
+        if key in part and not (_finite(part[key]) and np.shape(part[key]) == (3,)):
+            raise ValueError(f"{where}.{key} is {part[key]}; allowed: three finite numbers, m")
+    if min(part.get("size", [1.0])) <= 0 or part.get("from", 0) == part.get("to", 1):
+        raise ValueError(f"{where} has no size; allowed: lengths above 0")
+    if "points" in part and not (_finite(part["points"]) and np.shape(part["points"])[1:] == (2,)):
+        raise ValueError(f"{where}.points is no list of [x, z]; allowed: three or more, m")
+    if not 1 <= part.get("turns", 1) <= 24:
+        raise ValueError(f"{where}.turns is {part['turns']}; allowed: 1 to 24")
+
+
+def _finite(value):
+    try:
+        return bool(np.all(np.isfinite(np.array(value, float))))
+    except (TypeError, ValueError):
+        return False
+
+
+def _number(table, key, where):
+    value = table.get(key)
+    if not _finite(value) or np.ndim(value) or not value > 0:
+        raise ValueError(f"{where}: {key} is {value}; allowed: m, above 0")
+    return float(value)
+
+
+def meshed(drawing, name=""):
+    """PanelMesh of a `Drawing`.  Raises ValueError where nothing lies below the surface, or panels do not suit it."""
+    mesh, volume = _panels(drawing, name, 1.0)
+    best, below, above = mesh, (1.0, mesh.volume), None  # panels change their number as radii grow, and volume jumps
+    for _ in range(MOST_TRIES if any(part["shape"] in ("cylinder", "sphere") for part, _ in drawing.parts) else 0):
+        if abs(best.volume / volume - 1) <= SAME_VOLUME:
+            break
+        reach = 1.5 * (volume - below[1]) / (2 * volume) if above is None else 0.5 * (above[0] - below[0])
+        grown = below[0] + max(reach, 1e-4)
+        mesh, _ = _panels(drawing, name, grown)
+        if mesh.volume < volume:
+            below = grown, mesh.volume
+        else:
+            above = grown, mesh.volume
+        best = min(best, mesh, key=lambda one: abs(one.volume - volume))
+    return best
+
+
+def _panels(drawing, name, grown):
+    """PanelMesh with radii `grown` by a factor, and the volume of the body, m³"""
+    with session(name or "drawing") as gmsh:
+        occ = gmsh.model.occ
+        body = []
+        for cut, several in groupby(drawing.parts, lambda one: bool(one[0].get("cut"))):
+            made = [_placed(occ, *one, grown) for one in several]
+            if cut:
+                body = occ.cut(body, made)[0]
+            else:
+                made = [*body, *made]
+                body = occ.fuse(made[:1], made[1:])[0] if made[1:] else made
+        occ.synchronize()
+        low, high = _extent(gmsh, body)
+        length = float((high - low).max())
+        if not FINEST * length <= drawing.size <= COARSEST * length:
+            raise ValueError(
+                f"size is {drawing.size:g} m for a hull of {length:g} m; allowed: {FINEST * length:.3g} to "
+                f"{COARSEST * length:.3g} m"
+            )
+        body = _below(occ, body, low, high, drawing.symmetry) if low[2] < 0 else []
+        if not body:
+            raise ValueError("no part lies below still water, z = 0")
+        occ.synchronize()
+        sides = _wetted(gmsh, body, AT_SURFACE * length, drawing.symmetry)
+        for option, value in (("MeshSizeMax", drawing.size), ("MeshSizeMin", 0.25 * drawing.size), ("Algorithm", 8),
+                              ("MeshSizeFromCurvature", 2 * drawing.around), ("RecombineAll", 1),
+                              ("MeshSizeExtendFromBoundary", 0)):  # fmt: skip
+            gmsh.option.setNumber(f"Mesh.{option}", value)
+        gmsh.model.mesh.generate(2)
+        mesh = outwards(panels_of(gmsh, dict.fromkeys(sides), drawing.symmetry, name))
+        return mesh, mesh.copies * sum(occ.getMass(*one) for one in body)
+
+
+def outwards(mesh):
+    """The same panels with normals out of the body: alike across every edge, and each piece with a positive volume"""
+    sides = {}
+    for i, corners in enumerate(mesh.corners.tolist()):
+        ring = [a for a, b in zip(corners, corners[1:] + corners[:1], strict=True) if a != b]
+        for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
+            sides.setdefault((min(a, b), max(a, b)), []).append((i, a < b))
+    beside = [[] for _ in mesh.corners]
+    for pair in sides.values():
+        if len(pair) == 2:
+            (i, up), (j, other) = pair
+            beside[i].append((j, up == other))
+            beside[j].append((i, up == other))
+    turned, found = np.zeros(len(mesh), bool), np.zeros(len(mesh), bool)
+    height = mesh.centroids[:, 2] * mesh.area_vectors[:, 2]
+    for first in range(len(mesh)):
+        piece = [] if found[first] else [first]
+        found[first] = True
+        for i in piece:
+            for j, against in beside[i]:
+                if not found[j]:
+                    found[j], turned[j] = True, turned[i] ^ against
+                    piece.append(j)
+        if piece and np.sum(np.where(turned[piece], -1, 1) * height[piece]) < 0:
+            turned[piece] ^= True
+    corners = np.where(turned[:, None], mesh.corners[:, [0, 3, 2, 1]], mesh.corners)
+    flat = turned & (mesh.corners[:, 2] == mesh.corners[:, 3])
+    corners[flat] = mesh.corners[flat][:, [0, 2, 1, 1]]
+    return replace(mesh, corners=corners)
+
+
+def _placed(occ, part, turn, grown):
+    made = 3, _solid(occ, part, grown)
+    if turn:
+        occ.rotate([made], 0, 0, 0, 0, 0, 1, turn)
+    return made
+
+
+def _solid(occ, part, grown):
+    """Tag of the volume of a part"""
+    shape, radius = part["shape"], grown * part.get("radius", 0.0)
+    if shape == "cylinder":
+        begin = np.array(part["from"], float)
+        axis, end = np.array(part["to"], float) - begin, grown * part.get("end_radius", part["radius"])
+        if end == radius:
+            return occ.addCylinder(*begin, *axis, radius)
+        return occ.addCone(*begin, *axis, radius, end)
+    if shape == "box":
+        size = np.array(part["size"], float)
+        return occ.addBox(*(np.array(part["center"], float) - 0.5 * size), *size)
+    if shape == "sphere":
+        return occ.addSphere(*part["center"], radius)
+    y, breadth = part.get("y", 0.0), part["breadth"]
+    points = [occ.addPoint(x, y - 0.5 * breadth, z) for x, z in part["points"]]
+    lines = [occ.addLine(a, b) for a, b in zip(points, points[1:] + points[:1], strict=True)]
+    face = occ.addPlaneSurface([occ.addCurveLoop(lines)])
+    return next(tag for dim, tag in occ.extrude([(2, face)], 0, breadth, 0) if dim == 3)
+
+
+def _extent(gmsh, body):
+    ends = np.array([gmsh.model.getBoundingBox(*one) for one in body])
+    return ends[:, :3].min(axis=0), ends[:, 3:].max(axis=0)
+
+
+def _below(occ, body, low, high, symmetry):
+    """The body cut to what is below z = 0 and on the positive side of its mirror planes"""
+    reach = (high - low).max()
+    low, high = low - reach, high + reach
+    high[2] = 0.0
+    for axis in symmetry:
+        low["xy".index(axis)] = 0.0
+    return occ.intersect(body, [(3, occ.addBox(*low, *(high - low)))])[0]
+
+
+def _wetted(gmsh, body, near, symmetry):
+    """Surfaces of the boundary that do not lie in z = 0 or a mirror plane"""
+    out = []
+    flat = [2, *("xy".index(axis) for axis in symmetry)]
+    for dim, tag in gmsh.model.getBoundary(body, combined=True, oriented=True):
+        box = np.array(gmsh.model.getBoundingBox(dim, abs(tag)))
+        if not any(np.all(np.abs(box[[i, i + 3]]) <= near) for i in flat):
+            out.append(abs(tag))
+    return out

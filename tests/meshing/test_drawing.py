@@ -1,0 +1,53 @@
+"""Hulls drawn from parts: the volumes of plane and solid geometry, panels without a finding, faults named."""
+
+import numpy as np
+import pytest
+
+from hakobune.meshing.drawing import drawing_of, meshed
+from hakobune.meshing.files import read_mesh
+from hakobune.meshing.quality import findings
+
+COLUMN = {"shape": "cylinder", "from": [10.0, 0.0, -8.0], "to": [10.0, 0.0, 5.0], "radius": 3.0, "turns": 3}
+BASE = COLUMN | {"to": [10.0, 0.0, -6.0], "radius": 5.0}
+BOX = {"shape": "box", "center": [0.0, 0.0, 0.0], "size": [40.0, 20.0, 6.0]}
+POOL = BOX | {"size": [8.0, 6.0, 10.0], "cut": True}
+RAKED = {"shape": "outline", "points": [[-20, 1], [-17, -3], [17, -3], [20, 1]], "breadth": 10.0}
+
+
+@pytest.mark.parametrize(
+    "parts, symmetry, size, volume",
+    [
+        ([{"shape": "sphere", "center": [0, 0, 0], "radius": 5.0}], "xy", 2.0, 2 / 3 * np.pi * 125),
+        ([COLUMN, BASE], "y", 4.0, 3 * np.pi * (9 * 6 + 25 * 2)),
+        ([COLUMN | {"end_radius": 1.5, "to": [10, 0, 0], "turns": 1}], "", 2.0, np.pi * 8 / 3 * (9 + 4.5 + 2.25)),
+        ([COLUMN | {"from": [-8, 0, -4], "to": [8, 0, -4], "radius": 2.0, "turns": 1}], "xy", 2.0, np.pi * 4 * 16),
+        ([BOX, POOL], "xy", 3.0, 3.0 * (40 * 20 - 8 * 6)),
+        ([RAKED], "y", 3.0, 10 * 3 * (34 + 38.5) / 2),
+        ([BOX | {"center": [0, y, 0], "size": [30, 6, 4]} for y in (-10, 10)], "", 3.0, 2 * 30 * 6 * 2.0),
+    ],
+    ids=["sphere", "semi-submersible", "cone", "lying cylinder", "moonpool", "raked barge", "catamaran"],
+)  # fmt: skip
+def test_a_drawing_has_the_volume_of_its_parts_in_panels_without_a_finding(parts, symmetry, size, volume):
+    mesh = meshed(drawing_of({"size": size, "symmetry": symmetry, "around": 16, "parts": parts}))
+    assert mesh.volume == pytest.approx(volume, rel=2e-3)
+    assert not [one for one in findings(mesh) if one.severity == "error"]
+    assert mesh.points[:, 2].max() <= 1e-9 * np.ptp(mesh.points)
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ({"parts": [BOX | {"shape": "cube"}]}, r"parts\[0\].shape is 'cube'; allowed: cylinder, box, sphere, outline"),
+        ({"parts": [BOX | {"radius": 1.0}]}, r"parts\[0\].radius is unknown; allowed for a box: center, size"),
+        ({"parts": [COLUMN | {"radius": -1.0}]}, r"radius is -1.0; allowed: m, above 0"),
+        ({"parts": [BOX | {"center": [0, 0, 9]}]}, "no part lies below still water"),
+        ({"size": 100.0}, "size is 100 m for a hull of 40 m; allowed: 0.04 to 20 m"),
+        ({"draft": 3.0}, "draft is unknown; allowed: size, symmetry, around"),
+    ],
+)
+def test_what_cannot_be_drawn_is_named(tmp_path, change, words):
+    with pytest.raises(ValueError, match=words):
+        meshed(drawing_of({"size": 2.0, "parts": [BOX]} | change))
+    (tmp_path / "a.toml").write_text("size = 1")
+    with pytest.raises(ValueError, match=r"a\.toml: there are no parts; allowed"):
+        read_mesh(tmp_path / "a.toml")
