@@ -12,7 +12,7 @@ from hakobune.bem.database import append, append_limit, create, open_database, w
 from hakobune.bem.database.file import Header, check_place
 from hakobune.bem.database.schema import DOFS, LIMITS
 from hakobune.bem.formats.afloat import on_hull
-from hakobune.bem.formats.believed import believed
+from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.quality import findings

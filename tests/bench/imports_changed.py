@@ -14,8 +14,8 @@ from dataclasses import replace
 import numpy as np
 
 from hakobune.bem import DOFS
-from hakobune.bem.formats.causes import FORCES, MATRICES, ROTATION, changed, finding, of_length, turned
-from hakobune.bem.formats.own_solution import WANT, Own, gaps, own_of, sample
+from hakobune.bem.formats.judging.causes import FORCES, MATRICES, ROTATION, changed, finding, of_length, turned
+from hakobune.bem.formats.judging.own_solution import WANT, Own, gaps, own_of, sample
 from hakobune.bem.formats.values import Values
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.modes import reference_change

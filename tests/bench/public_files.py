@@ -19,9 +19,9 @@ from pathlib import Path
 
 import numpy as np
 
-from hakobune.bem.formats import laws
-from hakobune.bem.formats.causes import finding
-from hakobune.bem.formats.own_solution import own_of, sample
+from hakobune.bem.formats.judging import laws
+from hakobune.bem.formats.judging.causes import finding
+from hakobune.bem.formats.judging.own_solution import own_of, sample
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.meshing.files import read_mesh
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hakobune.bem.formats.causes import FORCES, MATRICES, changed, corrected, finding, of_length, turned
-from hakobune.bem.formats.own_solution import gaps
+from hakobune.bem.formats.judging.causes import FORCES, MATRICES, changed, corrected, finding, of_length, turned
+from hakobune.bem.formats.judging.own_solution import gaps
 from hakobune.bem.formats.values import FormatError, Values, about
 from hakobune.bem.modes import reference_change
 from hakobune.bem.waves import wavenumber
@@ -134,7 +134,7 @@ def test_motions_that_follow_from_what_is_wrong_are_left_out():
 
 def test_the_point_of_moments_follows_from_forces_by_least_squares():
     """M about p is M − p × F, as `about` has it"""
-    from hakobune.bem.formats.causes import point_of_moments
+    from hakobune.bem.formats.judging.causes import point_of_moments
 
     one = right()
     X = one.get("excitation_force")
@@ -143,7 +143,7 @@ def test_the_point_of_moments_follows_from_forces_by_least_squares():
 
 
 def test_an_import_refuses_what_a_cause_explains_and_stores_it_corrected_if_asked(monkeypatch):
-    from hakobune.bem.formats import believed
+    from hakobune.bem.formats.judging import believed
 
     wrong = changed(right(), FORCES, np.conj)
     for name, made in (("own_of", lambda values, mesh: Hull()), ("sample", lambda values, mesh: values)):

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hakobune.bem.formats.laws import doubts, haskind_ratios
+from hakobune.bem.formats.judging.laws import doubts, haskind_ratios
 from hakobune.bem.formats.values import Values
 from hakobune.bem.waves import group_factor, wavenumber
 

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..modes import reference_change
-from ..waves import wavenumber
+from ...modes import reference_change
+from ...waves import wavenumber
 from .own_solution import gaps, sizes_of_forces
 
 AGREED = 0.10  # of the size of a row: the largest difference that is none

@@ -13,10 +13,10 @@ from functools import cached_property
 
 import numpy as np
 
-from ..methods.panel_problem import PanelProblem
-from ..modes import displacing
-from ..waves import wavenumber
-from .values import Values
+from ...methods.panel_problem import PanelProblem
+from ...modes import displacing
+from ...waves import wavenumber
+from ..values import Values
 
 LONG = (0.4, 1.2)  # k times the size of the waterplane
 READABLE = 4.0  # the same, above which a set's lowest frequency is no long wave
@@ -79,7 +79,7 @@ class Own:
 
 
 def _dofs():
-    from .. import DOFS
+    from ... import DOFS
 
     return DOFS
 

@@ -16,8 +16,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..database.schema import QUANTITIES
-from ..waves import group_factor, wavenumber
+from ...database.schema import QUANTITIES
+from ...waves import group_factor, wavenumber
 
 NOT_SYMMETRIC = 0.1  # of √(AᵢᵢAⱼⱼ)
 LONG = 0.35  # k times the size of the body, of a long wave

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from ..values import FormatError
 from . import laws
 from .causes import AGREED, corrected, finding
 from .own_solution import MOST_PANELS, own_of, sample
-from .values import FormatError
 
 WAY_OUT = "import with --correct to store the set so corrected"
 
