@@ -74,15 +74,16 @@ def keep(path, raw):
     write_whole(path, tomli_w.dumps(raw).encode())
 
 
-def result(kind, source, tables, notes=(), findings=()):
+def result(kind, source, tables, notes=(), findings=(), shown=True):
     """The Result of {axis: [{column: number or text}, …]}, whose first columns name the rows
 
-    quantities are axis.column, without its unit; source : title and year of what it stands beside; detail : the rows
+    quantities are axis.column, without its unit; source : title and year of what it stands beside
+    shown : in print too, where rows are no more than LONG; detail : the rows
     """
     quantities, labels = {}, {}
     for axis, rows in ((axis, rows) for axis, rows in tables.items() if rows):
         head, *columns = rows[0]
-        title = f"{kind}, each {axis}, beside {source}" if len(rows) <= LONG else ""
+        title = f"{kind}, each {axis}, beside {source}" if shown and len(rows) <= LONG else ""
         labels[axis] = Quantity(_values(rows, head), (axis,), description=axis)
         for column in columns:
             end = max((end for end in UNITS if column.endswith(end)), key=len, default="")

@@ -417,12 +417,12 @@ def scenes_of(*verdicts):
     from hakobune.pipelines.validation.stress.campaign import Row
 
     rows = [Row(i, "box", 5.0, 2.0, 2.0, 1.0, 1.0, verdict=verdict) for i, verdict in enumerate(verdicts)]
-    return lambda patch: patch.setattr("hakobune.pipelines.validation.stress.run.run", lambda *_: (rows, False))
+    return lambda patch: patch.setattr("hakobune.pipelines.validation.stress.run.row_of", lambda _, n, *more: rows[n])
 
 
 def jobs(*notes):
-    rows = [SimpleNamespace(note=note) for note in notes]
-    return lambda patch: patch.setattr("hakobune.pipelines.validation.bench.run.bench", lambda *_, **__: rows)
+    rows, made = [SimpleNamespace(note=note) for note in notes], hakobune.Result("bench", {})
+    return lambda patch: patch.setattr("hakobune.pipelines.validation.bench.run.bench", lambda *_, **__: (made, rows))
 
 
 def floater(tension):

@@ -34,13 +34,14 @@ def bench(
     """Error against time of one frequency, cold and warm, with peak memory; every job in a process of its own.
 
     Cylinder of radius and draft 10 m (exact reference), box 100 x 50 x 10 m (contour method at 1e-7), in three depths
-    each.  Writes bench.csv, bench.md and bench.png.  `make bench` installs the other programs and runs it.
+    each.  Writes bench.csv and bench.png.  `make bench` installs the other programs and runs it.
     """
-    from ...common.outputs import check_folder, check_output
+    from ...common.outputs import check_folder
+    from ...results.output import check_result
+    from ...results.tables import printed
     from .plan import PROGRAMS, plan
     from .run import FILES
     from .run import bench as run
-    from .tables import is_rows
 
     peers = _peers(peer or [])
     numbers = _threads(threads or ("1" if quick else "1,2"))
@@ -50,18 +51,19 @@ def bench(
         raise ValueError(f"--output {output} is a file; allowed: a folder")
     check_folder(output)
     output.mkdir(parents=True, exist_ok=True)
-    check_output(output / FILES[0], "the rows of a bench", is_rows, (".csv",))
+    check_result(output / FILES[0], "bench")
     told(f"{len(jobs)} jobs take", SECONDS * len(jobs))
     if not peers:
         print("no --peer: other programs are left out")
     try:
-        rows = run(jobs, peers, output, partial(print, flush=True), own_caches=quick)
+        made, rows = run(jobs, peers, output, partial(print, file=sys.stderr, flush=True), own_caches=quick)
     except KeyboardInterrupt:
         print(f"interrupted; what was measured is in {output}, the same command begins anew", file=sys.stderr)
         return 130
+    printed(made)
     print(*(output / name for name in FILES), sep="\n")
     failed = sum(1 for row in rows if row.note)
-    said = f"{failed} of {len(rows)} jobs have no answer: they stand at the end of {output / FILES[1]}"
+    said = f"{failed} of {len(rows)} jobs have no answer: {output / FILES[0]} has why"
     return tell([fails(said)] if failed else [])
 
 

@@ -45,7 +45,7 @@ class Row(NamedTuple):
     cpu_ms: float = math.nan
     body_ms: float = math.nan
     first_s: float = math.nan
-    estimate_ms: float = math.nan
+    estimating_ms: float = math.nan
     memory_mb: float = math.nan
     passes: int = 0
     load: float = math.nan

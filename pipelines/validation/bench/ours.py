@@ -68,7 +68,7 @@ def estimates(runs):
         start = time.perf_counter()
         values.append(float(run.estimated_error()))
         taken.append(1e3 * (time.perf_counter() - start))
-    return {"estimate": max(values), "estimate_ms": sum(taken[1:]) / max(1, len(taken) - 1)}
+    return {"estimate": max(values), "estimating_ms": sum(taken[1:]) / max(1, len(taken) - 1)}
 
 
 def answered(asked):

@@ -9,16 +9,17 @@ import tempfile
 from importlib import metadata
 from pathlib import Path
 
+from ...results.output import write_result
+from ..picture import draw
+from .found import picture, result_of
 from .measure import measured
-from .picture import draw
-from .tables import write_csv, write_page
 
 AGAIN, OURS = 2, 0.9  # times; processor time of one thread over time from which on the core was ours
-FILES = ("bench.csv", "bench.md", "bench.png")
+FILES = ("bench.csv", "bench.png")
 
 
 def bench(jobs, peers, output, say, own_caches=False):
-    """Measure every job, write bench.csv, .md and .png into the folder `output`; returns the rows.
+    """Measure every job, write bench.csv and .png into the folder `output`; returns (Result, rows).
 
     peers : {program: (interpreter, version)} of other programs
     say : takes each line of progress
@@ -26,7 +27,7 @@ def bench(jobs, peers, output, say, own_caches=False):
     Interrupted, it writes what it has and raises further.
     """
     pythons = {"hakobune": sys.executable} | {name: python for name, (python, _) in peers.items()}
-    heading, rows = _machine(peers), []
+    machine, rows = _machine(peers), []
     try:
         with tempfile.TemporaryDirectory(prefix="hakobune-bench-") as folder:
             caches = None if own_caches else Path(folder)
@@ -36,11 +37,12 @@ def bench(jobs, peers, output, say, own_caches=False):
             for i, job in enumerate(jobs):
                 rows.append(_undisturbed(job, pythons, caches))
                 say(f"{i + 1}/{len(jobs)} {_told(job, rows[-1])}")
-                write_csv(output / FILES[0], rows, heading)
+                write_result(result_of(rows, machine), output / FILES[0])
     finally:
         if rows:
-            _written(output, rows, heading)
-    return rows
+            write_result(result_of(rows, machine), output / FILES[0])
+            draw(output / FILES[1], *picture(rows, machine))
+    return result_of(rows, machine), rows
 
 
 def _undisturbed(job, pythons, caches):
@@ -52,13 +54,6 @@ def _undisturbed(job, pythons, caches):
         again = measured(job, pythons, caches)
         row = again if again.warm_ms < row.warm_ms else row
     return row
-
-
-def _written(output, rows, heading):
-    csv, page, picture = (output / name for name in FILES)
-    draw(picture, rows, heading[0])
-    write_csv(csv, rows, heading)
-    write_page(page, rows, heading, picture.name)
 
 
 def _to_fill_caches(jobs):

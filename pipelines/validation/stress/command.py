@@ -7,13 +7,8 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-from hakobune.mooring.criteria.failing import fails
-
 from ...common.bounds import check_seconds, whole_number
-from ...printing.verdict import tell
 from ...scene.flags import _flag
-
-SHOWN = 5  # scenes that are named at the end
 
 
 def stress(
@@ -33,6 +28,8 @@ def stress(
     again with every parameter moved a little, and one as a mesh rotated and shifted.  Status 1 if one fails.
     """
     from ...executors.choice import executor_of
+    from ...results.output import check_result
+    from ...results.tables import printed
     from .run import SECONDS, run
 
     count, start, number = whole_number("scenes", scenes, 1), whole_number("seed", seed), whole_number("first", first)
@@ -44,19 +41,19 @@ def stress(
         raise ValueError(f"--waves is {waves}; allowed: above 0")
     workers = executor_of(executor)
     check_seconds(f"{count} scenes take", SECONDS * count / workers.count, "give fewer with --scenes")
+    check_result(output, "stress")
     questions = [(start, n, method, tolerance, waves) for n in range(number, number + count)]
     try:
-        rows, interrupted = run(questions, output, workers, lambda text: print(text, flush=True))
+        made, interrupted = run(questions, output, workers)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
+    status = printed(made)
     print(output)
     if interrupted:
-        next_one = number + len(rows)
+        done = len(made.detail["scene"])
         print(
-            f"interrupted after {len(rows)} of {count} scenes; --first {next_one} --output OTHER goes on",
+            f"interrupted after {done} of {count} scenes; --first {number + done} --output OTHER goes on",
             file=sys.stderr,
         )
         return 130
-    failed = [row for row in rows if row.verdict]
-    more = [f"{len(failed) - SHOWN} more of {len(rows)} scenes; {output} has their verdicts"] if failed[SHOWN:] else []
-    return tell(map(fails, [*(f"scene {row.number}: {row.verdict}; {row.command}" for row in failed[:SHOWN]), *more]))
+    return status

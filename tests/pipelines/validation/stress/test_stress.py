@@ -144,9 +144,9 @@ def test_a_campaign_writes_a_row_for_every_scene(tmp_path, capsys):
     file = tmp_path / "stress.csv"
     status = main(["stress", "--scenes", "6", "--seed", "3", "--waves", "3", "--output", str(file)])
     with file.open() as lines:
-        rows = list(csv.DictReader(line for line in lines if line[0] != "#"))
-    assert [int(row["number"]) for row in rows] == list(range(6))
-    assert status == (1 if any(row["verdict"] for row in rows) else 0)
+        rows = list(csv.DictReader(line for line in lines if line[0] != "#" and line != "\n"))
+    assert [int(row["scene"]) for row in rows] == list(range(6))
+    assert status == (1 if any(row["scene.verdict"] for row in rows) else 0)
     said = capsys.readouterr()
     assert "6 scenes" in said.out and not said.err
     text = file.read_text()
