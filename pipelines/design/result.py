@@ -104,7 +104,8 @@ def result_of(verdict, change, names, origin):
         f"criterion.{name}": Quantity(_array(values), ("criterion",), "", words, table, share=name == "used")
         for name, (values, words, table) in columns.items()
     }
-    largest = [np.nan if one.numbers is None else np.max(one.numbers.largest, initial=np.nan) for one in ran]
+    known = [one.numbers is not None and np.size(one.numbers.largest) > 0 for one in ran]
+    largest = [np.max(one.numbers.largest) if has else np.nan for one, has in zip(ran, known, strict=True)]
     made["load_case.largest_tension"] = Quantity(_array(largest), ("load_case",), "N", "largest tension", CASES)
     made["verdict"] = Quantity(verdict.word, (), "", "verdict")
     failed = [_fails(one, use) for one, use in zip(judged, uses, strict=True) if not one.met]

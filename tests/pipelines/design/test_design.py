@@ -113,7 +113,7 @@ class Page(HTMLParser):
 
 def test_views_of_a_design_have_the_quantities_of_its_function(folder, first, tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "40")
-    monkeypatch.setattr("hakobune.pipelines.design.command.made", lambda *_: first)
+    monkeypatch.setattr("hakobune.pipelines.design.result.made", lambda *_: first)
     project = folder / "project.toml"
     found = hakobune.design(project, folder / "out", advice=False)
     words = ["design", str(project), "--output", str(folder / "out"), "--no-advice"]
