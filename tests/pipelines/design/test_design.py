@@ -275,7 +275,7 @@ def test_a_second_run_solves_nothing_and_gives_the_same_bytes(folder, first, mon
     picture.write_bytes(picture.read_bytes()[:-20])
     solved, drawn = [], []
     monkeypatch.setattr(
-        "hakobune.pipelines.moor.command.studied", lambda *given: solved.append(given) or studied(*given)
+        "hakobune.pipelines.moor.result.studied", lambda *given: solved.append(given) or studied(*given)
     )
     monkeypatch.setattr("hakobune.pipelines.common.picture.save", lambda *given: drawn.append(given[1]) or save(*given))
     again = made(read_project(folder / "project.toml"), out, Here(), None, advice=False)
