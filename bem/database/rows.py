@@ -191,6 +191,14 @@ class Database:
         if unsolved:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
 
+    def require_one_body(self) -> None:
+        """Raise DatabaseError for a database of several bodies, naming them."""
+        if self.bodies:
+            names = ", ".join(body.name for body in self.bodies)
+            raise DatabaseError(
+                f"{self.path} is of {len(self.bodies)} bodies, {names}; allowed here: one body, solved by itself"
+            )
+
     @cached_property
     def asked(self) -> np.ndarray:
         """(all,) rad/s, of the frequencies that the file is for"""
@@ -229,11 +237,7 @@ class Database:
         from .reader import reader
 
         self.require()
-        if self.bodies:
-            names = ", ".join(body.name for body in self.bodies)
-            raise DatabaseError(
-                f"{self.path} is of {len(self.bodies)} bodies, {names}; allowed here: one body, solved by itself"
-            )
+        self.require_one_body()
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:

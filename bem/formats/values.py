@@ -91,6 +91,7 @@ def about(values, point):
 
 def values_of(db):
     """The Values of an opened database.  Raises DatabaseError where nothing is solved yet."""
+    db.require_one_body()
     names = [name for name in CARRIED if name in db.names and (name not in LIMITS or db.complete)]
     header = db.header
     return Values(

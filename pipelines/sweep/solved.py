@@ -7,14 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from hakobune.bem.database.schema import LABELS
+from hakobune.bem.database.schema import labels
 from hakobune.mooring.criteria.failing import FAILS, failing
 
 from ..printing.verdict import status_of
 from ..results.quantity import Quantity
 
 LARGE = ("kochin_radiation", "kochin_diffraction", "pressure")  # of a case, that no sweep keeps
-AXES = {axis: Quantity(np.array(names), (axis,)) for axis, names in LABELS.items()}
 OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes that a case may have values of its own on
 
 
@@ -37,16 +36,21 @@ def solved(raw, scene_file):
         scene = make_scene(raw)
         with tempfile.TemporaryDirectory() as folder:
             outcome = solve(scene, Path(folder) / "case.h5")
-            failed = failing([*outcome.remarks, *failures(outcome, open_database(outcome.path), gives_panels(scene))])
-            arrays = _arrays(outcome.path)
+            made = open_database(outcome.path)
+            failed = failing([*outcome.remarks, *failures(outcome, made, gives_panels(scene))])
+            arrays = _arrays(outcome.path, made.bodies)
     except ValueError as error:
         return 2, str(error), {}, {}
     said = "; ".join(line.removeprefix(FAILS) for line in failed)
-    return outcome.exit_status or status_of(failed), said, arrays, AXES
+    axes = {axis: Quantity(np.array(names), (axis,)) for axis, names in labels(made.bodies).items()}
+    return outcome.exit_status or status_of(failed), said, arrays, axes
 
 
-def _arrays(path):
-    """What a file holds that this process has written and closed this moment, so that no checksum is tried"""
+def _arrays(path, bodies):
+    """What a file holds that this process has written and closed this moment, so that no checksum is tried
+
+    bodies : of the database, where there are several
+    """
     import h5py
 
     from hakobune.bem.database.schema import BODY, COORDINATES, QUANTITIES
@@ -56,7 +60,8 @@ def _arrays(path):
         there = set(file)
         for name, (axes, unit, _) in (*COORDINATES.items(), *QUANTITIES.items(), *BODY.items()):
             if name in there and name not in LARGE and (name in OF_A_CASE or name not in COORDINATES):
-                of = tuple(OF_A_CASE.get(axis, axis) for axis in axes)
+                each = ("body",) if bodies and name in BODY and "influenced_dof" not in axes else ()
+                of = (*each, *(OF_A_CASE.get(axis, axis) for axis in axes))
                 found[name] = Quantity(_values(file[name]), of, unit, name.replace("_", " "))
     return found
 

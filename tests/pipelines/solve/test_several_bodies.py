@@ -7,6 +7,7 @@ import pytest
 
 from hakobune.bem.bodies.one_of_several import body_named, each_body
 from hakobune.bem.database import DatabaseError, open_database
+from hakobune.bem.formats.values import values_of
 from hakobune.bem.modes import Body
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.checking import check
@@ -16,6 +17,7 @@ from hakobune.pipelines.solve.arrangement import _gap, arranged, own_hulls
 from hakobune.pipelines.solve.hull import coarse_hull, finer_hull, make_hull
 from hakobune.pipelines.solve.plan import planned
 from hakobune.pipelines.solve.run import solve
+from hakobune.pipelines.sweep.solved import solved
 
 BARGE = {"name": "barge", "shape": "box", "length": 12.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 4.0, 0.0],
          "gyration": [1.6, 3.6, 3.6], "center_of_gravity": [0, 0, 0.2], "rotation_center": [0.0, 0.0, 0.2]}  # fmt: skip
@@ -74,9 +76,17 @@ def test_one_of_several_has_its_own_forces_and_motions(database):
         body_named(db, "ship")
 
 
-def test_a_study_of_one_body_says_so(database):
-    with pytest.raises(DatabaseError, match=r"of 2 bodies, barge, pier; allowed here: one body"):
-        _ = open_database(database).reader
+def test_what_takes_one_body_says_so(database):
+    for taken in (lambda db: db.reader, values_of):
+        with pytest.raises(DatabaseError, match=r"of 2 bodies, barge, pier; allowed here: one body"):
+            taken(open_database(database))
+
+
+def test_a_sweep_keeps_the_axes_of_several(tmp_path):
+    status, _, arrays, axes = solved({**tables(), "want": ["radiation"]}, tmp_path / "scene.toml")
+    assert status == 0 and axes["influenced_dof"].values[6] == "pier__Surge"
+    assert arrays["added_mass"].axes == ("frequency", "influenced_dof", "radiating_dof")
+    assert arrays["mass"].axes == ("body",) and arrays["mass"].values[1] == pytest.approx(1025 * 48)
 
 
 def test_more_frequencies_and_another_weight(database, tmp_path):
