@@ -68,15 +68,16 @@ def take_over(old, new, anew=()):
     j = places_on(new, old["wave_direction"], "wave_direction")
     for name in (name for name in QUANTITIES if name in old and name not in anew):
         axes = cell_axes(name)
+        carried = old[name].shape[-1:] != new[name].shape[-1:] and QUANTITIES[name][0][-1] == "theta"
         for path in (p for p in (name, f"stored/{name}", estimate_of(name)) if p in old and p in new):
             value = np.asarray(new[path])
             there = old[path][()]
-            if path == name and QUANTITIES[name][0][-1:] == ("theta",) and there.shape[-1] != value.shape[-1]:
+            if path == name and carried:
                 there = at_angles(there, value.shape[-1])
             value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = there
             new[path][...] = value
         kinds = [file[estimate_of(name)].dtype if estimate_of(name) in file else None for file in (old, new)]
-        if not has_checksums(old) or kinds[0] != kinds[1]:
+        if carried or not has_checksums(old) or kinds[0] != kinds[1]:
             remark(new, name)
     for path in (*(f"checks/{name}" for name in CHECKS), "wall_time"):
         value = new[path][()]
@@ -95,7 +96,8 @@ def at_angles(values, count):
     """
     series = np.fft.fft(values, axis=-1)
     half, out = values.shape[-1] // 2, np.zeros((*values.shape[:-1], count), complex)
-    out[..., :half], out[..., count - half :] = series[..., :half], series[..., -half:]
+    up = values.shape[-1] - half
+    out[..., :up], out[..., count - half :] = series[..., :up], series[..., up:]
     return np.fft.ifft(out, axis=-1) * (count / values.shape[-1])
 
 

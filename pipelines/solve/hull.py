@@ -57,7 +57,7 @@ def make_hull(scene):
 def _hull(scene, body):
     """Panels of one body in coordinates of its own"""
     if body.shape == "mesh":
-        mesh = read_mesh(body.file).standing(scene.water.depth)
+        mesh = read_mesh(body.file)
         if mesh.total > MOST_GIVEN:
             raise SceneError(f"{body.file} has {mesh.total} panels; allowed: up to {MOST_GIVEN}")
         return folded(mesh)

@@ -240,6 +240,11 @@ def sound_export():
     return "other.1"
 
 
+def weighed():
+    assert main(shlex.split(imported(sound_export()))) == 0
+    return "body new.h5"
+
+
 def turned_inside_out():
     assert main(["mesh", "hull.gdf", "--flip", "--output", "inside.gdf"]) == 1
     return "mesh inside.gdf --output out.gdf"
@@ -341,6 +346,7 @@ CASES = {
         "plot partial.h5 --output partial.png",
         r"partial.h5: 1 of 17 frequencies are not solved",
     ),
+    "body": (weighed, None, None),
     "site": (f"site {SCENES / 'site_bay.toml'} --output values.toml", None, None),
     "keys": ("keys berth ship", None, None),
     "new": ("new berth", None, None),
@@ -392,7 +398,7 @@ def pairs(gap):
         patch.setattr("hakobune.pipelines.qtf.result.diagonal_gap", lambda forces: gap)
         patch.setattr("hakobune.pipelines.qtf.result.notes", lambda *_: ())
         patch.setattr("hakobune.pipelines.qtf.result._rows", lambda *_: [])
-        forces = SimpleNamespace(kind=SimpleNamespace(name="difference"))
+        forces = SimpleNamespace(kind=SimpleNamespace(name="difference"), omega=np.array([0.4, 0.6]))
         patch.setattr("hakobune.pipelines.qtf.result._answer", lambda *_: SimpleNamespace(forces=forces, share=None))
 
     return change
@@ -410,7 +416,7 @@ def designed(*warnings):
     case = SimpleNamespace(case=gale, numbers=numbers, fault="")
     broken = tuple(broken_in([case]))
     verdict = Verdict([case], broken, (), None, FAILING if broken else PASSES, ())
-    return lambda patch: patch.setattr("hakobune.pipelines.design.command.made", lambda *_: (verdict, (), None))
+    return lambda patch: patch.setattr("hakobune.pipelines.design.result.made", lambda *_: (verdict, (), None))
 
 
 def scenes_of(*verdicts):
@@ -481,7 +487,7 @@ PATCHED = {
     "compare": ("compare sections --xi 1 --output sets", compared(), compared("LB4: ω = 0.6: no answer"),
                 r"LB4: ω = 0.6: no answer"),
 }  # fmt: skip
-JUDGE_NOTHING = ("site", "sections", "keys", "new")
+JUDGE_NOTHING = ("site", "sections", "body", "keys", "new")
 
 
 @pytest.mark.parametrize("command", PATCHED)

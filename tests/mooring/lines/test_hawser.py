@@ -35,7 +35,7 @@ def test_a_hawser_at_its_pretension_pulls_with_it_and_a_slack_one_not():
 
 
 def test_stiffness_of_hawsers_is_the_slope_of_their_forces():
-    from tests.mooring.lines.test_system import fourth_order
+    from mooring_systems import fourth_order
 
     system = four(pretension_kN=80.0)  # away from a knot of the table
     pose = moved(system, system.pose, np.array([0.2, 0.3, -0.1, 0.01, 0.02, -0.01]))

@@ -16,7 +16,7 @@ from hakobune.mooring.single_point.loads import Loads
 from hakobune.mooring.single_point.rings import zeros
 from hakobune.mooring.single_point.slewing import at_rest_state, rates
 
-SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
+SERIES = Path(__file__).parents[3] / "pipelines" / "validation" / "series" / "single_point.csv"
 
 
 def series():

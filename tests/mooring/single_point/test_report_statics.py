@@ -14,7 +14,7 @@ from hakobune.mooring.single_point.body import SinglePoint
 from hakobune.mooring.single_point.equilibria import equilibria
 from hakobune.mooring.single_point.scope import length_without_uplift, peak
 
-SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
+SERIES = Path(__file__).parents[3] / "pipelines" / "validation" / "series" / "single_point.csv"
 FLOATERS = {"A": (3.0, 14.0), "B": (6.0, 40.0)}  # m, draft of the buoy, and the depth of most head-on rows
 LEFT = 1.3  # tonf
 LONG = 200  # depths; the report does not tell, and of long lines the direction does not change
@@ -41,7 +41,7 @@ def held(row, tension=None):
     """System of the six lines of a row, each as heavy as those that it stands for"""
     n = together(row)
     draft = FLOATERS[row["floater"]][0]
-    weight, pretension = (n * number(row, name) * TONF for name in ("weight_ton_m", "pretension_ton"))
+    weight, pretension = (n * number(row, name) * TONF for name in ("weight_t_m", "pretension_tonf"))
     return buoy(depth=number(row, "depth_m"), z=-draft, weight=weight, tension=pretension,
                 length=LONG * number(row, "depth_m"))  # fmt: skip
 
@@ -72,8 +72,8 @@ def test_scope_without_uplift_is_that_of_the_report_s_tables(floater):
     rows = [r for r in series() if r["scope"] and r["floater"] == floater and r["case"] not in OUT_OF_LINE]
     assert len(rows) > 10
     for row in rows:
-        depth, weight = number(row, "depth_m"), number(row, "weight_ton_m")
-        T = peak(number(row, "static_ton"), number(row, "significant_ton"))
+        depth, weight = number(row, "depth_m"), number(row, "weight_t_m")
+        T = peak(number(row, "static_tonf"), number(row, "significant_tonf"))
         V = depth - FLOATERS[floater][0]
         scope = length_without_uplift(T, weight, V) / depth
         rounding = length_without_uplift(T + 0.5 / 2 * 3, weight, V) / depth - scope
@@ -84,7 +84,7 @@ def total_force(row):
     """tonf on the buoy at which its leading line carries the printed static tension"""
     lines = held(row)
     point = SinglePoint(floater_A().loads, np.eye(3), [(0, 0)], [0.0], lines)
-    wanted = together(row) * number(row, "static_ton") * TONF
+    wanted = together(row) * number(row, "static_tonf") * TONF
 
     def leading(force):
         return float(point.buoy_under(np.array([-force, 0.0])).tension.max()) - wanted
@@ -100,7 +100,7 @@ def test_head_on_tensions_of_the_series_follow_one_law_of_force(floater):
     linear program finds those that leave least (0.3 t of A; 0.8 t of B, 0.2 % of its load).
     """
     rows = [r for r in series() if r["floater"] == floater and number(r, "depth_m") == FLOATERS[floater][1]
-            and r["static_ton"] and r["case"] not in OUT_OF_LINE and r["current_deg"] in ("", "0")]  # fmt: skip
+            and r["static_tonf"] and r["case"] not in OUT_OF_LINE and r["current_deg"] in ("", "0")]  # fmt: skip
     assert len(rows) > 8
     force, within = np.array([(total_force(row), rounding(row)) for row in rows]).T
     terms = np.array([(number(row, "wind_m_s") ** 2, number(row, "height_m") ** 2,
@@ -133,7 +133,7 @@ def test_headings_in_an_oblique_current_are_those_of_the_series(case):
     row = row_of(case)
     found = lies(row)
     assert abs(np.degrees(found.heading) - number(row, "heading_deg")) < 5
-    computed, printed = (found.lines.tension.max() / TONF, number(row, "static_ton"))
+    computed, printed = (found.lines.tension.max() / TONF, number(row, "static_tonf"))
     if case not in PAIRS:
         computed /= together(row)
     assert abs(computed - printed) < 0.07 * printed + 0.5  # and its rounding
@@ -157,7 +157,7 @@ def test_twelve_lines_cannot_carry_what_is_printed_for_them_in_an_oblique_curren
         point = lies(row).point
         ways = np.radians(np.arange(0, 61, 5))
         least = min(point.buoy_under(-load * TONF * np.array([np.cos(a), np.sin(a)])).tension.max() for a in ways)
-        assert least / TONF > 1.2 * number(row, "static_ton")
+        assert least / TONF > 1.2 * number(row, "static_tonf")
 
 
 def without_wind_moment(loads):

@@ -380,7 +380,7 @@ def designed(box, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "box.h5").symlink_to(box)
     monkeypatch.setattr("hakobune.pipelines.solve.run.solve", reached)
-    monkeypatch.setattr("hakobune.pipelines.design.command.made", reached)
+    monkeypatch.setattr("hakobune.pipelines.design.result.made", reached)
 
     def run(kind, changes):
         tables = dict(zip(("project", "study"), copy.deepcopy(SOUND[kind]), strict=True)) | {
