@@ -55,6 +55,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
         """λ (q, 6), vectors in columns (q, 6, 6) and the mass (q, 6, 6) they are of"""
         M = kept * (body.inertia + body.held_added_mass(w)) / unit
         M = 0.5 * (M + M.swapaxes(1, 2))
+        check_positive(M, w)
         return *natural_modes(M, C), M
 
     frequencies = _own_frequencies(lambda w: modes(w)[0])
@@ -70,6 +71,16 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
     return NaturalPeriods(NAMES, period, shapes, body.knows_added_mass(frequencies), scale)
+
+
+def check_positive(mass, omega):
+    """Raise LinAlgError, one line, unless all of mass (q, n, n), inertia and added mass, are positive definite."""
+    lowest = np.linalg.eigvalsh(mass)[:, 0]
+    if np.any(lowest <= 0):
+        raise np.linalg.LinAlgError(
+            f"natural periods: inertia and added mass together are not positive at {omega[np.argmin(lowest)]:.4g} "
+            "rad/s, as where the water of a moonpool resonates; allowed: frequencies below that, leave the others out"
+        )
 
 
 def _own_frequencies(eigenvalues):

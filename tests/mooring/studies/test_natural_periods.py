@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
+import pytest
 
-from hakobune.bem.database.natural_periods import natural_periods
+from hakobune.bem.database.natural_periods import check_positive, natural_periods
 from hakobune.mooring.lines.system.moored_body import corner_legs, moored_body
 from hakobune.mooring.lines.system.parts import LineType, UniformLine
 
@@ -110,3 +111,11 @@ def test_model_barge_on_chains_has_nearly_its_measured_surge_period():
     low = natural_periods(Floating(np.zeros((20, 6, 6)), inertia, total)).period[0]
     high = natural_periods(Floating(np.broadcast_to(0.2 * inertia, (20, 6, 6)), inertia, total)).period[0]
     assert 0.9 * low < 16.48 < high
+
+
+def test_a_mass_that_is_not_positive_is_told_with_its_frequency():
+    """Added mass of the water in a moonpool, above its resonance, may exceed the inertia with the other sign"""
+    mass = np.array([np.diag([2.0, 3.0]), np.diag([2.0, -0.5])])
+    check_positive(mass[:1], np.array([1.0]))
+    with pytest.raises(ValueError, match=r"inertia and added mass together are not positive at 1\.5 rad/s"):
+        check_positive(mass, np.array([1.0, 1.5]))
