@@ -283,7 +283,8 @@ def curve(spectrum):
     """omega (n,) rad/s and density (n,) m² s/rad that draw a spectrum"""
     if isinstance(spectrum, Tabulated):
         return spectrum.omega, spectrum.values
-    omega = np.geomspace(*spectrum.quantile(SHARES), ROWS)
+    low, high = spectrum.quantile(SHARES)
+    omega = np.geomspace(low, high, ROWS)
     return omega, spectrum.density(omega)
 
 
