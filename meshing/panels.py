@@ -13,7 +13,6 @@ from functools import cached_property
 import numpy as np
 
 SYMMETRIES = ("", "x", "y", "xy")
-ON_BED = 1e-6  # of the size of the hull: closer to the bed is on it
 SAME_PLACE = 1e-5  # of the largest radius: a point closer to another is that one, as files round
 SAME_SIDE = 1e-9  # of the size of the hull: closer to a plane is on it
 ROUND = 12  # turns about the vertical that map a mesh to itself, from which on it is one of revolution
@@ -223,13 +222,6 @@ class PanelMesh:
         made = PanelMesh(np.concatenate([points, np.reshape(cut, (-1, 3))]), corners, self.symmetry).merged()
         used, corners = np.unique(made.corners, return_inverse=True)
         return replace(self, points=made.points[used], corners=corners.reshape(-1, 4))
-
-    def standing(self, depth):
-        """A copy without the panels of its bottom that lie on the bed, z = −`depth` m: no water wets them."""
-        reach = ON_BED * np.abs(self.points).max(initial=0.0)
-        on_bed = (np.abs(self.vertices[..., 2] + depth) <= reach).all(axis=1) & (self.area_vectors[:, 2] < 0)
-        used, corners = np.unique(self.corners[~on_bed], return_inverse=True)
-        return replace(self, points=self.points[used], corners=corners.reshape(-1, 4)) if on_bed.any() else self
 
     def flipped(self):
         """A copy with the normals reversed."""

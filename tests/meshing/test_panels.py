@@ -7,7 +7,6 @@ import pytest
 
 from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.panels import PanelMesh, joined, structured
-from hakobune.meshing.quality import findings
 from hakobune.meshing.shapes import box, buoy
 
 
@@ -166,11 +165,3 @@ def test_what_is_no_mesh_is_named():
         PanelMesh(np.zeros((3, 3)), [[0, 1, 2, 3]])
     with pytest.raises(ValueError, match="the mesh has points 0 to 2"):
         PanelMesh(np.zeros((3, 3)), [[0, 1, 2, -1]])
-
-
-def test_a_bottom_on_the_bed_is_left_out_and_the_wall_stands():
-    """Area of the wall of a box of 10 by 4 by 6 m: 168 m²; a bottom above the bed stays"""
-    hull = box(10, 4, 6, counts=(4, 2, 2), symmetry="")
-    assert hull.standing(6.0).areas.sum() == pytest.approx(168)
-    assert hull.standing(6.1) is hull
-    assert [found.severity for found in findings(hull.standing(6.0), depth=6.0)] == ["warning"]
