@@ -43,7 +43,8 @@ def _needed(app, command):
 def one_case(command, raw, study, given, keep):
     """(exit status, what fails, {name: Quantity}, {axis: labels}) of a study, whose tables lie beside it meanwhile.
 
-    given : of `given_to`; keep : names of quantities, () for all that are short
+    given : of `given_to`; keep : names of quantities, () for all that are short; a case that fails may lack some, and
+    its message names them
     """
     if command == SOLVE:
         status, message, quantities, axes = solved(raw, Path(study))
@@ -55,7 +56,22 @@ def one_case(command, raw, study, given, keep):
         except ValueError as error:
             return 2, " ".join(str(error).split()), {}, {}
         status, message, quantities, axes = result.status, "; ".join(result.fails), result, result.labels
-    return status, message, kept(quantities, keep), axes
+    absent = [name for name in keep if status and not _has(quantities, name)]
+    if not absent:
+        return status, message, kept(quantities, keep), axes
+    there = [name for name in keep if name not in absent]
+    message = "; ".join(filter(None, (message, f"no {', '.join(absent)} was found")))
+    return status, message, kept(quantities, there) if there else {}, axes
+
+
+def _has(quantities, name):
+    if not isinstance(quantities, Result):
+        return name in quantities
+    try:
+        quantities.quantity(name)
+    except KeyError:
+        return False
+    return True
 
 
 def _called(command, raw, study, given):

@@ -1,12 +1,14 @@
 """`hakobune.sweep`: each case is what its study function gives alone."""
 
 import copy
+import dataclasses
 
 import numpy as np
 import pytest
 import tomli_w
 
 import hakobune
+from hakobune.mooring.criteria.failing import fails
 
 BERTH = {
     "depth": 25.0,
@@ -66,3 +68,17 @@ def test_the_energy_of_a_berthing_grows_with_the_square_of_its_speed_and_what_is
     energy = found["approach.energy"]
     assert energy == pytest.approx(energy[0] * (np.array(speeds) / 0.1) ** 2, rel=1e-9)
     assert [line.split(":")[0] for line in found.fails] == [f"case {i}" for i in range(1, 8)]
+
+
+def test_what_a_failing_case_lacks_is_nan_and_named_and_the_others_keep_it(monkeypatch):
+    """A mooring that fails may have no tension: the sweep goes on, and a name that no sound case has is refused"""
+    whole = hakobune.berth({**BERTH, "approach": {"speed": 0.1, "eccentricity": 0.7}})
+    broken = dataclasses.replace(whole, quantities={}, labels={}, findings=(fails("it capsizes"),))
+    found = iter([whole, broken])
+    monkeypatch.setattr("hakobune.pipelines.sweep.one_case._called", lambda *_: next(found))
+    cases = hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speed", "values": [0.1, 0.2]}]})
+    assert cases["approach.energy"][0] == whole["approach.energy"] and np.isnan(cases["approach.energy"][1])
+    assert cases.fails == ("case 1: it capsizes; no approach.energy, course.largest was found",)
+    found = iter([dataclasses.replace(whole, quantities={}, labels={})])
+    with pytest.raises(ValueError, match=r"keep: .*approach\.energy"):
+        hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speed", "values": [0.1]}]})
