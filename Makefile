@@ -7,7 +7,7 @@
 # make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
 # make docs    the guide with the reference of all keys, into docs/html
 # make lint    ruff alone; make types: pyright on the public names
-# make venv    .venv with everything installed (done by the others when needed)
+# make venv    .venv with everything installed and all kernels compiled (done by the others when needed)
 
 PYTHON ?= python3
 PROCESSES ?= 2
@@ -37,6 +37,7 @@ $(STAMP): pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
 	@$(BIN)/python -c 'import gmsh' || \
 	  { echo "make: gmsh lacks shared libraries; on Debian: apt-get install $(LIBRARIES)" >&2; exit 1; }
+	@$(BIN)/hakobune doctor --compile || echo 'make: not all kernels are compiled; commands compile what they lack' >&2
 	@touch $@
 
 demo: venv

@@ -7,6 +7,9 @@ import platform
 import sysconfig
 from importlib import metadata
 from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
 
 import hakobune
 from hakobune.mooring.criteria.failing import fails
@@ -18,7 +21,10 @@ OLD = {"meshing": "gmsh_session.py", "bem": "stored_laws.py", "mooring": "catena
 OPTIONAL = {"xarray": "reads databases by their labels"}
 
 
-def doctor():
+def doctor(
+    *,
+    compile: Annotated[bool, Parameter(help="compile the kernels of all studies ahead", negative="")] = False,
+):
     """Say what is installed and what is amiss; 1 where a command cannot work.
 
     hakobune doctor
@@ -40,6 +46,10 @@ def doctor():
     amiss += [said for said in (_gmsh(), _cache(), _left_over()) if said]
     print(f"  {'memory':<12}{available_memory() / 1e9:.1f} GB free")
     print(f"  {'processors':<12}{len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count()}")
+    if compile and not amiss:
+        from .compiling import compile_all
+
+        amiss += compile_all()
     if not amiss:
         print("nothing is amiss")
     if _version("rich") is None:  # which prints the others

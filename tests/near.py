@@ -9,7 +9,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-from hakobune.bem.kernels.jit import imported
+from hakobune.bem.kernels.sources import imported
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("meshing", "bem", "mooring", "pipelines")

@@ -1,32 +1,25 @@
-"""The one way to compile a kernel: numba with a cache that notices every change of what a kernel is made of.
+"""The one way to compile a kernel: numba, each kernel once, with a cache that notices what a kernel is made of.
 
 numba stamps a cached function with its own file only: a callee edited in another file would go on returning its old
-values, and so would a constant imported from there, which is frozen into the machine code.  The cache folder of a
-kernel therefore carries a hash of the sources of its module and of all modules of this repository that it
-imports directly or through others, in any folder.  Where that folder cannot be written kernels are compiled for the
-process alone, and this is said: numba would keep them beside the sources, without the hash.
+values, and so would a constant imported from there, which is frozen into the machine code.  The folder of a kernel
+therefore carries a digest of the sources of its module and of all modules of this repository that it imports directly
+or through others (`sources`).  How one is kept and called by others: `kept`.  Where the folder cannot be written
+kernels are compiled for the process alone, and this is said.
 """
 
 from __future__ import annotations
 
-import hashlib
 import os
-import re
 import sys
-import tempfile
-from functools import cache, wraps
+from functools import cache, cached_property, update_wrapper
+from importlib import import_module
 from pathlib import Path
-from types import FunctionType
+
+from .sources import Sources
 
 ROOT = Path(__file__).parents[2]
-PACKAGE = "hakobune."  # below which the folders of `ROOT` are imported
-# `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file, at every start
-_IMPORT = re.compile(
-    r"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]*))", re.M
-)
-_NAME = re.compile(r"(\w[\w.]*)(?:\s+as\s+\w+)?\s*(?:#[^\n]*)?(?:,|$)")
-
 _before_first = []
+_kernels = {}  # by module and name
 
 
 def before_first_kernel(call):
@@ -34,13 +27,14 @@ def before_first_kernel(call):
     _before_first.append(call)
 
 
-@cache
 def cache_folder(file, root):
     """Where the kernels of a source file are kept compiled; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
-    digest = hashlib.sha256()
-    for source in sorted(sources(file, root)):
-        digest.update(str(source.relative_to(root)).encode() + _bytes(source))
-    return _base() / digest.hexdigest()[:16]
+    return _base() / _sources(str(root), _base()).digest(file)
+
+
+@cache
+def _sources(root, base):
+    return Sources(root, base / f"sources{root.replace(os.sep, '+')}.json")
 
 
 def _base():
@@ -48,122 +42,93 @@ def _base():
     return Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "hakobune" if base is None else Path(base)
 
 
-def sources(file, root=ROOT):
-    """Source files below `root` that a source file imports, directly or through others, and itself: a set of Paths"""
-    found, waiting = set(), [Path(file)]
-    while waiting:
-        source = waiting.pop()
-        if source not in found:
-            found.add(source)
-            waiting += imported(source, root)
-    return found
-
-
-@cache
-def imported(file, root=ROOT):
-    """Source files below `root` that one imports directly, as a tuple of Paths"""
-    out = []
-    for origin, names, plain in _IMPORT.findall(_bytes(file).decode()):
-        if plain:
-            out += [_module(root, name) for name in _NAME.findall(plain)]
-            continue
-        name = origin.lstrip(".")
-        dots = len(origin) - len(name)
-        folder = file.parents[dots - 1] if dots else root
-        out.append(_module(folder, name))
-        # what is imported may itself be a module
-        out += [_module(folder, f"{name}.{part}".lstrip(".")) for part in _NAME.findall(names.strip("()"))]
-    return tuple(source for source in out if source is not None)
-
-
-def _module(folder, name):
-    """The file of a dotted name below a folder, or None if there is none"""
-    place = folder.joinpath(*name.removeprefix(PACKAGE).split(".")) if name else folder
-    for source in (place.with_suffix(".py"), place / "__init__.py"):
-        if source.is_file():
-            return source
-    return None
-
-
-@cache
-def _bytes(source):
-    return source.read_bytes()
-
-
 def kernel(inline=False):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
-    Kernels of `bem` write to arrays that they are given: an allocation takes a second to compile, for its error
-    message.  They start no threads themselves (`bem.kernels.threads.parallel_rows` does).
+    Kernels of `bem` write to arrays that they are given: an allocation, or an array that is put into another at once,
+    takes a second to compile, for its error message.  They start no threads themselves
+    (`bem.kernels.threads.parallel_rows` does).
     inline : always inlined into the kernels that call it; else as the compiler decides
     """
 
-    return lambda function: _dispatcher(function, inline)
+    def decorator(function):
+        return function if os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0") else Kernel(function, inline)
+
+    return decorator
 
 
-def _dispatcher(function, inline):
-    """Numba's dispatcher of a function; numba, which takes 0.25 s to import, is loaded by the first one."""
-    made = _compiling(function, inline, no_cfunc_wrapper=True)
-    if isinstance(made, FunctionType):  # NUMBA_DISABLE_JIT
+class Kernel:
+    """A function that numba, which takes 0.25 s to import, compiles or loads when it is first called"""
+
+    def __init__(self, function, inline):
+        self.function, self.inline = function, inline
+        update_wrapper(self, function)
+        _kernels[function.__module__, function.__qualname__] = self
+
+    def __call__(self, *arguments):
+        return self._entry(*arguments)
+
+    @cached_property
+    def _entry(self):
+        """Numba's dispatcher for Python"""
+        return self._dispatcher("")
+
+    @cached_property
+    def called(self):
+        """Numba's dispatcher for kernels that call this one, without the code by which Python calls it: that takes
+        apart all arrays and named tuples of the arguments"""
+        made = self._dispatcher("called", no_cpython_wrapper=True)
+        template = made.get_call_template
+        made.get_call_template = lambda args, kws: template(*_without_values(args, kws))
         return made
-    # Kernels that call it get a version of its own without the code by which Python calls a kernel: that takes apart
-    # all arrays and named tuples of the arguments, and took a third of the time to compile kernels that call many.
-    called = cache(lambda: _compiling(function, inline, "called", no_cfunc_wrapper=True, no_cpython_wrapper=True))
-    made.get_call_template = lambda args, kws: called().get_call_template(args, kws)
-    made.get_overload = lambda signature: called().get_overload(signature)
-    return made
 
+    @property
+    def _numba_type_(self):
+        """What numba takes this for in kernels that call it"""
+        from numba.core.types import Dispatcher
 
-def _compiling(function, inline, version="", **wrappers):
-    """Numba's own decorator with the options of all kernels; a `version` is kept in a folder of its own"""
-    import numba
-    from numba.core import config
+        return Dispatcher(self.called)
 
-    while _before_first:
-        _before_first.pop()()
-    kept, before = _writable(_base()), config.CACHE_DIR
-    config.CACHE_DIR = str(_folder_of(function) / version)
-    try:
+    def _dispatcher(self, version, **wrappers):
+        """Numba's own, with the options of all kernels; a `version` is kept in a folder of its own"""
+        import numba
+
+        while _before_first:
+            _before_first.pop()()
+        from .kept import Kept
+
         # contract and reassoc only: NaN and infinity must stay visible
         made = numba.njit(
-            cache=kept,
-            forceinline=inline,
+            forceinline=self.inline,
             error_model="numpy",
             fastmath={"contract", "reassoc"},
             nogil=True,
+            no_cfunc_wrapper=True,
             **wrappers,
-        )(function)
-    finally:
-        config.CACHE_DIR = before
-    if kept and not config.DISABLE_JIT:
-        _load_alone(made)
-        _save_if_possible(made)
-    return made
+        )(self.function)
+        folder = cache_folder(Path(self.function.__code__.co_filename), ROOT) / version
+        made._cache = Kept(self.function, folder, self.inline or not version, _not_kept)
+        return made
 
 
-def _load_alone(dispatcher):
-    """Load a kernel that is on disk without what numba needs to compile one: a tenth of a second a process"""
-    from numba.core.runtime import rtsys
-
-    kept = dispatcher._cache
-
-    def loaded(signature, context):
-        rtsys.initialize(context)  # what machine code of arrays calls
-        return kept._load_overload(signature, context)
-
-    kept.load_overload = loaded
+def called_version(module, name):
+    """Numba's dispatcher, for kernels that call it, of the kernel of a module"""
+    import_module(module)
+    return _kernels[module, name].called
 
 
-@cache
-def _writable(base):
-    """Whether kernels can be kept below a folder; says if not"""
-    try:
-        base.mkdir(parents=True, exist_ok=True)
-        tempfile.TemporaryFile(dir=base).close()
-    except OSError as error:
-        _tell_not_kept(base, error.strerror)
-        return False
-    return True
+def _without_values(args, kws):
+    """Types of arguments, those of constants without their values: one version of a kernel serves all"""
+    from numba.core.types import Literal
+
+    def plain(kind):
+        return kind.literal_type if isinstance(kind, Literal) else kind
+
+    return tuple(map(plain, args)), {name: plain(kind) for name, kind in kws.items()}
+
+
+def _not_kept(error):
+    _tell_not_kept(_base(), error.strerror)
 
 
 @cache
@@ -174,22 +139,3 @@ def _tell_not_kept(base, reason):
         "them anew, for up to a minute or two; set HAKOBUNE_CACHE to a folder that can be written",
         file=sys.stderr,
     )
-
-
-def _save_if_possible(dispatcher):
-    """Let a kernel that is compiled be used where saving it fails, as on a full disk"""
-    kept = dispatcher._cache
-    save = kept.save_overload
-
-    @wraps(save)
-    def saved(*overload):
-        try:
-            save(*overload)
-        except OSError as error:
-            _tell_not_kept(_base(), error.strerror)
-
-    kept.save_overload = saved
-
-
-def _folder_of(function):
-    return cache_folder(Path(function.__code__.co_filename), ROOT)

@@ -17,7 +17,6 @@ from itertools import pairwise
 from threading import Thread, local
 
 import numpy as np
-from numba import config
 
 UNKNOWNS_WORTH_THREADS = 700
 PAIRS_WORTH_THREADS = 20_000  # these take a millisecond: a second thread saves 0.4 of it, starting it costs 0.17
@@ -32,6 +31,8 @@ def blas_threads(unknowns):
 
 def thread_count():
     """Threads that kernels may take: NUMBA_NUM_THREADS, or the number of cores"""
+    from numba import config
+
     return config.NUMBA_NUM_THREADS
 
 

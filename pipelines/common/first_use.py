@@ -21,7 +21,11 @@ def tell_first_use():
         def on_start(self, event):
             if not self.said and sys.stderr.isatty():
                 self.said = True
-                print("compiling kernels, once on this computer: up to a minute", file=sys.stderr, flush=True)
+                print(
+                    "compiling kernels, once on this computer: up to a minute; hakobune doctor --compile does it ahead",
+                    file=sys.stderr,
+                    flush=True,
+                )
             self.open.append(ExitStack())
             self.open[-1].enter_context(timing.phase(timing.KERNELS))
 

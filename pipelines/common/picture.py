@@ -9,7 +9,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-from hakobune.bem.database.file import check_place
 from hakobune.meshing.whole_files import write_whole
 
 PLOTS = (".png", ".svg", ".pdf")
@@ -20,6 +19,8 @@ VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 def check_picture(path, kinds):
     """Raise ValueError if no picture can be written there, before any work is done for it."""
+    from hakobune.bem.database.file import check_place
+
     if path.suffix.lower() not in kinds:
         raise ValueError(f"{path} has the suffix {path.suffix!r}; allowed: {', '.join(kinds)}")
     check_place(path)

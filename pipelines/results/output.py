@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from hakobune.bem.database.results import has_schema
 from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import DATABASE, check_output, opening
@@ -34,6 +33,8 @@ def write_result(result, path):
 def _is_one(path, kind):
     if path.suffix.lower() == CSV:
         return opening(path)[0].startswith(f"{MARK}{kind}")
+    from hakobune.bem.database.results import has_schema  # which loads h5py
+
     return has_schema(path, schema(kind))
 
 

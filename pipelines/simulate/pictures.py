@@ -34,12 +34,15 @@ def draw(file, output):
     return made
 
 
-def _figure(rows, columns, size, **more):
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
+def _figure(rows, columns, size, between=0.12, **more):
+    """Figure and axes of a size in inches, with room for their words; `between` : of its height, rows beside each other
+
+    Layouts that matplotlib finds by itself draw everything four times.
+    """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=size, layout="constrained")
-    FigureCanvasAgg(figure)
+    figure, (width, height) = Figure(figsize=size), size
+    figure.subplots_adjust(1.1 / width, 0.55 / height, 1 - 0.2 / width, 1 - 0.6 / height, 0.28, between)
     return figure, figure.subplots(rows, columns, squeeze=False, **more)
 
 
@@ -145,7 +148,7 @@ def _spectra(file, kept, path):
     step, worst = float(np.diff(file["time"][:2])[0]), _worst(file)
     split = float(file.attrs["split_frequency"])
     last = min(LAST, BEYOND * split)
-    figure, axes = _figure(2, 4, (15, 7))
+    figure, axes = _figure(2, 4, (15, 7), 0.32)
     columns = [("wave", 1.0, "m", file["wave"][kept])]
     columns += [(name, f, unit, file["motion"][kept, :, j]) for j, (name, f, unit) in enumerate(MOTIONS)]
     columns.append((worst.quantity, worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
@@ -161,7 +164,7 @@ def _spectra(file, kept, path):
         one.axvline(split, color="0.6", lw=0.8, ls=":")
         one.set(title=name, xlabel="rad/s", ylabel=f"{unit}² s/rad", xlim=(0, last), ylim=(0, None))
         one.grid(alpha=0.3)
-    figure.suptitle(f"spectra, mean of {_runs(kept)}; dotted: split of slow and wave part", fontsize=10)
+    figure.suptitle(f"spectra, mean of {_runs(kept)}; dotted: split of slow and wave part", fontsize=10, y=0.985)
     save(figure, path, 110)
 
 

@@ -72,7 +72,9 @@ def prepared(task, db=None):
         check_names(plan.settings, () if system is None else system.line_names)
         berth = study.berth(hull, db.rotation_center)
         reader, of_quay = body_of(study, db)
-        memory = no_memory(reader) if of_quay and task.memory is None else task.memory
+        memory = task.memory
+        if memory is None and (of_quay or plan.settings.memory == "constant"):
+            memory = no_memory(reader)
         extra, drag = damping(study, reader.floating()), quadratic(study)
         if of_quay and reader.viscous is None:  # made of the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)

@@ -33,7 +33,8 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 from near import PACKAGES, ROOT, nearest
 
-from hakobune.bem.kernels.jit import cache_folder, sources
+from hakobune.bem.kernels.jit import cache_folder
+from hakobune.bem.kernels.sources import Sources
 
 TWINS = (
     "sin cos",
@@ -198,7 +199,9 @@ def changed(source, first, last, after):
 
 def drawn(seed, count, package, root, equivalent):
     """Mutants of a package in random order: each line of code that commands reach is as likely as any other"""
-    files = sorted(file for file in sources(root / "pipelines" / "cli.py", root) if root / package in file.parents)
+    files = sorted(
+        file for file in map(Path, Sources(root).of(root / "pipelines" / "cli.py")) if root / package in file.parents
+    )
     skipped = equivalent.get("files", {})
     lines = {}
     for file in files:

@@ -3,9 +3,10 @@
 import sysconfig
 from importlib import metadata
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import hakobune
-from hakobune.pipelines import cli, doctor
+from hakobune.pipelines import cli, compiling, doctor
 
 
 def test_the_doctor_finds_what_is_installed_and_names_what_is_not(capsys, monkeypatch):
@@ -32,3 +33,19 @@ def test_the_doctor_tells_where_the_package_is_and_names_what_an_old_installatio
     out = capsys.readouterr().out
     assert str(Path(hakobune.__file__).parent) in out.replace("\n", "")
     assert "FAILS: bem in" in out and "meshing in" not in out and "meshing," not in out
+
+
+def test_kernels_are_compiled_by_commands_that_exist_and_one_that_cannot_run_is_named(capsys, monkeypatch):
+    ran = []
+
+    def run(command, **given):
+        ran.append(command[3:])
+        return CompletedProcess(command, 2 * ("moor" in command) + ("lines" in command), "", "hakobune moor: no box\n")
+
+    monkeypatch.setattr(compiling.subprocess, "run", run)
+    assert cli.main(["doctor", "--compile"]) == 1
+    told = capsys.readouterr().out
+    assert "8 of 8" in told and "FAILS: kernels of a moored body were not compiled: hakobune moor: no box" in told
+    assert "kernels of a system of lines" not in told  # a verdict
+    assert all(words[0] in cli.app for words in ran), ran
+    assert all(Path(word).is_file() for words in ran for word in words if word.endswith(".toml"))

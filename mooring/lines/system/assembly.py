@@ -28,7 +28,8 @@ def place_points(position, owner, column, place, turn, free):
             for j in range(3):
                 points[i, j] = r[j] + R[j, 0] * position[i, 0] + R[j, 1] * position[i, 1] + R[j, 2] * position[i, 2]
         elif owner[i] == FREE:
-            points[i] = free[(column[i] - 6 * bodies) // 3]
+            for j in range(3):  # array to array takes a second and a half to compile, for its error message
+                points[i, j] = free[(column[i] - 6 * bodies) // 3, j]
     return points
 
 
@@ -151,7 +152,8 @@ def add_rows(rows, points, owner, column, floats, ends, flipped, place, size):
         for i in range(2):
             who = owner[pair[i]]
             if who >= 0:
-                arm[i] = points[pair[i]] - place[who]
+                for j in range(3):
+                    arm[i, j] = points[pair[i], j] - place[who, j]
         for i in range(2):
             p = pair[i]
             if owner[p] == FIXED:

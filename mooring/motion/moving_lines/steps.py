@@ -66,10 +66,10 @@ def advance_lines(moving, work, whole, t, h):
         first, last = moving.nodes[i], moving.nodes[i + 1]
         q, v = work.position[1, first:last], work.velocity[1, first:last]
         a, slip = work.acceleration[1, first:last], work.slip[1, first:last]
-        q[:] = work.position[0, first:last]
-        v[:] = work.velocity[0, first:last]
-        a[:] = work.acceleration[0, first:last]
-        slip[:] = work.slip[0, first:last]
+        put(q, work.position[0, first:last])
+        put(v, work.velocity[0, first:last])
+        put(a, work.acceleration[0, first:last])
+        put(slip, work.slip[0, first:last])
         c, end = work.course[i], last - first - 1
         piece(q[end], v[end], c[1, 0], c[1, 1], 0.5 * h, cubics[0])
         piece(c[1, 0], c[1, 1], c[2, 0], c[2, 1], 0.5 * h, cubics[1])
@@ -99,6 +99,14 @@ def advance_lines(moving, work, whole, t, h):
         slopes(work, i)
     work.stuck[0] = -1
     return True
+
+
+@kernel()
+def put(y, x):
+    """y = x for (n, 3) arrays: an array put into another at once takes three seconds to compile"""
+    for i in range(y.shape[0]):
+        for j in range(3):
+            y[i, j] = x[i, j]
 
 
 @kernel()
@@ -168,11 +176,15 @@ def foresee(moving, work, h, given):
 @kernel()
 def keep_lines(moving, work, h, given):
     """The step of the body of h s was taken: what was on trial is where the lines are now."""
-    work.position[0], work.velocity[0] = work.position[1], work.velocity[1]
-    work.acceleration[0], work.slip[0], work.step[0] = work.acceleration[1], work.slip[1], work.step[1]
-    work.last[:] = given
+    put(work.position[0], work.position[1])
+    put(work.velocity[0], work.velocity[1])
+    put(work.acceleration[0], work.acceleration[1])
+    put(work.slip[0], work.slip[1])
+    for i in range(given.shape[0]):
+        put(work.last[i], given[i])
     work.length[0] = h
     for i in range(moving.number.size):
+        work.step[0, i] = work.step[1, i]
         last = work.used[i] - 1
         if last < 1:
             continue

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from hakobune import bem
-from hakobune.bem.kernels import jit
+from hakobune.bem.kernels.sources import imported
 
 ROOT = Path(bem.__file__).parents[1]
 CALLEE = """from hakobune.bem.kernels.jit import kernel
@@ -75,13 +75,13 @@ def test_kernels_that_cannot_be_kept_are_used_and_left_nowhere_else(tmp_path, pl
     assert (done.returncode, done.stdout) == (0, "20.0\n"), done.stderr
     (line,) = done.stderr.splitlines()  # one for both kernels
     assert str(tmp_path / place) in line and "set HAKOBUNE_CACHE" in line
-    assert not [*tmp_path.rglob("*.nbi"), *tmp_path.rglob("*.nbc")]
+    assert not [*tmp_path.rglob("*.kernel")]
 
 
 @pytest.mark.parametrize("package", ["bem", "mooring"])
 def test_every_module_that_a_source_imports_is_found(package):
     for file in (ROOT / package).rglob("*.py"):
-        assert set(jit.imported(file)) >= set(by_parsing(file)), file
+        assert set(imported(file, ROOT)) >= set(by_parsing(file)), file
 
 
 def by_parsing(file):
@@ -127,5 +127,61 @@ def test_a_kernel_called_by_python_and_by_another_has_a_version_for_each_in_any_
         return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
 
     assert [printed(order) for order in ("outer", "inner", "outer")] == ["3.0 2.0\n", "2.0 3.0\n", "3.0 2.0\n"]
-    kept = [file for file in tmp_path.rglob("*.nbc") if "two.inner" in file.name]
-    assert sorted(file.parent.parent.name == "called" for file in kept) == [False, True], kept
+    kept = [file for file in tmp_path.rglob("*.kernel") if "inner" in file.name]
+    assert sorted(file.parent.name == "called" for file in kept) == [False, True], kept
+
+
+LONG = """import sys
+from hakobune.bem.kernels import jit
+jit.ROOT = jit.Path(sys.argv[1])
+from hakobune.bem.kernels.jit import kernel
+
+
+@kernel()
+def inner(x):
+    total = 0.0
+    for i in range(x.size):
+        total += x[i]
+{more}
+    return total
+
+
+@kernel()
+def outer(x):
+    return 2 * inner(x)
+
+
+import numpy as np
+print(outer(np.ones(100)))
+"""
+
+
+NOTHING_THERE = """
+from hakobune.bem.kernels.kept import Kept
+Kept.load_overload = lambda kept, signature, context: rtsys.initialize(context)
+from numba.core.runtime import rtsys
+"""  # as another process finds it that begins at the same time
+
+
+def test_a_long_kernel_is_kept_once_and_its_caller_always_fits_it(tmp_path):
+    more = "".join(f"    total += np.sqrt(x[{i}]) / x[{i + 1}] * x[{i + 2}]\n" for i in range(40))
+    (tmp_path / "long.py").write_text("import numpy as np\n" + LONG.format(more=more))
+
+    def kept_after(before=""):
+        """Files of both kernels, in which their caller is"""
+        environment = {"PYTHONPATH": f"{ROOT}:{tmp_path}", "HAKOBUNE_CACHE": str(tmp_path / "cache"), "PATH": ""}
+        command = [sys.executable, "-c", f"{before}\nimport long", str(tmp_path)]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True)
+        assert (done.returncode, done.stdout) == (0, "280.0\n"), done.stderr
+        return {file.name.partition("-")[0]: file for file in tmp_path.rglob("*.kernel")}
+
+    files = kept_after()
+    assert files.keys() == {"inner", "outer"} and files["inner"].parent.name == "called"
+    assert b"llvm.sqrt" not in files["outer"].read_bytes()
+    files["inner"].unlink()
+    before = files["outer"].stat().st_mtime_ns
+    assert kept_after()["outer"].stat().st_mtime_ns > before  # compiled again
+    assert kept_after() == files
+    files["outer"].unlink()
+    assert kept_after(NOTHING_THERE).keys() == {"inner"}  # the caller of an inner one that is not the one that is kept
+    assert kept_after() == files

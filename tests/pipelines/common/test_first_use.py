@@ -18,7 +18,7 @@ def test_what_is_asked_for_before_the_first_kernel_is_called_once(monkeypatch):
     monkeypatch.setattr(jit, "_before_first", [])
     called = []
     jit.before_first_kernel(lambda: called.append("called"))
-    assert [jit._dispatcher(lambda x, step=step: x + step, False)(1.0) for step in (1.0, 2.0)] == [2.0, 3.0]
+    assert [jit.kernel()(lambda x, step=step: x + step)(1.0) for step in (1.0, 2.0)] == [2.0, 3.0]
     assert called == ["called"]
 
 

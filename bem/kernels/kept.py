@@ -1,0 +1,119 @@
+"""How numba keeps a compiled kernel on disk, and how kernels call each other.
+
+Numba links the code of a kernel into all that call it and optimises and assembles it there again: what lies six calls
+deep is compiled six times.  Here a kernel of more than a few instructions is compiled once.  Its callers know its
+symbol alone, and their files name what has to be loaded before them.
+
+What is private in numba, all of it here: `CompileResult._reduce` and `_rebuild`, the pickled form of a kernel;
+`CodeLibrary._shared_module`, what callers link, and `_reload_init`, what is called before a kernel is loaded.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import pickle
+import sys
+
+import numba
+from llvmlite import binding
+from numba.core.compiler import CompileResult
+from numba.core.runtime import rtsys
+from numba.core.serialize import dumps
+
+from .jit import called_version
+from .sources import put_file
+
+SMALL = 100  # instructions: kernels up to which the compiler may inline are linked
+
+
+class _StaleError(Exception):
+    """A kernel calls one that was compiled again since"""
+
+
+class Callee:
+    """Loads a kernel that the kernel whose file names it calls
+
+    kept : whether its file has this very kernel, not one of the same that another process compiled at the same time
+    """
+
+    kept = True
+
+    def __init__(self, function, signature, symbol):
+        self.module, self.name = function.__module__, function.__qualname__
+        self.signature, self.symbol = signature, symbol
+
+    def __call__(self):
+        kernel = called_version(self.module, self.name)
+        kernel.compile(self.signature)
+        if kernel.overloads[tuple(self.signature)].fndesc.llvm_func_name != self.symbol:
+            raise _StaleError(self.symbol)
+
+
+class Kept:
+    """What numba's dispatcher takes for its cache: a file for each signature of a kernel.
+
+    folder : Path; failed : called with an OSError where it cannot be written
+    linked : whether the kernel is linked into others however long it is, or called by none
+    """
+
+    def __init__(self, function, folder, linked, failed):
+        self.function, self.folder, self.linked, self.failed = function, folder, linked, failed
+        self.cache_path, self.worthless = str(folder), set()
+
+    def load_overload(self, signature, context):
+        """The kernel with this signature, or None"""
+        rtsys.initialize(context)  # what machine code of arrays calls
+        file = self._file(signature, context)
+        try:
+            apart, data = pickle.loads(file.read_bytes())
+            result = CompileResult._rebuild(context, *data)
+        except OSError:
+            return None
+        except (EOFError, pickle.UnpicklingError, _StaleError):
+            self.worthless.add(file)
+            return None
+        self._called_by(signature, result, apart)
+        return result
+
+    def save_overload(self, signature, result):
+        """Have others call a kernel that was just compiled by its symbol, and keep it, unless another process has"""
+        apart = not (self.linked or _is_inner_loop(signature)) and _instructions(result) > SMALL
+        self._called_by(signature, result, apart)
+        file = self._file(signature, result.target_context)
+        taken = file.exists() and file not in self.worthless
+        if taken or not all(one.kept for one in result.reload_init):
+            if apart:
+                (own,) = result.library._reload_init
+                own.kept = False
+            return
+        try:
+            put_file(file, dumps((apart, result._reduce())))
+        except OSError as error:
+            self.failed(error)
+
+    def _called_by(self, signature, result, apart):
+        """What others link, and load before it: nothing and the kernel, or itself and what it calls"""
+        library = result.library
+        if not apart:
+            library._reload_init.update(result.reload_init)
+            return
+        empty = library._codegen._create_empty_module(library.name)
+        library._shared_module = binding.parse_assembly(str(empty))
+        library._reload_init = {Callee(self.function, signature, result.fndesc.llvm_func_name)}
+
+    def _file(self, signature, context):
+        kinds = [kind.name for kind in signature]  # of which `repr` has no borrowed arrays
+        machine = f"{kinds} {context.codegen().magic_tuple()} {sys.version_info[:2]} {numba.__version__}"
+        function = self.function
+        name = f"{function.__qualname__}-{function.__code__.co_firstlineno}"
+        return self.folder / f"{name}-{hashlib.sha256(machine.encode()).hexdigest()[:16]}.kernel"
+
+
+def _is_inner_loop(signature):
+    """Whether a kernel takes pointers or vectors (`simd`): called for every few numbers, it gains from being linked"""
+    return any("*" in kind.name or "SimdVector" in kind.name for kind in signature)
+
+
+def _instructions(result):
+    function = result.library.get_function(result.fndesc.llvm_func_name)
+    return sum(1 for block in function.blocks for _ in block.instructions)
