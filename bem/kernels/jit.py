@@ -12,14 +12,12 @@ from __future__ import annotations
 import os
 import sys
 from functools import cache, cached_property, update_wrapper
-from importlib import import_module
 from pathlib import Path
 
 from .sources import Sources
 
 ROOT = Path(__file__).parents[2]
 _before_first = []
-_kernels = {}  # by module and name
 
 
 def before_first_kernel(call):
@@ -63,7 +61,6 @@ class Kernel:
     def __init__(self, function, inline):
         self.function, self.inline = function, inline
         update_wrapper(self, function)
-        _kernels[function.__module__, function.__qualname__] = self
 
     def __call__(self, *arguments):
         return self._entry(*arguments)
@@ -109,12 +106,6 @@ class Kernel:
         folder = cache_folder(Path(self.function.__code__.co_filename), ROOT) / version
         made._cache = Kept(self.function, folder, self.inline or not version, _not_kept)
         return made
-
-
-def called_version(module, name):
-    """Numba's dispatcher, for kernels that call it, of the kernel of a module"""
-    import_module(module)
-    return _kernels[module, name].called
 
 
 def _without_values(args, kws):

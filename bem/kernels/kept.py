@@ -13,6 +13,7 @@ from __future__ import annotations
 import hashlib
 import pickle
 import sys
+from importlib import import_module
 
 import numba
 from llvmlite import binding
@@ -20,7 +21,6 @@ from numba.core.compiler import CompileResult
 from numba.core.runtime import rtsys
 from numba.core.serialize import dumps
 
-from .jit import called_version
 from .sources import put_file
 
 SMALL = 100  # instructions: kernels up to which the compiler may inline are linked
@@ -43,7 +43,7 @@ class Callee:
         self.signature, self.symbol = signature, symbol
 
     def __call__(self):
-        kernel = called_version(self.module, self.name)
+        kernel = getattr(import_module(self.module), self.name).called
         kernel.compile(self.signature)
         if kernel.overloads[tuple(self.signature)].fndesc.llvm_func_name != self.symbol:
             raise _StaleError(self.symbol)
