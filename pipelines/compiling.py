@@ -16,8 +16,8 @@ BOX = ("--database", "box.h5")
 LINES = (
     ("one line", "line", "--weight", "4000", "--stiffness", "2e6", "--length", "260", "--depth", "20", "--span", "240"),
     ("a system of lines", "lines", SCENES / "lines_barge.toml"),
-    ("a line in motion", "line-dynamics", SCENES / "line_chain_and_wire.toml", "--duration", "12"),
-    ("a body on a buoy", "single-point", SCENES / "single_point_barge.toml"),
+    ("a line in motion", "line-dynamics", SCENES / "line_chain_and_wire.toml", "--duration", "24"),
+    ("a body on a buoy", "single-point", SCENES / "single_point_tanker.toml"),
 )
 BODIES = (
     ("a body by contours", "solve", SCENES / "series_box_20m.toml", "--method", "contour", "--output", "contour.h5"),
