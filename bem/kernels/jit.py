@@ -11,13 +11,15 @@ from __future__ import annotations
 
 import os
 import sys
-from functools import cache, cached_property, update_wrapper
+from functools import cache, update_wrapper
 from pathlib import Path
+from threading import RLock
 
 from .sources import Sources
 
 ROOT = Path(__file__).parents[2]
 _before_first = []
+_one_at_a_time = RLock()
 
 
 def before_first_kernel(call):
@@ -59,21 +61,29 @@ class Kernel:
     """A function that numba, which takes 0.25 s to import, compiles or loads when it is first called"""
 
     def __init__(self, function, inline):
-        self.function, self.inline = function, inline
+        self.function, self.inline, self._entry, self._called = function, inline, None, None
         update_wrapper(self, function)
 
     def __call__(self, *arguments):
-        return self._entry(*arguments)
+        return (self._entry or self._made("_entry", self._for_python))(*arguments)
 
-    @cached_property
-    def _entry(self):
-        """Numba's dispatcher for Python"""
+    @property
+    def called(self):
+        """Numba's dispatcher for kernels that call this one"""
+        return self._called or self._made("_called", self._for_kernels)
+
+    def _made(self, name, make):
+        """A dispatcher, made by the first of several threads that ask for it"""
+        with _one_at_a_time:
+            if getattr(self, name) is None:
+                setattr(self, name, make())
+        return getattr(self, name)
+
+    def _for_python(self):
         return self._dispatcher("")
 
-    @cached_property
-    def called(self):
-        """Numba's dispatcher for kernels that call this one, without the code by which Python calls it: that takes
-        apart all arrays and named tuples of the arguments"""
+    def _for_kernels(self):
+        """Without the code by which Python calls it: that takes apart all arrays and named tuples of the arguments"""
         made = self._dispatcher("called", no_cpython_wrapper=True)
         template = made.get_call_template
         made.get_call_template = lambda args, kws: template(*_without_values(args, kws))
