@@ -4,13 +4,13 @@ The inputs are those of full scale by Froude's law: lengths by λ, times and spe
 on; so are the results, but for what comes from tables of one size, as catalogues.
 """
 
+import contextlib
 import csv
 import io
 import json
 import math
 import re
 import tomllib
-import warnings
 
 import numpy as np
 import pytest
@@ -44,6 +44,7 @@ CHAIN = {"weight_kg_per_m": 111.3, "breaking_load_kN": 5000.0, "axial_stiffness_
 MOVING = CHAIN | {"mass_kg_per_m": 128.0, "diameter": 0.15, "drag_normal": 2.0, "drag_tangential": 0.3}
 
 ROUNDING = 1e-9  # of the largest of a quantity, which a print has as 0
+LOST = re.compile(r"(?<![\d.])-?0\.0+(?![\d.])[^,;│]*")  # all its digits, which a print has as 0.00
 SIZES = (1.0, 1e3, math.pi / 180, 0.01)  # of units in print, kN, ° and %
 
 
@@ -152,13 +153,23 @@ def there(tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def tank(tmp_path_factory):
-    """Database of a box of 1.43 m in 0.29 m of water"""
-    path = tmp_path_factory.mktemp("tank") / "box.h5"
+    """Database of a box of 1.43 m in 0.29 m of water, and what its solution printed"""
+    folder, said = tmp_path_factory.mktemp("tank"), io.StringIO()
     scene = {"tolerance": 0.01, "water": {"depth": 20.0}, "bodies": [{"shape": "box", **BOX}], "waves": WAVES}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # remarks on resonances
-        hakobune.solve(scaled(scene), path)
-    return path
+    (folder / "box.toml").write_text(tomli_w.dumps(scaled(scene)))
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        assert main(["solve", str(folder / "box.toml"), "--output", str(folder / "box.h5")]) in (0, 1)
+    return folder / "box.h5", said.getvalue()
+
+
+def test_a_solution_at_model_scale_is_told_with_three_digits(tank):
+    """LBd, BM = B²/12d, BM_L = L²/12d and the centre of buoyancy d/2 below the origin, where the weight is"""
+    printed = numbers(re.split(r"[│┃\s,]+", tank[1]))
+    length, beam, draft = 100 * SCALE, 50 * SCALE, 10 * SCALE
+    by_hand = [length * beam * draft * 1.025, length * beam, *(a**2 / (12 * draft) - draft / 2 for a in (beam, length))]
+    for value in by_hand:
+        assert np.isclose(sorted(printed), value, rtol=2e-4, atol=0.0).any(), value
+    assert not LOST.findall(tank[1].partition("body at rest")[2])
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -178,8 +189,11 @@ def test_flags_at_model_scale_are_printed_with_three_digits_and_kept_with_all(wo
 
 
 @pytest.mark.parametrize("command", TANK)
-def test_a_body_at_model_scale_is_printed_with_three_digits_and_kept_with_all(command, capsys, there, tank):
-    (there / "box.h5").symlink_to(tank)
+def test_a_body_at_model_scale_is_printed_with_three_digits_and_kept_with_all(
+    command, capsys, there, tank, monkeypatch
+):
+    monkeypatch.setattr("hakobune.pipelines.waves.result.POINTS", 21)
+    (there / "box.h5").symlink_to(tank[0])
     words = TANK[command].split()
     if command == "waves":
         asked = {"period": 1.2, "heading": math.radians(90.0), "at": [(0.5, -0.9)]}
@@ -195,8 +209,24 @@ def test_a_body_at_model_scale_is_printed_with_three_digits_and_kept_with_all(co
     assert found.quantities == made.quantities and found.told == made.told
 
 
-def compare(words, made, capsys, outputs=None):
-    """What a command prints beside the result of its function; outputs : flags that go with a form"""
+def test_a_sweep_at_model_scale_is_printed_with_three_digits_and_kept_with_all(capsys, there):
+    speeds = [root(0.1), root(0.15)]
+    sweep = {"command": "berth", "study": "berth.toml", "vary": [{"key": "approach.speed", "values": speeds}]}
+    for name, tables in (("berth", scaled(of("berth_tanker"))), ("sweep", sweep)):
+        (there / f"{name}.toml").write_text(tomli_w.dumps(tables))
+    compare(
+        ["sweep", "sweep.toml", "--output", "all.h5"],
+        hakobune.sweep("sweep.toml", "all.h5"),
+        capsys,
+        shown=("approach.energy",),
+    )
+
+
+def compare(words, made, capsys, outputs=None, shown=None):
+    """What a command prints beside the result of its function
+
+    outputs : flags that go with a form; shown : names of what is printed, by default all that tables have
+    """
     said = {}
     for form in ("", "--csv", "--json"):
         capsys.readouterr()
@@ -210,11 +240,11 @@ def compare(words, made, capsys, outputs=None):
         if one.record or not len(values):
             continue
         assert set(np.ravel(values).real) <= exact & set(flat(kept[name]["values"])), name
-        if one.table and one.values.shape[:1] <= (40,):
+        if one.table and one.values.shape[:1] <= (40,) and (shown is None or name in shown):
             for value in values[np.abs(values) > ROUNDING * np.abs(values).max()]:
                 near = np.abs(np.outer(printed, SIZES) - value) <= 5.1e-4 * abs(value)
                 assert near.any(), (name, value)
-    assert not re.findall(r"(?<![\d.])-?0\.0+(?![\d.])[^,;│]*", said[""].out + said[""].err)
+    assert not LOST.findall(said[""].out + said[""].err)
 
 
 def flat(values):
