@@ -27,7 +27,10 @@ import tempfile
 import time
 import tomllib
 from fnmatch import fnmatch
+from importlib import import_module
+from itertools import chain, zip_longest
 from pathlib import Path
+from types import ModuleType
 
 sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
@@ -63,6 +66,7 @@ SIGN = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 BUSIEST = 4.0  # times as long, on a machine that others use
 NEAR, WIDER = 12, 60  # files of tests, all of which are collected before any runs: 150 take 20 s
 ROUNDING = 1e-5  # constants below are tolerances on rounding, of which a tenth more changes nothing
+LIBRARIES = "pytest numpy scipy.interpolate scipy.optimize scipy.signal scipy.spatial h5py msgspec rich.table numba"
 SILENT = (ast.Raise, ast.Import, ast.ImportFrom, ast.arguments, ast.Assert)  # what is inside is not drawn
 
 
@@ -243,55 +247,82 @@ class Clone:
         modules = [file for package in PACKAGES for file in (self.root / package).rglob("*.py")]
         self.sound = {cache_folder(file, self.root).name for file in modules if "@kernel" in file.read_text("utf-8")}
         self.kernels = folder / "kernels"
-        self.environment = os.environ | {
+        os.environ |= {
             "HAKOBUNE_CACHE": str(self.kernels),
             "PYTHONPATH": os.pathsep.join((str(self.root), str(self.root / "tests"))),
-            "PYTHONDONTWRITEBYTECODE": "1",  # a file may change twice in a second, which is all that Python looks at
             "OPENBLAS_NUM_THREADS": "1",
             "OMP_NUM_THREADS": "1",
         }
         if quick:
-            self.environment["NUMBA_DISABLE_JIT"] = "1"
+            os.environ["NUMBA_DISABLE_JIT"] = "1"
 
     def tests(self, files, seconds):
-        """(status, last lines, seconds) of tests run up to the first that fails; status None if they hang"""
+        """(status, last lines, seconds) of tests run up to the first that fails; status None if they hang.
+
+        They run in a fork of this process, which has the libraries in memory: to load them takes as long as most tests.
+        """
         seconds *= min(BUSIEST, max(1.0, os.getloadavg()[0] / os.cpu_count()))
-        words = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-rf", "--seconds", f"{seconds:g}"]
-        words += map(str, files)
+        words = ["-x", "-q", "--tb=no", "-rf", "--seconds", f"{seconds:g}", *map(str, files)]
+        for name in LIBRARIES.split():
+            import_module(name)
         start = time.monotonic()
-        run = subprocess.Popen(
-            words,
-            cwd=self.root,
-            env=self.environment,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            start_new_session=True,
-        )
+        with tempfile.TemporaryFile("w+") as output:
+            child = os.fork()
+            if not child:
+                self._become(words, output)
+            status = _status(child, start + 3 * seconds + 60)
+            output.seek(0)
+            tail = output.read().splitlines()[-6:]
+        return status, tail, time.monotonic() - start
+
+    def _become(self, words, output):
+        """Turn a fork of this process into one of pytest in the clone"""
+        os.setsid()
+        for stream in (1, 2):
+            os.dup2(output.fileno(), stream)
+        os.chdir(self.root)
+        own = [name for name, module in sys.modules.items() if str(ROOT) in (getattr(module, "__file__", "") or "")]
+        for name in own:
+            del sys.modules[name]
+        sys.modules["__main__"] = ModuleType("__main__")  # processes that tests spawn would import this file
+        sys.path[:] = os.environ["PYTHONPATH"].split(os.pathsep) + [p for p in sys.path if not p.startswith(str(ROOT))]
+        status = 3
         try:
-            output, status = run.communicate(timeout=3 * seconds + 60)[0], run.returncode
-        except subprocess.TimeoutExpired:
-            os.killpg(run.pid, signal.SIGKILL)
-            output, status = run.communicate()[0], None
-        return status, output.splitlines()[-6:], time.monotonic() - start
+            status = import_module("pytest").main(words)
+            sys.stdout.flush()
+        finally:
+            os._exit(status)
 
     def with_fault(self, row, files, seconds):
         path = self.root / row["file"]
         before, stamp = path.read_text(encoding="utf-8"), path.stat()
+        self._forget(path)
         path.write_text(changed(before, row["first"], row["last"], row["after"]), encoding="utf-8")
         try:
             return self.tests(files, seconds)
         finally:
             path.write_text(before, encoding="utf-8")
             os.utime(path, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))  # numba looks at it
-            self._forget()
+            self._forget(path)
 
-    def _forget(self):
-        """Remove what was compiled of a fault"""
+    def _forget(self, path):
+        """Remove what was compiled of a fault: Python sees no second change of a file within a second"""
+        for file in path.parent.glob(f"__pycache__/{path.stem}.*"):
+            file.unlink()
         for folder in self.kernels.glob("*"):
             if folder.name not in self.sound:
                 shutil.rmtree(folder)
+
+
+def _status(child, until):
+    """How a process ended; None if it had to be"""
+    while not (ended := os.waitpid(child, os.WNOHANG))[0]:
+        if time.monotonic() > until:
+            os.killpg(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+            return None
+        time.sleep(0.02)
+    return os.waitstatus_to_exitcode(ended[1])
 
 
 def judged(clone, row, given, sound):
@@ -362,11 +393,12 @@ def main():
         waiting = [now for row in waiting if (now := found_again(row, clone.root))]
     else:
         done = {(row["file"], row["before"], row["after"], row["function"]) for row in rows}
+        packages = given.package or PACKAGES
+        of_each = [drawn(given.seed, given.count, package, clone.root, equivalent) for package in packages]
         waiting = [
             row
-            for package in given.package or PACKAGES
-            for row in drawn(given.seed, given.count, package, clone.root, equivalent)
-            if (row["file"], row["before"], row["after"], row["function"]) not in done
+            for row in chain.from_iterable(zip_longest(*of_each))  # one of each package in turn
+            if row and (row["file"], row["before"], row["after"], row["function"]) not in done
         ]
     if given.list:
         print("\n".join(map(told, waiting)))

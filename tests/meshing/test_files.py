@@ -437,3 +437,15 @@ def test_what_cannot_be_written_is_named(tmp_path):
 
 def test_everything_written_can_be_read():
     assert set(WRITABLE) <= set(READABLE)
+
+
+def test_a_packed_file_holds_a_thousand_values_a_byte_and_no_more(tmp_path):
+    """zlib packs at most 1032 to 1 (its technical details)"""
+    from hakobune.meshing.files import _check_counts
+
+    path = tmp_path / "a.vtu"
+    path.write_text('<Piece NumberOfPoints="100000">'.ljust(100))
+    _check_counts(path)
+    path.write_text('<Piece NumberOfPoints="100001">'.ljust(100))
+    with pytest.raises(ValueError, match="it says it has 100001 points"):
+        _check_counts(path)

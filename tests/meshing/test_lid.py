@@ -264,3 +264,13 @@ def test_a_ring_lies_in_another_where_its_first_point_does():
     )
     for ring, expected in ((L, in_L), (L[::-1], in_L), (triangle, in_triangle)):
         assert [_inside(point[None], ring) for point in x] == expected.tolist()
+
+
+def test_a_plan_keeps_corners_that_turn_either_way():
+    """An L, of which one corner turns inwards, with edges far shorter than what is asked for"""
+    from hakobune.meshing.lid import _simplified
+
+    plan = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]])
+    middles = (plan + np.roll(plan, -1, axis=0)) / 2
+    ring = np.stack([plan, middles], axis=1).reshape(-1, 2)
+    assert {tuple(point) for point in _simplified(ring, 100.0)} == {tuple(point) for point in plan}

@@ -137,3 +137,9 @@ def test_what_cannot_be_meshed_is_named(arguments, words):
 def test_shapes_are_named_by_their_dimensions():
     assert box(100, 50, 10).name == "box 100 x 50 x 10 m"
     assert buoy(10, 7.5).name == "buoy 10 m radius x 7.5 m"
+
+
+def test_counts_are_the_largest_in_proportion_by_hand():
+    """Edges 100, 20 and 20 m: roots 10 to 4.47.  (22, 9, 9) has 1908 panels, (22, 10, 10) 2160; one more along makes
+    1980, below 2000, and one more across 2032"""
+    assert box_counts(200, 40, 10, 2000) == (23, 9, 9)

@@ -91,6 +91,15 @@ def test_a_peak_has_the_height_of_force_over_damping():
     assert found.error == pytest.approx(0.1 * found.peak) and found.period == pytest.approx(2 * np.pi / found.omega)
 
 
+def test_damping_of_its_own_motion_beside_that_of_waves_is_told():
+    """Of a diagonal: what damps heave counts for the peak of heave, what damps roll does not"""
+    for mode, there in ((2, True), (3, False)):
+        body = OneMotion(0.05)
+        body.damping[mode, mode] = 0.01
+        (found,) = resonances(body)
+        assert found.mode == 2 and found.viscous is there
+
+
 def test_a_quarter_of_critical_damping_leaves_no_peak():
     assert len(resonances(OneMotion(0.245))) == 1 and resonances(OneMotion(0.255)) == []
 

@@ -176,6 +176,10 @@ def test_tables_of_makers_are_read_and_their_faults_named(tmp_path):
     rows = [f"{a},{1740.0 * b}" for a, b in zip(shape["strain"], shape["reaction"], strict=True)]
     path.write_text("# of a maker\nstrain,reaction_kN\n" + "\n".join(rows))
     assert fender_of_file(path, 2.0, rated=0.475).rated_energy == pytest.approx(CELL.rated_energy, rel=1e-12)
+    path.write_text("deflection_m,reaction_kN,unloading_kN\n0,0,0\n0.5,400,100\n1,800,200\n")
+    pressed = fender_of_file(path, 2.0, corners=True)  # straight lines: triangles of 400 kJ and, let go, of 100 kJ
+    assert (pressed.rated_reaction, pressed.rated_energy) == pytest.approx((8e5, 4e5), rel=1e-12)
+    assert float(pressed.unloading(0.5)) == pytest.approx(1e5, rel=1e-12)
     path.write_text("strain,reaction_kN\n0,0\n0.1,much\n")
     with pytest.raises(FenderError, match="row 2: reaction_kN is 'much'"):
         fender_of_file(path, 2.0)

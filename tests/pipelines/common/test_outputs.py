@@ -7,7 +7,7 @@ import pytest
 
 from hakobune import pipelines
 from hakobune.pipelines.cli import main
-from hakobune.pipelines.common.outputs import opening
+from hakobune.pipelines.common.outputs import check_output, opening
 
 STUDY = str(Path(pipelines.__file__).parent / "scenes" / "response_box_20m.toml")
 SEA = ["sea", "--height", "3", "--mean-period", "8"]
@@ -60,6 +60,13 @@ def test_a_command_replaces_what_it_made(command, name, things):
     for _ in range(2):
         assert main([*command, name]) == 0
     assert Path(name).stat().st_size > 100
+
+
+def test_a_place_where_no_file_can_be_is_told_before_any_work(tmp_path):
+    with pytest.raises(ValueError, match=r"cannot be written: there is no folder .*nowhere"):
+        check_output(tmp_path / "nowhere" / "a.csv", "a table", lambda path: True, (".csv",))
+    with pytest.raises(ValueError, match="is a folder"):
+        check_output(tmp_path, "a table", lambda path: True, (".csv",))
 
 
 def test_the_opening_of_a_table_is_its_first_line_and_its_columns(tmp_path):
