@@ -53,11 +53,11 @@ from __future__ import annotations
 
 import msgspec
 
+from hakobune.mooring.studies.breakwater.breakwater import THEORIES
+
 from ..common.quantities import Table
 from ..common.weather.seas import SpectrumTable
 from ..site.link import SiteLink
-
-THEORIES = ("potential flow", "long waves")
 
 
 class WaterTable(Table):
