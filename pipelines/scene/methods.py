@@ -6,14 +6,12 @@ import math
 from typing import NamedTuple
 
 from hakobune.bem.contour.raised_bed import raised_bed
-from hakobune.bem.contour.short_waves import MOST_WAVES, unresolved, waves_along
 from hakobune.bem.database.schema import LIMITS, QUANTITIES
 from hakobune.bem.drift import OF_EACH
 from hakobune.bem.problem import check_gap
 from hakobune.bem.waves import wavenumber
 
 FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force")
-FAR_FIELD_GROUPS = ("kochin", "drift")  # of `products`
 
 
 class Method(NamedTuple):
@@ -41,13 +39,10 @@ class Approach(NamedTuple):
 
     method : name, of METHODS; bed : m, over which the contour method works (`bem.contour.raised_bed`), None for the
         one that there is
-    highest_resolved : rad/s above which frequencies are answered by `bem.contour.short_wave_frequency`, None where
-        none is
     """
 
     method: str
     bed: float | None
-    highest_resolved: float | None
 
 
 def approach(scene):
@@ -58,7 +53,7 @@ def approach(scene):
     """
     bed = _raised_bed(scene)
     method = _chosen(scene, bed) if scene.method == "auto" else scene.method
-    return Approach(method, bed, _highest_resolved(scene)) if method == "contour" else Approach(method, None, None)
+    return Approach(method, bed if method == "contour" else None)
 
 
 def _chosen(scene, bed):
@@ -75,32 +70,15 @@ def _raised_bed(scene):
     return None if bed is None else min(bed, water.depth)
 
 
-def _highest_resolved(scene):
-    if scene.several or scene.body.shape not in MOST_WAVES:
-        return None
-    sizes, water = tuple(scene.dimensions.values()), scene.water
-    highest = wavenumber(scene.omegas()[-1], water.depth, water.gravity)
-    if not unresolved(sizes, float(highest)):
-        return None
-    k = MOST_WAVES[scene.body.shape] / waves_along(sizes, 1.0)
-    return math.sqrt(water.gravity * k * math.tanh(k * water.depth))
-
-
 def names_given(scene, names, named):
     """`names` of the database without those that the scene's method or wall does not give.
 
     named : words asked for one by one
-    raises : ValueError if one of these is among them, or a far field where waves are too many
+    raises : ValueError if one of these is among them
     """
-    method, _, highest = scene.approach
+    method = scene.approach.method
     missing = _lacking(scene, METHODS[method])
     refused = [name for name in named if name in missing]
-    far = [word for word in named if word in (*FAR_FIELD, *FAR_FIELD_GROUPS)]
-    if far and highest:
-        raise ValueError(
-            f"want has {far[0]}, which frequencies above {highest:.4g} rad/s, with more than "
-            f"{MOST_WAVES[scene.body.shape]} waves along the body, do not have; leave it or them out"
-        )
     if refused:
         if scene.wall is not None and refused[0] in FAR_FIELD:
             raise ValueError(f"want has {refused[0]}, which a body beside a wall does not have; leave it out")
@@ -138,8 +116,7 @@ def _lacking(scene, method):
     beside_wall = FAR_FIELD if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
     alone = () if scene.several else tuple(OF_EACH)
-    short = FAR_FIELD if method is METHODS["contour"] and scene.approach.highest_resolved else ()
-    return method.without + beside_wall + deep + short + alone
+    return method.without + beside_wall + deep + alone
 
 
 def _relative_gap(scene):

@@ -29,7 +29,7 @@ def problem_of(header, scene):
         "viscous": viscous_of(scene),
         "tolerance": scene.accuracy,
     }
-    method, bed, _ = scene.approach
+    method, bed = scene.approach
     if METHODS[method].panels:
         return _panel_problem(header, scene, body)
     lengths = tuple(scene.dimensions.values())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from hakobune.bem.contour.raised_bed import effect_of_bed
-from hakobune.bem.contour.short_waves import MOST_WAVES
 from hakobune.bem.database.schema import NEEDS_MOTION
 
 from ..scene.methods import names_given
@@ -79,10 +78,4 @@ def _wave_remarks(scene):
         yield (
             f"waves too short to feel a bed at {scene.raised_bed:.4g} m: the contour method works over one, whose "
             f"effect, at most {100 * effect:.2g} %, is in the estimated errors; added mass at the limits is by panels"
-        )
-    highest = scene.approach.highest_resolved
-    if highest:
-        yield (
-            f"above {highest:.4g} rad/s more than {MOST_WAVES[scene.body.shape]} waves along the body are answered as "
-            "far shorter than its walls, within the estimated errors; kochin and drift are left out"
         )
