@@ -7,7 +7,6 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from ..contour.raised_bed import bed_share, with_bed
 from ..frequency import DRIFT, FrequencyRun
 
 
@@ -57,10 +56,6 @@ class ShapeRun(FrequencyRun):
         """(m,) headings; empty where no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
-    def enlarged(self, radiation, excitation):
-        """Errors with what a raised bed adds"""
-        return with_bed(self, radiation, excitation)
-
     @cached_property
     def differences(self):
         """Of the contour method, from the finer body; None for strips, whose error is that of strip theory"""
@@ -79,8 +74,7 @@ class ShapeRun(FrequencyRun):
     @property
     def kochin_errors(self):
         """As `errors`, of `kochin`"""
-        share = bed_share(self.problem)
-        return [error + share * H for H, error in zip(self.kochin, self.kochin_differences, strict=True)]
+        return self.kochin_differences
 
     @property
     def radiation(self):

@@ -34,7 +34,7 @@ class ContourWaves(FirstOrderWaves):
         self, problem, omega, headings, moving, of_force, surface=False, lines=None, swayed=None, kind=DIFFERENCE
     ):
         super().__init__(problem, headings, moving, lines, swayed, kind)
-        if problem.method != "contour" or not np.isfinite(problem.depth) or problem.bed is not None:
+        if problem.method != "contour" or not np.isfinite(problem.depth):
             raise ValueError(
                 f"pairs by method {problem.method} in {problem.depth:g} m; allowed: panels, or contour in finite depth"
             )

@@ -98,8 +98,12 @@ def rainflow_cycles(tension) -> Cycles:
 
 
 def miner(cycles, curve, diameter, breaking_load):
-    """Miner's sum of Cycles; diameter mm, breaking_load N"""
-    return float(np.sum(cycles.count * damages(cycles, curve, diameter, breaking_load)))
+    """Miner's sum D of Cycles, and the sum of the squares of the damage of each, Q; diameter mm, breaking_load N
+
+    The sum is of random terms, of one cycle each: D²/Q of them carry it, and its standard error is √Q.
+    """
+    each = damages(cycles, curve, diameter, breaking_load)
+    return float(cycles.count @ each), float(cycles.count @ each**2)
 
 
 def damages(cycles, curve, diameter, breaking_load):

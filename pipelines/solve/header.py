@@ -118,9 +118,7 @@ def kochin_angles(scene, mesh, wave):
 
 
 def _attributes(scene):
-    made = {"tolerance": scene.accuracy, "method": scene.approach.method}
-    if scene.raised_bed is not None:
-        made["raised_bed"] = scene.raised_bed
+    made = {"tolerance": scene.accuracy, "method": scene.solved_by}
     files = contents(scene)
     if files is not None:
         made[MESH_FILE] = files

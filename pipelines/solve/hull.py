@@ -99,7 +99,7 @@ def _check_waves_along(scene):
 
 def panels_matter(scene):
     """Whether anything wanted is computed with panels; if not, they are there to be looked at."""
-    return METHODS[scene.approach.method].panels or "pressure" in scene.names()
+    return METHODS[scene.solved_by].panels or "pressure" in scene.names()
 
 
 def make_lid(scene, mesh):

@@ -32,7 +32,7 @@ KOCHIN = {"kochin_radiation", "kochin_diffraction"}
 class Plan:
     """What a run solves, and with what.
 
-    scene : with the method that solves it (`scene.approach`)
+    scene : with the method that solves it (`scene.solved_by`)
     omegas : (n,) rad/s and headings : (m,) rad, ascending; names : of the database, wanted
     header : of the database, with the mesh, the lid, the body at rest and the scene as text
     problem : `bem.methods` problem to be solved; remarks : for the reader, one line each

@@ -61,7 +61,7 @@ def ratios(records, step, curve):
     for record in records:
         energy = 2 * np.abs(np.fft.rfft(record - record.mean())) ** 2 / count**2
         moments = [np.sum(omega**n * energy) for n in (0, 1, 2, 4)]
-        counted = miner(rainflow_cycles(record), curve, 0.0, 1.0) / (count * step)
+        counted = miner(rainflow_cycles(record), curve, 0.0, 1.0)[0] / (count * step)
         found += dirlik(moments, curve, 1.0), narrow_band(moments, curve, 1.0), counted
     return found[:2] / found[2]
 
