@@ -30,11 +30,9 @@ def breakwater(
     from ..results.tables import printed
     from .result import breakwater as found
 
-    if output is not None:
-        check_result(output, "breakwater", [study])
+    check_result(output, "breakwater", [study])
     for picture in (plot, map_plot):
-        if picture is not None:
-            check_picture(picture, PLOTS)
+        check_picture(picture, PLOTS)
     if map_plot is not None and database is None:
         raise ValueError("--map-plot is given without --database; allowed: with it, of a study with [map]")
     with Console(stderr=True).status("it is computed"):

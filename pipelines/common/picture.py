@@ -19,7 +19,9 @@ VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
 def check_picture(path, kinds):
-    """Raise ValueError if no picture can be written there, before any work is done for it."""
+    """Raise ValueError if no picture can be written there, before any work is done for it; None asks for none."""
+    if path is None:
+        return
     if path.suffix.lower() not in kinds:
         raise ValueError(f"{path} has the suffix {path.suffix!r}; allowed: {', '.join(kinds)}")
     check_place(path)

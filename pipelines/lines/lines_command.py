@@ -20,10 +20,8 @@ def lines_command(file, depth, output, picture, moordyn, **asked):
 
     raises : ValueError, one line
     """
-    if picture is not None:
-        check_picture(picture, PLOTS)
-    if output is not None:
-        check_result(output, "lines", [file])
+    check_picture(picture, PLOTS)
+    check_result(output, "lines", [file])
     if moordyn is not None:
         check_place(moordyn)
     check_asked(asked["offset"], asked["directions"])

@@ -168,14 +168,12 @@ def words(run: Run):
 
 def draw(study, run: Run, path):
     """Heading, tensions and the track of a run"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     from ..common.picture import save
     from .pictures import draw_hull, draw_lines
 
     figure = Figure(figsize=(12, 7), layout="constrained")
-    FigureCanvasAgg(figure)
     grid = figure.add_gridspec(3, 2, width_ratios=[3, 2])
     heading, hawser, lines = (figure.add_subplot(grid[i, 0]) for i in range(3))
     plan = figure.add_subplot(grid[:, 1])
