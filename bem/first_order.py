@@ -20,7 +20,3 @@ class FirstOrder(NamedTuple):
     kochin_radiation: np.ndarray  # (2, 6, t) complex m/m, m/rad
     kochin_diffraction: np.ndarray  # (2, m, t) complex
     residual: float  # of the linear systems, relative
-    radiated: np.ndarray | None = (
-        None  # (6, 6) B/ω from the energy of radiated waves, of methods without Kochin functions
-    )
-    neglected: tuple | None = None  # bounds of the neglected part of radiation (6, 6) and excitation (m, 6)

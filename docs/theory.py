@@ -36,7 +36,6 @@ CHAPTERS = {
         "bem/second_order/surface_forces.py",
     ),
     "From frequency to time": (
-        "bem/time_domain/retardation.py",
         "bem/time_domain/whole_axis.py",
         "bem/time_domain/memory.py",
         "bem/time_domain/passive_fit.py",

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from .one_frequency import degrees
 from .plan.rectangle import Rectangle
-from .short_waves import unresolved
 
 TABLE, FREQUENCY = (4e-9, 65.0), (2e-8, 1000.0)  # s, bytes
 CIRCLE = 8e-8  # s
@@ -37,7 +36,6 @@ def cost(body, k):
 
 
 def _alone(body, k):
-    short = unresolved((*body.plan.sizes, body.draft), k)
-    waves, table = ((0, 0), body.plan.asymptotic_degree(body.tolerance)) if short else degrees(body, k)
+    waves, table = degrees(body, k)
     count, p, q = len(body.nodes(table).kappa), float(sum(table)), float(sum(waves))
     return TABLE[0] * count * p * p * p, FREQUENCY[0] * q * q * q, TABLE[1] * count * p * p + FREQUENCY[1] * q * q

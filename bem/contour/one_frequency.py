@@ -79,7 +79,7 @@ class ContourFrequency:
         radiation = np.zeros((6, 6), complex)
         excitation, haskind = np.zeros((2, m, 6), complex)
         kochin, residual = np.zeros((2, 6 + m, len(self.theta)), complex), 0.0
-        waves = self.waves()
+        waves = self.body.plan.waves(self.classes, self.degree, self.k, self.contour, self.headings)
         for cls in self.classes:
             own = [d for d in self.dofs if class_of(d, "xy") == cls]
             push, radiated, far, rest = self.solve(cls, own, waves[cls])
@@ -93,10 +93,6 @@ class ContourFrequency:
             raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the equations of the gap left {residual:.1e}")
         known = self.body.froude_krylov(self.omega, self.headings, self.dofs, self.density, self.gravity)
         return FirstOrder(radiation, known, excitation - known, haskind, kochin[:, :6], kochin[:, 6:], residual)
-
-    def waves(self):
-        """{class: `WaveMap`}"""
-        return self.body.plan.waves(self.classes, self.degree, self.k, self.contour, self.headings)
 
     def solve(self, cls, dofs, wave):
         """Solve one symmetry class.

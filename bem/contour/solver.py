@@ -32,8 +32,6 @@ from .one_frequency import ContourFrequency, combined, degrees
 from .plan.circle import Circle
 from .plan.rectangle import Rectangle
 from .rigid_motions import Motion, bottom_integral, motion
-from .short_wave_frequency import ShortWaveFrequency
-from .short_waves import unresolved
 
 TOLERANCES = (1e-7, 0.1)
 MARGIN = 0.5  # digits in addition to those asked for
@@ -111,32 +109,18 @@ class ContourBody:
 
         omega : rad/s; headings : (m,) rad towards which the waves travel; theta : (t,) rad, of the Kochin functions
         dofs : degrees of freedom 0 … 5 that are needed; the others stay zero
-        Raises ValueError for a frequency that is not positive and finite, an angle that is not finite, and `theta` of
-        waves that are not resolved.
+        Raises ValueError for a frequency that is not positive and finite, and an angle that is not finite.
         """
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
         if not (np.all(np.isfinite(headings)) and np.all(np.isfinite(theta))):
             raise ValueError("headings or theta hold a value that is not finite; allowed: angles in rad")
-        solver = self.solver(omega, gravity)
-        if solver is ShortWaveFrequency and len(theta):
-            raise ValueError(
-                f"ω = {omega:.6g} rad/s has too many waves along the body for a far field; "
-                "leave out kochin and drift, or the frequency"
-            )
         with blas_threads(SMALL):
-            return solver(self, omega, headings, theta, dofs, density, gravity).result()
-
-    def solver(self, omega, gravity):
-        """`ContourFrequency`, or `ShortWaveFrequency` of waves that are not resolved"""
-        k = float(wavenumber(omega, self.depth, gravity))
-        return ShortWaveFrequency if unresolved((*self.plan.sizes, self.draft), k) else ContourFrequency
+            return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
 
     def resolution(self, omega, gravity=9.80665):
         """What the equations at a frequency are resolved with: equal ones leave errors that are smooth in frequency"""
         k = float(wavenumber(omega, self.depth, gravity))
-        if self.solver(omega, gravity) is ShortWaveFrequency:
-            return (omega,)
         degree, top = degrees(self, k)
         return degree, top, len(self.plan.contour(k, degree, self.tolerance).weights)
 

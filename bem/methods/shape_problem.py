@@ -7,7 +7,6 @@ from functools import cached_property
 
 import numpy as np
 
-from ..contour.raised_bed import SHARE
 from ..modes import with_net_flux
 from ..problem import Problem
 from .few_estimates import FEWEST, FewEstimates
@@ -20,12 +19,9 @@ class ShapeProblem(Problem):
 
     method : contour, strip or inverse-strip; shape : box (length, beam, draft) or buoy (radius, draft)
     sizes : m, in that order; tolerance : relative error asked for
-    panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels and limits over a
-        raised bed; or None
+    panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None
     omegas : (n,) rad/s, ascending, that will be asked for: of many some tell the errors of the others
         (`bem.methods.few_estimates`)
-    bed : m, of `bem.contour.raised_bed`, at most `depth`: the contour method works over it; None for the bed that
-        there is
     """
 
     method: str
@@ -34,7 +30,6 @@ class ShapeProblem(Problem):
     tolerance: float = 1e-3
     panels: object = None
     omegas: object = ()
-    bed: float | None = None
 
     def prepared(self):
         """`PreparedShapeProblem`"""
@@ -52,10 +47,9 @@ class PreparedShapeProblem:
         """What solves a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
         s = self.problem
         if s.method == "contour":
-            from ..contour.solver import TOLERANCES, prepare_box, prepare_cylinder
+            from ..contour.solver import prepare_box, prepare_cylinder
 
-            water = (s.depth, s.tolerance) if s.bed is None else (s.bed, max(SHARE * s.tolerance, TOLERANCES[0]))
-            return (prepare_box if s.shape == "box" else prepare_cylinder)(*s.sizes, *water)
+            return (prepare_box if s.shape == "box" else prepare_cylinder)(*s.sizes, s.depth, s.tolerance)
         from ..sections.strips import Strips
 
         return Strips(*s.sizes, s.depth, s.tolerance, inverse=s.method == "inverse-strip")
@@ -94,12 +88,7 @@ class PreparedShapeProblem:
         return FewEstimates(self, self.problem.omegas) if many else None
 
     def added_mass_limit(self, which):
-        """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency
-
-        Not over a raised bed, where heave has another limit at zero, and no estimate tells what the bed does.
-        """
-        if self.problem.bed is not None:
-            return self.panels.added_mass_limit(which)
+        """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency"""
         T, about_origin = self.problem.transform, self.solver.added_mass_limit(which, self.problem.density)
         grows = np.isinf(about_origin[2, 2])
         finite = np.where(np.isinf(about_origin), 0.0, about_origin)

@@ -7,8 +7,6 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from ..checks import enlarged
-from ..contour.raised_bed import bed_share, with_bed
 from ..frequency import DRIFT, FrequencyRun
 
 
@@ -26,8 +24,8 @@ class ShapeRun(FrequencyRun):
 
     @property
     def sharper(self):
-        """By a digit more; None at the last, and where what is left out of short waves is the error"""
-        if self.problem.method != "contour" or self.first_order.neglected is not None or self.solver.sharper is None:
+        """By a digit more; None at the last"""
+        if self.problem.method != "contour" or self.solver.sharper is None:
             return None
         return partial(ShapeRun, self.prepared, *self.question, self.solver.sharper)
 
@@ -58,14 +56,6 @@ class ShapeRun(FrequencyRun):
         """(m,) headings; empty where no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
-    def enlarged(self, radiation, excitation):
-        """Errors with what is left out of short waves and what a raised bed adds"""
-        neglected = self.first_order.neglected
-        if neglected is not None:
-            A, B = (enlarged(part, neglected[0]) for part in (radiation.real, radiation.imag))
-            radiation, excitation = A + 1j * B, enlarged(excitation, neglected[1])
-        return with_bed(self, radiation, excitation)
-
     @cached_property
     def differences(self):
         """Of the contour method, from the finer body; None for strips, whose error is that of strip theory"""
@@ -84,13 +74,7 @@ class ShapeRun(FrequencyRun):
     @property
     def kochin_errors(self):
         """As `errors`, of `kochin`"""
-        share = bed_share(self.problem)
-        return [error + share * H for H, error in zip(self.kochin, self.kochin_differences, strict=True)]
-
-    @property
-    def radiated(self):
-        mine = self.first_order.radiated if self.radiates else None
-        return super().radiated if mine is None else mine
+        return self.kochin_differences
 
     @property
     def radiation(self):

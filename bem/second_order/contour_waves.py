@@ -13,8 +13,8 @@ import numpy as np
 from .. import DOFS
 from ..contour.hull.flow import HullPoints, SharedFrequency, radiated_flow, wave_flow
 from ..contour.hull.long_waves import long_wave_forces
-from ..contour.one_frequency import ContourFrequency
 from ..contour.pressure_drift import refined
+from ..contour.short_waves import too_many
 from ..waves import wavenumber
 from .contour_surface import CylinderSurface
 from .first_order_waves import FirstOrderWaves
@@ -34,16 +34,17 @@ class ContourWaves(FirstOrderWaves):
         self, problem, omega, headings, moving, of_force, surface=False, lines=None, swayed=None, kind=DIFFERENCE
     ):
         super().__init__(problem, headings, moving, lines, swayed, kind)
-        if problem.method != "contour" or not np.isfinite(problem.depth) or problem.bed is not None:
+        if problem.method != "contour" or not np.isfinite(problem.depth):
             raise ValueError(
                 f"pairs by method {problem.method} in {problem.depth:g} m; allowed: panels, or contour in finite depth"
             )
         self.prepared = self.held.prepared()
         self.body = refined(self.prepared.solver)
         highest, rising = max(omega[-1], of_force[-1]), of_force[of_force > 0]
-        if self.body.solver(highest, problem.gravity) is not ContourFrequency:
+        k = float(wavenumber(highest, problem.depth, problem.gravity))
+        if too_many((*self.body.plan.sizes, self.body.draft), k):
             raise ValueError(f"pairs by the contour method up to {highest:.4g} rad/s; allowed: waves it resolves")
-        self.points = HullPoints(self.body, float(wavenumber(highest, problem.depth, problem.gravity)))
+        self.points = HullPoints(self.body, k)
         surface = surface and len(rising) > 0
         if (moving or surface) and not self.points.whole:
             raise ValueError(

@@ -1,1 +1,1 @@
-"""From frequency to time: retardation functions and state-space models of them."""
+"""From frequency to time: damping at every frequency, and the memory of the water as states."""

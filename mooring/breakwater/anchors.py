@@ -16,19 +16,9 @@ import numpy as np
 PILE_SAFETY = 3.0
 
 
-def tide_tension(width, tide, angle, *, density, gravity):
-    """ΔP₀, N/m, of a tide of ± `tide` (m) on a body `width` (m) wide at the surface"""
-    return density * gravity * width * _at_least("tide", tide, 0.0, "m") / (2 * np.sin(angle))
-
-
 def pretension_needed(front, tide_part):
     """P₀, N/m, with which the seaward line just stays taut; front : P_F at low tide, tide_part : ΔP₀"""
     return _at_least("tension amplitude", front, 0.0, "N/m") + tide_part
-
-
-def greatest_tension(pretension, tide_part, amplitude):
-    """P_max, N/m; amplitude : at high tide"""
-    return _at_least("pretension", pretension, 0.0, "N/m") + tide_part + amplitude
 
 
 def goes_slack(pretension, tide_part, amplitude):

@@ -11,7 +11,7 @@ O = 1 before a wall.  The loss adds to its impedance:
 The even part, K_R + K_T, has no flow underneath and stays.  The difference of the tensions of a fixed body grows with
 the head; motions and tensions of a moving one stay those of potential flow, since its odd waves are not of the head
 alone: `bem.sections.keel_loss` has the same loss for rectangles in the whole flow, motions and tensions too.  Power
-lost is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user, or by `fitted` to measured K_T.
+lost is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user.
 """
 
 from __future__ import annotations
@@ -58,26 +58,6 @@ def with_loss(response, coefficient, amplitude, omega, keel):
     return response._replace(
         transmission=(even - through) / 2, reflection=(even + through) / 2, front=mean + half, back=mean - half
     )
-
-
-def fitted(response, amplitude, measured, omega, keel):
-    """(C, root mean square of K_T's differences) that fits measured |K_T| (n,) best; amplitude : (n,) m"""
-    from scipy.optimize import minimize_scalar
-
-    def miss(coefficient):
-        rows = [_one(response, i) for i in range(len(measured))]
-        ours = [
-            with_loss(row, coefficient, a, w, keel).transmission
-            for row, a, w in zip(rows, amplitude, omega, strict=True)
-        ]
-        return np.sqrt(np.mean((np.abs(ours) - measured) ** 2))
-
-    found = minimize_scalar(miss, bounds=(0.0, 100.0), method="bounded")
-    return float(found.x), float(found.fun)
-
-
-def _one(response, i):
-    return type(response)(*(values[i] for values in response))
 
 
 def _share(omega, keel):

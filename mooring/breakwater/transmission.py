@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-CELLS = 2000
 LEAST_SHARE = 0.999
 
 
@@ -32,18 +31,6 @@ class Cells(NamedTuple):
         return np.sqrt(np.abs(response) ** 2 @ self.energy)
 
 
-def cells(spectrum, low, high, count=CELLS):
-    """`Cells` of a `Spectrum` between two frequencies, rad/s; ValueError where the band holds less than 0.999 of it"""
-    if not 0 < low < high < np.inf:
-        raise ValueError(f"band from {low:g} to {high:g} rad/s; allowed: 0 < low < high")
-    share = spectrum.moment(0, low, high) / spectrum.moment(0)
-    if share < LEAST_SHARE:
-        raise ValueError(
-            f"{low:g} to {high:g} rad/s hold {share:.4f} of the sea's energy; allowed: {LEAST_SHARE} or more"
-        )
-    return _between(spectrum, np.geomspace(low, high, count + 1))
-
-
 def equal_cells(spectrum, count):
     """`Cells` of nearly equal energy, of all but the outermost 0.0008 of a `Spectrum`: few in its long tail"""
     outside = (1 - LEAST_SHARE) * 0.4
@@ -52,16 +39,6 @@ def equal_cells(spectrum, count):
 
 def _between(spectrum, edges):
     return Cells(np.sqrt(edges[1:] * edges[:-1]), np.diff(edges), spectrum.moment(0, edges[:-1], edges[1:]))
-
-
-def transmitted_height(spectrum, transmission, low, high):
-    """4√m₀ of the transmitted sea, m, and the incident one, between two frequencies.
-
-    spectrum : `Spectrum`; transmission : ω (m,) rad/s → K_T (m,); low, high : rad/s
-    Raises ValueError where the band holds less than 0.999 of the energy.
-    """
-    sea = cells(spectrum, low, high)
-    return 4 * sea.deviation(transmission(sea.omega)), sea.height
 
 
 def greatest_of(deviation, waves):

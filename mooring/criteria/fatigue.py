@@ -3,11 +3,7 @@
     N(s) = a s^(−m)                  cycles to failure at range s (of stress, or of tension over the breaking load)
     D = Σ nᵢ / N(sᵢ)                 Miner's sum; failure is expected at 1
 
-Cycles are counted in a record by rainflow (ASTM E1049-85, the library `rainflow`), or follow from a spectrum of the
-tension with moments mᵢ = ∫ωⁱ S dω.  With ν = √(m₂/m₀)/2π Hz and σ = √m₀, a time t:
-
-    narrow band    D = ν t (2√2 σ)^m Γ(1 + m/2) / a
-    Dirlik (1985)  ranges s = 2σz at a rate √(m₄/m₂)/2π, density of z a sum of an exponential and two Rayleigh laws
+Cycles are counted in a record by rainflow (ASTM E1049-85, the library `rainflow`).
 
 Curves: those of a table, or of the user's own; SR179 report (1982), chapter 4, 2.1 and 2.2, whose curves are lost, says
 what they depend on: corrosion, preload, terminations, bending over a fairlead.
@@ -98,55 +94,15 @@ def rainflow_cycles(tension) -> Cycles:
 
 
 def miner(cycles, curve, diameter, breaking_load):
-    """Miner's sum of Cycles; diameter mm, breaking_load N"""
-    return float(np.sum(cycles.count * damages(cycles, curve, diameter, breaking_load)))
+    """Miner's sum D of Cycles, and the sum of the squares of the damage of each, Q; diameter mm, breaking_load N
+
+    The sum is of random terms, of one cycle each: D²/Q of them carry it, and its standard error is √Q.
+    """
+    each = damages(cycles, curve, diameter, breaking_load)
+    return float(cycles.count @ each), float(cycles.count @ each**2)
 
 
 def damages(cycles, curve, diameter, breaking_load):
     """(n,) of one whole cycle of each of Cycles, 1/N(s); diameter mm, breaking_load N"""
     s = cycles.range / curve.reference(diameter, breaking_load)
     return s**curve.exponent / curve.strength(cycles.mean / breaking_load)
-
-
-def narrow_band(moments, curve, scale, mean_share=0.0):
-    """Damage a second of a Gaussian tension with moments (m₀, m₁, m₂, m₄), N², all of it near one frequency.
-
-    scale : N, `Curve.reference`
-    """
-    from scipy.special import gamma
-
-    m0, _, m2, _ = _checked(moments)
-    m = curve.exponent
-    s = 2 * np.sqrt(2 * m0) / scale
-    return float(np.sqrt(m2 / m0) / (2 * np.pi) * s**m * gamma(1 + m / 2) / curve.strength(mean_share))
-
-
-def dirlik(moments, curve, scale, mean_share=0.0):
-    """Damage a second of a Gaussian tension of any bandwidth with moments (m₀, m₁, m₂, m₄), N².
-
-    T. Dirlik, Application of computers in fatigue analysis, thesis, Warwick (1985), in the form of
-    D. Benasciutti and R. Tovo, Int. J. Fatigue 27 (2005).  scale : N, `Curve.reference`
-    """
-    from scipy.special import gamma
-
-    m0, m1, m2, m4 = _checked(moments)
-    m = curve.exponent
-    irregularity = m2 / np.sqrt(m0 * m4)
-    if 1 - irregularity < 1e-6:  # one frequency: R of both Rayleigh laws is 0/0
-        return narrow_band(moments, curve, scale, mean_share)
-    x = m1 / m0 * np.sqrt(m2 / m4)
-    d1 = 2 * (x - irregularity**2) / (1 + irregularity**2)
-    r = (irregularity - x - d1**2) / (1 - irregularity - d1 + d1**2)
-    d2 = (1 - irregularity - d1 + d1**2) / (1 - r)
-    d3 = 1 - d1 - d2
-    q = 1.25 * (irregularity - d3 - d2 * r) / d1
-    power = d1 * q**m * gamma(1 + m) + np.sqrt(2) ** m * gamma(1 + m / 2) * (d2 * abs(r) ** m + d3)
-    peaks = np.sqrt(m4 / m2) / (2 * np.pi)
-    return float(peaks * (2 * np.sqrt(m0) / scale) ** m * power / curve.strength(mean_share))
-
-
-def _checked(moments):
-    m0, m1, m2, m4 = (float(m) for m in moments)
-    if not (min(m0, m1, m2, m4) > 0 and np.isfinite([m0, m1, m2, m4]).all() and m2**2 <= m0 * m4 * (1 + 1e-9)):
-        raise ValueError("moments m0, m1, m2, m4 are not those of a spectrum; allowed: above 0 and m2² at most m0 m4")
-    return m0, m1, m2, m4

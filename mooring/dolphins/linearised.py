@@ -1,19 +1,15 @@
-"""Equivalent linearisation of a restoring law, with hysteresis, and the periods of free motion that it approaches.
+"""Equivalent linearisation of a restoring law, with hysteresis.
 
 In a steady motion y = y₀ + A cos θ, θ = ωt, the law G has the mean and the first harmonics
 
     F₀ = (1/2π) ∮ G dθ,    k = (1/πA) ∮ G cos θ dθ,    h = −(1/πA) ∮ G sin θ dθ = ωc,    ∮ G dy = π h A²
 
-(Krylov and Bogoliubov).  An oscillator with them has m ω² = k(A) in free motion, which the exact period
-
-    T = 4 ∫₀^{A} dy / √(2 [V(A) − V(y)]/m),    V = ∫ G dy        (a law odd about y₀)
-
-is what the linearised one approximates: Duffing's is 1.6e-3 off at εA²/k = 0.5, 7.7e-3 at 2, 2.2e-2 with ε alone.
+(Krylov and Bogoliubov).  An oscillator with them has m ω² = k(A) in free motion: Duffing's is 1.6e-3 off the exact
+period at εA²/k = 0.5, 7.7e-3 at 2, 2.2e-2 with ε alone.
 """
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -53,26 +49,6 @@ def _steady(fender, path):
     if np.array_equal(fender.loading.coefficients, fender.unloading.coefficients):
         return fender.loading(path)
     return followed(fender, np.concatenate([path, path]))[0][len(path) :]
-
-
-def free_frequency(law, mass, amplitude, mean=0.0):
-    """rad/s of free motion by equivalent linearisation"""
-    return float(np.sqrt(equivalent(law, mean, amplitude).stiffness / mass))
-
-
-def exact_frequency(potential, mass, amplitude, corners=(), order=64):
-    """rad/s of free motion in a potential V (function of y ≥ 0 → J, even), exact; corners : m, of the law"""
-    x, w = np.polynomial.legendre.leggauss(order)
-    ends = np.arcsin([0.0, *sorted(c / amplitude for c in corners if 0 < c < amplitude), 1.0])
-    quarter = 0.0
-    for a, b in pairwise(ends):
-        # φ = b − (b − a)(1 − t)²: the speed has a square root where a corner is met, and V(A) − V(y) cancels at the end
-        t = 0.5 * (x + 1)
-        phi, jacobian = b - (b - a) * (1 - t) ** 2, 2 * (b - a) * (1 - t)
-        y = amplitude * np.sin(phi)
-        left = potential(np.full_like(y, amplitude)) - potential(y)
-        quarter += np.sum(0.5 * w * jacobian * amplitude * np.cos(phi) / np.sqrt(2 * left / mass))
-    return float(0.5 * np.pi / quarter)
 
 
 def amplitudes(law, mass, damping, omega, force, largest, mean=0.0):

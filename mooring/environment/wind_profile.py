@@ -60,7 +60,7 @@ C_H = np.array(
         1.342,
     ]
 )
-HOUR = 3600.0
+TEN_MINUTES, HOUR = 600.0, 3600.0
 AVERAGING = (1.0, HOUR)  # s, of the Frøya formula: gusts to the mean it starts from
 
 
@@ -127,3 +127,8 @@ def _heights(height):
         wrong = height[~((height > 0) & (height < np.inf))].flat[0]
         raise ValueError(f"height above the sea is {wrong:g} m; allowed: above 0, finite")
     return height
+
+
+def speed_10(speed, averaging, height, exponent=None):
+    """Mean of ten minutes at 10 m, m/s, of a mean over `averaging` s at a height, m; exponent : as of `speed_at`"""
+    return mean_over(speed, averaging, TEN_MINUTES, height) / float(speed_at(height, 1.0, exponent))

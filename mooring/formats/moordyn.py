@@ -98,7 +98,7 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
     if alone and not (found.get("rods") or found.get("bodies")):
         what = "it has POINTS alone; allowed: with lines" if found.get("points") else "this is no MoorDyn input file"
         raise fault(path, None, None, f"there is no section LINES; {what}")
-    made = {key: _rows(key, rows, path, alone) for key, rows in found.items() if SECTIONS[key].row is not None}
+    made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
     for key in ("syrope", "control", "external"):
         made[key] = tuple(line.rstrip() for _, line in found.get(key, []))
     options = _options(found.get("options", []), path)
@@ -127,8 +127,7 @@ def _fields(key):
     return own | section.aliases
 
 
-def _rows(key, rows, path, alone):
-    """Rows of a table; alone : in a file without lines rods need no ids of their own, nothing is joined to them"""
+def _rows(key, rows, path):
     section = SECTIONS[key]
     if len(rows) < 2:
         raise fault(path, rows[0][0] if rows else None, section.title, "a line of names and a line of units are needed")
@@ -136,7 +135,7 @@ def _rows(key, rows, path, alone):
     made = tuple(_row(key, fields, number, line.split("#")[0].split(), path) for number, line in rows[2:])
     seen = set()
     for (number, _), row in zip(rows[2:], made, strict=True):
-        if row[0] in seen and not (alone and key == "rods"):
+        if row[0] in seen:
             raise fault(path, number, section.title, f"{row._fields[0]} {row[0]} is used twice; allowed: once")
         seen.add(row[0])
     return made

@@ -34,7 +34,6 @@ from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
 from .moordyn_dry import STILL, in_air, out_of_water
 from .moordyn_left_out import left_out
-from .moordyn_loose import Still
 from .moordyn_ropes import curve_of_line, is_tabulated, largest_tensions, segment_of_curve
 from .moordyn_rows import COUPLED, FIXED, FREE, LineTypeRow, finite_number
 
@@ -83,16 +82,6 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     ):
         warnings.warn(f"{path}: {text}", stacklevel=2)
     return system
-
-
-def still_water(file, path="MoorDyn file", depth=None) -> Still:
-    """What a file without lines says of its water, for `moordyn_loose`; depth : m, where it does not say it"""
-    depth, said = _depth(file, path, depth)
-    if depth == 0:
-        raise FormatError(f"{path}: WtrDpth is missing; allowed: above 0 m, or a depth given beside the file")
-    for text in said:
-        warnings.warn(f"{path}: {text}", stacklevel=2)
-    return Still(_option(file, path, 1025.0, DENSITY), _option(file, path, 9.80665, GRAVITY), depth)
 
 
 def _lines(file, types, friction, path):

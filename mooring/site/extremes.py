@@ -162,3 +162,43 @@ def _checked(period):
     if not np.all((period > 1) & (period < np.inf)):
         raise ValueError(f"return period is {period} years; allowed: above 1, finite")
     return period
+
+
+class Extreme(NamedTuple):
+    """value with its interval, low and high (equal to it where it is given); fit : ExtremeFit, or None"""
+
+    value: float
+    low: float
+    high: float
+    fit: ExtremeFit | None
+
+
+def extreme(maxima, family, years, confidence):
+    """Extreme of a return period, of yearly maxima (n,), and what a reader has to know of it, one line each.
+
+    Raises ValueError for maxima that are none, and where the value is not above 0.
+    """
+    maxima = np.asarray(maxima, float)
+    if np.any(maxima <= 0):  # such as −999 where a year is missing
+        raise ValueError(f"a yearly maximum is {maxima.min():g}; allowed: above 0, and no row where none is known")
+    fit = fit_extremes(maxima, family)
+    found = Extreme(float(fit.value(years)), *fit.interval(years, confidence), fit)
+    if not found.value > 0:
+        raise ValueError(f"the value of {years:.0f} years is {found.value:.4g}; allowed: above 0")
+    return found, tuple(_doubts(found, years, confidence))
+
+
+def _doubts(found, years, confidence):
+    count, most = len(found.fit.maxima), float(found.fit.maxima.max())
+    if count < ENOUGH:
+        yield (
+            f"{count} yearly maxima, fewer than {ENOUGH}: the value of {years:.0f} years is "
+            f"{found.value:.4g}, its {100 * confidence:.0f} % interval {found.low:.4g} to {found.high:.4g}"
+        )
+    if years > 4 * count:
+        yield f"{years:.0f} years are more than four times the {count} measured: an extrapolation"
+    if years >= count and found.value < most:
+        yield (
+            f"the value of {years:.0f} years by {found.fit.family}, {found.value:.4g}, is below {most:.4g}, the "
+            f"largest of {count} years measured; take another family, or the measured one"
+        )

@@ -13,10 +13,8 @@ def berth(study, database, output, plot):
 
     raises : ValueError, one line
     """
-    if output is not None:
-        check_records(output, "berth", [study, *([database] if database else [])])
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_records(output, "berth", [study, *([database] if database else [])])
+    check_picture(plot, PLOTS)
     result = found(study, database)
     approach, course = result.detail
     written = [path for path in (output, plot) if path is not None and course is not None]

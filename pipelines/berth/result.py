@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +18,7 @@ from ..common.fender_tables import BATCH, beyond_batch, causes_of, fender_of, on
 from ..common.quantities import StudyError
 from ..common.typed import typed
 from ..results.given import File, Tables, database_of, given
+from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import quantities
 from ..results.result import Result, labels
@@ -74,10 +74,8 @@ def _ship(study, approach, db):
     if db is None:
         added = (approach.virtual_mass - 1) * ship.mass
         return without_memory(ship.mass, ship.gyration, added * np.diag([1.0, ship.gyration**2])), ()
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with heard() as told:
         made = ship_of_database(db, ship.mass, ship.gyration, center=study.ship.center)
-    told = [str(one.message) for one in caught]
     displaced = db.density * float(db["displaced_volume"])
     if abs(displaced / ship.mass - 1) > MASS_DIFFERS:
         told.append(

@@ -30,26 +30,24 @@ def breakwater(
     from ..results.tables import printed
     from .result import breakwater as found
 
-    if output is not None:
-        check_result(output, "breakwater", [study])
+    check_result(output, "breakwater", [study])
     for picture in (plot, map_plot):
-        if picture is not None:
-            check_picture(picture, PLOTS)
+        check_picture(picture, PLOTS)
     if map_plot is not None and database is None:
         raise ValueError("--map-plot is given without --database; allowed: with it, of a study with [map]")
     with Console(stderr=True).status("it is computed"):
         result = found(study, database)
-    asked, made, measured = result.detail
+    read, asked, made, measured = result.detail
     if output is not None:
         write_result(result, output)
     if plot is not None:
         from .picture import draw
 
-        draw(plot, asked, made, measured)
+        draw(plot, read, asked, made, measured)
     if map_plot is not None:
         from .map_picture import draw_map
 
-        draw_map(map_plot, asked.study.name, made.lee)
+        draw_map(map_plot, read.name, made.lee)
     status = printed(result)
     written = [str(path) for path in (output, plot, map_plot) if path is not None]
     if written:

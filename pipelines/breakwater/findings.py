@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.studies.breakwater.breakwater import KN
 
 from ..printing.number import significant
-from .build import KN
 
 
-def failures(study, found):
+def failures(optimisation, found):
     """What fails: lines that go slack, pretensions that cannot be, anchors that are too small, no design good enough"""
     held, sea = found.pretension, found.sea
     if held is not None:
@@ -22,11 +22,12 @@ def failures(study, found):
         )
     for one in found.anchors:
         if one.utilisation is not None and one.utilisation > 1:
+            size, unit = (1.0, "m apart") if one.unit == "m" else (KN, f"k{one.unit}")
             yield fails(
-                f"anchor, {one.name}: {one.needed:.4g} {one.unit} are needed, {one.provided:.4g} provided, "
+                f"anchor, {one.name}: {one.needed / size:.4g} {unit} are needed, {one.provided / size:.4g} provided, "
                 f"{100 * one.utilisation:.4g} % used; give a larger one"
             )
-    wanted = None if study.optimisation is None or found.front is None else study.optimisation.behind
+    wanted = None if optimisation is None or found.front is None else optimisation.behind
     if wanted is not None and not np.any(found.front.behind <= wanted):
         yield fails(
             f"no design leaves {wanted:g} or less behind; the best leaves {found.front.behind.min():.4g}; give "
@@ -53,9 +54,9 @@ def _of_pretension(held):
         )
 
 
-def wanted(study, front):
+def wanted(optimisation, front):
     """The design with the least tension that leaves no more behind than is wanted"""
-    wanted = study.optimisation.behind
+    wanted = optimisation.behind
     enough = [] if wanted is None else np.flatnonzero(front.behind <= wanted)
     if len(enough):
         i = enough[0]

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from hakobune.mooring.studies.breakwater.breakwater import KN
+
 from ..common.picture import save
-from .build import KN
 
 COLORS = {"fixed": "k", "free": "C2", "taut": "C0", "elastic": "C1"}
 
 
-def draw(path, breakwater, found, measured):
-    """Write the picture of Results; measured : columns of `measured`, or None"""
+def draw(path, study, breakwater, found, measured):
+    """Write the picture of Results; study : BreakwaterStudy; measured : columns of `measured`, or None"""
     import matplotlib
     from matplotlib.figure import Figure
 
@@ -20,16 +21,16 @@ def draw(path, breakwater, found, measured):
         wide = found.front is not None
         figure = Figure(figsize=(16 if wide else 11, 8), layout="constrained")
         grid = figure.subplots(2, 3 if wide else 2)
-        _transmission(grid[0, 0], found, measured)
-        _tensions(grid[0, 1], held, found.period, measured)
+        _transmission(grid[0, 0], found, breakwater.waves.period, measured)
+        _tensions(grid[0, 1], held, breakwater.waves.period, measured)
         _sea(grid[1, 0], found.sea)
         _section(grid[1, 1], breakwater)
         if wide:
-            _front(grid[:, 2], breakwater.study, found.front)
+            _front(grid[:, 2], study, found.front)
         for axis in (*grid[0], grid[1, 0], *grid[1, 2:]):
             axis.grid(True, color="0.9", linewidth=0.6)
             axis.spines[["top", "right"]].set_visible(False)
-        figure.suptitle(breakwater.study.name, x=0.01, ha="left", fontsize=11)
+        figure.suptitle(study.name, x=0.01, ha="left", fontsize=11)
         save(figure, path, 130)
 
 
@@ -37,12 +38,12 @@ def _style(curve):
     return {"color": COLORS[curve.holding], "linestyle": "-" if curve.name == curve.holding else "--", "linewidth": 1.3}
 
 
-def _transmission(axis, found, measured):
+def _transmission(axis, found, period, measured):
     for curve in found.curves:
-        axis.plot(found.period, abs(curve.response.transmission), label=curve.name, **_style(curve))
+        axis.plot(period, abs(curve.response.transmission), label=curve.name, **_style(curve))
     if measured is not None:
         axis.plot(measured["period_s"], measured["transmission"], "o", color="C3", markersize=4, label="measured")
-    axis.set(xlim=found.period[[0, -1]] if len(found.period) > 1 else None, ylim=(0, 1.05))
+    axis.set(xlim=period[[0, -1]] if len(period) > 1 else None, ylim=(0, 1.05))
     axis.set(xlabel="period  s", ylabel="K_T")
     axis.set_title("transmission", loc="left", fontsize=9)
     axis.legend(frameon=False, fontsize=8)
@@ -87,8 +88,8 @@ def _section(axis, breakwater):
     points = points - 1j * (outline.bottom + breakwater.draft(0.0))
     axis.fill(points.real, points.imag, color="0.8", edgecolor="k", linewidth=1)
     wide = 2.0 * max(abs(points.real).max(), depth / 2)
-    if breakwater.study.lines is not None:
-        lines = breakwater.study.lines
+    lines = breakwater.lines
+    if lines is not None:
         top = -breakwater.draft(0.0) + lines.attachment_height
         way = breakwater.line * np.exp(-1j * breakwater.angle)
         for side in (1, -1):

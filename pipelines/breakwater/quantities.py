@@ -5,15 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from hakobune.mooring.breakwater.holdings import mean_drift
+from hakobune.mooring.studies.breakwater.breakwater import THEORIES
+from hakobune.mooring.studies.breakwater.curves import sections
+from hakobune.mooring.studies.breakwater.tides import ENDS
 
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
-from .build import KN
-from .curves import sections
-from .results import design
-from .tables import THEORIES
 
-ENDS = ("front", "back")
 PARTS = {  # of a Response, over the amplitude of the waves: unit, description, table
     "transmission": ("", "K_T", "transmission"), "reflection": ("", "reflection", ""), "sway": ("m/m", "sway", ""),
     "heave": ("m/m", "heave", ""), "roll": ("rad/m", "roll", ""),
@@ -23,13 +21,15 @@ TIDE = {  # of a Tide: unit, description
     "front_at": ("s", "front, at"), "back": ("N/m", "back"), "back_at": ("s", "back, at"),
 }  # fmt: skip
 PULLS = "amplitudes of tension for each metre of wave amplitude"
-ANCHOR_UNITS = {"kN": ("N", KN), "kN/m": ("N/m", KN), "m apart": ("m", 1.0)}
 DESIGN = {"draft": ("m", 1.0, "draft"), "width": ("m", 1.0, "width"), "angle_deg": ("rad", np.pi / 180, "lines at")}
 
 
 def curves_of(asked, found):
     """Transmission, reflection, motions and tensions of each way to hold the body, over period"""
-    made, axes = {}, labels("period", found.period, "s") | labels("holding", [curve.name for curve in found.curves])
+    made, axes = (
+        {},
+        labels("period", asked.waves.period, "s") | labels("holding", [curve.name for curve in found.curves]),
+    )
     for name, (unit, words, table) in PARTS.items():
         values = np.stack([getattr(curve.response, name) for curve in found.curves], axis=1)
         made |= _moduli(name, values, ("period", "holding"), unit, words, table)
@@ -51,7 +51,8 @@ def _moduli(name, values, axes, unit, words, table):
 
 def checks_of(asked, found):
     """Mean drift, and what energy and Haskind's relation miss"""
-    omega, water = 2 * np.pi / found.period, asked.water | {"obliquity": asked.obliquity}
+    obliquity = asked.waves.obliquity
+    omega, water = 2 * np.pi / asked.waves.period, asked.fluid | {"obliquity": obliquity}
     parts = [curve.response for curve in found.curves]
     drift = [mean_drift(one, omega, asked.depth(0.0), **water) for one in parts]
     energy = [abs(one.transmission) ** 2 + abs(one.reflection) ** 2 - 1 for one in parts]
@@ -60,8 +61,8 @@ def checks_of(asked, found):
         "mean_drift": Quantity(np.stack(drift, axis=1), two, "N/m3", "mean drift"),
         "check.energy": Quantity(np.stack(energy, axis=1), two, "", "energy amiss"),
     }
-    if THEORIES[0] in asked.study.theories:
-        waters = sections(asked, asked.wetted(0.0), 0.0, omega, asked.obliquity)
+    if THEORIES[0] in asked.theories:
+        waters = sections(asked, asked.wetted(0.0), 0.0, omega, obliquity)
         misses = [abs(one.haskind - one.excitation).max() / abs(one.excitation).max() for one in waters]
         made["check.haskind"] = Quantity(misses, ("period",), "", "Haskind's relation amiss")
     return made, {}
@@ -72,14 +73,14 @@ def pretension_of(asked, found):
     tides, held = found.tides, found.pretension
     if tides is None:
         return {}, {}
-    title = "" if held is None else f"greatest amplitudes of tension in waves of {asked.study.waves.height:g} m"
+    title = "" if held is None else f"greatest amplitudes of tension in waves of {asked.waves.height:g} m"
     columns = {name: [getattr(one, name) for one in tides] for name in TIDE}
     made = quantities(title, {f"tide.{name}": (columns[name], *TIDE[name]) for name in TIDE}, "level")
     axes = labels("level", [one.level for one in tides]) | labels("end", ENDS)
-    return (made, axes) if held is None else (made | _pretension(asked.study, held), axes)
+    return (made, axes) if held is None else (made | _pretension(asked, held), axes)
 
 
-def _pretension(study, held):
+def _pretension(asked, held):
     given = {
         "pretension.least": (held.least, "N/m", "least that keeps lines taut"),
         "pretension.used": (held.used, "N/m", "that is used" if held.given is None else "of the body"),
@@ -87,7 +88,7 @@ def _pretension(study, held):
     }
     greatest = {"pretension.greatest": (held.greatest, "N/m", "greatest tension")}
     known = {name: row for name, row in given.items() if row[0] is not None}
-    return quantities(f"pretension P₀ of {', '.join(design(study))}", known) | quantities(
+    return quantities(f"pretension P₀ of {', '.join(asked.design)}", known) | quantities(
         "lines with this pretension", greatest, "end"
     )
 
@@ -96,15 +97,15 @@ def anchors_of(asked, found):
     """What anchors have to be, and what is provided"""
     if not found.anchors:
         return {}, {}
-    units, sizes = zip(*(ANCHOR_UNITS[one.unit] for one in found.anchors), strict=True)
+    units = tuple(one.unit for one in found.anchors)
     parts = ((one.provided, one.utilisation) for one in found.anchors)
     provided, used = np.array([[np.nan if part is None else part for part in row] for row in parts]).T
     unit, known = units[0] if len(units) == 1 else units, "anchors" if np.isfinite(provided).any() else ""
     needed = {
-        "anchor.needed": (np.array(sizes) * [one.needed for one in found.anchors], unit, "needed"),
+        "anchor.needed": ([one.needed for one in found.anchors], unit, "needed"),
         "anchor.size": ([one.note for one in found.anchors], "", "size"),
     }
-    given = {"anchor.provided": (sizes * provided, unit, "provided"), "anchor.used": (used, "%", "used")}
+    given = {"anchor.provided": (provided, unit, "provided"), "anchor.used": (used, "%", "used")}
     axes = labels("anchor", [one.name for one in found.anchors])
     return quantities("anchors", needed, "anchor") | quantities(known, given, "anchor"), axes
 
@@ -159,7 +160,7 @@ def front_of(asked, found):
     front = found.front
     if front is None:
         return {}, {}
-    behind = ("m", "4√m₀ behind") if asked.study.sea is not None else ("", "greatest K_T")
+    behind = ("m", "4√m₀ behind") if asked.sea is not None else ("", "greatest K_T")
     made = {"tension": (front.tension, "N/m", "greatest tension"), "behind": (front.behind, *behind)}
     for name, values in zip(front.names, front.designs.T, strict=True):
         unit, size, words = DESIGN[name]

@@ -6,15 +6,20 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from msgspec.structs import asdict
+
+from hakobune.mooring.studies.breakwater.breakwater import Breakwater
+from hakobune.mooring.studies.breakwater.results import Results, results
+
 from ..common.quantities import StudyError
 from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.result import Result
-from .build import Breakwater
+from .build import anchors_of as asked_anchors
+from .build import breakwater_of, changing, ranges_of
 from .findings import failures, wanted
 from .measured import read_measured
 from .quantities import anchors_of, behind_of, checks_of, curves_of, front_of, lee_of, pretension_of, snapping_of
-from .results import Results, results
 from .study import BreakwaterStudy, make_breakwater, read_breakwater
 
 if TYPE_CHECKING:
@@ -22,8 +27,9 @@ if TYPE_CHECKING:
 
 
 class Found(NamedTuple):
-    """asked : `build.Breakwater`; results : Results; measured : columns of `measured`, or None"""
+    """study : BreakwaterStudy; asked : `Breakwater`; results : Results; measured : columns of `measured`, or None"""
 
+    study: BreakwaterStudy
     asked: Breakwater
     results: Results
     measured: dict | None
@@ -44,21 +50,21 @@ def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database
         raise StudyError("the study has no [map]; add one, or leave --database and --map-plot out")
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
     measured = None if read.measured is None else read_measured(folder / read.measured)
-    asked = Breakwater(read)
+    asked = breakwater_of(read)
     db = None if database is None else database_of(database)
-    return result_of(Found(asked, _results(asked, db), measured), text, db)
+    return result_of(Found(read, asked, _results(read, asked, db), measured), text, db)
 
 
-def _results(asked, db):
-    found = results(asked)
-    if asked.study.optimisation is not None:
-        from .pareto import front
+def _results(study, asked, db):
+    found, wanted = results(asked, asked_anchors(study)), study.optimisation
+    if wanted is not None:
+        from hakobune.mooring.studies.breakwater.pareto import front
 
-        found = found._replace(front=front(asked.study))
+        found = found._replace(front=front(changing(asked), ranges_of(wanted), wanted.samples, wanted.limits))
     if db is not None:
-        from .lee import lee
+        from hakobune.mooring.studies.breakwater.lee import Row, lee
 
-        around = lee(asked, db)
+        around = lee(asked, Row(**asdict(study.map)), db)
         found = found._replace(lee=around, warned=[*found.warned, *around.warned])
     return found
 
@@ -69,8 +75,8 @@ def result_of(found, text, db=None):
     for part in (curves_of, pretension_of, anchors_of, behind_of, snapping_of, front_of, lee_of, checks_of):
         made, labels = part(found.asked, found.results)
         quantities, axes = quantities | made, axes | labels
-    study, front = found.asked.study, found.results.front
+    optimisation, front = found.study.optimisation, found.results.front
     return Result(
-        "breakwater", quantities, axes, (*found.results.warned, *failures(study, found.results)),
-        () if front is None else tuple(wanted(study, front)), provenance=provenance(text, db), detail=found,
+        "breakwater", quantities, axes, (*found.results.warned, *failures(optimisation, found.results)),
+        () if front is None else tuple(wanted(optimisation, front)), provenance=provenance(text, db), detail=found,
     )  # fmt: skip

@@ -11,7 +11,7 @@ from ..common.quantities import StudyError, positive, water_depth
 from ..common.typed import typed
 from ..common.weather.seas import spectrum_of, spreading_of
 from ..site.link import BREAKWATER, read_study_at_site
-from .tables import THEORIES, BreakwaterStudy, SpanTable
+from .tables import THEORIES, AnchorsTable, BreakwaterStudy, SpanTable
 
 SHAPES = {"rectangle": ("beam", "height"), "circle": ("diameter",), "outline": ("points",)}
 MOST_PERIODS = 1000
@@ -35,6 +35,7 @@ def make_breakwater(raw):
     _check_names(study)
     if study.lines is not None:
         _check_lines(study.lines)
+    _check_anchors(study.anchors)
     positive("waves.height", study.waves.height)
     _check_directions(study)
     if study.loss is not None and not 0 <= study.loss.coefficient <= LARGEST_LOSS:
@@ -127,6 +128,15 @@ def _check_lines(lines):
         raise StudyError(f"lines.attachment_height is {lines.attachment_height:g}; allowed: 0 or more, finite")
     if lines.pretension_kN_per_m is not None and not 0 <= lines.pretension_kN_per_m < np.inf:
         raise StudyError(f"lines.pretension_kN_per_m is {lines.pretension_kN_per_m:g}; allowed: 0 or more, finite")
+
+
+def _check_anchors(anchors):
+    for name in AnchorsTable.__struct_fields__:
+        table = getattr(anchors, name)
+        for key in () if table is None else table.__struct_fields__:
+            value = getattr(table, key)
+            if value is not None and not isinstance(value, bool):
+                positive(f"anchors.{name}.{key}", value)
 
 
 def _check_needs(study):

@@ -1,63 +1,14 @@
-"""A taut-moored floating breakwater as typed TOML, per metre of its length.
-
-```toml
-name = "Circular breakwater of 10 m"
-
-[water]
-depth = 10.0                    # m, at mean level
-tide = 0.5                      # m above and below it
-
-[section]
-shape = "rectangle"             # beam, height; or circle: diameter; or outline: points [[y, z], [y, z, bulge], …]
-beam = 10.0
-height = 6.7
-draft = 5.0                     # on its lines, at mean level
-
-[body]                          # not for a fixed one
-free_draft = 3.5                # or mass_t_per_m, or lines.pretension_kN_per_m
-center_of_gravity = 1.25        # m above the lowest point
-gyration = 3.7                  # m
-
-[lines]
-angle_deg = 45.0                # with the bed; above 90 they cross
-attachment = 5.0                # m, half the distance of their upper ends
-spacing = 5.0                   # m of breakwater between pairs
-allowable_kN = 2000.0           # of one line
-axial_stiffness_kN = 5e4        # of one line, for holding "elastic"
-
-[waves]
-height = 3.0                    # m, crest to trough
-periods = { from = 3.5, to = 12.0, count = 60 }
-
-[sea]                           # optional
-height = 2.0
-significant_period = 7.0
-spreading = "cosine:4"          # optional, and obliquity_deg, of the mean direction with the normal: for rectangles
-
-[loss]                          # optional, of the flow under the keel, in potential flow
-coefficient = 1.5
-
-[optimisation]                  # optional: the least wave behind for every tension
-draft = [4.0, 6.0]              # and width, angle_deg; behind = 0.8, m or K_T, that is wanted
-
-[map]                           # optional, with --database: waves around units of finite length
-units = 3
-gap = 12.0                      # m
-
-[anchors]                       # optional: sinker, common_sinker, pile, holding
-sinker = { friction = 0.3, width = 10.0, unit_weight_kN_per_m3 = 67.2 }
-```
-"""
+"""A floating breakwater as typed TOML, per metre of its length; `pipelines/scenes/breakwater_rectangle.toml` is one."""
 
 from __future__ import annotations
 
 import msgspec
 
+from hakobune.mooring.studies.breakwater.breakwater import THEORIES
+
 from ..common.quantities import Table
 from ..common.weather.seas import SpectrumTable
 from ..site.link import SiteLink
-
-THEORIES = ("potential flow", "long waves")
 
 
 class WaterTable(Table):

@@ -22,8 +22,10 @@ def check_output(path, kind, is_one, endings, inputs=()):
     """Raise ValueError unless a file can be made under this name and no other is lost; before any work for it.
 
     kind : what may be replaced, "the result of a study"; is_one : tells of a path whether such a file is there
-    endings : of the name, that are allowed; inputs : paths of files that are read
+    endings : of the name, that are allowed; inputs : paths of files that are read; path : None where none is asked for
     """
+    if path is None:
+        return
     path = Path(path)
     for given in map(Path, inputs):
         if path.exists() and given.exists() and path.samefile(given):

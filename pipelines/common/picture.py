@@ -18,7 +18,9 @@ VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
 def check_picture(path, kinds):
-    """Raise ValueError if no picture can be written there, before any work is done for it."""
+    """Raise ValueError if no picture can be written there, before any work is done for it; None asks for none."""
+    if path is None:
+        return
     from hakobune.bem.database.file import check_place
 
     if path.suffix.lower() not in kinds:

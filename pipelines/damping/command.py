@@ -24,8 +24,7 @@ def damping(
     from ..results.tables import printed
     from .result import damping
 
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_picture(plot, PLOTS)
     result = damping(record, mass=None if mass is None else 1e3 * mass)
     if plot is not None:
         _draw(result, plot)

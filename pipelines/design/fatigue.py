@@ -5,19 +5,15 @@
 The whole lines alone: a state with `share` of the time has it in equal parts in all its directions and levels.  Asked
 is factor · D ≤ 1.  The record is that of the fairlead, in the section of each type with the curve's own reference.
 
-The sum is of random terms d, of one cycle each; its standard error is D/√m, with
-
-    m = (Σ d)² / Σ d²       cycles that carry the damage; all of them where they are alike
-
-Fewer than `mooring.motion.extremes.FEWEST` values have no interval of 90 %: then nothing is said, as of a regular wave,
-whose cycles are none of a sea.  A slow motion that a run has few of carries the damage in as few cycles.
+Fewer cycles that carry the damage than `mooring.motion.extremes.FEWEST` have no interval of 90 %: then nothing is said,
+as of a regular wave, whose cycles are none of a sea.  A slow motion that a run has few of carries it in as few cycles.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from hakobune.mooring.criteria.fatigue import YEAR, curves, damages
+from hakobune.mooring.criteria.fatigue import YEAR, curves, miner
 from hakobune.mooring.criteria.rules import OWN, Criterion
 from hakobune.mooring.criteria.strength import kind_and_size
 from hakobune.mooring.criteria.verdict import Judged, Use
@@ -81,5 +77,5 @@ def _rate(cycles, read, name, curve, breaking_load):
     """Damage a second of (duration s, Cycles), and the sum of the squares of that of each cycle"""
     duration, found = cycles
     diameter = kind_and_size(read.study["types"][name]["catalogue"])[1]
-    each = damages(found, curve, diameter, breaking_load) / duration
-    return float(found.count @ each), float(found.count @ each**2)
+    damage, squares = miner(found, curve, diameter, breaking_load)
+    return damage / duration, squares / duration**2

@@ -52,13 +52,11 @@ def use_picture(verdict, folder):
     shown = [(name, one.met, one.governing.utilisation) for name, one in zip(names, judged, strict=True)]
 
     def draw(path):
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 
         from ..common.picture import save
 
         figure = Figure(figsize=(9, 0.8 + 0.34 * len(judged)), layout="constrained")
-        FigureCanvasAgg(figure)
         axes = figure.add_subplot()
         used = [100 * min(one.governing.utilisation, 3.0) for one in judged]
         names = [name for name, _, _ in shown]

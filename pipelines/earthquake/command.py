@@ -17,10 +17,8 @@ def earthquake(study, database, output, plot):
 
     raises : ValueError, one line
     """
-    if output is not None:
-        check_records(output, "earthquake", [study, *([database] if database else [])])
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_records(output, "earthquake", [study, *([database] if database else [])])
+    check_picture(plot, PLOTS)
     result = found(study, database)
     run = "course.body" in result
     if output is not None and not is_hdf5(output) and result.detail.ground is None:

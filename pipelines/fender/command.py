@@ -12,8 +12,7 @@ def fender(table, strain, deflection, energy, output):
 
     raises : ValueError, one line
     """
-    if output is not None:
-        check_picture(output, PLOTS)
+    check_picture(output, PLOTS)
     result = found(table, strain=strain, deflection=deflection, energy=None if energy is None else 1e3 * energy)
     if output is not None:
         from .picture import draw

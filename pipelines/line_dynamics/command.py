@@ -20,10 +20,8 @@ def line_dynamics_command(file, duration, tolerance, output, picture):
     """Run the line of a study.  Returns the exit status; raises ValueError, one line."""
     from ..printing.console import new_console
 
-    if picture is not None:
-        check_picture(picture, PLOTS)
-    if output is not None:
-        check_result(output, "line-dynamics", [file])
+    check_picture(picture, PLOTS)
+    check_result(output, "line-dynamics", [file])
     console = new_console()
     try:
         result = line_dynamics(

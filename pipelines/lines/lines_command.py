@@ -20,16 +20,12 @@ def lines_command(file, depth, output, picture, moordyn, **asked):
 
     raises : ValueError, one line
     """
-    if picture is not None:
-        check_picture(picture, PLOTS)
-    if output is not None:
-        check_result(output, "lines", [file])
+    check_picture(picture, PLOTS)
+    check_result(output, "lines", [file])
     if moordyn is not None:
         check_place(moordyn)
     check_asked(asked["offset"], asked["directions"])
     given = read_given(file, depth)
-    if given.system is None:
-        given.check_alone({"--picture": picture, "--moordyn": moordyn})
     exported = None if moordyn is None else _moordyn_file(given, moordyn)
     try:
         result = lines_of(given, **asked)

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..results.provenance import provenance
 from ..results.quantity import Quantity, quantities
-from ..results.result import Result, labels, records
+from ..results.result import labels, records
 
 REST, BODIES, POINTS = "lines at rest", "bodies at rest", "free points at rest"
 MOTION = dict(zip(("x", "y", "z", "roll", "pitch", "yaw"), 3 * ["m"] + 3 * ["rad"], strict=True))
@@ -150,17 +149,3 @@ def periods_of(state, name, db):
     return {"period": Quantity(found.period, ("mode",), "s", "natural period", f"natural periods of {name}")}, labels(
         "mode", modes
     )
-
-
-def parts_alone(found, said, text):
-    """Result of [Loose] of a MoorDyn file without lines; said : what is left out of it; text : of the file"""
-    places = np.full((2, len(found), 3), np.nan)
-    for i, one in enumerate(found):
-        if one.ends is not None:
-            places[: len(one.ends), i] = np.where(np.abs(one.ends) < 5e-4, 0.0, one.ends)
-    title = "no lines: each by itself, in still water"
-    made = {"part.state": Quantity([one.state for one in found], ("part",), "", "state", title)}
-    for end, place in zip("ab", places, strict=True):
-        made[f"part.end_{end}"] = Quantity(place, ("part", "xyz"), "m", end.upper(), title)
-    axes = labels("part", [one.name for one in found]) | labels("xyz", ["x", "y", "z"])
-    return Result("lines", made, axes, first=tuple(said), provenance=provenance(text), detail=found)

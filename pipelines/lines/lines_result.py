@@ -18,7 +18,7 @@ from ..results.given import File, Tables, database_of
 from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.result import Result
-from .lines_quantities import at_rest, axes_of, curves_at, line_alone, lost, parts_alone, periods_of, stiffness_on
+from .lines_quantities import at_rest, axes_of, curves_at, line_alone, lost, periods_of, stiffness_on
 from .system_file import read_given
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def lines(
     characteristic : name of a line, for its forces from slack to taut; broken : whether each line is lost in turn
     database : path of the body's, or an open one, for natural periods
     returns : Result, in SI; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without
-        it}; of a MoorDyn file without lines that of its rods and bodies, each by itself
+        it}
     raises : ValueError, one line
     """
     asked = {"force": force, "offset": offset, "directions": directions, "characteristic": characteristic}
@@ -69,10 +69,6 @@ def check_asked(offset, directions):
 
 def lines_of(given, *, body, force, offset, directions, characteristic, broken, database):
     """As `lines`, of a `system_file.Given`"""
-    if given.system is None:
-        asked = {"--body": body, "--force": force, "--offset": offset, "--characteristic": characteristic}
-        given.check_alone(asked | {"--broken": broken, "--database": database})
-        return parts_alone(*given.rests())
     db = None if database is None else database_of(database)
     name = _body(given.system, body, needed=force is not None or offset is not None or db is not None)
     with heard() as first:

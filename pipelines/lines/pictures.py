@@ -15,14 +15,12 @@ KINDS = ("line", "lines", "line-dynamics")  # of results that a picture is made 
 
 def draw_system(state, path, curves=(), losses=None):
     """Plan and profile, lines coloured by tension; below them offset curves, and tensions with one line broken."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
 
     rows = 1 + bool(curves or losses)
     figure = Figure(figsize=(13, 6.0 * rows), layout="constrained")
-    FigureCanvasAgg(figure)
     grid = figure.subplots(rows, 2, squeeze=False)
     colours = ScalarMappable(Normalize(0, state.tension.max() / KN), "viridis_r")
     shapes = line_shapes(state)
@@ -138,11 +136,9 @@ def line_plane(nodes):
 
 def _film(time, plane, path):
     from matplotlib.animation import FuncAnimation, PillowWriter
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8, 4), layout="constrained")
-    FigureCanvasAgg(figure)
     axes = figure.subplots()
     (drawn,) = axes.plot(*plane[0].T, "o-", color="C0", ms=2)
     margin = 0.05 * np.ptp(plane.reshape(-1, 2), axis=0) + 1e-9

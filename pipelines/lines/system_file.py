@@ -116,31 +116,13 @@ class SystemTable(Table):
 class Given:
     """What a system is read from, once.
 
-    system : System, None of a MoorDyn file without lines; text : of the file; said : what was warned of in it
-    moordyn : MoorDynFile where it is one; path, depth : of it
+    text : of the file; said : what was warned of in it; moordyn : MoorDynFile where it is one
     """
 
-    system: System | None
+    system: System
     text: str = ""
     said: list = field(default_factory=list)
     moordyn: object = None
-    path: Path | None = None
-    depth: float | None = None
-
-    def check_alone(self, asked):
-        """Raise StudyError where more is asked of a file without lines; asked : {flag: value, None where not given}"""
-        given = [flag for flag, value in asked.items() if value is not None and value is not False]
-        if given:
-            raise StudyError(f"{self.path} has no lines, and {given[0]} is for these; allowed: --depth")
-
-    def rests(self):
-        """[Loose] of a file without lines, what is left out of it, and its text.  Raises FormatError."""
-        from hakobune.mooring.formats.moordyn_loose import rests_of_moordyn
-        from hakobune.mooring.formats.moordyn_system import still_water
-
-        with heard() as said:
-            found = rests_of_moordyn(self.moordyn, still_water(self.moordyn, self.path, self.depth), self.path)
-        return found, said, self.text
 
 
 def read_system(path, depth=None) -> System:
@@ -152,8 +134,6 @@ def read_system(path, depth=None) -> System:
     given = read_given(path, depth)
     for line in given.said:
         warnings.warn(line, stacklevel=2)
-    if given.system is None:
-        raise StudyError(f"{path}: there are no LINES; allowed: with lines")
     return given.system
 
 
@@ -167,14 +147,12 @@ def read_given(system, depth=None) -> Given:
         if isinstance(system, dict):
             import tomli_w
 
-            made, text, moordyn, path = make_system(system), tomli_w.dumps(system), None, None
+            made, text, moordyn = make_system(system), tomli_w.dumps(system), None
         else:
-            path = Path(system)
-            made, text, moordyn = _read(path, depth)
-        if made is not None:
-            heights = {one.name: one.position[2] for one in made.points if isinstance(one, Anchor)}
-            warn_of_anchors(heights, made.depth)
-    return Given(made, text, said, moordyn, path, depth)
+            made, text, moordyn = _read(Path(system), depth)
+        heights = {one.name: one.position[2] for one in made.points if isinstance(one, Anchor)}
+        warn_of_anchors(heights, made.depth)
+    return Given(made, text, said, moordyn)
 
 
 def _read(path, depth):
@@ -199,7 +177,7 @@ def _read(path, depth):
         return read_fast_farm(path, depth), read_text(path, FormatError, errors="replace"), None
     text = read_text(path, FormatError, errors="replace", largest=moordyn.LARGEST)
     file = moordyn.parse_moordyn(text, path)
-    return (system_of_moordyn(file, path, depth) if file.lines else None), text, file
+    return system_of_moordyn(file, path, depth), text, file
 
 
 def make_system(raw) -> System:

@@ -15,8 +15,7 @@ COLOUR = {IN_WATER: "grey", ALL: "black"}
 
 def members(path, plot):
     """Print a study of members, draw it to `plot`; returns the exit status.  Raises ValueError, one line."""
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_picture(plot, PLOTS)
     result = found(path)
     if plot is not None:
         _draw(result, plot)

@@ -15,8 +15,7 @@ def moor(study, database, output=None):
     With `output` the results are written there (HDF5 or CSV), with a plan of the lines beside it (…_plan.png).
     raises : ValueError, one line, before anything is written
     """
-    if output is not None:
-        check_result(output, "moor", [study, database])
+    check_result(output, "moor", [study, database])
     result = found(study, open_database(database))
     written = [] if output is None else _written(result, output)
     status = printed(result)

@@ -18,13 +18,11 @@ def draw_plan(result, hull, path, used=None):
 
     used : (n,) largest tension over breaking load of the lines, nan where it is unknown; by default of the result
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10, 7), layout="constrained")
-    FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     used = result.utilisation if used is None else used
     colours = ScalarMappable(Normalize(0, max(1.0, used[np.isfinite(used)].max(initial=0.0))), "turbo")

@@ -46,8 +46,7 @@ def qtf(
     from .question import listed
     from .result import qtf as found
 
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_picture(plot, PLOTS)
     if (difference if sums else highest) is not None:
         wrong, right = ("--difference", "without") if sums else ("--highest", "with")
         raise ValueError(f"{wrong} is given; allowed: {right} --sum")

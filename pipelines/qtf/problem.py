@@ -67,7 +67,7 @@ def _with_lid(problem, highest):
 
 
 def _fits_contour(db, highest):
-    from hakobune.bem.contour.short_waves import unresolved
+    from hakobune.bem.contour.short_waves import too_many
     from hakobune.bem.waves import wavenumber
 
     from ..scene.methods import METHODS as SOLVERS
@@ -77,7 +77,7 @@ def _fits_contour(db, highest):
     radius, draft = db.dimensions["radius"], db.dimensions["draft"]
     k = float(wavenumber(highest, db.water_depth, db.gravity))
     gap = (db.water_depth - draft) / min(radius, draft)
-    return gap <= SOLVERS["contour"].highest_gap and not unresolved((radius, draft), k)
+    return gap <= SOLVERS["contour"].highest_gap and not too_many((radius, draft), k)
 
 
 def _cylinder(db, panels, tolerance):

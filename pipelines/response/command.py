@@ -33,8 +33,7 @@ def response(
     inputs = [study, database, *([moored] if moored else [])]
     if output is not None:
         check_result(output, KIND, [*inputs, *files_of(read_response_study(study)[0], study.parent)])
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_picture(plot, PLOTS)
     result = found(study, database, moored)
     if output is not None:
         write_result(result, output)

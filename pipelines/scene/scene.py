@@ -19,7 +19,7 @@ from hakobune.bem.waves import wavenumber
 from ..common.typed import of_another, read_toml, typed
 from . import products
 from .checks import check, check_depth_given
-from .methods import approach, names_given
+from .methods import chosen_method, names_given
 from .tables import FREQUENCY_KEYS, SHAPES, BodyTable, SceneError, SceneTable, Water, Waves, listed
 
 
@@ -95,15 +95,9 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
         return names_given(self, products.expand(self.want, self.motions_known), self.want or ())
 
     @cached_property
-    def approach(self):
-        """`pipelines.scene.methods.Approach`: the method that solves the scene, and what it means for it"""
-        return approach(self)
-
-    @property
-    def raised_bed(self):
-        """m, of the bed over which the contour method works if it is above the one that there is, else None"""
-        bed = self.approach.bed
-        return bed if bed is not None and bed < self.water.depth else None
+    def solved_by(self):
+        """Name of the method that solves the scene, of `pipelines.scene.methods.METHODS`"""
+        return chosen_method(self)
 
     @property
     def shortest_wave(self):

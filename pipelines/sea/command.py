@@ -66,12 +66,9 @@ def _check_places(file, table, record, output, plot):
     for i, path in enumerate(paths):
         if path in paths[:i]:
             raise ValueError(f"{path.name} is named twice; give each file a name of its own")
-    if record is not None:
-        check_output(record, "a record made here", is_record, (".csv",))
-    if output is not None:
-        check_output(output, "a spectrum written here", is_spectrum, (".csv",))
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_output(record, "a record made here", is_record, (".csv",))
+    check_output(output, "a spectrum written here", is_spectrum, (".csv",))
+    check_picture(plot, PLOTS)
 
 
 def _write(found, flags):

@@ -32,8 +32,7 @@ def sections(
     from .result import sections
 
     flags = {"beam_draft": beam_draft, "depth_draft": depth_draft, "xi": xi}
-    if output is not None:
-        check_output(output, "a table of sections", is_table, SUFFIXES)
+    check_output(output, "a table of sections", is_table, SUFFIXES)
     grid = {name: _listed(f"--{name.replace('_', '-')}", text) for name, text in flags.items() if text is not None}
     result = sections(**grid, tolerance=tolerance)
     if output is None:

@@ -12,10 +12,8 @@ from .result import single_point
 
 def single_point_command(study, database, output, picture):
     """Exit status.  Raises ValueError, one line, before anything is written."""
-    if output is not None:
-        check_result(output, "single-point", (study, *(() if database is None else (database,))))
-    if picture is not None:
-        check_picture(picture, PLOTS)
+    check_result(output, "single-point", (study, *(() if database is None else (database,))))
+    check_picture(picture, PLOTS)
     result = single_point(study, database)
     written = [*_pictures(result.detail, (study, output), picture), *((output,) if output is not None else ())]
     if output is not None:

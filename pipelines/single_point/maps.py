@@ -117,11 +117,9 @@ def _values(where, axis):
 
 def draw(found: Map, path: Path):
     """Growth over one number as a curve, over two as colours with the boundary of slewing"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8, 6), layout="constrained")
-    FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     per_hour = 3600 * found.growth
     if len(found.keys) == 1:

@@ -13,11 +13,9 @@ from ..common.units import KN
 
 def draw_plan(study, point, found, path):
     """Write the plan of all Equilibrium of a study as a picture; lines are those of the preferred one."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 8), layout="constrained")
-    FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     best = preferred(found)
     draw_lines(axes, best.lines)

@@ -32,6 +32,7 @@ from hakobune.mooring.single_point.waves import GROWS, mean_frequency, slow_part
 from ..common.quantities import StudyError, direction, force, positive
 from ..common.units import KN
 from ..common.weather.seas import sea_of
+from ..results.heard import heard
 from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
@@ -95,8 +96,7 @@ def _in_one(study, point, steady, db, waves):
     contact = point.lengths[0] == 0.0
     body, rope = (None, None) if contact else _buoy_and_rope(study)
     state = turned_state(point, steady.state, np.radians(s.offset_deg))
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with heard() as said:
         sea = _sea(study, db) if waves else None
         moved = body_at(steady, state, db, buoy=body, rope=rope, end_z=study.attachment.z, sea=sea)
     components = _components(study, db, s) if waves else None
@@ -120,7 +120,7 @@ def _in_one(study, point, steady, db, waves):
     left = ()
     if study.waves is not None and not waves:
         left = ("waves push with their mean drift alone; give --database for the motion that they make",)
-    told = dict.fromkeys((*(str(one.message) for one in caught), *moved.findings, *left, *found.findings))
+    told = dict.fromkeys((*said, *moved.findings, *left, *found.findings))
     record = Record(found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed)
     return record, (bool(mean), tuple(told)), sum(grown) if waves else np.inf
 
@@ -168,14 +168,12 @@ def words(run: Run):
 
 def draw(study, run: Run, path):
     """Heading, tensions and the track of a run"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     from ..common.picture import save
     from .pictures import draw_hull, draw_lines
 
     figure = Figure(figsize=(12, 7), layout="constrained")
-    FigureCanvasAgg(figure)
     grid = figure.add_gridspec(3, 2, width_ratios=[3, 2])
     heading, hawser, lines = (figure.add_subplot(grid[i, 0]) for i in range(3))
     plan = figure.add_subplot(grid[:, 1])

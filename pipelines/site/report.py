@@ -96,13 +96,11 @@ def _climate(values):
 
 def draw_contour(path, values):
     """The scatter and contours of one year, ten years and the return period"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     from ..common.picture import save
 
     one, figure = values.climate, Figure(figsize=(7, 4.6), layout="constrained")
-    FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     states = np.array(list(one.scatter.states()))
     axes.scatter(states[:, 1], states[:, 0], s=600 * states[:, 2] ** 0.5, color="0.7", label="seas of the table")
@@ -132,13 +130,11 @@ def _fit(name, extreme, years):
 
 def draw_paper(path, name, extreme, years):
     """Maxima and their law on Gumbel's probability paper, with the interval of the return value"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     from ..common.picture import save
 
     fit, figure = extreme.fit, Figure(figsize=(7, 4.2), layout="constrained")
-    FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     p = plotting_positions(len(fit.maxima))
     axes.plot(-np.log(-np.log(p)), np.sort(fit.maxima), "o", ms=4, label="yearly maxima")

@@ -1,7 +1,4 @@
-"""States of weather and levels of a site, as studies take them.
-
-current of a tsunami  a √(g/h), of a long wave that rises by a;    mean period of waves  of the joint law's median
-"""
+"""States of weather and levels of a site, as studies take them: waves have the mean period of the law's median."""
 
 from __future__ import annotations
 
@@ -12,10 +9,9 @@ import numpy as np
 
 from hakobune.mooring.environment.allowed import positive, within
 from hakobune.mooring.environment.current_profile import power_law, wind_drift
+from hakobune.mooring.site.water import levels, tsunami_current
 
 from ..common.quantities import StudyError
-
-GRAVITY = 9.80665
 
 
 class Climate(NamedTuple):
@@ -104,12 +100,7 @@ def tsunami_state(table, depth):
     if table.tsunami is None:
         raise StudyError("levels.tsunami_period is given without levels.tsunami; give both, or neither")
     period = positive("levels.tsunami_period", table.tsunami_period, "s")
-    length = period * np.sqrt(GRAVITY * depth)
-    if length < 20 * depth:
-        raise StudyError(
-            f"levels.tsunami_period is {period:g} s; allowed: above {20 * depth / length * period:.3g}, long waves"
-        )
-    return {"current": {"speed": float(table.tsunami * np.sqrt(GRAVITY / depth))}}
+    return {"current": {"speed": tsunami_current(table.tsunami, period, depth)}}
 
 
 def operating_state(table):
@@ -130,15 +121,4 @@ def levels_of(table, depth):
     """{name: m above mean water} of the tide, storms and tsunamis.  Raises StudyError."""
     if table is None:
         return {}
-    if table.spring_low > table.spring_high:
-        raise StudyError(f"levels.spring_low is {table.spring_low:g}; allowed: at most spring_high")
-    for key in ("surge", "tsunami"):
-        if getattr(table, key) is not None and not 0 <= getattr(table, key) < depth:
-            raise StudyError(f"levels.{key} is {getattr(table, key):g}; allowed: 0 to the depth, {depth:g} m")
-    levels = {"high": table.spring_high + (table.surge or 0.0), "low": table.spring_low}
-    if table.tsunami is not None:
-        levels |= {"tsunami high": table.spring_high + table.tsunami, "tsunami low": table.spring_low - table.tsunami}
-    lowest = min(levels.values())
-    if not depth + lowest > 0:
-        raise StudyError(f"levels: the lowest is {lowest:g} m in {depth:g} m of water; allowed: above the bed")
-    return levels
+    return levels(table.spring_high, table.spring_low, table.surge, table.tsunami, depth)

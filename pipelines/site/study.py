@@ -13,21 +13,18 @@ from pathlib import Path
 from typing import NamedTuple
 
 import msgspec
-import numpy as np
 
 from hakobune.mooring.environment.allowed import positive
 from hakobune.mooring.environment.current_profile import CurrentProfile
 from hakobune.mooring.environment.tables import column_of, read_table
-from hakobune.mooring.environment.wind_profile import mean_over, speed_at
+from hakobune.mooring.environment.wind_profile import TEN_MINUTES, speed_10
 from hakobune.mooring.response.return_period import probability_not_exceeded, return_period
-from hakobune.mooring.site.extremes import ENOUGH, ExtremeFit, fit_extremes
+from hakobune.mooring.site.extremes import Extreme, extreme
 from hakobune.mooring.site.seismic import seismic_coefficient
 
 from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed
 from .states import Climate, climate_of, extreme_state, levels_of, operating_state, profile_of, tsunami_state
-
-TEN_MINUTES = 600.0
 
 
 class PlaceTable(Table):
@@ -178,15 +175,6 @@ class SiteStudy(Table):
     operating: OperatingTable | None = None
 
 
-class Extreme(NamedTuple):
-    """value with its interval, low and high (equal to it where it is given); fit : ExtremeFit, or None"""
-
-    value: float
-    low: float
-    high: float
-    fit: ExtremeFit | None
-
-
 class SiteValues(NamedTuple):
     """years : return period; probability : not exceeded in the service life; wind : as measured; waves : height
 
@@ -232,7 +220,8 @@ def site_values(study, folder):
         raise StudyError(f"earthquake: {error}") from None
     wind = _extreme("wind", study.wind, "speed", years, own.confidence, folder, findings)
     waves = _extreme("waves", study.waves, "height", years, own.confidence, folder, findings)
-    wind_10 = None if wind is None else _wind_10(study.wind, wind.value)
+    own_wind = study.wind
+    wind_10 = None if wind is None else speed_10(wind.value, own_wind.averaging_s, own_wind.height, own_wind.exponent)
     climate = None if study.climate is None else climate_of(study.climate, years, folder, findings)
     profile = profile_of(study, wind_10)
     states = {"extreme": extreme_state(study, wind_10, waves, climate, profile)}
@@ -260,28 +249,10 @@ def _extreme(where, table, given, years, confidence, folder, findings):
         value = positive(f"{where}.{given}", getattr(table, given), "")
         return Extreme(value, value, value, None)
     try:
-        maxima = np.asarray(_maxima(table, folder), float)
-        if np.any(maxima <= 0):  # such as −999 where a year is missing
-            raise StudyError(f"a yearly maximum is {maxima.min():g}; allowed: above 0, and no row where none is known")
-        fit = fit_extremes(maxima, table.family)
+        found, said = extreme(_maxima(table, folder), table.family, years, confidence)
     except ValueError as error:
         raise StudyError(f"{where}: {error}") from None
-    found = Extreme(float(fit.value(years)), *fit.interval(years, confidence), fit)
-    count = len(fit.maxima)
-    if count < ENOUGH:
-        findings.append(
-            f"{where}: {count} yearly maxima, fewer than {ENOUGH}: the value of {years:.0f} years is "
-            f"{found.value:.4g}, its {100 * confidence:.0f} % interval {found.low:.4g} to {found.high:.4g}"
-        )
-    if years > 4 * count:
-        findings.append(f"{where}: {years:.0f} years are more than four times the {count} measured: an extrapolation")
-    if years >= count and found.value < (most := float(fit.maxima.max())):
-        findings.append(
-            f"{where}: the value of {years:.0f} years by {fit.family}, {found.value:.4g}, is below {most:.4g}, the "
-            f"largest of {count} years measured; take another family, or the measured one"
-        )
-    if not found.value > 0:
-        raise StudyError(f"{where}: the value of {years:.0f} years is {found.value:.4g}; allowed: above 0")
+    findings.extend(f"{where}: {line}" for line in said)
     return found
 
 
@@ -291,8 +262,3 @@ def _maxima(table, folder):
     names, values = read_table(Path(folder) / table.file)
     column = -1 if table.column is None else column_of(table.file, names, table.column)
     return values[:, column]
-
-
-def _wind_10(table, speed):
-    ten = mean_over(speed, table.averaging_s, TEN_MINUTES, table.height)
-    return ten / float(speed_at(table.height, 1.0, table.exponent))

@@ -114,15 +114,11 @@ def _of_one(scene, mesh):
 def kochin_angles(scene, mesh, wave):
     """(t,) rad, equally spaced, enough to resolve the Kochin functions in waves of `wave` m"""
     radius = float(np.linalg.norm(mesh.points[:, :2], axis=1).max())
-    # where waves are not resolved there are no Kochin functions
-    count = 0 if scene.approach.highest_resolved else len(angles(2 * np.pi / wave, radius))
-    return np.linspace(0, 2 * np.pi, max(FEWEST_ANGLES, count), endpoint=False)
+    return np.linspace(0, 2 * np.pi, max(FEWEST_ANGLES, len(angles(2 * np.pi / wave, radius))), endpoint=False)
 
 
 def _attributes(scene):
-    made = {"tolerance": scene.accuracy, "method": scene.approach.method}
-    if scene.raised_bed is not None:
-        made["raised_bed"] = scene.raised_bed
+    made = {"tolerance": scene.accuracy, "method": scene.solved_by}
     files = contents(scene)
     if files is not None:
         made[MESH_FILE] = files

@@ -7,7 +7,7 @@ import tomllib
 from dataclasses import dataclass
 from functools import partial
 
-from hakobune.bem.contour.short_waves import MOST_UNRESOLVED, MOST_WAVES, too_many, unresolved, waves_along
+from hakobune.bem.contour.short_waves import MOST_WAVES, too_many, waves_along
 from hakobune.bem.waves import wavenumber
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.lid import lid
@@ -85,27 +85,21 @@ def stored_hull(scene, header):
 
 
 def _check_waves_along(scene):
-    """Resolved, waves take patience and, from 400 on, memory; unresolved they have limits of their own."""
-    sizes, water, omegas = tuple(scene.dimensions.values()), scene.water, scene.omegas()
-    contour = scene.approach.method == "contour"
-    for omega in omegas[::-1]:
-        k = float(wavenumber(omega, water.depth, water.gravity))
+    """Methods without panels resolve so many waves along a body: more take patience and memory"""
+    sizes, water = tuple(scene.dimensions.values()), scene.water
+    k = float(wavenumber(scene.omegas()[-1], water.depth, water.gravity))
+    if too_many(sizes, k):
         wave = 2 * math.pi / k
-        if too_many(sizes, k) and not (contour and unresolved(sizes, k)):
-            across = waves_along(sizes, k) * wave
-            longer = k * MOST_UNRESOLVED / waves_along(sizes, k)
-            some = contour and longer < k and unresolved(sizes, 0.999 * longer)
-            most = MOST_UNRESOLVED if some else MOST_WAVES[scene.body.shape]
-            which = "shortest" if omega == omegas[-1] else f"{omega:.4g} rad/s"
-            raise SceneError(
-                f"the {which} wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
-                f"{across / most:.3g} m; leave out the highest frequencies"
-            )
+        across = waves_along(sizes, k) * wave
+        raise SceneError(
+            f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
+            f"{across / MOST_WAVES[scene.body.shape]:.3g} m; leave out the highest frequencies"
+        )
 
 
 def panels_matter(scene):
     """Whether anything wanted is computed with panels; if not, they are there to be looked at."""
-    return METHODS[scene.approach.method].panels or "pressure" in scene.names()
+    return METHODS[scene.solved_by].panels or "pressure" in scene.names()
 
 
 def make_lid(scene, mesh):

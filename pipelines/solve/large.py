@@ -84,8 +84,7 @@ def _announce_contour(problem, omegas, console, processes):
     """Say what the contour method will take where it is long; raises SceneError."""
     from hakobune.bem.contour.cost import cost
 
-    depth = problem.depth if problem.bed is None else problem.bed
-    needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), depth, problem.gravity)))
+    needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), problem.depth, problem.gravity)))
     across = problem.sizes[:2] if problem.shape == "box" else problem.sizes[:1]
     body = f"{problem.shape} of {' by '.join(f'{size:g} m' for size in across)}"
     way_out = "give a body less slender, longer waves, or another method (--method panel, strip)"

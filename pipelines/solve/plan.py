@@ -15,7 +15,7 @@ from hakobune.bem.waves import wavenumber
 
 from ..printing.timing import phase
 from ..scene.identity import check_same, fixed_part, scene_hash
-from ..scene.methods import FAR_FIELD, check_method
+from ..scene.methods import check_method
 from ..scene.scene import Scene, SceneError
 from ..scene.text import to_toml
 from .header import body_properties, each_body, kochin_angles, make_header, named
@@ -32,7 +32,7 @@ KOCHIN = {"kochin_radiation", "kochin_diffraction"}
 class Plan:
     """What a run solves, and with what.
 
-    scene : with the method that solves it (`scene.approach`)
+    scene : with the method that solves it (`scene.solved_by`)
     omegas : (n,) rad/s and headings : (m,) rad, ascending; names : of the database, wanted
     header : of the database, with the mesh, the lid, the body at rest and the scene as text
     problem : `bem.methods` problem to be solved; remarks : for the reader, one line each
@@ -69,7 +69,6 @@ def resumed(scene, file):
         header = replace(header, body=body_properties(scene, db.mesh), scene_hash=fixed)
     scene = _by_the_same_method(scene, header, db.path)
     header = _with_angles(scene, db, pending(file), header)
-    _check_far_field(scene, db)
     plan = _plan(scene, stored_hull(scene, header), header)
     anew = tuple(name for name in (*NEEDS_MOTION, "pressure") if moved and name in db.names)
     told = (
@@ -113,13 +112,3 @@ def _with_angles(scene, db, lacking, header):
         scene, db.mesh, 2 * np.pi / float(wavenumber(highest, scene.water.depth, scene.water.gravity))
     )
     return replace(header, theta=needed) if len(needed) > len(header.theta) else header
-
-
-def _check_far_field(scene, db):
-    """Frequencies that have no far field cannot go into a file with one.  Raises SceneError."""
-    stored, highest = [name for name in FAR_FIELD if name in db.names], scene.approach.highest_resolved
-    if stored and highest:
-        raise SceneError(
-            f"{db.path} has {stored[0]}, which frequencies above {highest:.4g} rad/s, with too many waves along the "
-            "body, do not have; leave them out or give another --output"
-        )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.methods.shape_problem import ShapeProblem
 from hakobune.bem.panels.irregular_frequencies import lid_needed_from
@@ -13,7 +11,6 @@ from ..scene.viscous_table import viscous_of
 from .arrangement import bodies_of
 from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band
-from .panel_counts import fine_counts, meshed
 
 
 def problem_of(header, scene):
@@ -29,26 +26,17 @@ def problem_of(header, scene):
         "viscous": viscous_of(scene),
         "tolerance": scene.accuracy,
     }
-    method, bed, _ = scene.approach
+    method = scene.solved_by
     if METHODS[method].panels:
         return _panel_problem(header, scene, body)
     lengths = tuple(scene.dimensions.values())
-    panels = None if bed is None else _panels_of_limits(scene, body)
-    if "pressure" in scene.names():
-        panels = _panel_problem(header, scene, body)
+    panels = _panel_problem(header, scene, body) if "pressure" in scene.names() else None
     omegas = scene.omegas() if scene.waves.band is None else ()
-    return ShapeProblem(
-        method=method, shape=scene.body.shape, sizes=lengths, panels=panels, omegas=omegas, bed=bed, **body
-    )
-
-
-def _panels_of_limits(scene, body):
-    """Panels for the limits of the frequency: without waves the tolerance alone sets their number"""
-    return PanelProblem(meshed(scene.body, fine_counts(scene.body, scene.accuracy, math.inf)), **body)
+    return ShapeProblem(method=method, shape=scene.body.shape, sizes=lengths, panels=panels, omegas=omegas, **body)
 
 
 def _panel_problem(header, scene, body):
-    lid, draftless = header.lid or make_lid(scene, header.mesh), scene.approach.method == "pressure"
+    lid, draftless = header.lid or make_lid(scene, header.mesh), scene.solved_by == "pressure"
     if scene.omegas()[-1] ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
         lid = None
     coarse = coarse_hull(scene, header.mesh, lid)

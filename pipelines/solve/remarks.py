@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from hakobune.bem.contour.raised_bed import effect_of_bed
-from hakobune.bem.contour.short_waves import MOST_WAVES
 from hakobune.bem.database.schema import NEEDS_MOTION
 
 from ..scene.methods import names_given
@@ -18,14 +16,14 @@ DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Se
 
 
 def remarks(scene, hull, body):
-    """Remarks on mesh and lid or on the waves, on water, mass and stability, and on motions that are left out.
+    """Remarks on mesh and lid, on water, mass and stability, and on motions that are left out.
 
     hull : `pipelines.solve.hull.MeshedHull`; body : as from `pipelines.solve.header.body_properties`
     """
-    lid_or_waves = _lid_remarks(hull.lid, scene.shortest_wave) if panels_matter(scene) else _wave_remarks(scene)
+    lid = _lid_remarks(hull.lid, scene.shortest_wave) if panels_matter(scene) else ()
     return (
         *hull.findings,
-        *lid_or_waves,
+        *lid,
         *_density_remarks(scene.water.density),
         *_gravity_remarks(scene.water.gravity),
         *_weight_remarks(scene, hull.mesh, body),
@@ -69,20 +67,4 @@ def _lid_remarks(lid, wave):
         yield (
             f"lid panels up to {largest:.3g} m are coarse for the shortest wave {wave:.3g} m; "
             f"good: ≤ {wave / 3:.3g} m (a third); --fresh makes them anew"
-        )
-
-
-def _wave_remarks(scene):
-    """Of methods without panels, in short waves"""
-    if scene.raised_bed is not None:
-        effect = effect_of_bed(scene.body.shape, tuple(scene.dimensions.values()), scene.raised_bed)
-        yield (
-            f"waves too short to feel a bed at {scene.raised_bed:.4g} m: the contour method works over one, whose "
-            f"effect, at most {100 * effect:.2g} %, is in the estimated errors; added mass at the limits is by panels"
-        )
-    highest = scene.approach.highest_resolved
-    if highest:
-        yield (
-            f"above {highest:.4g} rad/s more than {MOST_WAVES[scene.body.shape]} waves along the body are answered as "
-            "far shorter than its walls, within the estimated errors; kochin and drift are left out"
         )

@@ -24,8 +24,7 @@ def sweep(study, output, executor, fresh, plot=None):
     """
     output = study.with_suffix(".h5") if output is None else output
     check_output(output, "the result of a sweep", is_sweep, DATABASE, [study])
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_picture(plot, PLOTS)
     table, outcome = filled(study, output, executor, fresh, _say)
     result = _shown(result_of(output), table.keep)
     if plot is not None:

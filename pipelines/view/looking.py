@@ -58,10 +58,8 @@ def look(path, screenshot=None, field=None, omega=None, heading=None, page=None)
         ]
     elif not isinstance(source, Scene):
         told_of += map(fails, gaps_of(source).words())
-    if screenshot is not None:
-        check_picture(screenshot, VIEWS)
-    if page is not None:
-        check_picture(page, PAGES)
+    check_picture(screenshot, VIEWS)
+    check_picture(page, PAGES)
     if screenshot is None and page is None:
         check_display()
     picture = _pressure(source, path, omega, heading) if field == "pressure" else _mesh(source, field)

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from retardation import fourier_weights
 
 from hakobune.bem.database.between_headings import ENDS, NEAR, _side
 from hakobune.bem.froude_krylov import box_incident_force, first_moment
-from hakobune.bem.time_domain.retardation import fourier_weights
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(30)
 

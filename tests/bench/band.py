@@ -13,12 +13,12 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 import numpy as np
+from retardation import from_database, retardation
 
 from hakobune.bem.database import open_database
 from hakobune.bem.database.between_frequencies import between
 from hakobune.bem.methods.panel_problem import prepare
 from hakobune.bem.time_domain.memory import memory_of_database
-from hakobune.bem.time_domain.retardation import from_database, retardation
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.problem import problem_of
 from hakobune.pipelines.solve.run import solve

@@ -22,12 +22,12 @@ from hakobune.bem.sections.any_section import any_section, shape
 from hakobune.bem.sections.coefficients import section
 from hakobune.bem.sections.keel_loss import keel_flow
 from hakobune.bem.sections.outline import circle, closed, rectangle
-from hakobune.mooring.breakwater.anchors import greatest_tension, pretension_needed, tide_tension
+from hakobune.mooring.breakwater.anchors import pretension_needed
 from hakobune.mooring.breakwater.body import TautBody
 from hakobune.mooring.breakwater.exact import taut_exact
-from hakobune.mooring.breakwater.holdings import exact_response, response_with_loss
+from hakobune.mooring.breakwater.holdings import Response, exact_response, response_with_loss
 from hakobune.mooring.breakwater.long_waves import equal_area, fixed_body, line_tensions
-from hakobune.mooring.breakwater.loss import Keel, fitted
+from hakobune.mooring.breakwater.loss import Keel, with_loss
 from hakobune.mooring.breakwater.snap import frequencies, snap
 from hakobune.mooring.breakwater.taut import TautRectangle
 
@@ -123,12 +123,12 @@ def tides():
     chart = np.array([[row["front"], row["back"]] for row in rows])
     for row, ours, read in zip(rows, found, chart, strict=True):
         print(f"  {row['tide_m']:+5.1f} m", *(f"{value:6.3f}" for value in (*ours.ravel(), *read)))
-    part = tide_tension(10.0, 0.5, np.pi / 4, density=1 / 9.8, gravity=9.8)
+    part = 10.0 * 0.5 / (2 * np.sin(np.pi / 4))  # ρg = 1 t/m³
     sources = {"long waves": (found[:, 0], part), "potential flow": (found[:, 1], part), "chart": (chart, 3.5)}
     for name, (share, tide) in sources.items():
         front, back = 30 * share[:, 0], 30 * share[:, 1]
         needed = pretension_needed(front[0], tide)
-        greatest = [greatest_tension(needed, tide, wave) for wave in (front[2], back[2])]
+        greatest = [needed + tide + wave for wave in (front[2], back[2])]
         print(f"  by {name}: P_0 {needed:.1f}, P_Fmax {greatest[0]:.1f}, P_Bmax {greatest[1]:.1f} t/m")
 
 
@@ -200,6 +200,21 @@ def moving_losses():
         for one in (0.0, C):
             mean = ours(one).mean(axis=0)
             print(f"{angle}°, C {one:.2f}: K_T, P_F, P_B differ by", *np.round(misses(one), 3), "mean", *mean.round(3))
+
+
+def fitted(response, amplitude, measured, omega, keel):
+    """(C, root mean square of K_T's differences) that fits measured |K_T| (n,) best; amplitude : (n,) m"""
+
+    def miss(coefficient):
+        rows = [Response(*(values[i] for values in response)) for i in range(len(measured))]
+        ours = [
+            with_loss(row, coefficient, a, w, keel).transmission
+            for row, a, w in zip(rows, amplitude, omega, strict=True)
+        ]
+        return np.sqrt(np.mean((np.abs(ours) - measured) ** 2))
+
+    found = minimize_scalar(miss, bounds=(0.0, 100.0), method="bounded")
+    return float(found.x), float(found.fun)
 
 
 def _print_fit(name, made, amplitude, measured, T, keel):

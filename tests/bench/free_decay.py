@@ -25,9 +25,9 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "bench")]
 
 import numpy as np
 from moored_in_time import databases
+from retardation import fourier_weights
 
 from hakobune.bem.time_domain.memory import memory_of_database
-from hakobune.bem.time_domain.retardation import fourier_weights
 from hakobune.bem.time_domain.whole_axis import ends_of, whole_axis
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.weather import Settings, Weather

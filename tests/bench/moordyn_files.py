@@ -30,8 +30,7 @@ import numpy as np
 from lumped_rest import end_tensions
 
 from hakobune.mooring.formats.moordyn import read_moordyn, write_moordyn
-from hakobune.mooring.formats.moordyn_loose import rests_of_moordyn
-from hakobune.mooring.formats.moordyn_system import still_water, system_of_moordyn
+from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 from hakobune.mooring.formats.moordyn_writing import BED, moordyn_of_system
 from hakobune.mooring.lines.system.equilibrium import held_at, rest
 from hakobune.mooring.lines.system.parts import FreePoint, LineDynamics
@@ -198,19 +197,8 @@ def with_peer(python, file, system, folder):
     return [*found, min(runs, key=lambda one: one[2])] if runs else found
 
 
-def alone(file, path):
-    """The row of a file without lines: what its rods and bodies do by themselves"""
-    with warnings.catch_warnings(record=True) as said:
-        warnings.simplefilter("always")
-        found = rests_of_moordyn(file, still_water(file, path), path)
-    states = ", ".join(f"{one.name} {one.state}" for one in found)
-    return dict(read=True, why=states, said=[str(one.message).removeprefix(f"{path}: ") for one in said])
-
-
 def row(path, peer, folder):
     try:
-        if not (file := read_moordyn(path)).lines:
-            return alone(file, path)
         file, system, said = read(path)
     except (ValueError, OSError) as error:
         return dict(read=False, why=str(error).removeprefix(str(path)), said=[])

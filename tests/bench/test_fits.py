@@ -12,8 +12,6 @@ SCRIPTS = {
     "fit_lid_share": "SHARE in the code",
     "extrapolated": "LEFT, OF_WAVES in the code",
     "contour": "| box 100 × 50 × 10 × 20 | 1e-03 |",
-    "raised_bed": "| 10 × 50 |",
-    "short_waves": "X₃₄₅ over estimate: 0.5:",
     "sum_errors": "OF_SUMS in the code",
     "damping_floor": "| 1000 | ",
 }

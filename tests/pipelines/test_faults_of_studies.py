@@ -38,7 +38,7 @@ COMMANDS = {  # command: study, words behind it, what may not be reached
     "line-dynamics": ("line_chain_60m", ["--output", "out.h5"], "mooring.lines.dynamics.simulation.simulate"),
     "single-point": ("single_point_barge", [*ON_BOX, "--output", "out.h5"], "mooring.single_point.equilibria.zeros"),
     "berth": ("berth_tanker", ["--output", "out.csv"], "mooring.berthing.energy.berthing_energy"),
-    "breakwater": ("breakwater_rectangle", ["--output", "out.h5"], "pipelines.breakwater.results.curves"),
+    "breakwater": ("breakwater_rectangle", ["--output", "out.h5"], "mooring.studies.breakwater.results.curves"),
     "site": ("site_bay", ["--output", "out.toml"], "pipelines.site.study.extreme_state"),
     "sweep": ("sweep_berth", ["--output", "out.h5"], "pipelines.sweep.run.one_case"),
 }

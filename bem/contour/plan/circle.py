@@ -21,7 +21,6 @@ from scipy.special import hankel1, ive, jv, kve
 from ...froude_krylov import side_integrals
 from ...waves import depth_factor
 from .maps import CLASSES, Contour, WaveMap, table_wavenumber
-from .wedge_diffraction import AsymptoticWaveMap
 
 LOWEST = 3  # highest order of the rigid motions' velocities in the gap, and one more
 
@@ -128,16 +127,6 @@ class Circle:
             projected = 4 * (basis * contour.weights[:, None]).T @ total
             out[cls] = WaveMap(np.diag(ratio), basis * ratio, total, projected, basis)
         return out
-
-    def asymptotic_degree(self, tolerance):
-        """Highest order where waves are not resolved: orders are uncoupled, and motions have the first two"""
-        return LOWEST
-
-    def asymptotic_map(self, cls, degree, k, beta):
-        """`bem.contour.plan.wedge_diffraction.AsymptoticWaveMap`, exact"""
-        contour = self.polynomial_contour(degree)
-        wave = self.waves([cls], degree, k, contour, beta)[cls]
-        return AsymptoticWaveMap(wave.weak, wave.projected)
 
     def incident_force(self, draft, depth, k, beta):
         """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)

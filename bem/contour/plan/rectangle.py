@@ -25,7 +25,6 @@ from .layers import Layers, decaying, laplace, layers, radiating
 from .maps import CLASSES, Contour, WaveMap, table_wavenumber
 from .panels import Panels, gauss_rule, quarter_panels
 from .plane_waves import plane_wave_values
-from .wedge_diffraction import asymptotic_map
 
 # additional nodes on a panel for κ = 0: the flow in a low gap magnifies the map's errors, and it is computed once
 FURTHER = 3
@@ -217,16 +216,6 @@ class Rectangle:
             potential, wall = np.split(answer, [basis.shape[1]], axis=1)
             out[cls] = WaveMap.solved(contour, basis, potential, wall)
         return out
-
-    def asymptotic_degree(self, tolerance):
-        """Highest degrees where waves are not resolved: a dozen more reduce the error of the corners to a tenth"""
-        return tuple(d + 12 for d in self.degree(0.0, tolerance))
-
-    def asymptotic_map(self, cls, degree, k, beta):
-        """`bem.contour.plan.wedge_diffraction.AsymptoticWaveMap` of waves of `k` rad/m, far shorter than both
-        sides, and incident ones towards `beta`
-        """
-        return asymptotic_map(self, cls, degree, k, beta)
 
     def incident_force(self, draft, depth, k, beta):
         """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)"""

@@ -17,7 +17,6 @@ SIDES = (1, -1)
 
 def draw_berth(made, db, numbers, path):
     """Write the plan of a Study with the body of a database and what `Numbers` of a load case say"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
@@ -38,7 +37,6 @@ def draw_berth(made, db, numbers, path):
     high, low = (end + side * (0.2 + ROW * len(rows)) / scale for end, side, rows in
                  ((high, 1, above), (low, -1, below)))  # fmt: skip
     figure = Figure(figsize=(11, scale * (high - low) + 1.5), layout="constrained")
-    FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     for anchor, fairlead, share in zip(numbers.anchor, numbers.fairlead, used, strict=True):
         axes.plot(*zip(anchor[:2], fairlead[:2], strict=True), color=colours.to_rgba(min(share, 2.0)), lw=2)

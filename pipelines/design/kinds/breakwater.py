@@ -94,10 +94,10 @@ def at(base, depth, weather):
 
 def checked(study, body, folder):
     """Raises ValueError for a load case that no run could take."""
-    from ...breakwater.build import Breakwater
+    from ...breakwater.build import breakwater_of
     from ...breakwater.study import make_breakwater
 
-    Breakwater(make_breakwater(study))
+    breakwater_of(make_breakwater(study))
 
 
 def words(_, raw):
@@ -143,7 +143,7 @@ def draw(study, database, numbers, path):
     """Transmission, tensions, section and sea"""
     from ...breakwater.picture import draw as picture
 
-    picture(path, *_solved(study).detail[:2], None)
+    picture(path, *_solved(study).detail[:3], None)
 
 
 def _solved(raw):
@@ -157,30 +157,27 @@ def _found(raw, path):
     result = _solved(raw)
     write_whole(path.with_suffix(".toml"), tomli_w.dumps(raw))
     result.write(path)
-    return _numbers(*result.detail[:2])
+    return _numbers(*result.detail[1:3])
 
 
 def _numbers(asked, found):
-    from ...breakwater.build import KN
     from ...breakwater.findings import failures
-    from ...breakwater.results import design
 
-    study, held, sea = asked.study, found.pretension, found.sea
-    name = _curve(design(study), sea.heights)
+    held, sea = found.pretension, found.sea
+    name = _curve(asked.design, sea.heights)
     parts = {BEHIND: {name: sea.heights[name]}, SHARE: {name: sea.heights[name] / sea.cells.height}}
     provided = {one.name: float(one.utilisation) for one in found.anchors if one.utilisation is not None}
     if provided:
         parts[ANCHOR] = provided
     names = () if held is None else ("front", "back")
-    count, lines = len(names), study.lines
+    count, lines = len(names), asked.lines
     spacing = 0.0 if lines is None else lines.spacing
     snaps = (0.0, 0.0) if found.snapping is None else found.snapping.found.largest
     largest = np.array([] if held is None else spacing * np.maximum(sea.tension, snaps))
     if count:
         parts[SLACK] = dict(zip(names, map(float, sea.slack), strict=True))
-        if lines.allowable_kN is not None:
-            allowable = lines.allowable_kN * KN
-            parts[ALLOWABLE] = {end: float(pull / allowable) for end, pull in zip(names, largest, strict=True)}
+        if lines.allowable is not None:
+            parts[ALLOWABLE] = {end: float(pull / lines.allowable) for end, pull in zip(names, largest, strict=True)}
     ends = np.array([_ends(asked, side) for side in SIDES[:count]]).reshape(count, 2, 3)
     along, up = (np.cos(asked.angle), np.sin(asked.angle)) if count else (0.0, 0.0)
     rest = np.full(count, 0.0 if held is None else spacing * held.used)
@@ -199,7 +196,7 @@ def _numbers(asked, found):
         place=np.full(3, np.nan),
         motions=np.zeros(0),
         parts=parts,
-        warnings=(*found.warned, *failures(asked.study, found)),
+        warnings=(*found.warned, *failures(None, found)),
     )
 
 
@@ -212,7 +209,7 @@ def _curve(chosen, heights):
 
 def _ends(asked, side):
     """Upper and lower end, (x, y, z) m, of the line of one side"""
-    lines = asked.study.lines
-    y, z = side * lines.attachment, lines.attachment_height - asked.study.section.draft
+    lines = asked.lines
+    y, z = side * lines.attachment, lines.attachment_height - asked.section.draft
     way = asked.line * np.array([side * np.cos(asked.angle), -np.sin(asked.angle)])
     return [[0.0, y, z], [0.0, y + way[0], z + way[1]]]

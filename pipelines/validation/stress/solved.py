@@ -49,7 +49,7 @@ def solved(scene, method="auto", tolerance=0.01):
     prepared, omega, names = prepare(plan.problem), plan.omegas[0], set(plan.names) - set(LIMITS)
     # the order in which they were drawn, not the ascending one of a database
     result = solve_frequency(prepared, omega, np.radians(scene.headings), names, plan.header.theta)
-    chosen = checked.approach.method
+    chosen = checked.solved_by
     panels = plan.header.mesh.total if METHODS[chosen].panels else 0
     return scaled(chosen, panels, prepared, omega, result)
 

@@ -147,4 +147,4 @@ def test_what_needs_the_flow_under_a_box_is_refused(moving, surface):
 
 def test_deep_water_is_refused():
     with pytest.raises(ValueError, match="contour in finite depth"):
-        quadratic_forces(problem(depth=np.inf, bed=200.0), [0.6, 0.8], [0.4], 0.3, False)
+        quadratic_forces(problem(depth=np.inf), [0.6, 0.8], [0.4], 0.3, False)

@@ -2,9 +2,7 @@
 
 import numpy as np
 import pytest
-
-from hakobune.bem.time_domain.convolution import convolution, forgotten, history_weights
-from hakobune.bem.time_domain.retardation import Retardation
+from retardation import Retardation, convolution, history_weights
 
 LIMIT = np.zeros((6, 6))
 
@@ -35,7 +33,3 @@ def test_a_step_of_convolution_is_the_sum_over_the_history():
     weights = history_weights(memory)
     now = np.einsum("jik,jk->i", weights, velocity[::-1][: len(weights)])
     assert convolution(memory, velocity)[-1] == pytest.approx(now, abs=1e-12)
-
-
-def test_what_is_cut_off_is_said():
-    assert forgotten(decaying(0.1, 10.0)) == pytest.approx(np.exp(-0.5 * 9.1), rel=0.02)

@@ -1,11 +1,11 @@
-"""States that follow the motion at once, and what of a push is forgotten, by hand."""
+"""States that follow the motion at once, by hand."""
 
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from retardation import convolution, history_weights
 
-from hakobune.bem.time_domain.convolution import convolution, forgotten, history_weights
 from hakobune.bem.time_domain.fast_states import slow_memory
 from hakobune.bem.time_domain.memory import Memory, MemoryArrays, no_memory
 
@@ -57,13 +57,3 @@ def test_a_history_is_weighed_by_the_trapezium_rule():
     velocity[2, 3] = 2.0
     found = convolution(made(K), velocity)
     assert found[:, 3] == pytest.approx(0.2 * np.array([0, 0, 0.5, 2, 3, 4, 2.5, 0])) and not found[:, 0].any()
-
-
-def test_what_is_forgotten_is_the_share_of_the_last_tenth():
-    """Of √(K_ii K_jj) at their largest"""
-    K = np.zeros((20, 6, 6))
-    K[0] = np.diag([4.0, 9, 1, 1, 1, 0])
-    K[17, 2, 2], K[18, 0, 1] = 0.9, -0.3
-    assert forgotten(made(K)) == pytest.approx(0.3 / 6)
-    K[19, 2, 2] = 0.08
-    assert forgotten(made(K)) == pytest.approx(0.08)

@@ -6,13 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from retardation import convolution, from_database
 
 from hakobune.bem.database import open_database
 from hakobune.bem.database.reader import reader
-from hakobune.bem.time_domain.convolution import convolution
 from hakobune.bem.time_domain.memory import CLOSE, _check_deviation, memory_of_database
 from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
-from hakobune.bem.time_domain.retardation import from_database
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.run import solve
 

@@ -27,7 +27,7 @@ from hakobune.mooring.dolphins.earthquake import (
     ground_of_record,
     response_spectrum,
 )
-from hakobune.mooring.dolphins.linearised import amplitudes, equivalent, exact_frequency
+from hakobune.mooring.dolphins.linearised import amplitudes, equivalent
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.fenders.fender import fender_of_points
 
@@ -177,7 +177,6 @@ def test_an_equivalent_spring_about_a_mean_has_the_mean_force():
     theta = 2 * np.pi * np.arange(4096) / 4096
     lossy = equivalent(lambda y: 2 * y - 0.7 * np.sin(theta), 0.0, 1.4)
     assert lossy == pytest.approx((0.0, 2.0, 0.5), abs=1e-9)
-    assert exact_frequency(lambda y: 1.5 * y**2, 2.0, 0.7) == pytest.approx(math.sqrt(1.5), rel=1e-8)
 
 
 def test_a_base_line_brings_the_ground_to_rest_and_its_ends_are_told():

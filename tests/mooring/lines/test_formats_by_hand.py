@@ -8,8 +8,7 @@ import pytest
 
 from hakobune.mooring.formats.fault import FormatError
 from hakobune.mooring.formats.moordyn import moordyn_text, parse_moordyn
-from hakobune.mooring.formats.moordyn_loose import Still, rests_of_moordyn
-from hakobune.mooring.formats.moordyn_system import still_water, system_of_moordyn
+from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
 from hakobune.mooring.formats.moorpy import system_of_moorpy
 from hakobune.mooring.formats.yaml_text import parse_yaml
@@ -159,31 +158,6 @@ def test_the_bed_is_at_the_depth_given_and_no_higher_than_the_lowest_point(depth
         (70.0, "bed.txt WtrDpth"): 70,
     }.get((depth, option), 50.0)
     assert bool(words) == (said is not None) and (not said or said in words[0])
-
-
-def test_water_of_a_file_without_lines_is_that_of_its_options():
-    alone = FILE.replace("---------------------- LINES ---", "---------------------- CONTROL ---")
-    assert still_water(parse_moordyn(alone)) == Still(1010.0, 9.7, 60.0)
-    bare = parse_moordyn("--- BODIES ---\na\nb\n1 Free 0 0 -1 0 0 0 1 0 0 1 0 0\n")
-    assert still_water(bare, depth=5.0) == Still(1025.0, 9.80665, 5.0)
-    with pytest.raises(FormatError, match="WtrDpth is missing"), warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        still_water(bare)
-
-
-@pytest.mark.parametrize("mass, state", [(8_079.0, "floats, its shape is not known"), (8_081.0, "sinks")])
-def test_a_body_alone_sinks_where_all_on_it_weighs_more_than_its_water(mass, state):
-    """1010 kg/m³: volumes 8 + rod 4 π/16 + point 0.25 m³, masses of rod 4 · 300 and point 60 kg beside its own"""
-    rest_of = 1010 * (math.pi / 4 + 0.25) - 1260.0
-    text = (
-        "--- ROD TYPES ---\na\nb\nbar 0.5 300 0 0 0 0\n--- BODIES ---\na\nb\n"
-        f"1 Free 0 0 -1 0 0 0 {mass + rest_of!r} 0 0 8.0 0 0\n--- RODS ---\na\nb\n1 bar Body1 0 0 1 0 4 1 5 -\n"
-        "--- POINTS ---\nID Attachment X Y Z Mass Volume CdA Ca\nb\n1 Body1 0 0 0 60 0.25 0 0\n"
-    )
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        (found,) = rests_of_moordyn(parse_moordyn(text), Still(1010.0, 9.8, 50.0))
-    assert found.state == state and found.name == "body 1"
 
 
 def two_kinds():

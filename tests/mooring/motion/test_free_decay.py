@@ -10,9 +10,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from retardation import fourier_weights
 
 from hakobune.bem.database import open_database
-from hakobune.bem.time_domain.retardation import fourier_weights
 from hakobune.bem.time_domain.whole_axis import ends_of, whole_axis
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.weather import Settings, Weather

@@ -65,7 +65,7 @@ def sea(tmp_path_factory):
     """A run in a sea, and amplitudes of a run whose periods are the cells of that sea"""
     folder = tmp_path_factory.mktemp("sea")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("hakobune.pipelines.breakwater.results.SEA_CELLS", 24)
+        patch.setattr("hakobune.mooring.studies.breakwater.in_sea.SEA_CELLS", 24)
         found = found_of(folder, more=SEA)
     periods = ", ".join(f"{float(2 * math.pi / w)!r}" for w in found.labels["omega"].values)
     cells = ("periods = [6.0, 8.0, 10.0]", f"periods = [{periods}]"), ("height = 0.5", "height = 0.1")

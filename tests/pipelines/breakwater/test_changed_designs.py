@@ -1,8 +1,9 @@
 """What an optimisation changes of a breakwater, by hand."""
 
+import numpy as np
 import pytest
 
-from hakobune.pipelines.breakwater.pareto import changed
+from hakobune.pipelines.breakwater.build import breakwater_of
 from hakobune.pipelines.breakwater.study import MOST_OBLIQUE, read_breakwater
 from hakobune.pipelines.common.quantities import StudyError
 
@@ -34,18 +35,17 @@ def test_a_wider_and_deeper_rectangle_is_the_same_body_stretched_across_and_upri
     above the keel go with 1.5, what is measured across with 1.2."""
     path = tmp_path / "study.toml"
     path.write_text(TEXT)
-    study, _ = read_breakwater(path)
-    made = changed(study, {"draft": 6.0, "width": 12.0, "angle_deg": 60.0})
+    made = breakwater_of(read_breakwater(path)[0]).changed(draft=6.0, width=12.0, angle=np.radians(60.0))
     assert (made.section.beam, made.section.height, made.section.draft) == pytest.approx((12.0, 9.0, 6.0))
-    assert made.body.mass_t_per_m == pytest.approx(54.0)
+    assert made.body.mass == pytest.approx(54e3)
     assert (made.body.center_of_gravity, made.body.gyration) == pytest.approx((4.5, 4.8))
     assert (made.lines.attachment, made.lines.attachment_height) == pytest.approx((6.0, 1.5))
-    assert made.lines.angle_deg == 60.0
+    assert made.lines.angle == pytest.approx(np.pi / 3)
     path.write_text(TEXT.replace("mass_t_per_m = 30.0", "free_draft = 3.0"))
-    study, _ = read_breakwater(path)
-    assert changed(study, {"draft": 6.0}).body.free_draft == pytest.approx(4.5)
-    same = changed(study, {"angle_deg": 30.0})
-    assert (same.section, same.body) == (study.section, study.body)
+    asked = breakwater_of(read_breakwater(path)[0])
+    assert asked.changed(draft=6.0).body.free_draft == pytest.approx(4.5)
+    same = asked.changed(angle=np.radians(50.0))
+    assert (same.section, same.body) == (asked.section, asked.body)
 
 
 @pytest.mark.parametrize("key", ["waves", "sea"])

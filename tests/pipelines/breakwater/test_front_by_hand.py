@@ -5,19 +5,19 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.breakwater import findings, pareto
-from hakobune.pipelines.common.quantities import StudyError
+from hakobune.mooring.studies.breakwater import pareto
+from hakobune.mooring.studies.breakwater.breakwater import BreakwaterError
+from hakobune.pipelines.breakwater import findings
 
 
-def study(samples=8, limits=3, **ranges):
-    asked = {key: None for key in pareto.KEYS} | ranges
-    return SimpleNamespace(optimisation=SimpleNamespace(samples=samples, limits=limits, **asked))
+def front(samples=8, limits=3, **ranges):
+    return pareto.front(None, ranges, samples, limits)
 
 
 def known(monkeypatch, of, asked):
     """The `Front` where objectives are `of`; appends (values, few) of every call to asked"""
 
-    def objectives(study, values, few):
+    def objectives(changed, values, few):
         asked.append((dict(values), few))
         return of(values)
 
@@ -28,7 +28,7 @@ def test_the_front_has_what_no_other_design_beats(monkeypatch):
     """Tension rises with draft and with width off 10 m, which gains nothing: every design of the front is 10 m wide"""
     asked = []
     known(monkeypatch, lambda v: (1e3 * v["draft"] * (1 + (v["width"] - 10) ** 2), 1 / v["draft"]), asked)
-    found = pareto.front(study(samples=16, limits=4, draft=(4.0, 6.0), width=(8.0, 12.0)))
+    found = front(samples=16, limits=4, draft=(4.0, 6.0), width=(8.0, 12.0))
     assert set(found.names) == {"draft", "width"}
     at = {name: found.designs[:, i] for i, name in enumerate(found.names)}
     assert found.tension == pytest.approx(1e3 * at["draft"] * (1 + (at["width"] - 10) ** 2))
@@ -48,7 +48,7 @@ def test_every_sample_is_tried_before_the_best_are_refined(monkeypatch):
     """Sobol's points in one direction: of eight, one in each eighth of the range"""
     asked = []
     known(monkeypatch, lambda v: (v["draft"], 1.0), asked)
-    found = pareto.front(study(draft=(4.0, 8.0)))
+    found = front(draft=(4.0, 8.0))
     first = np.sort([values["draft"] for values, _ in asked[:8]])
     assert np.floor((first - 4) / 0.5).tolist() == list(range(8))
     assert len(found.tension) == 1 and found.tension[0] == min(values["draft"] for values, few in asked if few)
@@ -56,11 +56,11 @@ def test_every_sample_is_tried_before_the_best_are_refined(monkeypatch):
 
 def test_designs_that_do_not_hold_are_left_out_and_none_is_refused(monkeypatch):
     known(monkeypatch, lambda v: None if v["draft"] < 6 else (v["draft"], 1 / v["draft"]), [])
-    found = pareto.front(study(draft=(4.0, 8.0)))
+    found = front(draft=(4.0, 8.0))
     assert found.designs.min() >= 6 and found.designs.max() == pytest.approx(8.0, abs=0.1)
     known(monkeypatch, lambda v: None, [])
-    with pytest.raises(StudyError, match="none of 8 designs holds its lines taut; give other ranges"):
-        pareto.front(study(draft=(4.0, 8.0)))
+    with pytest.raises(BreakwaterError, match="none of 8 designs holds its lines taut; give other ranges"):
+        front(draft=(4.0, 8.0))
 
 
 @pytest.mark.parametrize("one, other, better", [
@@ -75,22 +75,21 @@ def test_a_design_is_better_where_it_is_worse_in_neither(one, other, better):
 @pytest.mark.parametrize("given, taken", [(None, 0.75), (0.2, 0.2)])
 def test_the_keel_that_loses_head_is_that_of_the_body_as_it_floats(monkeypatch, holding, width, draft, given, taken):
     """Without lines it floats higher and narrower; amplitudes are half the waves' height where none is given"""
-    from hakobune.mooring.breakwater import loss
-    from hakobune.pipelines.breakwater.curves import _with_loss
+    from hakobune.mooring.studies.breakwater import curves
 
-    monkeypatch.setattr(loss, "with_loss", lambda made, *others: (made, *others))
-    water, study = SimpleNamespace(gravity=9.8), SimpleNamespace(loss=SimpleNamespace(coefficient=1.5))
-    study.water, study.waves = water, SimpleNamespace(height=1.5)
+    monkeypatch.setattr(curves, "with_loss", lambda made, *others: (made, *others))
     held, afloat = (SimpleNamespace(waterline=w, draft=d) for w, d in ((8.0, 5.0), (6.0, 3.0)))
-    body = SimpleNamespace(study=study, loses_exactly=False, depth=lambda rise: 10.0 + rise, mirrored=lambda one: one,
+    water, waves = SimpleNamespace(gravity=9.8), SimpleNamespace(height=1.5)
+    body = SimpleNamespace(water=water, loss=1.5, waves=waves, loses_exactly=False, depth=lambda rise: 10.0 + rise,
+                           mirrored=lambda one: one,
                            wetted=lambda rise: held, afloat=lambda rise: (None, afloat))  # fmt: skip
-    made, coefficient, amplitude, omega, keel = _with_loss(body, "made", holding, 1.0, "omega", given)
+    made, coefficient, amplitude, omega, keel = curves._with_loss(body, "made", holding, 1.0, "omega", given)
     assert (made, coefficient, amplitude, omega) == ("made", 1.5, taken, "omega")
     assert tuple(keel) == (width / 2, draft, 11.0, 9.8)
     body.loses_exactly = True
-    assert _with_loss(body, "made", holding, 1.0, "omega", given) == "made"
-    study.loss, body.loses_exactly = None, False
-    assert _with_loss(body, "made", holding, 1.0, "omega", given) == "made"
+    assert curves._with_loss(body, "made", holding, 1.0, "omega", given) == "made"
+    body.loss, body.loses_exactly = None, False
+    assert curves._with_loss(body, "made", holding, 1.0, "omega", given) == "made"
 
 
 @pytest.mark.parametrize("wanted, says", [
@@ -100,4 +99,4 @@ def test_the_keel_that_loses_head_is_that_of_the_body_as_it_floats(monkeypatch, 
 def test_the_least_tension_that_leaves_no_more_behind_than_wanted_is_told(wanted, says):
     designs = np.array([[5.0, 8.0], [5.5, 10.0], [6.0, 12.0]])
     found = pareto.Front(("draft", "width"), designs, np.array([1e4, 2e4, 3e4]), np.array([0.9, 0.5, 0.3]), 9)
-    assert list(findings.wanted(SimpleNamespace(optimisation=SimpleNamespace(behind=wanted)), found)) == says
+    assert list(findings.wanted(SimpleNamespace(behind=wanted), found)) == says

@@ -8,11 +8,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.breakwater import lee
-from hakobune.pipelines.breakwater.build import Breakwater
+from hakobune.mooring.studies.breakwater import lee
+from hakobune.mooring.studies.breakwater.breakwater import BreakwaterError
+from hakobune.mooring.studies.breakwater.lee import Row
+from hakobune.pipelines.breakwater.build import breakwater_of
 from hakobune.pipelines.breakwater.quantities import lee_of
 from hakobune.pipelines.breakwater.study import make_breakwater
-from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.results.result import Result
 
 RHO, G, BEAM, DRAFT, DEPTH, L, ANGLE, SPACING = 1025.0, 9.80665, 10.0, 5.0, 10.0, 40.0, math.radians(60), 4.0
@@ -52,8 +53,8 @@ SEA = (
 SHORT, LONG = 3.0, 20.0  # s
 
 
-def breakwater(holding, more="[map]\nperiod = 7.0\n"):
-    return Breakwater(make_breakwater(tomllib.loads(STUDY.replace("HOLDING", holding) + more)))
+def breakwater(holding, more=""):
+    return breakwater_of(make_breakwater(tomllib.loads(STUDY.replace("HOLDING", holding) + more)))
 
 
 @dataclass(frozen=True)
@@ -108,7 +109,7 @@ def test_taut_lines_are_a_million_times_as_stiff_as_the_water():
 
 def test_a_database_about_a_point_off_the_middle_is_refused():
     for center in ((0.1, 0, 0), (0, -0.1, 0)):
-        with pytest.raises(StudyError, match="off the middle"):
+        with pytest.raises(BreakwaterError, match="off the middle"):
             lee.held(breakwater("free"), Unit(center), L)
 
 
@@ -127,19 +128,19 @@ def test_tensions_of_a_unit_are_what_its_motions_stretch():
 
 def test_regular_waves_come_at_the_study_s_obliquity():
     """90° is to leeward, 20° of obliquity 70°"""
-    omega, ways, share, words = lee.waves_of(breakwater("free").study, unit())
+    omega, ways, share, words = lee.waves_of(breakwater("free"), Row(7.0), unit())
     assert (omega[0], ways[0, 0], share[0]) == pytest.approx((2 * math.pi / 7, math.radians(70), 1.0))
     assert words == "regular waves of 7 s at 20° with the normal"
 
 
 @pytest.mark.parametrize("period, inside", [(2.99, False), (3.01, True), (19.9, True), (20.1, False)])
 def test_regular_waves_outside_the_database_are_refused(period, inside):
-    study = breakwater("free", f"[map]\nperiod = {period}\n").study
+    asked = breakwater("free"), Row(period), unit()
     if inside:
-        assert lee.waves_of(study, unit())[0] == pytest.approx([2 * math.pi / period])
+        assert lee.waves_of(*asked)[0] == pytest.approx([2 * math.pi / period])
         return
-    with pytest.raises(StudyError, match=f"map.period is {period} s; the database has 3 to 20"):
-        lee.waves_of(study, unit())
+    with pytest.raises(BreakwaterError, match=f"map.period is {period} s; the database has 3 to 20"):
+        lee.waves_of(*asked)
 
 
 def energy(short, long, height=1.0, period=7.0):
@@ -148,7 +149,7 @@ def energy(short, long, height=1.0, period=7.0):
 
 
 def test_a_sea_in_the_database_is_parted_into_cells_of_equal_energy():
-    omega, ways, share, words = lee.waves_of(breakwater("free", SEA + "[map]\n").study, unit(0.5, 60.0))
+    omega, ways, share, words = lee.waves_of(breakwater("free", SEA), Row(), unit(0.5, 60.0))
     assert len(omega) == 16 and share == pytest.approx(np.full(16, 1 / 16), rel=1e-4) and np.all(np.diff(omega) > 0)
     assert ways == pytest.approx(np.full((16, 1), math.radians(80.0)))
     assert words == "the sea, long crests, at 10° with the normal"
@@ -161,31 +162,30 @@ def test_a_sea_in_the_database_is_parted_into_cells_of_equal_energy():
 @pytest.mark.parametrize("short, cells", [(3.0, 15), (4.43, 14)])
 def test_nine_tenths_of_a_sea_are_to_be_in_the_database(short, cells):
     """15 of 16 cells are enough, 14 are not: 94 and 88 %"""
-    study, there = breakwater("free", SEA + "[map]\n").study, unit(short, 60.0)
+    asked = breakwater("free", SEA), Row(), unit(short, 60.0)
     if cells == 15:
-        omega, _, share, words = lee.waves_of(study, there)
+        omega, _, share, words = lee.waves_of(*asked)
         assert len(omega) == 15 and share.sum() == pytest.approx(1)
         assert words == "the sea, long crests, at 10° with the normal, 94% of it, in the database"
         return
-    with pytest.raises(StudyError, match=f"has {short} to 60 s, 88% of the sea's energy; allowed: 90%"):
-        lee.waves_of(study, there)
+    with pytest.raises(BreakwaterError, match=f"has {short} to 60 s, 88% of the sea's energy; allowed: 90%"):
+        lee.waves_of(*asked)
 
 
 def test_crests_that_are_short_come_from_ways_of_equal_energy():
     spread = SEA.replace("obliquity_deg = 10", 'obliquity_deg = 0\nspreading = "cosine:2"')
-    study = breakwater("free", spread + "[map]\n").study
-    _, ways, _, words = lee.waves_of(study, unit(0.5, 60.0))
+    _, ways, _, words = lee.waves_of(breakwater("free", spread), Row(), unit(0.5, 60.0))
     assert ways.shape == (16, 10) and ways.mean(axis=1) == pytest.approx(np.full(16, math.pi / 2))
-    assert words.startswith("the sea, cosine:2, at 0°")
+    assert words.startswith("the sea, spread over directions by cosine to the power of 2, at 0°")
     assert np.sin(ways - np.pi / 2).std(axis=1) == pytest.approx(
         np.full(16, 0.5), abs=0.02
     )  # ⟨sin²⟩ of 2/π cos² is 1/4
 
 
 def test_maps_show_as_far_behind_as_the_row_is_long():
-    x, y = lee._grid(breakwater("free").study.map, 80.0, 5.0)
+    x, y = lee._grid(Row(7.0), 80.0, 5.0)
     assert (x[0], x[-1], y[0], y[-1], len(x), len(y)) == pytest.approx((-60, 60, -40, 120, 61, 61))
-    x, y = lee._grid(breakwater("free", "[map]\nperiod=7\nx=[-1,2]\ny=[3,4]\npoints=3\n").study.map, 80.0, 5.0)
+    x, y = lee._grid(Row(7.0, x=(-1, 2), y=(3, 4), points=3), 80.0, 5.0)
     assert list(x) == [-1, 0.5, 2] and list(y) == [3, 3.5, 4]
 
 
@@ -209,25 +209,26 @@ def test_a_database_may_differ_by_two_per_cent_from_the_study(key, name, value):
     for factor in (0.985, 1.015):
         assert lee._check_same(asked, database(**{key: value * factor})) == pytest.approx(L)
     for factor in (0.975, 1.025):
-        with pytest.raises(StudyError, match=f"the database has {name} {value * factor:.5g}, the study {value:.5g}"):
+        with pytest.raises(
+            BreakwaterError, match=f"the database has {name} {value * factor:.5g}, the study {value:.5g}"
+        ):
             lee._check_same(asked, database(**{key: value * factor}))
 
 
 def test_a_database_of_deep_water_is_refused():
     for depth in (None, math.inf):
-        with pytest.raises(StudyError, match="is of deep water"):
+        with pytest.raises(BreakwaterError, match="is of deep water"):
             lee._check_same(breakwater("free"), database(depth=depth))
 
 
 def test_gaps_below_the_depth_and_far_fields_that_are_missed_are_told():
     """Waves that decay over the depth keep e^(−πg/h) over a gap"""
     asked = breakwater("free")
-    row = [f"[map]\nperiod = 7\nunits = 2\ngap = {gap}\n" for gap in (5.0, 10.0)]
-    near, far = (breakwater("free", text).study.map for text in row)
+    near, far = (Row(7.0, 2, gap) for gap in (5.0, 10.0))
     said = list(lee._remarks(asked, near, 0.0199))
     assert len(said) == 1 and "map.gap is 5 m, less than the depth of 10 m" in said[0]
     assert f"{math.exp(-math.pi / 2):.0%} of them" in said[0]
-    assert list(lee._remarks(asked, far, 0.02)) == list(lee._remarks(asked, asked.study.map, 0.0)) == []
+    assert list(lee._remarks(asked, far, 0.02)) == list(lee._remarks(asked, Row(7.0), 0.0)) == []
     assert next(iter(lee._remarks(asked, far, 0.0201))).startswith("the waves close to the body are fitted to 2.0% of")
 
 

@@ -293,15 +293,16 @@ def marina(tmp_path_factory):
 
 def test_a_breakwater_is_judged_by_what_passes_it(marina):
     """A case by its own door; the highest of N waves of Rayleigh's law, whose most probable value is H₁/₃ √(½ ln N)"""
-    from hakobune.pipelines.breakwater.build import Breakwater
-    from hakobune.pipelines.breakwater.results import Snapping, results
+    from hakobune.mooring.studies.breakwater.results import results
+    from hakobune.mooring.studies.breakwater.tides import Snapping
+    from hakobune.pipelines.breakwater.build import breakwater_of
     from hakobune.pipelines.breakwater.study import read_breakwater
 
     out = marina.parent / "out"
     verdict, _, _ = made(read_project(marina), out, Here(), None)
     assert [one.fault for one in verdict.ran if one.fault] == []
     study, _ = read_breakwater(out / "cases" / "design_0_deg.toml")
-    found = results(Breakwater(study))
+    found = results(breakwater_of(study))
     (design,) = [one for one in verdict.ran if one.case.state == "design"]
     assert design.numbers.parts["transmitted wave height"] == {
         "taut": pytest.approx(found.sea.heights["taut"], rel=1e-12)
@@ -312,7 +313,7 @@ def test_a_breakwater_is_judged_by_what_passes_it(marina):
     (passed,) = [one for one in verdict.judged if one.criterion.quantity == "transmitted wave height"]
     assert passed.governing.case == "working, 0 deg"  # the limit is of normal states
     snap = SimpleNamespace(largest=(1e6, 0.0))  # N/m in time, of the front line; of the back line less than in the sea
-    snaps = breakwater_numbers(Breakwater(study), found._replace(snapping=Snapping("mean", 6.0, snap)))
+    snaps = breakwater_numbers(breakwater_of(study), found._replace(snapping=Snapping("mean", 6.0, snap)))
     in_sea = study.lines.spacing * np.array(found.sea.tension)
     assert np.allclose(snaps.largest, [1e6 * study.lines.spacing, in_sea[1]], rtol=1e-12)
 

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
 
 from hakobune import pipelines
 from hakobune.mooring.lines.catenary.solve import solve_lines
@@ -477,18 +476,9 @@ def test_an_anchor_high_above_the_water_is_warned_of(tmp_path, capsys):
     assert "anchors above the water: A1 (z = 60 m), limit 30 m" in capsys.readouterr().out
 
 
-def test_a_moordyn_file_without_lines_tells_where_its_rods_float(tmp_path, capsys):
-    table = (
-        "--- ROD TYPES ---\nTypeName Diam Mass/m Cd Ca CdEnd CaEnd\n- - - - - - -\nlog 0.5 100 0 1 0 0\n--- RODS ---\n"
-    )
-    table += "ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs Outputs\n- - - - - - - - - - -\n"
-    (tmp_path / "rods.txt").write_text(table + "1 log free 0 -1 -10 0 1 -10 4 -\n--- OPTIONS ---\n16 WtrDpth\n")
-    assert main(["lines", str(tmp_path / "rods.txt")]) == 0
-    shown = capsys.readouterr().out
-    assert "rod 1" in shown and "floats, lying" in shown
-    s = 100 / (1025 * np.pi * 0.25**2)  # of the water it displaces whole: it is immersed to θ − sin θ cos θ = π s
-    theta = brentq(lambda theta: theta - np.sin(theta) * np.cos(theta) - np.pi * s, 0, np.pi)
-    end = lines(tmp_path / "rods.txt")["part[rod 1].end_b"]
-    assert end == pytest.approx([0, 1, 0.25 * np.cos(theta)], abs=1e-9)
-    assert main(["lines", str(tmp_path / "rods.txt"), "--broken"]) == 2
-    assert "has no lines, and --broken is for these; allowed: --depth" in capsys.readouterr().err
+def test_a_moordyn_file_without_lines_is_refused_by_what_it_has(tmp_path, capsys):
+    table = "--- ROD TYPES ---\n-\n-\nlog 0.5 100 0 1 0 0\n--- RODS ---\n"
+    table += "ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs\n-\n"
+    (tmp_path / "rods.txt").write_text(table + "1 log free 0 -1 -10 0 1 -10 4\n--- OPTIONS ---\n16 WtrDpth\n")
+    assert main(["lines", str(tmp_path / "rods.txt")]) == 2
+    assert "there are no LINES, but RODS alone; allowed: with lines" in capsys.readouterr().err

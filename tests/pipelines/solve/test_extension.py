@@ -138,7 +138,7 @@ def test_errors_of_coefficients_grow_with_the_database_and_are_those_of_one_made
             body = {"shape": "box", "length": 40.0, "beam": 20.0, "draft": 5.0}
             waves = {"omegas": omegas, "headings_deg": headings}
             scene = make_scene({"water": {"depth": 20.0}, "bodies": [body], "waves": waves, "want": want})
-            assert scene.approach.method == "contour"
+            assert scene.solved_by == "contour"
             assert solve(scene, tmp_path / name, executor=Here()).exit_status == 0
         return open_database(tmp_path / name).estimated_errors()
 

@@ -155,7 +155,7 @@ def test_a_campaign_writes_a_row_for_every_scene(tmp_path, capsys):
 
 def test_scenes_that_a_method_is_not_for_are_left_out(tmp_path, capsys):
     long = (s for s in DRAWN if math.isinf(s.depth) and s.omega**2 / 9.80665 * max(s.sizes.values()) < 1)
-    deep = next(scene.number for scene in long)  # a wave that is short against the body is answered over a raised bed
+    deep = next(scene.number for scene in long)
     asked = ["--scenes", "1", "--first", str(deep), "--seed", str(SEED), "--output", str(tmp_path / "stress.csv")]
     assert main(["stress", *asked, "--method", "contour"]) == 0
     assert "1 scenes left out" in capsys.readouterr().out

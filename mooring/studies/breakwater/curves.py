@@ -7,11 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.mooring.breakwater.holdings import Response, exact_response, long_wave_response, response_with_loss
-
-from ..common.quantities import StudyError
-from .build import KN
-from .tables import THEORIES
+from ...breakwater.holdings import Response, exact_response, long_wave_response, response_with_loss
+from ...breakwater.loss import Keel, with_loss
+from .breakwater import THEORIES, BreakwaterError
 
 TOLERANCE = 1e-5
 OBLIQUE_TOLERANCE = 1e-4  # a sea over directions takes a thousand sections
@@ -22,7 +20,6 @@ class Curve(NamedTuple):
 
     holding: str
     theory: str
-    level: str
     response: Response
 
     @property
@@ -33,11 +30,11 @@ class Curve(NamedTuple):
 def curves(breakwater, omega):
     """All curves of a study at mean level, and what was left out, one line each; omega : (n,) rad/s"""
     made, left_out = [], []
-    for theory in breakwater.study.theories:
-        for holding in breakwater.study.holdings:
+    for theory in breakwater.theories:
+        for holding in breakwater.holdings:
             try:
-                made.append(Curve(holding, theory, "mean", response(breakwater, holding, theory, 0.0, omega)))
-            except StudyError as error:
+                made.append(Curve(holding, theory, response(breakwater, holding, theory, 0.0, omega)))
+            except BreakwaterError as error:
                 if theory == THEORIES[0]:
                     raise
                 left_out.append(f"{holding} by {theory} is left out: {error}")
@@ -45,12 +42,12 @@ def curves(breakwater, omega):
 
 
 def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity=None):
-    """`Response` at frequencies (n,) rad/s.  Raises StudyError where a theory does not have a holding.
+    """`Response` at frequencies (n,) rad/s.  Raises BreakwaterError where a theory does not have a holding.
 
     amplitude : m, of the waves, for what is lost; obliquity : (n,) rad, angle with the normal; by default those of the
     study's regular waves
     """
-    obliquity = breakwater.obliquity if obliquity is None else obliquity
+    obliquity = breakwater.waves.obliquity if obliquity is None else obliquity
     angle = breakwater.angle
     if holding == "fixed":
         angle = angle if angle is not None and angle < np.pi / 2 else None
@@ -58,12 +55,12 @@ def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity
         made = _exact(breakwater, holding, rise, omega, angle, obliquity, amplitude)
         return _with_loss(breakwater, made, holding, rise, omega, amplitude)
     if holding not in ("fixed", "taut"):
-        raise StudyError(f"theory {theory} has fixed and taut bodies only")
+        raise BreakwaterError(f"theory {theory} has fixed and taut bodies only")
     if np.any(obliquity):
-        raise StudyError(f"theory {theory} has waves along the normal only")
+        raise BreakwaterError(f"theory {theory} has waves along the normal only")
     half, draft = breakwater.equal_rectangle(rise)
     body = breakwater.taut_rectangle(rise) if holding == "taut" else None
-    return long_wave_response(holding, half, draft, breakwater.depth(rise), omega, breakwater.water, angle, body)
+    return long_wave_response(holding, half, draft, breakwater.depth(rise), omega, breakwater.fluid, angle, body)
 
 
 def _exact(breakwater, holding, rise, omega, angle, obliquity, amplitude):
@@ -71,39 +68,36 @@ def _exact(breakwater, holding, rise, omega, angle, obliquity, amplitude):
     if holding == "free":
         body, wetted = breakwater.afloat(rise)
     elif holding in ("taut", "elastic"):
-        body = breakwater.taut(rise)
-        lines = breakwater.study.lines
-        stiffness = None if lines.axial_stiffness_kN is None else lines.axial_stiffness_kN * KN / lines.spacing
+        body, stiffness = breakwater.taut(rise), breakwater.lines.stretch
     wetted = wetted or breakwater.wetted(rise)
     if breakwater.loses_exactly:
-        flows = [_keel(wetted.waterline, wetted.draft, breakwater.depth(rise), *breakwater.water.values(), float(one))
+        flows = [_keel(wetted.waterline, wetted.draft, breakwater.depth(rise), *breakwater.fluid.values(), float(one))
                  for one in np.atleast_1d(omega)]  # fmt: skip
-        amplitude = breakwater.study.waves.height / 2 if amplitude is None else amplitude
-        C = breakwater.study.loss.coefficient
-        return response_with_loss(holding, flows, body, C, amplitude, angle, stiffness)
+        amplitude = breakwater.waves.height / 2 if amplitude is None else amplitude
+        return response_with_loss(holding, flows, body, breakwater.loss, amplitude, angle, stiffness)
     return exact_response(holding, sections(breakwater, wetted, rise, omega, obliquity), body, angle, stiffness)
 
 
 def _with_loss(breakwater, made, holding, rise, omega, amplitude):
-    study = breakwater.study
-    if study.loss is None or breakwater.loses_exactly:
+    if breakwater.loss is None or breakwater.loses_exactly:
         return made
-    from hakobune.mooring.breakwater.loss import Keel, with_loss
-
     wetted = breakwater.afloat(rise)[1] if holding == "free" else breakwater.mirrored(breakwater.wetted(rise))
-    amplitude = study.waves.height / 2 if amplitude is None else amplitude
-    keel = Keel(wetted.waterline / 2, wetted.draft, breakwater.depth(rise), study.water.gravity)
-    return with_loss(made, study.loss.coefficient, amplitude, omega, keel)
+    amplitude = breakwater.waves.height / 2 if amplitude is None else amplitude
+    keel = Keel(wetted.waterline / 2, wetted.draft, breakwater.depth(rise), breakwater.water.gravity)
+    return with_loss(made, breakwater.loss, amplitude, omega, keel)
 
 
 def sections(breakwater, wetted, rise, omega, obliquity=0.0):
-    """(n,) `Section` of what is under water at frequencies (n,) rad/s; obliquity : (n,) rad.  Raises StudyError."""
-    water = (breakwater.depth(rise), *breakwater.water.values())
-    if breakwater.study.section.shape == "rectangle":
+    """(n,) `Section` of what is under water at frequencies (n,) rad/s; obliquity : (n,) rad.
+
+    Raises BreakwaterError.
+    """
+    water = (breakwater.depth(rise), *breakwater.fluid.values())
+    if breakwater.section.shape == "rectangle":
         waves = zip(*np.broadcast_arrays(np.atleast_1d(omega), np.abs(obliquity)), strict=True)
         return [_rectangle(wetted.waterline, wetted.draft, *water, float(w), float(b)) for w, b in waves]
     if np.any(obliquity):
-        raise StudyError(f"section.shape is {breakwater.study.section.shape!r}; waves at an angle need a rectangle")
+        raise BreakwaterError(f"section.shape is {breakwater.section.shape!r}; waves at an angle need a rectangle")
     return [_outline(wetted, *water, float(one)) for one in np.atleast_1d(omega)]
 
 

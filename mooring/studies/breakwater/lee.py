@@ -19,13 +19,11 @@ from hakobune.bem.wave_field.around import far_field
 from hakobune.bem.wave_field.sources import rectangle
 from hakobune.bem.wave_field.units import field, row
 from hakobune.bem.waves import wavenumber
-from hakobune.mooring.breakwater import unit
-from hakobune.mooring.breakwater.transmission import equal_cells
 
-from ..common.quantities import StudyError
-from ..common.weather.seas import spectrum_of
-from .build import KN
-from .results import design, ways_of
+from ...breakwater import unit
+from ...breakwater.transmission import equal_cells
+from .breakwater import BreakwaterError
+from .in_sea import ways_of
 
 MOVING = ("added_mass", "radiation_damping", "excitation_force")
 SAME = 0.02  # by which the database's hull may differ from the study's section
@@ -33,6 +31,20 @@ CELLS, WAYS = 16, 10  # of a sea
 LEAST = 0.9  # of its energy within the database
 MISSED = 0.02  # share of a far field that its sources may miss without a word
 BEHIND = (0.25, 0.5, 1.0, 2.0)  # of the length of the row, where it is told
+
+
+class Row(NamedTuple):
+    """Units in a row, `gap` m between them, in regular waves of `period`, s, or in the sea
+
+    x, y : m, from and to, along the row and to leeward, of a map of so many points each way
+    """
+
+    period: float | None = None
+    units: int = 1
+    gap: float = 0.0
+    x: tuple | None = None
+    y: tuple | None = None
+    points: int = 61
 
 
 class Lee(NamedTuple):
@@ -53,16 +65,16 @@ class Lee(NamedTuple):
     tension: np.ndarray | None = None
 
 
-def lee(breakwater, db):
-    """`Lee` of a `Breakwater` whose study has a MapTable.  Raises ValueError for another body's database."""
-    asked, reader = breakwater.study.map, db.reader
+def lee(breakwater, asked, db):
+    """`Lee` of a `Breakwater` as a `Row` of units of a database.  Raises ValueError for another body's database."""
+    reader = db.reader
     length = _check_same(breakwater, db)
-    fixed = design(breakwater.study)[0] == "fixed"
+    fixed = breakwater.design[0] == "fixed"
     db.require(*KOCHIN, *(() if fixed else MOVING))
     moved = None if fixed else held(breakwater, reader, length)
     middles = row(asked.units, length + asked.gap)
     half = np.array([length, breakwater.wetted(0.0).waterline]) / 2
-    omega, ways, share, words = waves_of(breakwater.study, reader)
+    omega, ways, share, words = waves_of(breakwater, asked, reader)
     x, y = _grid(asked, 2 * (middles[-1, 0] + length / 2), half[1])
     total = middles[-1, 0] + length / 2
     told = [half[1] + part * 2 * total for part in BEHIND]
@@ -89,64 +101,68 @@ def lee(breakwater, db):
 
 def held(breakwater, reader, length):
     """The `Reader` of a unit with the study's weight and holding"""
-    study, center = breakwater.study, float(reader.rotation_center[2])
+    lines, center = breakwater.lines, float(reader.rotation_center[2])
     if np.any(np.abs(reader.rotation_center[:2]) > 0):
-        raise StudyError("the database's rotation_center is off the middle of the hull; solve it again about x = y = 0")
-    holding = design(study)[0]
+        raise BreakwaterError(
+            "the database's rotation_center is off the middle of the hull; solve it again about x = y = 0"
+        )
+    holding = breakwater.design[0]
     body = breakwater.afloat(0.0)[0] if holding == "free" else breakwater.taut(0.0)
     stiffness = unit.buoyancy(body, length, center)
     if holding != "free":
-        stiffness = stiffness + unit.line_matrix(body, length, center, study.lines.spacing, _axial_stiffness(study))
+        stiffness = stiffness + unit.line_matrix(body, length, center, lines.spacing, _axial_stiffness(breakwater))
     inertia = unit.inertia(body, length, center)
     return replace(reader, inertia=inertia, stiffness=stiffness, damping=np.zeros((6, 6)), own=False, viscous=None)
 
 
 def _pulls(breakwater, length, center):
     """x (p,) m of a unit's pairs of lines, and δP (b, 2, p) N/m per metre of its motions (b, 6); None without lines"""
-    lines = breakwater.study.lines
-    if design(breakwater.study)[0] in ("fixed", "free"):
+    lines = breakwater.lines
+    if breakwater.design[0] in ("fixed", "free"):
         return None, None
-    body, EA = breakwater.taut(0.0), _axial_stiffness(breakwater.study)
+    body, EA = breakwater.taut(0.0), _axial_stiffness(breakwater)
     where, _ = unit.pairs(length, lines.spacing)
     return where, lambda motion: unit.tensions(body, length, center, lines.spacing, EA, motion)
 
 
-def _axial_stiffness(study):
+def _axial_stiffness(breakwater):
     """EA, N per metre of body; None for lines that do not stretch"""
-    elastic = design(study)[0] == "elastic"
-    return study.lines.axial_stiffness_kN * KN / study.lines.spacing if elastic else None
+    return breakwater.lines.stretch if breakwater.design[0] == "elastic" else None
 
 
-def waves_of(study, reader):
+def waves_of(breakwater, asked, reader):
     """ω (n,) rad/s, directions (n, d) rad travelled to, 90° to leeward, share of the energy (n,), and all in words
 
-    Raises StudyError for waves outside the database.
+    Raises BreakwaterError for waves outside the database.
     """
-    asked, (low, high) = study.map, reader.between.span
+    low, high = reader.between.span
     if asked.period is not None:
         omega = np.array([2 * np.pi / asked.period])
         if not low <= omega[0] <= high:
-            raise StudyError(
+            raise BreakwaterError(
                 f"map.period is {asked.period:g} s; the database has {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g}"
             )
-        at = f"regular waves of {asked.period:g} s at {study.waves.obliquity_deg:g}° with the normal"
-        return omega, np.array([[np.pi / 2 - np.radians(study.waves.obliquity_deg)]]), np.ones(1), at
-    spectrum = spectrum_of("sea", study.sea, study.water.depth)
-    sea = equal_cells(spectrum, CELLS)
+        at = f"regular waves of {asked.period:g} s at {_degrees(breakwater.waves.obliquity)} with the normal"
+        return omega, np.array([[np.pi / 2 - breakwater.waves.obliquity]]), np.ones(1), at
+    sea = equal_cells(breakwater.sea.spectrum, CELLS)
     inside = (sea.omega >= low) & (sea.omega <= high)
     part = sea.energy[inside].sum() / sea.energy.sum()
     if part < LEAST:
-        raise StudyError(
+        raise BreakwaterError(
             f"the database has {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s, {part:.0%} of the sea's energy; "
             f"allowed: {LEAST:.0%} or more; solve more frequencies"
         )
     omega = sea.omega[inside]
-    angle = ways_of(study, spectrum, omega, WAYS, any_section=True).T
-    spread = "long crests" if study.sea.spreading is None else study.sea.spreading
-    words = f"the sea, {spread}, at {study.sea.obliquity_deg:g}° with the normal"
+    angle = ways_of(breakwater, omega, WAYS, any_section=True).T
+    spread = "long crests" if breakwater.sea.spreading is None else str(breakwater.sea.spreading)
+    words = f"the sea, {spread}, at {_degrees(breakwater.sea.direction)} with the normal"
     words += "" if part == 1 else f", {part:.0%} of it, in the database"
     share = sea.energy[inside] / sea.energy[inside].sum()
     return omega, np.pi / 2 - angle, share, words
+
+
+def _degrees(angle):
+    return f"{np.degrees(angle):.6g}°"
 
 
 def _field(reader, moved, omega, betas, half, middles):
@@ -172,22 +188,22 @@ def _grid(asked, whole, half_width):
 
 
 def _check_same(breakwater, db):
-    """Length of the unit, m.  Raises StudyError where the database is of another body or other water."""
+    """Length of the unit, m.  Raises BreakwaterError where the database is of another body or other water."""
     wet, points = breakwater.wetted(0.0), db.mesh.whole().points
     if db.water_depth is None or np.isinf(db.water_depth):
-        raise StudyError("the database is of deep water; allowed: that of the study's depth")
+        raise BreakwaterError("the database is of deep water; allowed: that of the study's depth")
     length, beam = np.ptp(points[:, 0]), np.ptp(points[:, 1])
     pairs = {
         "depth": (db.water_depth, breakwater.depth(0.0)),
-        "density": (db.density, breakwater.study.water.density),
-        "gravity": (db.gravity, breakwater.study.water.gravity),
+        "density": (db.density, breakwater.water.density),
+        "gravity": (db.gravity, breakwater.water.gravity),
         "draft": (-points[:, 2].min(), wet.draft),
         "displaced volume": (float(db.displaced_volume), wet.area * length),
         "breadth": (beam, max(abs(edge.at(u).real) for edge in wet.edges for u in (0.0, 0.5, 1.0)) * 2),
     }
     for name, (there, here) in pairs.items():
         if abs(there / here - 1) > SAME:
-            raise StudyError(
+            raise BreakwaterError(
                 f"the database has {name} {there:.5g}, the study {here:.5g}; solve the study's section, its length "
                 "along x, at the study's depth"
             )

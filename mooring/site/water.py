@@ -1,0 +1,33 @@
+"""Water levels of a site, and the current of a long wave that rises by a:  a √(g/h)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+LONG = 20  # depths in a wavelength, from which a wave is long
+
+
+def levels(spring_high, spring_low, surge, tsunami, depth):
+    """{name: m above mean water}; surge, tsunami : m, or None.  Raises ValueError."""
+    if spring_low > spring_high:
+        raise ValueError(f"levels.spring_low is {spring_low:g}; allowed: at most spring_high")
+    for key, value in (("surge", surge), ("tsunami", tsunami)):
+        if value is not None and not 0 <= value < depth:
+            raise ValueError(f"levels.{key} is {value:g}; allowed: 0 to the depth, {depth:g} m")
+    made = {"high": spring_high + (surge or 0.0), "low": spring_low}
+    if tsunami is not None:
+        made |= {"tsunami high": spring_high + tsunami, "tsunami low": spring_low - tsunami}
+    lowest = min(made.values())
+    if not depth + lowest > 0:
+        raise ValueError(f"levels: the lowest is {lowest:g} m in {depth:g} m of water; allowed: above the bed")
+    return made
+
+
+def tsunami_current(rise, period, depth, gravity=9.80665):
+    """m/s under a long wave that rises by `rise`, m.  Raises ValueError for a period, s, of a wave that is not long."""
+    length = period * np.sqrt(gravity * depth)
+    if length < LONG * depth:
+        raise ValueError(
+            f"levels.tsunami_period is {period:g} s; allowed: above {LONG * depth / length * period:.3g}, long waves"
+        )
+    return float(rise * np.sqrt(gravity / depth))

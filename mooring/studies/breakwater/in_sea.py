@@ -1,0 +1,116 @@
+"""A breakwater in its sea: what passes it, and tensions at the worst level."""
+
+from __future__ import annotations
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from ...breakwater.anchors import pretension_needed
+from ...breakwater.holdings import Response
+from ...breakwater.loss import GAUSSIAN
+from ...breakwater.transmission import Cells, equal_cells, greatest_of, slack_share
+from .breakwater import KN, THEORIES, BreakwaterError
+from .curves import response
+from .tides import ENDS
+
+SEA_CELLS = 120  # the height behind a circle is within 2e-4 of that of 2000
+WAYS = 12  # of a sea spread over directions: the height behind is within 4e-3 of that of 48
+MOST_OBLIQUE = np.radians(85)
+
+
+class SeaBehind(NamedTuple):
+    """cells : `Cells`; heights : {curve: 4√m₀ behind, m}; transmission : {curve: (m,) |K_T|}
+
+    deviation : (front, back) of tensions of the design curve, N/m, or None; waves : their number
+    greatest : (front, back) expected greatest amplitude; slack : share of cycles at the worst level
+    tension : (front, back) expected greatest tension at the worst level, N/m; least : pretension that keeps both taut
+    """
+
+    cells: Cells
+    heights: dict
+    transmission: dict
+    deviation: tuple | None
+    waves: float
+    greatest: tuple | None
+    slack: tuple | None
+    tension: tuple | None = None
+    least: float | None = None
+
+
+def sea_behind(breakwater, curves, tides, held):
+    """`SeaBehind` of [Curve], and of tensions where there is a `Pretension` held over [Tide]"""
+    spectrum = breakwater.sea.spectrum
+    sea = equal_cells(spectrum, SEA_CELLS)
+    amplitude, behind, ways = GAUSSIAN * sea.height / 4, {}, ways_of(breakwater, sea.omega)
+
+    def in_sea(holding, theory, rise):
+        return response_in_sea(breakwater, holding, theory, rise, sea.omega, amplitude, ways)
+
+    for curve in curves:
+        if curve.theory == THEORIES[0] or not np.any(ways):
+            behind[curve.name] = in_sea(curve.holding, curve.theory, 0.0).transmission
+        else:
+            warnings.warn(f"the sea behind {curve.name} is left out: it has waves along the normal only", stacklevel=2)
+    heights = {name: 4 * float(sea.deviation(K)) for name, K in behind.items()}
+    waves = breakwater.duration / spectrum.T02
+    if held is None:
+        return SeaBehind(sea, heights, behind, None, waves, None, None)
+    deviations, shares = [], []
+    for one in tides:
+        curve = in_sea(*breakwater.design, one.rise)
+        both = [float(sea.deviation(P)) for P in (curve.front, curve.back)]
+        deviations.append(both)
+        shares.append([slack_share(held.used + one.change, deviation) for deviation in both])
+    deviation = tuple(np.max(deviations, axis=0))
+    greatest = tuple(float(greatest_of(one, waves)) for one in deviation)
+    changes, amplitudes = np.array([[one.change] for one in tides]), greatest_of(np.array(deviations), waves)
+    tension = tuple(map(float, np.max(held.used + changes + amplitudes, axis=0)))
+    least = max(0.0, max(pretension_needed(P.max(), -c) for P, (c,) in zip(amplitudes, changes, strict=True)))
+    slack = tuple(np.max(shares, axis=0))
+    return SeaBehind(sea, heights, behind, deviation, waves, greatest, slack, tension, float(least))
+
+
+def response_in_sea(breakwater, holding, theory, rise, omega, amplitude, ways):
+    """`Response` (m,) in moduli, root mean squares over the ways (d, m) rad of the sea's waves"""
+    over = [response(breakwater, holding, theory, rise, omega, amplitude, way) for way in ways]
+    return Response(*(np.sqrt(np.mean(np.abs(part) ** 2, axis=0)) for part in zip(*over, strict=True)))
+
+
+def ways_of(breakwater, omega, count=WAYS, any_section=False):
+    """(d, m) rad, angles with the normal of waves of equal energy of the sea at frequencies (m,) rad/s.
+
+    Raises BreakwaterError.
+    """
+    mean, spread = breakwater.sea.direction, breakwater.sea.spreading
+    if not any_section and breakwater.section.shape != "rectangle" and (mean or spread is not None):
+        warnings.warn(
+            "waves at an angle are told for rectangles: the sea in two dimensions is taken along the normal",
+            stacklevel=2,
+        )
+        return np.zeros((1, len(omega)))
+    if spread is None:
+        return np.full((1, len(omega)), mean)
+    shares = (np.arange(count) + 0.5) / count
+    ways = mean + np.array([spread.quantile(np.full(len(omega), share), omega) for share in shares])
+    if np.any(abs(ways) > MOST_OBLIQUE):
+        raise BreakwaterError(
+            f"sea.spreading sends waves at {np.degrees(abs(ways).max()):.3g}° with the normal; allowed: "
+            f"{np.degrees(MOST_OBLIQUE):g}; give a narrower spreading or less obliquity"
+        )
+    return ways
+
+
+def rougher(breakwater, held, sea):
+    """What is said where lines carry more in the sea than in the waves that pretension and anchors go by"""
+    if sea is None or sea.tension is None:
+        return
+    over = [(end, s, w) for end, s, w in zip(ENDS, sea.tension, held.greatest, strict=True) if s > w]
+    if over or sea.least > held.used:
+        tensions = "; ".join(f"{end} {s / KN:.4g} kN/m for {w / KN:.4g}" for end, s, w in over)
+        yield (
+            f"the greatest of {sea.waves:.0f} waves of the sea is rougher than waves of {breakwater.waves.height:g} m, "
+            f"by which pretension and anchors go: {tensions or 'lines go slack'}; taut in it takes a pretension of "
+            f"{sea.least / KN:.4g} kN/m; give waves.height of the highest wave"
+        )

@@ -1,0 +1,120 @@
+"""Draft, width and angle of the lines against each other: the least wave behind a breakwater for every tension.
+
+Sobol's points over the given ranges, then for limits of the tension between the best of them COBYLA (Powell 1994),
+which lowers the wave behind under the limit; designs whose lines go slack, that are unstable, or that cannot be, do not
+count.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.bem.sections.outline import OutlineError
+
+from ...breakwater.transmission import equal_cells
+from .breakwater import BreakwaterError
+from .curves import response
+from .in_sea import SEA_CELLS, WAYS, response_in_sea, ways_of
+from .tides import pretension_of, tides_of
+
+FEW_PERIODS, FEW_CELLS, FEW_WAYS = 10, 16, 4  # of a trial; what is reported has all
+TRIALS = 20  # for a limit
+OUT = 1e6
+
+
+class Front(NamedTuple):
+    """names : of what varies; designs : (n, names), as the ranges; tension : (n,) greatest, N/m, ascending
+    behind : (n,) 4√m₀ behind, m, or without a sea the greatest K_T, descending; trials : number of designs tried"""
+
+    names: tuple
+    designs: np.ndarray
+    tension: np.ndarray
+    behind: np.ndarray
+    trials: int
+
+
+def front(changed, ranges, samples=64, limits=6):
+    """The `Front` of breakwaters on lines to the bed.  Raises BreakwaterError where no design holds.
+
+    changed : named values → `Breakwater`, as its `changed`; ranges : {name: (from, to)} of the values
+    samples : designs that are tried first, a power of two; limits : tensions under which the wave behind is lowered
+    """
+    from scipy.stats import qmc
+
+    names = tuple(ranges)
+    low, high = np.array([*ranges.values()], float).T
+    tried = {}
+
+    def trial(x):
+        values = tuple(low + (high - low) * np.clip(x, 0, 1))
+        if values not in tried:
+            tried[values] = objectives(changed, dict(zip(names, values, strict=True)), few=True)
+        return tried[values]
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # balance of Sobol's points; what trials warn of is told of those reported
+        for x in qmc.Sobol(len(names), seed=0).random(samples):
+            trial(x)
+        holding = {x: value for x, value in tried.items() if value is not None}
+        if not holding:
+            raise BreakwaterError(f"optimisation: none of {samples} designs holds its lines taut; give other ranges")
+        _refine(trial, holding, low, high, limits)
+        kept = {x: value for x, value in tried.items() if value is not None}
+        best = [x for x, value in kept.items() if not any(_better(other, value) for other in kept.values())]
+        whole = [(x, objectives(changed, dict(zip(names, x, strict=True)), few=False)) for x in best]
+    whole = sorted(((x, value) for x, value in whole if value is not None), key=lambda row: row[1])
+    whole = [row for row in whole if not any(_better(other, row[1]) for _, other in whole)]
+    designs, values = (np.array(column) for column in zip(*whole, strict=True))
+    return Front(names, designs, *values.T, len(tried))
+
+
+def _refine(trial, holding, low, high, limits):
+    """COBYLA from the best of the designs tried under each limit of the tension"""
+    from scipy.optimize import minimize
+
+    tensions = np.array([tension for tension, _ in holding.values()])
+    for limit in np.geomspace(tensions.min(), tensions.max(), limits + 1)[1:]:
+        under = {x: value for x, value in holding.items() if value[0] <= limit}
+        start = (np.array(min(under, key=lambda x: under[x][1])) - low) / (high - low)
+        height = min(value[1] for value in under.values())
+
+        def lower(x, height=height):
+            return (trial(x) or (OUT, OUT))[1] / height
+
+        def spare(x, limit=limit):
+            return 1 - min((trial(x) or (OUT, OUT))[0] / limit, 10.0)
+
+        minimize(
+            lower, start, method="COBYLA", bounds=[(0, 1)] * len(low), constraints={"type": "ineq", "fun": spare},
+            options={"rhobeg": 0.1, "maxiter": TRIALS},
+        )  # fmt: skip
+
+
+def _better(one, other):
+    return one != other and one[0] <= other[0] and one[1] <= other[1]
+
+
+def objectives(changed, values, few):
+    """(greatest tension, N/m; height behind, m, or K_T) of a breakwater of these values, None where it does not hold"""
+    try:
+        made = changed(**values)
+        period = made.waves.period
+        if few:
+            period = period[np.unique(np.linspace(0, len(period) - 1, FEW_PERIODS).round().astype(int))]
+        tides = tides_of(made, period)
+        held = pretension_of(made, tides)
+        unstable = made.body is not None and any(made.taut(one.rise).stiffness <= 0 for one in tides)
+    except (BreakwaterError, OutlineError):
+        return None
+    if held.slack or unstable or not np.isfinite(held.greatest).all():
+        return None
+    if made.sea is None:
+        found = response(made, *made.design, 0.0, 2 * np.pi / period)
+        return max(held.greatest), float(abs(found.transmission).max())
+    sea = equal_cells(made.sea.spectrum, FEW_CELLS if few else SEA_CELLS)
+    ways = ways_of(made, sea.omega, FEW_WAYS if few else WAYS)
+    found = response_in_sea(made, *made.design, 0.0, sea.omega, made.waves.height / 2, ways)
+    return max(held.greatest), 4 * float(sea.deviation(found.transmission))
