@@ -18,6 +18,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..modes import moving
 from .interpolant import Joined, abscissa, windows
 from .schema import QUANTITIES
 
@@ -140,7 +141,7 @@ class Between:
         low, high = self.span
         below = (omega < low * (1 - SAME)) & self.has_limit("added_mass_zero") & (omega >= 0)
         above = (omega > high * (1 + SAME)) & self.has_limit("added_mass_infinity")
-        out, inside = np.empty((len(omega), 6, 6)), ~(below | above)
+        out, inside = np.empty((len(omega), *self.quantities[name].shape[1:])), ~(below | above)
         out[inside] = within(self.inside(omega[inside]), name)
         for where, limit, share in (
             (below, "added_mass_zero", lambda w: w / low),
@@ -209,7 +210,7 @@ class Between:
             scale = np.outer(scale, scale)
         else:
             scale = stored.max(axis=tuple(range(stored.ndim - 1)))
-            scale = _seen(scale) if len(scale) == 6 else scale
+            scale = _seen(scale) if QUANTITIES[name][0][-1] in ("influenced_dof", "radiating_dof") else scale
         return np.max(error / np.where(scale > 0, scale, np.inf), axis=tuple(range(1, error.ndim)))
 
     def _abscissa(self, omega):
@@ -257,7 +258,7 @@ class Between:
         return values[-1] if name == "added_mass" else 0.0
 
     def _both(self, omega):
-        """Impedance (q, 6, 6); that asked for last is kept, since damping is asked for where added mass was"""
+        """Impedance (q, n, n); that asked for last is kept, since damping is asked for where added mass was"""
         if self._values.get("impedance", (np.zeros(0),))[0].tobytes() != omega.tobytes():
             self._values["impedance"] = omega, self._fit("impedance", omega)
         return self._values["impedance"][1]
@@ -269,7 +270,7 @@ class Between:
 
     @cached_property
     def _impedance(self):
-        """B − iω [A − A(ω_max)] (n, 6, 6), kg/s …"""
+        """B − iω [A − A(ω_max)] (n, …), kg/s …"""
         A, B = (self.quantities[name] for name in RADIATION)
         return B - 1j * self.omega[:, None, None] * (A - A[-1])
 
@@ -289,7 +290,7 @@ class Between:
 
 
 def _towards(limit, end, share, error):
-    """(q, 6, 6) from the `end` of the band towards its limit, or the error of that; share (q,) from 0 there to 1"""
+    """(q, n, n) from the `end` of the band towards its limit, or the error of that; share (q,) from 0 there to 1"""
     share, known = share[:, None, None], np.isfinite(limit)
     limit = np.where(known, limit, end)
     if error:
@@ -298,17 +299,26 @@ def _towards(limit, end, share, error):
 
 
 def _seen(scale):
-    """(6,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
-    largest = np.repeat([scale[:3].max(), scale[3:].max()], 3)
+    """(n,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
+    kinds = scale.reshape(-1, 2, 3)
+    largest = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
     return np.where(scale > 1e-4 * largest, scale, np.inf)
 
 
 def between(db):
     """`Between` of the solved rows of a database."""
     names = [name for name in db.names if "omega" in QUANTITIES[name][0]]
-    limits = {name: db[name] for name in ("added_mass_zero", "added_mass_infinity") if db.holds(name)}
+    limits = {name: _of_moving(db, name) for name in ("added_mass_zero", "added_mass_infinity") if db.holds(name)}
     points = db.mesh.whole().points[:, :2]
-    quantities = {name: db[name] for name in names}
+    quantities = {name: _of_moving(db, name) for name in names}
     return Between(
         db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits, db.wall
     )  # fmt: skip
+
+
+def _of_moving(db, name):
+    """A quantity, of several bodies the forces on those that move: they alone are solved for"""
+    axes = QUANTITIES[name][0]
+    if "influenced_dof" not in axes or not db.bodies:
+        return db[name]
+    return np.take(db[name], moving(db.bodies), axis=axes.index("influenced_dof"))

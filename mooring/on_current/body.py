@@ -46,14 +46,14 @@ class OnCurrent(Reader):
         return self.carrier.own(*self._pairs(omega, headings), self.depth, self.gravity)
 
     def motions(self, omega, headings=None):
-        """(q, p, 6) as `Reader.motions`; of still water where the database has nothing that they follow from"""
+        """(q, p, n) as `Reader.motions`; of still water where the database has nothing that they follow from"""
         if self.lacks_motions:
             return self.still.motions(omega, headings)
         self._check_inertia()
         met, F = self.encounter(omega, headings), self.waves_of("forces", omega, headings)
         A, B = self._coefficients(met.ravel())
         found = self.still.solved(met.ravel(), A, B, F.reshape(-1, 1, 6))
-        return found.reshape(*met.shape, 6)
+        return found.reshape(*met.shape, -1)
 
     @property
     def lacks_motions(self):
