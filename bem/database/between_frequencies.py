@@ -41,6 +41,7 @@ class Between:
     """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
 
     headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
+    outlines : the same of each of several bodies that move; empty for one
     limits : {"added_mass_zero", "added_mass_infinity": (6, 6)}, those that are stored
     wall : m, y of a wall along x, or None: waves then meet the hull's image in it, too
     """
@@ -54,6 +55,7 @@ class Between:
     outline: np.ndarray
     limits: dict = field(default_factory=dict)
     wall: float | None = None
+    outlines: tuple = ()
 
     def value(self, omega, name):
         """A quantity (q, …) at omega (q,) rad/s.  Raises BetweenError for what is not known."""
@@ -275,11 +277,16 @@ class Between:
         return B - 1j * self.omega[:, None, None] * (A - A[-1])
 
     def _lead(self, name):
-        """m, how far ahead of the origin, along the wave, the hull meets it; per heading, angle or both"""
+        """m, how far ahead of the origin, along the wave, the hull meets it; per heading, angle or both, and of several
+        bodies for the motions of each: what comes by way of others comes later"""
         towards = np.stack([np.cos(self.headings), np.sin(self.headings)], axis=1)
         away = np.stack([np.cos(self.theta), np.sin(self.theta)], axis=1)
+        if name in FORCES and self.outlines:
+            return np.repeat([np.max(-one @ towards.T, axis=0) for one in self.outlines], 6, axis=0).T
         if name in FORCES or name == "pressure":
             return np.max(-self.outline @ towards.T, axis=0)[:, None]
+        if name == "kochin_radiation" and self.outlines:
+            return np.repeat([np.max(one @ away.T, axis=0) for one in self.outlines], 6, axis=0)
         if name == "kochin_radiation":
             return np.max(self.outline @ away.T, axis=0)
         if name == "kochin_diffraction":
@@ -311,8 +318,12 @@ def between(db):
     limits = {name: _of_moving(db, name) for name in ("added_mass_zero", "added_mass_infinity") if db.holds(name)}
     points = db.mesh.whole().points[:, :2]
     quantities = {name: _of_moving(db, name) for name in names}
+    outlines = tuple(
+        db.mesh.of_body(i).whole().points[:, :2] for i, body in enumerate(db.bodies) if not body.fixed
+    )  # fmt: skip
     return Between(
-        db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits, db.wall
+        db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits, db.wall,
+        outlines,
     )  # fmt: skip
 
 

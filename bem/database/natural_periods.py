@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .resonances import by_motion, natural_modes, zeros
+from .resonances import by_motion, natural_modes, positive, zeros
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,8 @@ class NaturalPeriods:
 
     names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
     shapes : (n, n), rows are modes, largest component 1 after rotations are multiplied by `scale` m
-    inside : (n,) False where the added mass had to be held at the end of the stored frequencies
+    inside : (n,) False where the added mass had to be held at the end of the stored frequencies, and of several bodies
+    where the water of a gap between them resonates
     """
 
     names: tuple[str, ...]
@@ -55,22 +56,28 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
         """λ (q, n), vectors in columns (q, n, n) and the mass (q, 6, 6) they are of"""
         M = kept * (body.inertia + body.held_added_mass(w)) / unit
         M = 0.5 * (M + M.swapaxes(1, 2))
-        check_positive(M, w)
-        return *natural_modes(M, C), M
+        return *natural_modes(positive(M), C), M
 
-    frequencies = _own_frequencies(lambda w: modes(w)[0])
+    M = body.inertia + body.held_added_mass(body.omega)
+    gaps = np.linalg.eigvalsh(0.5 * (M + M.swapaxes(1, 2)))[:, 0].min() <= 0
+    frequencies = _own_frequencies(lambda w: modes(w)[0], body.omega if gaps else ())
     own = np.arange(len(body.inertia))
     _, vectors, M = modes(np.abs(frequencies))
+    known = body.knows_added_mass(frequencies)
+    if body.bodies:  # where the water of a gap resonates, the motion that drives it has its frequency
+        known = known & (np.linalg.eigvalsh(M)[:, 0] > 0)
+    else:
+        check_positive(M, np.abs(frequencies))
     vectors = vectors[own, :, own]
     energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
     shapes = vectors / np.take_along_axis(vectors, np.abs(vectors).argmax(axis=1)[:, None], axis=1)
     order = by_motion(energies)
-    frequencies, shapes = frequencies[order], shapes[order]
+    frequencies, shapes, known = frequencies[order], shapes[order], known[order]
     # eigenvalues of a mode without restoring are rounding errors of the stiffest one
     free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
-    return NaturalPeriods(body.names, period, shapes, body.knows_added_mass(frequencies), scale)
+    return NaturalPeriods(body.names, period, shapes, known, scale)
 
 
 def check_positive(mass, omega):
@@ -83,8 +90,11 @@ def check_positive(mass, omega):
         )
 
 
-def _own_frequencies(eigenvalues):
-    """(n,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode"""
+def _own_frequencies(eigenvalues, places=()):
+    """(n,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode
+
+    places : (q,) rad/s, rising, among which the first root is sought, where the water of gaps makes several
+    """
     start = eigenvalues(np.zeros(1))[0]
     own = np.arange(len(start))
 
@@ -100,5 +110,9 @@ def _own_frequencies(eigenvalues):
         short = (below >= 0) & (start > 0)
         low, above = np.where(short, high, low), np.where(short, below, above)
         high = np.where(short, 2 * high, high)
+    for place in places[::-1]:
+        there = excess(np.full(len(own), place))
+        first = (there < 0) & (place < high) & (start > 0)
+        high, below = np.where(first, place, high), np.where(first, there, below)
     w = zeros(excess, low, above, high, below)
     return np.where(start > 0, w, -np.sqrt(np.maximum(-start, 0)))

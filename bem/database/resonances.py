@@ -23,6 +23,7 @@ AROUND = 2.0 ** np.arange(-3, 8)  # in widths, on both sides of a peak
 WIDEST = 0.3  # of a frequency, on both sides of it
 CLOSE = 1e-11  # relative, of a natural frequency: interpolated added mass has rounding errors of 1e-12
 MOST = 100
+LEAST = 1e-9  # of the largest inertia
 STEPS = 4  # places between two stored frequencies
 QUIET = 1e-3  # of the largest motion of its kind: a peak below is none
 
@@ -90,6 +91,20 @@ def natural_modes(inertia, stiffness):
     return values, root.swapaxes(-1, -2) @ vectors
 
 
+def positive(inertia):
+    """Symmetric inertia (…, n, n), those with eigenvalues of 0 and less with the least that are above in place of them
+
+    Where the water of a gap or a moonpool resonates added mass takes more than the body has: λ grows beyond all bounds
+    on the way there, and a search goes on past it.
+    """
+    values = np.linalg.eigvalsh(inertia)
+    if np.all(values[..., 0] > 0):
+        return inertia
+    values, vectors = np.linalg.eigh(inertia)
+    values = np.maximum(values, LEAST * values[..., -1:])
+    return (vectors * values[..., None, :]) @ vectors.swapaxes(-1, -2)
+
+
 def by_motion(energies):
     """(n,) which mode is called by each motion: the assignment with the largest sum of energy shares.
 
@@ -144,7 +159,7 @@ def _excess(body, omega):
 
 def _modes(body, omega):
     M = body.inertia + body.held_added_mass(omega)
-    M = 0.5 * (M + M.swapaxes(1, 2))
+    M = positive(0.5 * (M + M.swapaxes(1, 2)))
     return *natural_modes(M, 0.5 * (body.stiffness + body.stiffness.T)), M
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from hakobune.bem.modes import words_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.response.findings import large_rotations
 from hakobune.mooring.response.long_term import YEAR
@@ -12,6 +13,7 @@ from hakobune.mooring.response.return_period import probability_not_exceeded
 
 from ..common.units import KN
 
+ONE_BODY = words_of(())
 WORTH_NAMING = 1e-3  # estimated error of a result
 
 
@@ -22,7 +24,7 @@ def turned(quantities, axes):
     return large_rotations({n: np.degrees(v) for n, unit, v in rows if unit == "rad"})
 
 
-def failures(result, stiffness, words, years=None):
+def failures(result, stiffness, years=None, words=ONE_BODY):
     """What fails of a SeaState, or of a Climate in `years`: a body that capsizes, water at a deck, a keel on the bed
 
     stiffness : (n, n) restoring of the body, N m/rad, with its mooring, or None; words : (n,) names of its motions

@@ -78,7 +78,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         axes |= labels("with_plane", PLANE)
     warned += [
         *(() if held is None else held.failures),
-        *failures(found, stiffness, body.words, years),
+        *failures(found, stiffness, years, body.words),
         *turned(quantities, axes),
     ]
     return Result(

@@ -46,7 +46,11 @@ def test_names_axes_and_bodies_of_the_database(database):
     assert db["added_mass"].shape == (2, 12, 6) and db["rao"].shape == (2, 2, 6)
     assert db["added_mass_infinity"].shape == (12, 6) and db["kochin_radiation"].shape[1] == 6
     barge, pier = db.bodies
-    assert barge == Body("barge", (0.0, 4.0, 0.2)) and pier.fixed and pier.heading == pytest.approx(np.pi / 2)
+    assert (
+        barge == Body("barge", (0.0, 4.0, 0.2), place=(0.0, 4.0))
+        and pier.fixed
+        and pier.heading == pytest.approx(np.pi / 2)
+    )
     assert db.complete and check(database, _console()) == 0
 
 
