@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .resonances import by_motion, natural_modes, positive, zeros
+from .resonances import by_motion, free_modes, positive, zeros
 
 
 @dataclass(frozen=True)
@@ -49,19 +49,20 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
         raise ValueError("natural periods need the inertia of the body; give --gyration kxx,kyy,kzz and solve again")
     kept = 1.0 if coupled else np.eye(len(body.inertia))
     scale = float(np.sqrt(body.inertia[5, 5] / body.inertia[0, 0]))
-    unit = np.outer(*2 * [np.tile([1, 1, 1, scale, scale, scale], len(body.inertia) // 6)])
+    lengths = np.tile([1, 1, 1, scale, scale, scale], len(body.inertia) // 6)
+    unit, free = np.outer(lengths, lengths), None if body.free is None else lengths[:, None] * body.free
     C = kept * 0.5 * (body.stiffness + body.stiffness.T) / unit
 
     def modes(w):
         """λ (q, n), vectors in columns (q, n, n) and the mass (q, 6, 6) they are of"""
         M = kept * (body.inertia + body.held_added_mass(w)) / unit
         M = 0.5 * (M + M.swapaxes(1, 2))
-        return *natural_modes(positive(M), C), M
+        return *free_modes(free, positive(M), C), M
 
     M = body.inertia + body.held_added_mass(body.omega)
     gaps = np.linalg.eigvalsh(0.5 * (M + M.swapaxes(1, 2)))[:, 0].min() <= 0
     frequencies = _own_frequencies(lambda w: modes(w)[0], body.omega if gaps else ())
-    own = np.arange(len(body.inertia))
+    own = np.arange(len(frequencies))
     _, vectors, M = modes(np.abs(frequencies))
     known = body.knows_added_mass(frequencies)
     if body.bodies:  # where the water of a gap resonates, the motion that drives it has its frequency
@@ -72,12 +73,14 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
     shapes = vectors / np.take_along_axis(vectors, np.abs(vectors).argmax(axis=1)[:, None], axis=1)
     order = by_motion(energies)
+    names = tuple(name for name, mode in zip(body.names, order, strict=True) if mode >= 0)
+    order = order[order >= 0]
     frequencies, shapes, known = frequencies[order], shapes[order], known[order]
     # eigenvalues of a mode without restoring are rounding errors of the stiffest one
     free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
-    return NaturalPeriods(body.names, period, shapes, known, scale)
+    return NaturalPeriods(names, period, shapes, known, scale)
 
 
 def check_positive(mass, omega):

@@ -26,6 +26,7 @@ import numpy as np
 
 from hakobune.meshing.panels import PanelMesh
 
+from ..bodies.hinges import forces_of, free_of, rows_of
 from ..drift import OF_EACH, harmonics
 from ..modes import moving, names_of, words_of
 from ..viscous import Viscous, linearised_response
@@ -50,6 +51,7 @@ class Reader:
     own : whether stored motions and drift are those of this body
     viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
     mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several, empty for one
+    links : `bem.bodies.hinges.Link` between them, exact
     """
 
     between: Between
@@ -64,6 +66,7 @@ class Reader:
     viscous: Viscous | None = None
     mesh: PanelMesh | None = None
     bodies: tuple = ()
+    links: tuple = ()
 
     def __repr__(self):
         low, high = self.between.span
@@ -128,6 +131,32 @@ class Reader:
             stiffness=self.stiffness + stiffness,
             own=self.own and not damping.any() and not stiffness.any(),
         )
+
+    def linked(self, links):
+        """The same bodies with `bem.bodies.hinges.Link`s between them.  Raises ValueError for what is not possible."""
+        found = replace(self, links=(*self.links, *links), own=self.own and not links)
+        if links:
+            free_of(found._held)
+        return found
+
+    @cached_property
+    def free(self):
+        """(n, m) motions, in columns, that links leave free; None without links"""
+        return free_of(self._held) if self.links else None
+
+    @cached_property
+    def _held(self):
+        """(r, n) what links hold to zero"""
+        return np.vstack([rows_of(self, link) for link in self.links])
+
+    def link_forces(self, omega, headings, motions):
+        """(q, p, links, 6) force and moment per m, along axes of the first body, with which it holds the second
+
+        motions : (q, p, n) of these bodies in these waves
+        """
+        D = self.dynamic_stiffness(self.inside(omega), *self.coefficients(omega))
+        left = motions @ D.swapaxes(1, 2) - self.forces(omega, headings)
+        return forces_of(self.links, self._held, left)
 
     def floating(self):
         """The same body without the viscous damping of stored motions, with everything motions follow from.
@@ -253,8 +282,14 @@ class Reader:
         """(…, 6) of one of several bodies from those of all (…, n); zero of a fixed one"""
         if body.fixed:
             return np.zeros((*np.shape(motions)[:-1], 6), complex)
+        return motions[..., self.columns_of(body)]
+
+    def columns_of(self, body):
+        """Slice of the motions of one of several bodies among all, None of a fixed one"""
+        if body.fixed:
+            return None
         first = 6 * [one.name for one in self.bodies if not one.fixed].index(body.name)
-        return motions[..., first : first + 6]
+        return slice(first, first + 6)
 
     def drift_of_each(self, omega, headings=None, fixed=False):
         """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, fixed ones too, about its
@@ -317,7 +352,11 @@ class Reader:
         if self.viscous:
             rows = zip(omega, A, B + self.damping, F, strict=True)
             return np.array([linearised_response(*row, self.inertia, self.stiffness, self.viscous)[0] for row in rows])
-        return np.linalg.solve(self.dynamic_stiffness(omega, A, B), F.swapaxes(1, 2)).swapaxes(1, 2)
+        D = self.dynamic_stiffness(omega, A, B)
+        if self.links:
+            Z = self.free
+            return np.linalg.solve(Z.T @ D @ Z, (F @ Z).swapaxes(1, 2)).swapaxes(1, 2) @ Z.T
+        return np.linalg.solve(D, F.swapaxes(1, 2)).swapaxes(1, 2)
 
     def dynamic_stiffness(self, omega, A, B):
         """(q, n, n) complex force per motion, N/m … N m/rad, of the linear body; arguments as of `solved`"""

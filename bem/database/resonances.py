@@ -106,14 +106,17 @@ def positive(inertia):
 
 
 def by_motion(energies):
-    """(n,) which mode is called by each motion: the assignment with the largest sum of energy shares.
+    """(n,) which mode is called by each motion: the assignment with the largest sum of energy shares; −1 for none.
 
-    energies : (n, n) kinetic, rows are modes
+    energies : (m, n) kinetic, rows are modes, fewer than motions where links hold some
     """
     from scipy.optimize import linear_sum_assignment
 
     shares = energies / energies.sum(axis=1, keepdims=True)
-    return linear_sum_assignment(shares.T, maximize=True)[1]
+    motions, modes = linear_sum_assignment(shares.T, maximize=True)
+    found = np.full(shares.shape[1], -1)
+    found[motions] = modes
+    return found
 
 
 def zeros(functions, low, f, high, g):
@@ -160,7 +163,18 @@ def _excess(body, omega):
 def _modes(body, omega):
     M = body.inertia + body.held_added_mass(omega)
     M = positive(0.5 * (M + M.swapaxes(1, 2)))
-    return *natural_modes(M, 0.5 * (body.stiffness + body.stiffness.T)), M
+    return *free_modes(body.free, M, 0.5 * (body.stiffness + body.stiffness.T)), M
+
+
+def free_modes(free, inertia, stiffness):
+    """`natural_modes` of the motions that links leave free, the columns of `free` (n, m), or of all for None
+
+    vectors : (…, n, m) of all motions
+    """
+    if free is None:
+        return natural_modes(inertia, stiffness)
+    values, vectors = natural_modes(free.T @ inertia @ free, free.T @ stiffness @ free)
+    return values, free @ vectors
 
 
 def _resonance(body, mode, omega, q):

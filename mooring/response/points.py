@@ -80,7 +80,8 @@ class Transfer(NamedTuple):
 def transfer_functions(body, omega, heading, points=()) -> Transfer:
     """All responses of a body, or several: its motions, and for every Point displacement, velocity, acceleration along
     x, y, z, what is felt along the deck, and of one body the relative elevation of the water; for every KeelPoint its
-    vertical displacement; for every Pair displacement and velocity.
+    vertical displacement; for every Pair displacement and velocity; for every link the force and moment with which its
+    first body holds the second, along axes of the first.
 
     omega : (q,) rad/s; heading : (p,) rad.  Raises BetweenError outside the database.
     """
@@ -124,6 +125,11 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
             names.append(relative_name(point))
             units.append("m")
             values.append((next(levels) - d[..., 2])[..., None])
+    if body.bodies and body.links:
+        values.append(body.link_forces(given, heading, motion).reshape(*motion.shape[:2], -1))
+        for link in body.links:
+            names += [f"{link.name} {word} {axis}" for word in ("force", "moment") for axis in "xyz"]
+            units += ["N"] * 3 + ["N m"] * 3
     return Transfer(tuple(names), tuple(units), given, heading, np.concatenate(values, axis=-1), missed, met)
 
 

@@ -55,7 +55,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if moored is not None:
         db.require_one_body()
     body = db.bodies_reader.floating()
-    body = body if moored else read.restrained(body)
+    body = body if moored else read.linked(read.restrained(body), db)
     with heard() as caught:
         try:
             if moored is not None:

@@ -34,6 +34,11 @@
     name = "hose"
     points = ["manifold", "quay side"]
 
+    [[hinges]]                       # between two bodies, exact
+    name = "hinge"
+    bodies = ["fore", "aft"]
+    position = [-16.5, 0.0, 1.0]         # m, in the coordinates of the first
+
     [keel]
     tide = -0.5                          # m, under-keel clearance at this level of the water
     extra_draft = 0.2                    # m
@@ -158,6 +163,42 @@ class KeelTable(Table):
     points: list[tuple[float, float, float]] | None = None
 
 
+class HingeTable(Table):
+    """A hinge between two bodies, a ball joint or a rigid link, exact
+
+    name : for results
+    bodies : names of two; one of them may be fixed
+    position : m, in the coordinates of the first
+    axis : free to turn about, in axes of the first
+    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none
+    """
+
+    name: str
+    bodies: tuple[str, str]
+    position: tuple[float, float, float]
+    axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
+    kind: str = "hinge"
+
+    def link(self, where, db):
+        """`bem.bodies.hinges.Link`.  Raises StudyError."""
+        from hakobune.bem.bodies.hinges import KINDS, Link
+
+        known = [body.name for body in db.bodies]
+        wrong = [name for name in self.bodies if name not in known]
+        if wrong or self.bodies[0] == self.bodies[1]:
+            given, allowed = wrong[:1] or list(self.bodies), ", ".join(known) or "none, the database is of one body"
+            raise StudyError(
+                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different of {allowed}"
+            )
+        if self.kind not in KINDS:
+            raise StudyError(f"{where}.kind is {self.kind!r}; allowed: {', '.join(KINDS)}")
+        if not all(map(math.isfinite, (*self.position, *self.axis))) or not any(self.axis):
+            raise StudyError(
+                f"{where} has position {self.position} and axis {self.axis}; allowed: finite, an axis not 0"
+            )
+        return Link(self.name, self.bodies, self.position, self.axis, self.kind)
+
+
 class BodyTable(Table):
     """What acts on the body beside the waves
 
@@ -197,6 +238,7 @@ class ResponseStudy(Table):
     body: BodyTable = msgspec.field(default_factory=BodyTable)
     points: list[PointTable] = msgspec.field(default_factory=list)
     relative: list[RelativeTable] = msgspec.field(default_factory=list)
+    hinges: list[HingeTable] = msgspec.field(default_factory=list)
     keel: KeelTable | None = None
 
     def restrained(self, body):
@@ -211,6 +253,14 @@ class ResponseStudy(Table):
             _check_stable(body.stiffness, body.words)
         return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
 
+    def linked(self, body, db):
+        """A Reader of the database with the hinges of the study.  Raises StudyError."""
+        links = [one.link(f"hinges[{i}]", db) for i, one in enumerate(self.hinges)]
+        try:
+            return body.linked(links) if links else body
+        except ValueError as error:
+            raise StudyError(str(error)) from None
+
     def stream(self):
         """`mooring.studies.conditions.Current` of the study, None for none.  Raises StudyError."""
         from hakobune.mooring.studies.conditions import Current
@@ -224,7 +274,7 @@ class ResponseStudy(Table):
         """Points and pairs of the study, those of the bottom after the others; db : database"""
         from hakobune.mooring.response.points import Point
 
-        named = [point.name for point in (*self.points, *self.relative)]
+        named = [point.name for point in (*self.points, *self.relative, *self.hinges)]
         twice = [name for name, count in Counter(named).items() if count > 1]
         if twice:
             raise StudyError(f"two points are called {twice[0]!r}; give each a name of its own")
