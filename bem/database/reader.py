@@ -293,17 +293,13 @@ class Reader:
 
     def drift_of_each(self, omega, headings=None, fixed=False):
         """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, fixed ones too, about its
-        own point in its own axes, interpolated; of all fixed, or those that move as stored.
+        own point in its own axes, interpolated; of all fixed, or of motions as stored, whatever restrains these.
 
-        Raises BetweenError where it is not stored, or not for these motions.
+        Raises BetweenError where it is not stored.
         """
         omega, (name,) = self.inside(omega), (key for key, moves in OF_EACH.items() if moves != fixed)
         if name not in self.between.quantities:
             raise BetweenError(f"{name} is not stored; run its command again with --only drift")
-        if not (fixed or self.own):
-            raise BetweenError(
-                "drift of each body is stored of bodies that float freely, and these have added damping or stiffness"
-            )
         values = self.between.value(omega, name)
         if headings is None:
             return values

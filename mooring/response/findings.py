@@ -150,7 +150,13 @@ def drift_of_each(body, slow):
     """How far the drift of several bodies, together, is from that of the whole by its far field, of `SlowForces`"""
     if slow.of_each is None:
         if body.bodies:
-            yield "drift of each body is left out: it is stored of bodies that float freely in still water"
+            yield "drift of each body is left out: the database has none, or a current carries the waves"
+        return
+    if not body.own:
+        yield (
+            "drift of each body is that stored of their free motions: damping, stiffness and hinges beside the "
+            "database's change it where they change the motions"
+        )
         return
     away = np.abs(sum_about_origin(slow.of_each, body.bodies) - slow.drift)[:2].max()
     largest = np.abs(slow.of_each[:, :2]).max()

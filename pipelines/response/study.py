@@ -55,7 +55,6 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.bem.bodies.one_of_several import each_body
 from hakobune.bem.modes import words_of
 from hakobune.bem.viscous_table import Laws
@@ -307,9 +306,9 @@ def viscous_laws(study, db):
 def viscous_words(body, laws, damping):
     """A line on the viscous damping (6, 6) that each of the laws has in a sea"""
     for dof in laws:
-        i = DOFS.index(dof)
+        i = body.names.index(dof)
         share = damping[i, i] / body.critical_damping(i)
-        yield f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical"
+        yield f"viscous damping of {body.words[i]} in this sea: {100 * share:.2g} % of critical"
 
 
 def keel_points(table, db):

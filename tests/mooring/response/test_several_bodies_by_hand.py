@@ -2,18 +2,20 @@
 
 import numpy as np
 import pytest
-from made_up_body import HEADINGS, OMEGA, exact_motion
+from made_up_body import HEADINGS, OMEGA, exact_motion, made_up_body
 from two_bodies import ASTERN, BODIES, DEPTH, G, two_bodies
 
 from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.database.natural_periods import natural_periods
 from hakobune.bem.database.resonances import resonances
 from hakobune.bem.drift import sum_about_origin
+from hakobune.bem.viscous import Quadratic
 from hakobune.bem.waves import wavenumber
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.response.points import KeelPoint, Pair, Point, transfer_functions
 from hakobune.mooring.response.sea_state import sea_state
+from hakobune.mooring.response.viscous import in_sea
 
 BETWEEN = OMEGA[:-1] + 0.4 * np.diff(OMEGA)
 SHIP, BARGE, PIER = Point("s", (5.0, -8.0, 4.0), None, "ship"), Point("b", (3.0, -7.0, 2.0), None, "barge"), Point(
@@ -91,6 +93,14 @@ def test_drift_of_each_is_the_stored_one_and_adds_up():
     assert found.of_each == pytest.approx(np.outer([1e3, -2e3, 5e2], [1, 0.5, 3]) * (inside + ends), rel=2e-3)
     assert sum_about_origin(found.of_each, BODIES)[:2] == pytest.approx(found.drift[:2], rel=1e-3)
     assert found.drift[0] == pytest.approx((1e3 - 2e3 - 5e2) * (inside + ends), rel=2e-3)
-    held = bodies.restrained(damping=1e5 * np.eye(12))
-    with pytest.raises(BetweenError, match="drift of each body is stored of bodies that float freely"):
-        held.drift_of_each(OMEGA[:2])
+    held = sea_state(bodies.restrained(damping=1e5 * np.eye(12)).without_drift(), sea, 3600.0)
+    assert held.slow is None
+
+
+def test_viscous_damping_of_one_of_two_is_that_of_it_alone():
+    """Two that do not see each other: what a sea makes of a law is the same, and the other has none"""
+    law, sea = Quadratic(5e11), Sea(issc(3.0, mean_period=9.0), np.pi / 3)
+    _, damping = in_sea(two_bodies(), sea, {"barge__Roll": law})
+    turned = Sea(issc(3.0, mean_period=9.0), np.pi / 3)
+    _, alone = in_sea(made_up_body(symmetry=""), turned, {"Roll": law})
+    assert damping[9, 9] == pytest.approx(alone[3, 3], rel=2e-3) and np.count_nonzero(damping) == 1

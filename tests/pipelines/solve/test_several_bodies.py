@@ -9,10 +9,12 @@ from hakobune.bem.bodies.one_of_several import body_named, each_body
 from hakobune.bem.database import DatabaseError, open_database
 from hakobune.bem.formats.values import values_of
 from hakobune.bem.modes import Body
+from hakobune.bem.viscous_table import viscous_of_text
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.checking import check
 from hakobune.pipelines.scene.scene import SceneError, make_scene
 from hakobune.pipelines.scene.text import to_toml
+from hakobune.pipelines.scene.viscous_table import viscous_of
 from hakobune.pipelines.solve.arrangement import _gap, arranged, own_hulls
 from hakobune.pipelines.solve.hull import coarse_hull, finer_hull, make_hull
 from hakobune.pipelines.solve.plan import planned
@@ -142,7 +144,19 @@ def test_coarser_and_finer_meshes_of_all_bodies():
     assert coarse.volume == pytest.approx(138.0) and finer.volume == pytest.approx(138.0)
 
 
+def test_each_body_has_its_own_viscous_damping():
+    """By hand: 8/(3π) ω a N₂ of the tug's roll, and nothing else; the text of the scene says the same"""
+    tug = {**BARGE, "name": "tug", "place": [0.0, 14.0, 0.0], "viscous": {"roll": {"drag": 2e5}}}
+    scene = make_scene(tables(BARGE, PIER, tug, viscous={"wave_height": 1.0}))
+    for found in (viscous_of(scene), viscous_of_text(to_toml(scene), {}, 1025.0, 9.81)):
+        damping = found.damping(1.5, np.full(12, 0.1))
+        assert damping[9, 9] == pytest.approx(8 / (3 * np.pi) * 1.5 * 0.1 * 2e5) and np.count_nonzero(damping) == 1
+        assert found.wave_amplitude == 0.5
+
+
 FAULTS = {
+    "no waves for it": (({**BARGE, "viscous": {"roll": {"drag": 1e5}}}, PIER), "give wave_height under [viscous]"),
+    "of what is fixed": ((BARGE, {**PIER, "viscous": {"roll": {"drag": 1e5}}}), "pier does not move"),
     "no name": (({**BARGE, "name": None}, PIER), "bodies[0].name is None"),
     "two of a name": ((BARGE, {**PIER, "name": "barge"}), "two of the name 'barge'"),
     "a name of two words": (({**BARGE, "name": "my barge"}, PIER), "a word of letters"),
@@ -172,7 +186,8 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"), ({"panels": 9}, "allowed: 16 to"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
      ({"waves": {"band": {"from": 0.5, "to": 1.0}}}, "places frequencies for one body"),
-     ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "leave [viscous] out")],
+     ({"viscous": {"wave_height": 1.0}}, "no body a law"),
+     ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "give it under [bodies.viscous] of each")],
 )  # fmt: skip
 def test_what_several_bodies_do_not_have_is_refused(more, said):
     with pytest.raises(SceneError) as error:
