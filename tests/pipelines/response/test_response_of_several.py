@@ -4,6 +4,9 @@ import numpy as np
 import pytest
 
 import hakobune
+from hakobune.bem.database import open_database
+from hakobune.bem.drift import harmonics
+from hakobune.bem.waves import wavenumber
 from hakobune.pipelines.common.quantities import StudyError
 
 BARGE = {"name": "barge", "shape": "box", "length": 12.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 4.0, 0.0],
@@ -58,6 +61,22 @@ def test_what_several_bodies_cannot_be_asked(database, name):
     with pytest.raises(StudyError) as error:
         hakobune.response({"sea": SEA, **more}, database)
     assert words in str(error.value)
+
+
+def test_waves_far_from_all_are_those_of_their_kochin_function(database):
+    """η = exp(ikx) + √(2/πkr) H(θ) exp(i(kr − π/4)); between the hulls nothing is known"""
+    db, w, r = open_database(database), 1.36, 3000.0
+    place = r * np.array([np.cos(0.7), np.sin(0.7)])
+    found = hakobune.waves(database, omega=w, heading=0.0, at=[place, (0.5, 0.5)])
+    k = float(wavenumber(w, 9.0, db.gravity))
+    reader = db.bodies_reader
+    H = (reader.far_field([w], [0.0])[1] + reader.motions([w], [0.0]) @ reader.far_field([w])[0])[0, 0]
+    towards = harmonics(H, db["theta"])
+    H = np.sum(towards[1] * np.exp(1j * towards[0] * 0.7))
+    exact = np.exp(1j * k * place[0]) + np.sqrt(2 / (np.pi * k * r)) * H * np.exp(1j * (k * r - np.pi / 4))
+    height = found["place.height"]
+    assert height[-2] == pytest.approx(abs(exact), abs=2e-3) and np.isnan(height[-1])
+    assert found.labels["motion"].values[3] == "barge roll" and any("nothing is said" in one for one in found.notes)
 
 
 CHAIN = {"types": {"spring": {"spring_kN_per_m": 50.0, "breaking_load_kN": 500.0}}, "water": {"depth": 9.0}}
