@@ -13,6 +13,8 @@ from hakobune.bem.viscous import Quadratic
 from hakobune.bem.waves import wavenumber
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import issc
+from hakobune.mooring.on_current.body import on_current
+from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.response.points import KeelPoint, Pair, Point, transfer_functions
 from hakobune.mooring.response.sea_state import sea_state
 from hakobune.mooring.response.viscous import in_sea
@@ -104,3 +106,9 @@ def test_viscous_damping_of_one_of_two_is_that_of_it_alone():
     turned = Sea(issc(3.0, mean_period=9.0), np.pi / 3)
     _, alone = in_sea(made_up_body(symmetry=""), turned, {"Roll": law})
     assert damping[9, 9] == pytest.approx(alone[3, 3], rel=2e-3) and np.count_nonzero(damping) == 1
+
+
+def test_on_a_current_that_hardly_runs_all_move_as_in_still_water(bodies):
+    still = bodies.motions(BETWEEN, HEADINGS[1:3])
+    moved = on_current(bodies, Carrier(np.array([1e-9, 0.0]), absolute=False)).motions(BETWEEN, HEADINGS[1:3])
+    assert np.abs(moved - still).max() < 1e-4 * np.abs(still).max() and moved.shape[-1] == 12
