@@ -12,6 +12,7 @@ from hakobune.bem.database import open_database
 from hakobune.bem.database.file import check_place
 from hakobune.bem.database.schema import LIMITS
 from hakobune.bem.database.widening import read_group
+from hakobune.bem.drift import OF_EACH
 from hakobune.bem.formats.values import CARRIED, values_of
 from hakobune.mooring.criteria.failing import fails
 
@@ -22,7 +23,7 @@ from ..printing.verdict import tell
 
 
 class Format(NamedTuple):
-    """module : of `bem.formats`; ending : of the default name; folder : whether it is one
+    """module : of `bem.formats`; ending : of the default name; folder : whether it is one; several : of several bodies
 
     hull : where its mesh lies, seen from the place that is read; silent : what its files do not say, or may not
     """
@@ -33,6 +34,7 @@ class Format(NamedTuple):
     hull: str = ""
     silent: tuple[str, ...] = ()
     read_only: bool = False
+    several: bool = False
 
 
 WATER = ("water_depth", "density", "gravity")
@@ -42,7 +44,7 @@ FORMATS = {
     "hams": Format("hams", "_hams", True, "Input/HullMesh.pnl", ("density", "gravity")),
     "bemio": Format("bemio", "_bemio.h5"),
     "hydrochrono": Format("bemio", "_hydrochrono.h5"),
-    "capytaine": Format("capytaine", ".nc"),
+    "capytaine": Format("capytaine", ".nc", several=True),
     "orcaflex": Format("orcaflex", ".yml", silent=("gravity",)),
     "aqwa": Format("aqwa", "", read_only=True),
     "diodore": Format("diodore", "", silent=WATER, read_only=True),
@@ -54,7 +56,11 @@ def export(database, to, output, fresh):
     kind, db = format_of("to", to), open_database(database)
     output = database.with_name(database.stem + kind.ending) if output is None else output
     _check_place(output, kind, fresh, database)
-    values = values_of(db)
+    if db.bodies and not kind.several:
+        raise ValueError(
+            f"{database} is of {len(db.bodies)} bodies, which --to {to} does not write; allowed: --to capytaine"
+        )
+    values = values_of(db, kind.several)
     made = import_module(f"hakobune.bem.formats.{kind.module}").write(values, output)
     if to == "wamit" and values.mesh is not None:
         from hakobune.meshing.files import write_mesh
@@ -120,6 +126,7 @@ def _left_out(db, values, to):
         if to == "orcaflex":
             kept, gone = ("rao",), ("Froude_Krylov_force", "diffraction_force", "added_mass_zero")
             lost = [name for name in lost if name not in kept] + [name for name in gone if name in db.names]
+        lost += [name for name in OF_EACH if name in db.names]
         lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono", "capytaine")]
     elif "drift_force" in db.names and "drift_force_fixed" in db.names:
         lost.append("drift_force_fixed")

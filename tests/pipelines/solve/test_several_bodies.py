@@ -2,16 +2,19 @@
 
 import tomllib
 
+import h5py
 import numpy as np
 import pytest
 
 from hakobune.bem.bodies.one_of_several import body_named, each_body
 from hakobune.bem.database import DatabaseError, open_database
+from hakobune.bem.formats import capytaine
 from hakobune.bem.formats.values import values_of
 from hakobune.bem.modes import Body
 from hakobune.bem.viscous_table import viscous_of_text
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.checking import check
+from hakobune.pipelines.exchange.command import export
 from hakobune.pipelines.scene.scene import SceneError, make_scene
 from hakobune.pipelines.scene.text import to_toml
 from hakobune.pipelines.scene.viscous_table import viscous_of
@@ -86,6 +89,26 @@ def test_what_takes_one_body_says_so(database):
     for taken in (lambda db: db.reader, values_of):
         with pytest.raises(DatabaseError, match=r"of 2 bodies, barge, pier; allowed here: one body"):
             taken(open_database(database))
+
+
+def test_capytaine_has_all_bodies_along_the_axes_of_the_scene(database, tmp_path):
+    """The pier heads 90°: its own surge is along y, its own sway against x"""
+    db, place = open_database(database), tmp_path / "quay.nc"
+    capytaine.write(values_of(db, several=True), place)
+    with h5py.File(place) as file:
+        assert file["influenced_dof"].asstr()[6] == "pier__Surge" and file["added_mass"].shape == (2, 12, 6)
+        F = file["excitation_force"][..., 0] + 1j * file["excitation_force"][..., 1]
+        A = file["added_mass"][()]
+        assert file["rotation_center"][1].tolist() == [1.0, -4.0, 0.0] and file["disp_mass"].shape == (2,)
+    own = db["excitation_force"]
+    assert F[..., :6] == pytest.approx(own[..., :6]) and F[..., 8] == pytest.approx(own[..., 8])
+    assert F[..., 6] == pytest.approx(-own[..., 7]) and F[..., 7] == pytest.approx(own[..., 6])
+    assert A[:, 6] == pytest.approx(-db["added_mass"][:, 7]) and A[:, :6] == pytest.approx(db["added_mass"][:, :6])
+    barge = capytaine.read(place, {"body": 1})
+    assert barge.quantities["added_mass"] == pytest.approx(db["added_mass"][:, :6])
+    assert barge.body["mass"] == pytest.approx(1025 * 90) and barge.rotation_center == pytest.approx([0, 4, 0.2])
+    with pytest.raises(ValueError, match="of 2 bodies, which --to wamit does not write; allowed: --to capytaine"):
+        export(database, "wamit", None, False)
 
 
 def test_a_sweep_keeps_the_axes_of_several(tmp_path):
