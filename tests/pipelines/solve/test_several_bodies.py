@@ -8,10 +8,11 @@ import pytest
 
 from hakobune.bem.bodies.one_of_several import body_named, each_body
 from hakobune.bem.database import DatabaseError, open_database
-from hakobune.bem.formats import capytaine
+from hakobune.bem.formats import capytaine, wamit
 from hakobune.bem.formats.values import values_of
 from hakobune.bem.modes import Body
 from hakobune.bem.viscous_table import viscous_of_text
+from hakobune.meshing.files import read_mesh
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.checking import check
 from hakobune.pipelines.exchange.command import export
@@ -107,8 +108,24 @@ def test_capytaine_has_all_bodies_along_the_axes_of_the_scene(database, tmp_path
     barge = capytaine.read(place, {"body": 1})
     assert barge.quantities["added_mass"] == pytest.approx(db["added_mass"][:, :6])
     assert barge.body["mass"] == pytest.approx(1025 * 90) and barge.rotation_center == pytest.approx([0, 4, 0.2])
-    with pytest.raises(ValueError, match="of 2 bodies, which --to wamit does not write; allowed: --to capytaine"):
-        export(database, "wamit", None, False)
+    with pytest.raises(ValueError, match="which --to nemoh does not write; allowed: --to wamit, capytaine"):
+        export(database, "nemoh", None, False)
+
+
+def test_wamit_numbers_the_modes_of_all_bodies_on(database, tmp_path):
+    """The pier, which does not move, has modes 7 to 12 of forces alone: 90° turned, its force 7 is −that of its sway"""
+    db, place = open_database(database), tmp_path / "quay.1"
+    assert export(database, "wamit", place, False) == 0
+    water = {"density": 1025.0, "gravity": db.gravity, "water_depth": 9.0, "length_unit": 1.0}
+    barge = wamit.read(place, {**water, "body": 1, "rotation_center": (0.0, 4.0, 0.2)})
+    assert barge.quantities["added_mass"] == pytest.approx(db["added_mass"][:, :6], rel=1e-5, abs=1.0)
+    assert barge.quantities["rao"] == pytest.approx(db["rao"], rel=1e-5, abs=1e-6)
+    rows = np.loadtxt(tmp_path / "quay.3")
+    there = rows[(rows[:, 2] == 7) & np.isclose(rows[:, 0], 2 * np.pi / 1.4) & np.isclose(rows[:, 1], 60.0)][0]
+    exact = np.conj(-db["excitation_force"][1, 1, 7]) / (1025 * db.gravity)
+    assert there[5] + 1j * there[6] == pytest.approx(exact, rel=1e-5)
+    pier = read_mesh(tmp_path / "quay_pier.gdf")
+    assert np.abs(pier.whole().points).max(axis=0) == pytest.approx([3.0, 1.0, 4.0])
 
 
 def test_a_sweep_keeps_the_axes_of_several(tmp_path):
