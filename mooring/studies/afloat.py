@@ -46,12 +46,17 @@ def afloat(db, hull, name="body"):
     hull : ExposedBox of one body, called `name`; of several {name: ExposedBox}
     """
     if not db.bodies:
-        return (Afloat(name, hull, np.asarray(db.rotation_center, float), np.zeros(2), 0.0, db.density),)
+        return (alone(db, hull, name),)
     return tuple(
         Afloat(body.name, hull[body.name], body.own_center, np.asarray(body.place), body.heading, db.density)
         for body in db.bodies
         if not body.fixed
     )
+
+
+def alone(body, hull, name="body"):
+    """`Afloat` of one body, which has rotation_center and density"""
+    return Afloat(name, hull, np.asarray(body.rotation_center, float), np.zeros(2), 0.0, body.density)
 
 
 def in_motions(stiffness, hulls):

@@ -18,7 +18,7 @@ import tomli_w
 from hakobune.bem import DOFS
 from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.lines.system.hawser import Hawser
-from hakobune.mooring.studies.afloat import afloat
+from hakobune.mooring.studies.afloat import alone
 from hakobune.mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
 from hakobune.mooring.studies.places import check_places
 
@@ -155,7 +155,7 @@ def laid_lines(raw, db):
     system = typed.system(hull, db.rotation_center, db.density, db.gravity)
     if system is None:
         return []
-    check_places(system, afloat(db, hull, system.bodies[0].name))
+    check_places(system, (alone(db, hull, system.bodies[0].name),))
     points = {point.name: point for point in system.points}
     center = np.asarray(db.rotation_center, float)
     laid = []
