@@ -20,13 +20,34 @@ class Body(NamedTuple):
 
     name : before the names of its motions
     rotation_center : (3,) m; heading : rad about z of the axes that its motions, forces and moments are in
-    fixed : whether it scatters waves and does not move
+    fixed : whether it scatters waves and does not move; place : (2,) m, of its own origin
     """
 
     name: str
     rotation_center: tuple = (0.0, 0.0, 0.0)
     heading: float = 0.0
     fixed: bool = False
+    place: tuple = (0.0, 0.0)
+
+    @property
+    def axes(self):
+        """(3, 3) whose columns are its axes in those of the scene"""
+        return turned(self.heading)[:3, :3].T
+
+    @property
+    def own_center(self):
+        """(3,) m, its rotation centre in coordinates of its own"""
+        return self.axes.T @ (np.asarray(self.rotation_center, float) - (*self.place, 0.0))
+
+    def in_scene(self, point):
+        """(…, 3) m in coordinates of the scene of points (…, 3) in its own"""
+        return np.asarray(point, float) @ self.axes.T + (*self.place, 0.0)
+
+
+def words_of(bodies):
+    """Names of the motions of what moves, as results have them: "surge", of several bodies "barge surge" """
+    before = [f"{body.name} " for body in bodies if not body.fixed] or [""]
+    return tuple(name + dof.lower() for name in before for dof in DOFS)
 
 
 def names_of(bodies):

@@ -68,17 +68,18 @@ class Tabulated:
 class Viscous:
     """Laws by degree of freedom, about the rotation centre, and the wave amplitude (m) they are linearised in.
 
-    wave_amplitude : of a regular wave
+    wave_amplitude : of a regular wave; names : (n,) of the motions, of several bodies "barge__Roll" and so on
     """
 
     laws: dict
     wave_amplitude: float
+    names: tuple = DOFS
 
     def damping(self, omega, amplitudes):
-        """(6, 6) for motion amplitudes (6,) m, rad"""
-        out = np.zeros((6, 6))
+        """(n, n) for motion amplitudes (n,) m, rad"""
+        out = np.zeros((len(self.names), len(self.names)))
         for dof, law in self.laws.items():
-            i = DOFS.index(dof)
+            i = self.names.index(dof)
             out[i, i] = law.equivalent(omega, amplitudes[i])
         return out
 
@@ -105,7 +106,7 @@ def report_scale(dof, length, beam, draft, density, gravity):
 
 
 def linearised_response(omega, added_mass, damping, excitation, inertia, stiffness, viscous, most=200):
-    """Motion amplitudes (headings, 6) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, 6, 6).
+    """Motion amplitudes (headings, n) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, n, n).
 
     The amplitude that the damping is taken at and the amplitude that it leads to move opposite ways; their
     geometric mean is the answer at once where the damping alone limits the motion, and converges elsewhere.

@@ -6,7 +6,8 @@
     heave = { amplitudes = [0.5, 1.0], b = [0.02, 0.05] }    # b_H of SR179 report (1982), eq. 2.1.4.6
     pitch = { drag = 1.0e9 }                                 # N m s², moment over the square of the velocity
 
-Roll and pitch have amplitudes_deg in place of amplitudes.
+Roll and pitch have amplitudes_deg in place of amplitudes.  Of several bodies [viscous] has the wave height alone, and
+each its laws in [bodies.viscous].
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import tomllib
 import msgspec
 import numpy as np
 
+from . import DOFS
 from .viscous import Quadratic, Tabulated, Viscous, report_scale, yamashita_roll
 
 MODES = ("heave", "roll", "pitch")
@@ -62,11 +64,34 @@ class ViscousTable(Laws, frozen=True, kw_only=True):
 def viscous_of_text(scene, box, density, gravity):
     """`bem.viscous.Viscous` of the text of a scene that has the table.
 
-    box : {"length", "beam", "draft"} m, empty for other bodies
+    box : {"length", "beam", "draft"} m, empty for other bodies, and for several
     Raises ValueError, one line.
     """
-    table = msgspec.convert(tomllib.loads(scene)["viscous"], ViscousTable)
-    return viscous_of_table(table, box, density, gravity)
+    tables = tomllib.loads(scene)
+    table, bodies = msgspec.convert(tables["viscous"], ViscousTable), tables.get("bodies", ())
+    if len(bodies) < 2:
+        return viscous_of_table(table, box, density, gravity)
+    moving = [body for body in bodies if not body.get("fixed")]
+    laws = [msgspec.convert(body.get("viscous"), Laws | None) for body in moving]
+    rows = [(body["name"], law, box_of(body)) for body, law in zip(moving, laws, strict=True)]
+    return viscous_of_several(table, rows, density, gravity)
+
+
+def box_of(body):
+    """{"length", "beam", "draft"} m of a table of a body, empty for one that is no box"""
+    return {key: body[key] for key in ("length", "beam", "draft")} if body.get("shape", "box") == "box" else {}
+
+
+def viscous_of_several(table, bodies, density, gravity):
+    """`bem.viscous.Viscous` of several bodies that move: (name, `Laws` or None, box) of each; raises ValueError"""
+    laws = {}
+    for name, own, box in bodies:
+        found = {} if own is None else laws_of(f"viscous of {name}", own, box, density, gravity)
+        laws |= {f"{name}__{dof}": law for dof, law in found.items()}
+    if not laws:
+        raise ValueError("viscous has a wave height and no body a law; give [bodies.viscous] of one, or leave it out")
+    names = tuple(f"{name}__{dof}" for name, _, _ in bodies for dof in DOFS)
+    return Viscous(laws, 0.5 * table.wave_height, names)
 
 
 def viscous_of_table(table, box, density, gravity):

@@ -18,6 +18,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..modes import moving
 from .interpolant import Joined, abscissa, windows
 from .schema import QUANTITIES
 
@@ -40,6 +41,7 @@ class Between:
     """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
 
     headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
+    outlines : the same of each of several bodies that move; empty for one
     limits : {"added_mass_zero", "added_mass_infinity": (6, 6)}, those that are stored
     wall : m, y of a wall along x, or None: waves then meet the hull's image in it, too
     """
@@ -53,6 +55,7 @@ class Between:
     outline: np.ndarray
     limits: dict = field(default_factory=dict)
     wall: float | None = None
+    outlines: tuple = ()
 
     def value(self, omega, name):
         """A quantity (q, …) at omega (q,) rad/s.  Raises BetweenError for what is not known."""
@@ -140,7 +143,7 @@ class Between:
         low, high = self.span
         below = (omega < low * (1 - SAME)) & self.has_limit("added_mass_zero") & (omega >= 0)
         above = (omega > high * (1 + SAME)) & self.has_limit("added_mass_infinity")
-        out, inside = np.empty((len(omega), 6, 6)), ~(below | above)
+        out, inside = np.empty((len(omega), *self.quantities[name].shape[1:])), ~(below | above)
         out[inside] = within(self.inside(omega[inside]), name)
         for where, limit, share in (
             (below, "added_mass_zero", lambda w: w / low),
@@ -209,7 +212,7 @@ class Between:
             scale = np.outer(scale, scale)
         else:
             scale = stored.max(axis=tuple(range(stored.ndim - 1)))
-            scale = _seen(scale) if len(scale) == 6 else scale
+            scale = _seen(scale) if QUANTITIES[name][0][-1] in ("influenced_dof", "radiating_dof") else scale
         return np.max(error / np.where(scale > 0, scale, np.inf), axis=tuple(range(1, error.ndim)))
 
     def _abscissa(self, omega):
@@ -257,7 +260,7 @@ class Between:
         return values[-1] if name == "added_mass" else 0.0
 
     def _both(self, omega):
-        """Impedance (q, 6, 6); that asked for last is kept, since damping is asked for where added mass was"""
+        """Impedance (q, n, n); that asked for last is kept, since damping is asked for where added mass was"""
         if self._values.get("impedance", (np.zeros(0),))[0].tobytes() != omega.tobytes():
             self._values["impedance"] = omega, self._fit("impedance", omega)
         return self._values["impedance"][1]
@@ -269,16 +272,21 @@ class Between:
 
     @cached_property
     def _impedance(self):
-        """B − iω [A − A(ω_max)] (n, 6, 6), kg/s …"""
+        """B − iω [A − A(ω_max)] (n, …), kg/s …"""
         A, B = (self.quantities[name] for name in RADIATION)
         return B - 1j * self.omega[:, None, None] * (A - A[-1])
 
     def _lead(self, name):
-        """m, how far ahead of the origin, along the wave, the hull meets it; per heading, angle or both"""
+        """m, how far ahead of the origin, along the wave, the hull meets it; per heading, angle or both, and of several
+        bodies for the motions of each: what comes by way of others comes later"""
         towards = np.stack([np.cos(self.headings), np.sin(self.headings)], axis=1)
         away = np.stack([np.cos(self.theta), np.sin(self.theta)], axis=1)
+        if name in FORCES and self.outlines:
+            return np.repeat([np.max(-one @ towards.T, axis=0) for one in self.outlines], 6, axis=0).T
         if name in FORCES or name == "pressure":
             return np.max(-self.outline @ towards.T, axis=0)[:, None]
+        if name == "kochin_radiation" and self.outlines:
+            return np.repeat([np.max(one @ away.T, axis=0) for one in self.outlines], 6, axis=0)
         if name == "kochin_radiation":
             return np.max(self.outline @ away.T, axis=0)
         if name == "kochin_diffraction":
@@ -289,7 +297,7 @@ class Between:
 
 
 def _towards(limit, end, share, error):
-    """(q, 6, 6) from the `end` of the band towards its limit, or the error of that; share (q,) from 0 there to 1"""
+    """(q, n, n) from the `end` of the band towards its limit, or the error of that; share (q,) from 0 there to 1"""
     share, known = share[:, None, None], np.isfinite(limit)
     limit = np.where(known, limit, end)
     if error:
@@ -298,17 +306,30 @@ def _towards(limit, end, share, error):
 
 
 def _seen(scale):
-    """(6,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
-    largest = np.repeat([scale[:3].max(), scale[3:].max()], 3)
+    """(n,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
+    kinds = scale.reshape(-1, 2, 3)
+    largest = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
     return np.where(scale > 1e-4 * largest, scale, np.inf)
 
 
 def between(db):
     """`Between` of the solved rows of a database."""
     names = [name for name in db.names if "omega" in QUANTITIES[name][0]]
-    limits = {name: db[name] for name in ("added_mass_zero", "added_mass_infinity") if db.holds(name)}
+    limits = {name: _of_moving(db, name) for name in ("added_mass_zero", "added_mass_infinity") if db.holds(name)}
     points = db.mesh.whole().points[:, :2]
-    quantities = {name: db[name] for name in names}
-    return Between(
-        db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits, db.wall
+    quantities = {name: _of_moving(db, name) for name in names}
+    outlines = tuple(
+        db.mesh.of_body(i).whole().points[:, :2] for i, body in enumerate(db.bodies) if not body.fixed
     )  # fmt: skip
+    return Between(
+        db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits, db.wall,
+        outlines,
+    )  # fmt: skip
+
+
+def _of_moving(db, name):
+    """A quantity, of several bodies the forces on those that move: they alone are solved for"""
+    axes = QUANTITIES[name][0]
+    if "influenced_dof" not in axes or not db.bodies:
+        return db[name]
+    return np.take(db[name], moving(db.bodies), axis=axes.index("influenced_dof"))

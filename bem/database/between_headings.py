@@ -257,16 +257,16 @@ class AtHeadings:
         return away[0][:, :, None] * away[1].conj()[:, None] * real
 
 
-def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None):
+def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None, motions=6):
     """`Ring` of stored headings (m,) rad and angles theta (t,) of Kochin functions.
 
     symmetry : planes, from `whole_mirrors`; theta : equally spaced from 0, t a multiple of 4 where there are any
     is_round : whether a turn about the vertical leaves the body as it is, so that no mirrors are needed
-    from_others, wall : see `Ring`
+    from_others, wall : see `Ring`; motions : more than six are of several bodies, without mirrors
     """
     symmetry = "" if is_round else symmetry
     found, source = np.asarray(headings, float), np.arange(len(headings))
-    force, drift, t = np.ones((len(found), 6)), np.ones((len(found), 3)), len(theta)
+    force, drift, t = np.ones((len(found), motions)), np.ones((len(found), 3)), len(theta)
     angles, images = np.broadcast_to(np.arange(t), (len(found), t)), {}
     for plane in symmetry:
         mirror, of_force, of_drift = MIRRORS[plane]

@@ -303,7 +303,7 @@ def _header(file, attributes):
 
 
 def _body(given):
-    return Body(**{**given, "rotation_center": tuple(given["rotation_center"])})
+    return Body(**{key: tuple(value) if isinstance(value, list) else value for key, value in given.items()})
 
 
 _EMPTY = Header(PanelMesh(np.zeros((0, 3)), np.zeros((0, 4))), None, np.inf, 0, 0, np.zeros(3), np.zeros(0))

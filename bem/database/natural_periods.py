@@ -12,17 +12,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import DOFS as NAMES
-from .resonances import by_motion, natural_modes, zeros
+from .resonances import by_motion, free_modes, positive, zeros
 
 
 @dataclass(frozen=True)
 class NaturalPeriods:
-    """Modes in the order Surge … Yaw of the motion that carries most of their kinetic energy.
+    """Modes in the order Surge … Yaw, of several bodies one after another, of the motion that carries most of their
+    kinetic energy.
 
-    names : (6,); period : (6,) s, inf without restoring, nan where the body is unstable
-    shapes : (6, 6), rows are modes, largest component 1 after rotations are multiplied by `scale` m
-    inside : (6,) False where the added mass had to be held at the end of the stored frequencies
+    names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
+    shapes : (n, n), rows are modes, largest component 1 after rotations are multiplied by `scale` m
+    inside : (n,) False where the added mass had to be held at the end of the stored frequencies, and of several bodies
+    where the water of a gap between them resonates
     """
 
     names: tuple[str, ...]
@@ -46,31 +47,40 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     """
     if body.inertia is None or body.stiffness is None:
         raise ValueError("natural periods need the inertia of the body; give --gyration kxx,kyy,kzz and solve again")
-    kept = 1.0 if coupled else np.eye(6)
+    kept = 1.0 if coupled else np.eye(len(body.inertia))
     scale = float(np.sqrt(body.inertia[5, 5] / body.inertia[0, 0]))
-    unit = np.outer(*2 * [np.array([1, 1, 1, scale, scale, scale])])
+    lengths = np.tile([1, 1, 1, scale, scale, scale], len(body.inertia) // 6)
+    unit, free = np.outer(lengths, lengths), None if body.free is None else lengths[:, None] * body.free
     C = kept * 0.5 * (body.stiffness + body.stiffness.T) / unit
 
     def modes(w):
-        """λ (q, 6), vectors in columns (q, 6, 6) and the mass (q, 6, 6) they are of"""
+        """λ (q, n), vectors in columns (q, n, n) and the mass (q, 6, 6) they are of"""
         M = kept * (body.inertia + body.held_added_mass(w)) / unit
         M = 0.5 * (M + M.swapaxes(1, 2))
-        check_positive(M, w)
-        return *natural_modes(M, C), M
+        return *free_modes(free, positive(M), C), M
 
-    frequencies = _own_frequencies(lambda w: modes(w)[0])
-    own = np.arange(6)
+    M = body.inertia + body.held_added_mass(body.omega)
+    gaps = np.linalg.eigvalsh(0.5 * (M + M.swapaxes(1, 2)))[:, 0].min() <= 0
+    frequencies = _own_frequencies(lambda w: modes(w)[0], body.omega if gaps else ())
+    own = np.arange(len(frequencies))
     _, vectors, M = modes(np.abs(frequencies))
+    known = body.knows_added_mass(frequencies)
+    if body.bodies:  # where the water of a gap resonates, the motion that drives it has its frequency
+        known = known & (np.linalg.eigvalsh(M)[:, 0] > 0)
+    else:
+        check_positive(M, np.abs(frequencies))
     vectors = vectors[own, :, own]
     energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
     shapes = vectors / np.take_along_axis(vectors, np.abs(vectors).argmax(axis=1)[:, None], axis=1)
     order = by_motion(energies)
-    frequencies, shapes = frequencies[order], shapes[order]
+    names = tuple(name for name, mode in zip(body.names, order, strict=True) if mode >= 0)
+    order = order[order >= 0]
+    frequencies, shapes, known = frequencies[order], shapes[order], known[order]
     # eigenvalues of a mode without restoring are rounding errors of the stiffest one
     free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
-    return NaturalPeriods(NAMES, period, shapes, body.knows_added_mass(frequencies), scale)
+    return NaturalPeriods(names, period, shapes, known, scale)
 
 
 def check_positive(mass, omega):
@@ -83,15 +93,19 @@ def check_positive(mass, omega):
         )
 
 
-def _own_frequencies(eigenvalues):
-    """(6,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode"""
-    own, start = np.arange(6), eigenvalues(np.zeros(1))[0]
+def _own_frequencies(eigenvalues, places=()):
+    """(n,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode
+
+    places : (q,) rad/s, rising, among which the first root is sought, where the water of gaps makes several
+    """
+    start = eigenvalues(np.zeros(1))[0]
+    own = np.arange(len(start))
 
     def excess(w):
         return np.sqrt(np.maximum(eigenvalues(w)[own, own], 0)) - w
 
-    low, above = np.zeros(6), np.sqrt(np.maximum(start, 0))
-    high, below = np.where(start > 0, above, 1.0), np.full(6, -1.0)
+    low, above = np.zeros(len(own)), np.sqrt(np.maximum(start, 0))
+    high, below = np.where(start > 0, above, 1.0), np.full(len(own), -1.0)
     for _ in range(200):
         below = excess(high)
         if np.all((below < 0) | (start <= 0)):
@@ -99,5 +113,9 @@ def _own_frequencies(eigenvalues):
         short = (below >= 0) & (start > 0)
         low, above = np.where(short, high, low), np.where(short, below, above)
         high = np.where(short, 2 * high, high)
+    for place in places[::-1]:
+        there = excess(np.full(len(own), place))
+        first = (there < 0) & (place < high) & (start > 0)
+        high, below = np.where(first, place, high), np.where(first, there, below)
     w = zeros(excess, low, above, high, below)
     return np.where(start > 0, w, -np.sqrt(np.maximum(-start, 0)))

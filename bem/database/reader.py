@@ -1,4 +1,4 @@
-"""The body of a database in any wave: coefficients, forces, motions and drift with estimated errors, for every study.
+"""The bodies of a database in any wave: coefficients, forces, motions and drift with estimated errors, for every study.
 
     {−ω²[M + A] − iω[B + B′] + [C + C′]} X = F,    H = H_D + Σ_j X_j H_j,    drift from H by the far field (`drift`)
 
@@ -11,6 +11,9 @@ Forces over the headings are those of Haskind's relation where Kochin functions 
 less the error of this at the stored headings, interpolated.  Drift needs more frequencies than forces, being of second
 order in them; its error says so.  In a stored wave the answer is the stored number.  Where no Kochin functions are
 stored the drift itself is interpolated, with an error that counts the step to the next stored frequency.
+
+Of several bodies the motions are n = 6 for each that moves, one body after another, all in every equation; drift is
+that of the whole about the origin, and that of each (`drift_of_each`) the stored one of bodies that float freely.
 """
 
 from __future__ import annotations
@@ -23,8 +26,9 @@ import numpy as np
 
 from hakobune.meshing.panels import PanelMesh
 
-from .. import DOFS
-from ..drift import harmonics
+from ..bodies.hinges import forces_of, free_of, rows_of
+from ..drift import OF_EACH, harmonics
+from ..modes import moving, names_of, words_of
 from ..viscous import Viscous, linearised_response
 from ..waves import group_factor, wavenumber
 from . import far_field_drift
@@ -39,14 +43,15 @@ NEEDED["drift_force"] = (*KOCHIN, *NEEDED["rao"])
 
 @dataclass(frozen=True, eq=False)
 class Reader:
-    """A body of a database, freely floating unless `restrained`.
+    """A body of a database, or several, freely floating unless `restrained`; n motions, six for each that moves.
 
-    between : stored quantities over frequency; inertia, stiffness : (6, 6) or None; damping : (6, 6) beside radiation
+    between : stored quantities over frequency; inertia, stiffness : (n, n) or None; damping : (n, n) beside radiation
     rotation_center : m; symmetry : planes of hull and water, "", "x", "y" or "xy"
     is_round : whether the hull is one of revolution about the vertical through the origin
     own : whether stored motions and drift are those of this body
     viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
-    mesh : PanelMesh of the hull, or None
+    mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several, empty for one
+    links : `bem.bodies.hinges.Link` between them, exact
     """
 
     between: Between
@@ -60,6 +65,8 @@ class Reader:
     own: bool = True
     viscous: Viscous | None = None
     mesh: PanelMesh | None = None
+    bodies: tuple = ()
+    links: tuple = ()
 
     def __repr__(self):
         low, high = self.between.span
@@ -67,6 +74,17 @@ class Reader:
             f"<Reader {len(self.omega)} frequencies {low:.3g} to {high:.3g} rad/s, {len(self.headings)} headings, "
             f"water {self.depth:g} m>"
         )
+
+    @property
+    def words(self):
+        """(n,) names of the motions: "surge" …, of several bodies "barge surge" """
+        return words_of(self.bodies)
+
+    @property
+    def names(self):
+        """(n,) the same as the database has them: "Surge" …, of several bodies "barge__Surge" """
+        names = names_of(self.bodies)
+        return tuple(names[d] for d in moving(self.bodies))
 
     @property
     def omega(self):
@@ -104,14 +122,41 @@ class Reader:
         return set(KOCHIN) <= set(self.between.quantities)
 
     def restrained(self, damping=None, stiffness=None):
-        """The same body with linear matrices (6, 6) added: viscous damping, mooring stiffness."""
-        damping, stiffness = _matrix("damping", damping), _matrix("stiffness", stiffness)
+        """The same body with linear matrices (n, n) added: viscous damping, mooring stiffness."""
+        shape = self.damping.shape
+        damping, stiffness = _matrix("damping", damping, shape), _matrix("stiffness", stiffness, shape)
         return replace(
             self,
             damping=self.damping + damping,
             stiffness=self.stiffness + stiffness,
             own=self.own and not damping.any() and not stiffness.any(),
         )
+
+    def linked(self, links):
+        """The same bodies with `bem.bodies.hinges.Link`s between them.  Raises ValueError for what is not possible."""
+        found = replace(self, links=(*self.links, *links), own=self.own and not links)
+        if links:
+            free_of(found._held)
+        return found
+
+    @cached_property
+    def free(self):
+        """(n, m) motions, in columns, that links leave free; None without links"""
+        return free_of(self._held) if self.links else None
+
+    @cached_property
+    def _held(self):
+        """(r, n) what links hold to zero"""
+        return np.vstack([rows_of(self, link) for link in self.links])
+
+    def link_forces(self, omega, headings, motions):
+        """(q, p, links, 6) force and moment per m, along axes of the first body, with which it holds the second
+
+        motions : (q, p, n) of these bodies in these waves
+        """
+        D = self.dynamic_stiffness(self.inside(omega), *self.coefficients(omega))
+        left = motions @ D.swapaxes(1, 2) - self.forces(omega, headings)
+        return forces_of(self.links, self._held, left)
 
     def floating(self):
         """The same body without the viscous damping of stored motions, with everything motions follow from.
@@ -135,13 +180,13 @@ class Reader:
         return replace(self, between=replace(self.between, quantities=kept))
 
     def critical_damping(self, mode):
-        """2√(C (M + A)) of one mode alone (0 … 5), A at its own natural frequency, held outside the stored ones.
+        """2√(C (M + A)) of one mode alone, A at its own natural frequency, held outside the stored ones.
 
         Raises ValueError for a mode without restoring.
         """
         C, M = self.stiffness[mode, mode], self.inertia[mode, mode]
         if not C > 0:
-            raise ValueError(f"{DOFS[mode].lower()} has no restoring and so no critical damping; give a matrix")
+            raise ValueError(f"{self.words[mode]} has no restoring and so no critical damping; give a matrix")
 
         def own(omega):
             return float(np.sqrt(C / (M + self.held_added_mass(omega)[0, mode, mode])))
@@ -161,12 +206,13 @@ class Reader:
         return np.abs(np.atleast_1d(omega) - self._nearest(omega)) <= 0
 
     def held_added_mass(self, omega):
-        """(q, 6, 6) at omega (q,) rad/s from 0, with the end value where it is not known"""
+        """(q, n, n) at omega (q,) rad/s from 0, with the end value where it is not known"""
         return self.between.value(self._nearest(omega), "added_mass")
 
-    def coefficients(self, omega, motions=range(6)):
-        """Added mass and radiation damping (q, 6, 6) at omega (q,) rad/s; 0 of motions that are not asked for."""
-        omega, out = self.inside(omega), [i for i in range(6) if i not in motions]
+    def coefficients(self, omega, motions=None):
+        """Added mass and radiation damping (q, n, n) at omega (q,) rad/s; 0 of motions that are not asked for."""
+        omega, known = self.inside(omega), range(len(self.damping))
+        out = [] if motions is None else [i for i in known if i not in motions]
         return tuple(_known(name, without_rows(self.between.value(omega, name), out)) for name in RADIATION)
 
     def inside(self, omega):
@@ -174,7 +220,7 @@ class Reader:
         return self.between.inside(omega)
 
     def forces(self, omega, headings=None, name="excitation_force"):
-        """(q, p, 6) complex, N/m and N m/m, at omega (q,) rad/s and headings (p,) rad, None for those stored."""
+        """(q, p, n) complex, N/m and N m/m, at omega (q,) rad/s and headings (p,) rad, None for those stored."""
         stored = self.between.value(self.inside(omega), name)
         if headings is None:
             return stored
@@ -190,7 +236,7 @@ class Reader:
         return over.unfolded(there[:, round_:], "force") + over.value(on_ring - there[:, :round_], "force")
 
     def far_field(self, omega, headings=None):
-        """Kochin functions (q, 6, t) of the radiation and (q, p, t) of the diffraction."""
+        """Kochin functions (q, n, t) of the radiation and (q, p, t) of the diffraction."""
         omega = self.inside(omega)
         radiated, diffracted = (_known(name, self.between.value(omega, name)) for name in KOCHIN)
         if headings is None:
@@ -198,7 +244,7 @@ class Reader:
         return radiated, self.to_headings(omega, headings).value(self.ring.of_kochin(diffracted), "kochin")
 
     def motions(self, omega, headings=None):
-        """(q, p, 6) complex motion about rotation_center per unit wave amplitude, m/m and rad/m.
+        """(q, p, n) complex motion about rotation_center per unit wave amplitude, m/m and rad/m.
 
         omega : (q,) rad/s; headings : (p,) rad, travelled to, None for those stored
         raises : BetweenError outside the database, and without inertia
@@ -223,6 +269,42 @@ class Reader:
             return found.values
         value = far_field_drift.drift(self, omega, headings, fixed)
         return value if found is None else found.over(value)
+
+    def body_named(self, name):
+        """`bem.modes.Body` of one of several bodies.  Raises BetweenError for one that is not there."""
+        found = [body for body in self.bodies if body.name == name]
+        if not found:
+            known = ", ".join(body.name for body in self.bodies) or "one body without a name"
+            raise BetweenError(f"there is no body {name!r}; allowed: {known}")
+        return found[0]
+
+    def motions_of(self, motions, body):
+        """(…, 6) of one of several bodies from those of all (…, n); zero of a fixed one"""
+        if body.fixed:
+            return np.zeros((*np.shape(motions)[:-1], 6), complex)
+        return motions[..., self.columns_of(body)]
+
+    def columns_of(self, body):
+        """Slice of the motions of one of several bodies among all, None of a fixed one"""
+        if body.fixed:
+            return None
+        first = 6 * [one.name for one in self.bodies if not one.fixed].index(body.name)
+        return slice(first, first + 6)
+
+    def drift_of_each(self, omega, headings=None, fixed=False):
+        """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, fixed ones too, about its
+        own point in its own axes, interpolated; of all fixed, or of motions as stored, whatever restrains these.
+
+        Raises BetweenError where it is not stored.
+        """
+        omega, (name,) = self.inside(omega), (key for key, moves in OF_EACH.items() if moves != fixed)
+        if name not in self.between.quantities:
+            raise BetweenError(f"{name} is not stored; run its command again with --only drift")
+        values = self.between.value(omega, name)
+        if headings is None:
+            return values
+        on_ring = self.ring.of_drift(values.swapaxes(1, 2)).swapaxes(1, 2)
+        return self.to_headings(omega, headings, name).value(on_ring, "drift")
 
     def at(self, omega, name, headings=None):
         """A quantity and its estimated error, about one standard deviation, at omega (q,) rad/s and headings (p,) rad.
@@ -251,10 +333,10 @@ class Reader:
 
     def to_headings(self, omega, headings, name=""):
         """`AtHeadings` that takes a quantity from its ring to headings (p,) rad at omega (q,) rad/s"""
-        return at_headings(self.ring_of(name), headings, omega, self.between, name in DRIFT)
+        return at_headings(self.ring_of(name), headings, omega, self.between, name in (*DRIFT, *OF_EACH))
 
     def of_haskind(self, omega, headings):
-        """(q, p, 6) excitation from the Kochin functions of the radiation"""
+        """(q, p, n) excitation from the Kochin functions of the radiation"""
         order, series = harmonics(self.between.value(omega, "kochin_radiation"), self.between.theta)
         there = series @ np.exp(1j * np.multiply.outer(order, headings + np.pi))
         k = wavenumber(omega, self.depth, self.gravity)
@@ -262,14 +344,18 @@ class Reader:
         return factor[:, None, None] * there.swapaxes(1, 2)
 
     def solved(self, omega, A, B, F):
-        """(q, p, 6) motions of added mass and radiation damping (q, 6, 6) and forces (q, p, 6)"""
+        """(q, p, n) motions of added mass and radiation damping (q, n, n) and forces (q, p, n)"""
         if self.viscous:
             rows = zip(omega, A, B + self.damping, F, strict=True)
             return np.array([linearised_response(*row, self.inertia, self.stiffness, self.viscous)[0] for row in rows])
-        return np.linalg.solve(self.dynamic_stiffness(omega, A, B), F.swapaxes(1, 2)).swapaxes(1, 2)
+        D = self.dynamic_stiffness(omega, A, B)
+        if self.links:
+            Z = self.free
+            return np.linalg.solve(Z.T @ D @ Z, (F @ Z).swapaxes(1, 2)).swapaxes(1, 2) @ Z.T
+        return np.linalg.solve(D, F.swapaxes(1, 2)).swapaxes(1, 2)
 
     def dynamic_stiffness(self, omega, A, B):
-        """(q, 6, 6) complex force per motion, N/m … N m/rad, of the linear body; arguments as of `solved`"""
+        """(q, n, n) complex force per motion, N/m … N m/rad, of the linear body; arguments as of `solved`"""
         w = omega[:, None, None]
         return -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
 
@@ -304,7 +390,8 @@ class Reader:
         mirrors = whole_mirrors(self.symmetry, matrices, self.rotation_center)
         is_round = self.is_round and is_turned(matrices, self.rotation_center)
         from_others = self.is_round and self.rebuilds_drift  # motions and drift follow from forces and far field
-        return ring(self.headings, self.between.theta, mirrors, is_round, from_others, self.between.wall)
+        given = self.headings, self.between.theta, mirrors, is_round, from_others, self.between.wall
+        return ring(*given, len(self.damping))
 
     def _nearest(self, omega):
         omega, (low, high) = np.atleast_1d(np.asarray(omega, float)), self.between.span
@@ -333,19 +420,20 @@ class Stored(NamedTuple):
 
 def reader(db):
     """`Reader` of the solved rows of a database."""
-    between = of_database(db)
+    between, moved = of_database(db), moving(db.bodies)
     _check_rows(db, between.quantities)
     return Reader(
         between,
         db.density,
         np.asarray(db.rotation_center, float),
-        _or_none(db.inertia_matrix),
-        _or_none(db.hydrostatic_stiffness),
-        np.zeros((6, 6)),
-        db.symmetry,
-        db.is_round,
+        _of_moving(db.inertia_matrix, moved),
+        _of_moving(db.hydrostatic_stiffness, moved),
+        np.zeros((len(moved), len(moved))),
+        "" if db.bodies else db.symmetry,
+        db.is_round and not db.bodies,
         viscous=_viscous(db),
         mesh=db.mesh,
+        bodies=db.bodies,
     )
 
 
@@ -373,8 +461,9 @@ def _viscous(db):
     return viscous_of_text(db.header.scene, box, db.density, db.gravity)
 
 
-def _or_none(matrix):
-    return None if matrix is None else np.asarray(matrix, float)
+def _of_moving(matrix, moved):
+    """(n, n) of a matrix (6N, n) of forces on all bodies"""
+    return None if matrix is None else np.asarray(matrix, float)[moved]
 
 
 def _known(name, values):
@@ -384,16 +473,16 @@ def _known(name, values):
 
 
 def without_rows(matrices, motions):
-    """Matrices (…, 6, 6) with 0 in the rows and columns of `motions`"""
+    """Matrices (…, n, n) with 0 in the rows and columns of `motions`"""
     out = np.array(matrices)
     out[..., motions, :] = out[..., :, motions] = 0.0
     return out
 
 
-def _matrix(name, value):
+def _matrix(name, value, shape):
     if value is None:
-        return np.zeros((6, 6))
+        return np.zeros(shape)
     value = np.asarray(value, float)
-    if value.shape != (6, 6) or not np.all(np.isfinite(value)):
-        raise ValueError(f"{name} matrix has shape {value.shape}; allowed: (6, 6), finite")
+    if value.shape != shape or not np.all(np.isfinite(value)):
+        raise ValueError(f"{name} matrix has shape {value.shape}; allowed: {shape}, finite")
     return value

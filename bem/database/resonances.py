@@ -12,12 +12,10 @@ damping alone, and is as uncertain as that.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import permutations
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from .. import DOFS
 from .between_frequencies import FEWEST, BetweenError
 
 SHARP = 0.25  # damping ratio above which a peak is less than twice the static motion
@@ -25,14 +23,14 @@ AROUND = 2.0 ** np.arange(-3, 8)  # in widths, on both sides of a peak
 WIDEST = 0.3  # of a frequency, on both sides of it
 CLOSE = 1e-11  # relative, of a natural frequency: interpolated added mass has rounding errors of 1e-12
 MOST = 100
+LEAST = 1e-9  # of the largest inertia
 STEPS = 4  # places between two stored frequencies
 QUIET = 1e-3  # of the largest motion of its kind: a peak below is none
-KINDS = slice(0, 3), slice(3, 6)
 
 
 @dataclass(frozen=True)
 class Resonance:
-    """A peak of one motion, `mode` 0 … 5, at omega rad/s in waves towards `heading` rad.
+    """A peak of one motion, number `mode` and called `name`, at omega rad/s in waves towards `heading` rad.
 
     peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
     viscous : whether damping of this motion beside that of waves is in it
@@ -45,9 +43,10 @@ class Resonance:
     error: float
     heading: float
     viscous: bool
+    name: str
 
     def __repr__(self):
-        return f"<Resonance {DOFS[self.mode]} {self.omega:.4g} rad/s, peak {self.peak:.3g}, damping {self.damping:.2g}>"
+        return f"<Resonance {self.name} {self.omega:.4g} rad/s, peak {self.peak:.3g}, damping {self.damping:.2g}>"
 
     @property
     def period(self):
@@ -92,14 +91,32 @@ def natural_modes(inertia, stiffness):
     return values, root.swapaxes(-1, -2) @ vectors
 
 
-def by_motion(energies):
-    """(n,) which mode is called by each motion: the assignment with the largest sum of energy shares.
+def positive(inertia):
+    """Symmetric inertia (…, n, n), those with eigenvalues of 0 and less with the least that are above in place of them
 
-    energies : (n, n) kinetic, rows are modes
+    Where the water of a gap or a moonpool resonates added mass takes more than the body has: λ grows beyond all bounds
+    on the way there, and a search goes on past it.
     """
+    values = np.linalg.eigvalsh(inertia)
+    if np.all(values[..., 0] > 0):
+        return inertia
+    values, vectors = np.linalg.eigh(inertia)
+    values = np.maximum(values, LEAST * values[..., -1:])
+    return (vectors * values[..., None, :]) @ vectors.swapaxes(-1, -2)
+
+
+def by_motion(energies):
+    """(n,) which mode is called by each motion: the assignment with the largest sum of energy shares; −1 for none.
+
+    energies : (m, n) kinetic, rows are modes, fewer than motions where links hold some
+    """
+    from scipy.optimize import linear_sum_assignment
+
     shares = energies / energies.sum(axis=1, keepdims=True)
-    every = np.array(list(permutations(range(len(shares)))))
-    return every[shares[every, np.arange(len(shares))].sum(axis=1).argmax()]
+    motions, modes = linear_sum_assignment(shares.T, maximize=True)
+    found = np.full(shares.shape[1], -1)
+    found[motions] = modes
+    return found
 
 
 def zeros(functions, low, f, high, g):
@@ -139,18 +156,29 @@ def _roots(body):
 
 
 def _excess(body, omega):
-    """(q, 6) √λ − ω"""
+    """(q, n) √λ − ω"""
     return np.sqrt(np.maximum(_modes(body, omega)[0], 0)) - omega[:, None]
 
 
 def _modes(body, omega):
     M = body.inertia + body.held_added_mass(omega)
-    M = 0.5 * (M + M.swapaxes(1, 2))
-    return *natural_modes(M, 0.5 * (body.stiffness + body.stiffness.T)), M
+    M = positive(0.5 * (M + M.swapaxes(1, 2)))
+    return *free_modes(body.free, M, 0.5 * (body.stiffness + body.stiffness.T)), M
+
+
+def free_modes(free, inertia, stiffness):
+    """`natural_modes` of the motions that links leave free, the columns of `free` (n, m), or of all for None
+
+    vectors : (…, n, m) of all motions
+    """
+    if free is None:
+        return natural_modes(inertia, stiffness)
+    values, vectors = natural_modes(free.T @ inertia @ free, free.T @ stiffness @ free)
+    return values, free @ vectors
 
 
 def _resonance(body, mode, omega, q):
-    """The Resonance of a natural mode q (6,), or None where waves do not excite it"""
+    """The Resonance of a natural mode q (n,), or None where waves do not excite it"""
     low, high = body.between.span
     damping = max(_ratio(body, omega, q, 0.0), 1e-9)
     if damping >= SHARP:
@@ -161,21 +189,21 @@ def _resonance(body, mode, omega, q):
         i, m = np.unravel_index(X[:, :, mode].argmax(), X.shape[:2])
         at, peak = places[i], float(X[i, m, mode])
         places = np.linspace(places[max(i - 1, 0)], places[min(i + 1, len(places) - 1)], 17)
-    kind = next(kind for kind in KINDS if mode in range(6)[kind])
+    kind = [d for d in range(len(q)) if d % 6 // 3 == mode % 6 // 3]
     if peak <= QUIET * np.abs(body.motions(body.omega))[:, :, kind].max():
         return None
-    extra = np.zeros((6, 6))
+    extra = np.zeros_like(body.damping)
     if body.viscous:
         extra = body.viscous.damping(at, body.viscous.wave_amplitude * X[i, m])
     error = body.at([at], "rao")[1][0, m, mode]
     return Resonance(
         mode, float(at), _ratio(body, omega, q, extra), peak, float(error), float(body.headings[m]),
-        bool(extra[mode, mode] + body.damping[mode, mode] > 0),
+        bool(extra[mode, mode] + body.damping[mode, mode] > 0), body.words[mode],
     )  # fmt: skip
 
 
 def _ratio(body, omega, q, extra):
-    """ζ of a mode q (6,)"""
+    """ζ of a mode q (n,)"""
     A, B = (part[0] for part in body.coefficients([omega]))
     return float(q @ (B + body.damping + extra) @ q / (2 * omega * (q @ (body.inertia + A) @ q)))
 

@@ -230,14 +230,19 @@ class Database:
 
     @cached_property
     def reader(self) -> Reader:
-        """`bem.database.reader.Reader`: the body in any wave, with estimated errors, from the stored rows
+        """`bem.database.reader.Reader`: the bodies in any wave, with estimated errors, from the stored rows
 
-        raises : DatabaseError for a database of several bodies
+        raises : DatabaseError for a database of several bodies, which studies of one body do not know
         """
+        self.require_one_body()
+        return self.bodies_reader
+
+    @cached_property
+    def bodies_reader(self) -> Reader:
+        """`reader`, also of several bodies"""
         from .reader import reader
 
         self.require()
-        self.require_one_body()
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:

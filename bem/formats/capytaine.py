@@ -3,7 +3,8 @@
 Complex numbers have an axis `complex` of re, im at the end, as `capytaine.export_dataset` splits them.  The names are
 ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Mean drift is that of
 `far_field_mean_drift_force`, whose pairs of different headings are NaN here.
-Files of netCDF 3, which it writes where netCDF4 is not installed, are read too.
+Of several bodies modes are called `barge__Surge`, along the axes of the scene and about the point of each, and what is
+of one body has an axis `body`.  Files of netCDF 3, which it writes where netCDF4 is not installed, are read too.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 from hakobune.meshing.whole_files import write_whole
 
 from .. import DOFS
-from ..database.schema import BODY, DRIFT_DOFS, QUANTITIES
+from ..database.schema import BODY, DRIFT_DOFS, QUANTITIES, labels
 from ..waves import wavenumber
 from .values import FormatError, Values, body_of
 
@@ -41,13 +42,15 @@ def write(values, place):
         for name in MATRICES:
             if values.get(name) is not None:
                 _put(file, name, BODY[name][0], BODY[name][1], values.get(name))
+        each = ("body",) * bool(values.bodies)
         for name in VECTORS:
             if values.get(name) is not None:
-                _put(file, name, ("xyz",), "m", values.get(name))
-        _put(file, "rotation_center", ("xyz",), "m", values.rotation_center)
+                _put(file, name, (*each, "xyz"), "m", values.get(name))
+        centers = [body.rotation_center for body in values.bodies] or values.rotation_center
+        _put(file, "rotation_center", (*each, "xyz"), "m", centers)
         for name, own in SCALARS.items():
             if values.get(own) is not None:
-                _put(file, name, (), BODY[own][1], float(values.get(own)))
+                _put(file, name, each, BODY[own][1], values.get(own))
         for name, own in WATER.items():
             _put(file, name, (), "", float(getattr(values, own)))
         _put(file, "forward_speed", (), "m/s", 0.0)
@@ -64,8 +67,9 @@ def write(values, place):
 
 def _axes(file, values):
     omega = values.omega
-    axes = {"omega": omega, "wave_direction": values.wave_direction, "radiating_dof": DOFS, "influenced_dof": DOFS}
-    axes |= {"xyz": ("x", "y", "z"), "complex": ("re", "im")}
+    axes = {"omega": omega, "wave_direction": values.wave_direction}
+    axes |= {axis: names for axis, names in labels(values.bodies).items() if axis != "drift_dof"}
+    axes["complex"] = ("re", "im")
     for name, data in axes.items():
         texts = not isinstance(data, np.ndarray)
         made = file.create_dataset(name, data=np.array(data, dtype=h5py.string_dtype() if texts else float))
@@ -139,16 +143,16 @@ def _read(file, name, known):
     axes.setdefault("wave_direction", np.zeros(0))
     which = None
     for axis in ("radiating_dof", "influenced_dof"):
-        labels = [text.decode() if isinstance(text, bytes) else str(text) for text in np.ravel(file[axis][()])]
-        bodies = list(dict.fromkeys(label.rpartition("__")[0] for label in labels))
+        modes = [text.decode() if isinstance(text, bytes) else str(text) for text in np.ravel(file[axis][()])]
+        bodies = list(dict.fromkeys(mode.rpartition("__")[0] for mode in modes))
         which = body_of(file.filename, len(bodies), known)
         ends = {
-            label.rpartition("__")[2].capitalize(): i
-            for i, label in enumerate(labels)
-            if label.rpartition("__")[0] == bodies[which]
+            mode.rpartition("__")[2].capitalize(): i
+            for i, mode in enumerate(modes)
+            if mode.rpartition("__")[0] == bodies[which]
         }
         if not set(ends) <= set(DOFS):
-            raise FormatError(f"{file.filename} has the modes {', '.join(labels)}; allowed: {', '.join(DOFS)}")
+            raise FormatError(f"{file.filename} has the modes {', '.join(modes)}; allowed: {', '.join(DOFS)}")
         axes[axis] = [ends.get(dof) for dof in DOFS]
     quantities = {}
     for quantity in TAKEN:

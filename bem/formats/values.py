@@ -9,6 +9,7 @@ import numpy as np
 from hakobune.meshing.text_files import read_text
 
 from ..database.schema import BODY, LIMITS, QUANTITIES
+from ..modes import moving
 
 CARRIED = tuple(name for name in QUANTITIES if not name.startswith("kochin") and name != "pressure")
 SAME_HEADING = 1e-3  # of the largest value, between two lists of one heading: files print four digits or more
@@ -27,6 +28,7 @@ class Values:
     quantities : {name of `schema.QUANTITIES`: array}, axes as there; body : {name of `schema.BODY`: value}
     rotation_center : (3,) m; mesh : PanelMesh, or None; name : of the body
     others : bodies beside it, which are held fixed
+    bodies : `bem.modes.Body` of each of several, for formats that hold them; their motions along the axes of the scene
     """
 
     omega: np.ndarray
@@ -40,6 +42,7 @@ class Values:
     mesh: object = None
     name: str = "body"
     others: int = 0
+    bodies: tuple = ()
 
     def get(self, name):
         """A quantity or a value of the body; None where it is not there"""
@@ -89,12 +92,16 @@ def about(values, point):
     return replace(values, quantities=moved, body=body, rotation_center=np.array(point, float))
 
 
-def values_of(db):
-    """The Values of an opened database.  Raises DatabaseError where nothing is solved yet."""
-    db.require_one_body()
+def values_of(db, several=False):
+    """The Values of an opened database.  Raises DatabaseError where nothing is solved yet.
+
+    several : whether those of several bodies are wanted, else they are refused
+    """
+    if not several:
+        db.require_one_body()
     names = [name for name in CARRIED if name in db.names and (name not in LIMITS or db.complete)]
     header = db.header
-    return Values(
+    found = Values(
         np.asarray(db.omega),
         np.asarray(db.wave_direction),
         header.water_depth,
@@ -105,7 +112,30 @@ def values_of(db):
         np.asarray(header.rotation_center, float),
         header.mesh,
         db.path.stem,
+        bodies=db.bodies,
     )
+    return _along_scene(found) if db.bodies else found
+
+
+def _along_scene(values):
+    """Values of several bodies with the motions of each along the axes of the scene, about its own point"""
+    turn = np.zeros((6 * len(values.bodies),) * 2)
+    for i, body in enumerate(values.bodies):
+        own = slice(6 * i, 6 * i + 6)
+        turn[own, own] = np.kron(np.eye(2), body.axes.T)
+    own = turn[np.ix_(moving(values.bodies), moving(values.bodies))]
+    both = {"influenced_dof": turn, "radiating_dof": own}
+
+    def turned(axes, data):
+        for place, axis in enumerate(axes, -len(axes)):
+            if axis in both:
+                data = np.moveaxis(np.moveaxis(data, place, -1) @ both[axis], -1, place)
+        return data
+
+    finite = {n: data for n, data in values.quantities.items() if n not in LIMITS or np.all(np.isfinite(data))}
+    quantities = {name: turned(QUANTITIES[name][0], data) for name, data in finite.items()}
+    body = {name: turned(BODY[name][0], data) for name, data in values.body.items()}
+    return replace(values, quantities=quantities, body=body)
 
 
 def body_of(place, count, known):

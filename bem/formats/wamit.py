@@ -10,7 +10,8 @@
 with p = 0 for translations and 1 for rotations, L = ULEN; PER as IPEROUT says, by default the period in s, −1 at ω = 0
 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.  Pairs
 I, J and modes I that symmetry makes 0 are left out.  Written with L = 1 m.  The .8 file is of the free body where
-motions are stored, which a .4 file beside it tells, else of the fixed one.  Neither depth, density, gravity nor hull is
+motions are stored, which a .4 file beside it tells, else of the fixed one; of several bodies, whose modes are numbered
+on, 7 to 12 and so on, it is left out.  Neither depth, density, gravity nor hull is
 in these files; ULEN and the point that moments are about are in the inputs beside them (`wamit_inputs`).
 """
 
@@ -24,6 +25,7 @@ import numpy as np
 from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
+from ..modes import moving
 from .values import FormatError, Values, body_of, gridded, omega_of, table_of
 from .wamit_inputs import Table, beside, inputs_of
 from .wamit_out import read_out
@@ -51,14 +53,17 @@ def write(values, place):
     files = {".1": _radiation(values, A / rho, B / (rho * values.omega[:, None, None]))}
     for suffix, name in FORCES.items():
         if values.get(name) is not None and suffix != ".2":  # by Haskind's relation the same as .3
-            files[suffix] = _forces(values, np.conj(values.get(name)) / (1.0 if name == "rao" else rho_g))
+            index = _moved(values) if name == "rao" else range(1, values.get(name).shape[-1] + 1)
+            files[suffix] = _forces(values, np.conj(values.get(name)) / (1.0 if name == "rao" else rho_g), index)
     drift = values.get("drift_force")
     drift = values.get("drift_force_fixed") if drift is None else drift
-    if drift is not None:
+    if drift is not None and not values.bodies:
         files[".8"] = _forces(values, drift / rho_g, DRIFT_INDEX, twice=True)
     if values.get("hydrostatic_stiffness") is not None:
         C = values.get("hydrostatic_stiffness") / rho_g
-        files[".hst"] = [f"{i + 1:6d}{j + 1:6d} {C[i, j]: .6E}" for i in range(6) for j in range(6)]
+        files[".hst"] = [
+            f"{i + 1:6d}{j:6d} {C[i, k]: .6E}" for i in range(len(C)) for k, j in enumerate(_moved(values))
+        ]
     paths = []
     for suffix, lines in files.items():
         paths.append(place.with_suffix(suffix))
@@ -74,20 +79,25 @@ def stands_for(values, name):
     return values.get("added_mass")[0 if name == "added_mass_zero" else -1]
 
 
+def _moved(values):
+    """Numbers of the modes of what moves, from 1"""
+    return [d + 1 for d in moving(values.bodies)]
+
+
 def _radiation(values, A, B):
-    lines = []
+    lines, moved = [], _moved(values)
     for period, name in LIMIT_PERIODS.items():
         limit = stands_for(values, name)  # HydroDyn and RAFT do not read a file without both
-        for i, j in np.ndindex(6, 6):
-            lines.append(f"{period: .6E}{i + 1:6d}{j + 1:6d} {limit[i, j] / values.density: .6E}")
+        for i, j in np.ndindex(limit.shape):
+            lines.append(f"{period: .6E}{i + 1:6d}{moved[j]:6d} {limit[i, j] / values.density: .6E}")
     for n in np.argsort(-values.omega)[::-1]:
-        for i, j in np.ndindex(6, 6):
-            head = f"{2 * np.pi / values.omega[n]: .6E}{i + 1:6d}{j + 1:6d}"
+        for i, j in np.ndindex(A.shape[1:]):
+            head = f"{2 * np.pi / values.omega[n]: .6E}{i + 1:6d}{moved[j]:6d}"
             lines.append(f"{head} {A[n, i, j]: .6E} {B[n, i, j]: .6E}")
     return lines
 
 
-def _forces(values, X, index=range(1, 7), twice=False):
+def _forces(values, X, index, twice=False):
     lines, degrees = [], np.degrees(values.wave_direction)
     for n, omega in enumerate(values.omega):
         for m, beta in enumerate(degrees):

@@ -1,4 +1,6 @@
-"""The waves around one body of a database, fixed or moving with the waves; at once everywhere, or at points in many.
+"""The waves around one body of a database, or outside the line around all of several, fixed or moving with the waves.
+
+At once everywhere, or at points in many waves.
 
 η(p) = exp(ik·p) + Σ_j s_j H₀(k|p − p_j|), the sources s_j from the Kochin function of the diffraction and, where the
 body moves, of its radiation times its motion (`sources`).  What decays over the depth, as exp(−πr/h) at a distance
@@ -20,10 +22,10 @@ CORNERS = 24  # of a plan that is curved
 
 
 class WavesAround(NamedTuple):
-    """One body in waves of 1 m towards one direction.
+    """One body, or several, in waves of 1 m towards one direction.
 
     omega rad/s, k rad/m, beta rad; sources : of its plan; middle : (2,) m of that; strengths : (s,) m
-    motion : (6,) m and rad about the centre of rotation, None of a fixed body; missed : share of the far field that
+    motion : (n,) m and rad about the centre of rotation, None of a fixed body; missed : share of the far field that
     the sources do not send; pierces : whether the hull reaches the surface
     """
 
@@ -38,7 +40,9 @@ class WavesAround(NamedTuple):
     pierces: bool
 
     def elevation(self, places):
-        """(p,) complex, m per m, at places (p, 2) m: Re η exp(−iωt) is the surface; nan in the plan of the body"""
+        """(p,) complex, m per m, at places (p, 2) m: Re η exp(−iωt) is the surface; nan in the plan of the body, of
+        several in the line around all
+        """
         places = np.atleast_2d(np.asarray(places, float))
         total = np.full(len(places), np.nan, complex)
         outside = ~self.sources.covers(places - self.middle) if self.pierces else np.ones(len(places), bool)

@@ -46,14 +46,14 @@ class OnCurrent(Reader):
         return self.carrier.own(*self._pairs(omega, headings), self.depth, self.gravity)
 
     def motions(self, omega, headings=None):
-        """(q, p, 6) as `Reader.motions`; of still water where the database has nothing that they follow from"""
+        """(q, p, n) as `Reader.motions`; of still water where the database has nothing that they follow from"""
         if self.lacks_motions:
             return self.still.motions(omega, headings)
         self._check_inertia()
         met, F = self.encounter(omega, headings), self.waves_of("forces", omega, headings)
         A, B = self._coefficients(met.ravel())
-        found = self.still.solved(met.ravel(), A, B, F.reshape(-1, 1, 6))
-        return found.reshape(*met.shape, 6)
+        found = self.still.solved(met.ravel(), A, B, F.reshape(-1, 1, F.shape[-1]))
+        return found.reshape(*met.shape, -1)
 
     @property
     def lacks_motions(self):
@@ -102,7 +102,7 @@ class OnCurrent(Reader):
         return tuple(CubicSpline(omega, of) for of in self.still.coefficients(omega))
 
     def _coefficients(self, met):
-        """Added mass and damping (n, 6, 6) at rad/s (n,), held or by their limits beyond the stored frequencies"""
+        """Added mass and damping (q, n, n) at rad/s (q,), held or by their limits beyond the stored frequencies"""
         inside = np.clip(met, *self.between.span)
         A, B = (spline(inside) for spline in self._splines)
         beyond = inside != met

@@ -142,9 +142,9 @@ class _Known:
         return self.transfer.units
 
     def motions(self, omega, heading):
-        """(q, p, 6) as `Reader.motions`"""
+        """(q, p, n) as `Reader.motions`"""
         rows, columns = self._place(omega, heading)
-        return self.transfer.value[rows, columns, :6]
+        return self.transfer.value[rows, columns, : len(self.body.words)]
 
     def drift(self, omega, heading):
         """(q, p, 3) as `Reader.drift`"""

@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem import DOFS
+from hakobune.bem.drift import sum_about_origin
+from hakobune.bem.modes import words_of
 from hakobune.bem.waves import group_factor, wavenumber
 
 from .drift import TURN
@@ -20,6 +21,7 @@ UNSURE = 0.05  # estimated error of a result between stored waves that is warned
 LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
 LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
 OF_MOTION, OF_MOMENT = 4.0, 1.5  # deviations with which nine and a half of ten seas are within what is said
+EACH = 0.1  # of the largest drift of a body, by which the sum of all may miss that of the whole
 ACROSS = 0.02  # of a current, that is named where it is left out
 PLACES = 48  # frequencies at which it is estimated
 
@@ -65,18 +67,19 @@ def named_shares(names, share):
 class Errors(NamedTuple):
     """Estimated errors of what is known between stored waves only, relative
 
-    motions : (6,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
+    motions : (n,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
     moment; damping : of wave drift damping.  Those of drift are None without drift, the moment's of at least LEVER
-    times the radius times the force.
+    times the radius times the force.  words : (n,) names of the motions
     """
 
     motions: np.ndarray
     drift: np.ndarray | None
     damping: float | None
+    words: tuple[str, ...] = words_of(())
 
     def named(self, limit):
         """Words "roll 2 %" and so on, of errors above `limit`"""
-        words = {name.lower(): error for name, error in zip(DOFS, self.motions, strict=True)}
+        words = dict(zip(self.words, self.motions, strict=True))
         if self.drift is not None:
             words |= {"mean drift": self.drift[0], "moment of drift": self.drift[1]}
         if self.damping is not None:
@@ -85,7 +88,7 @@ class Errors(NamedTuple):
 
 
 def errors_between(body, sea, omega, m0, drift, damping):
-    """`Errors` of the six motions, of m0 (6,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
+    """`Errors` of the motions, of m0 (n,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
 
     The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
     force 2∫ δD S dω, of its moment one and a half times that: with three times and once, six and seven of a hundred
@@ -102,7 +105,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
     ]
     motions = np.where(m0 > 0, OF_MOTION * both[0] / np.maximum(both[1], 1e-300), 0.0)
     if drift is None:
-        return Errors(motions, None, None)
+        return Errors(motions, None, None, body.words)
     ring = body.ring_of("drift_force")
     gap = max(ring.gap(beta + side) for beta in heading for side in (-TURN, TURN))
     aside = heading + np.array([0.0, -gap / 4, gap / 4]) if damping is not None and len(heading) == 1 else heading
@@ -112,12 +115,13 @@ def errors_between(body, sea, omega, m0, drift, damping):
     scale = np.array([force, max(abs(drift[2]), LEVER * body.radius * force)])
     errors = np.array([first[:2].max(), OF_MOMENT * first[2]]) / scale
     if damping is None:
-        return Errors(motions, errors, None)
+        return Errors(motions, errors, None, body.words)
     widest = wrong.max(axis=1) if len(heading) == 1 else over_headings(wrong, weights)
     k = wavenumber(places, body.depth, body.gravity)
     slow, swing = 1 / (group_factor(k, body.depth) * places / k), 2 * np.pi / gap if gap else 0.0
     turned = 2 * np.trapezoid((2 + swing) * widest[:, :2] * (slow * density[:, 0])[:, None], places, axis=0)
-    return Errors(motions, errors, float(turned.max() / max(np.abs(damping[:2]).max(), 1e-300)))
+    share = float(turned.max() / max(np.abs(damping[:2]).max(), 1e-300))
+    return Errors(motions, errors, share, body.words)
 
 
 def between_waves(body, errors):
@@ -139,6 +143,27 @@ def drift_outside(body, inside, beyond):
         yield (
             f"{100 * share:.1f} % of the mean drift force is from waves beyond the stored frequencies, with drift held "
             f"at its value at {body.omega[-1]:.3g} rad/s; add frequencies to the scene and solve again"
+        )
+
+
+def drift_of_each(body, slow):
+    """How far the drift of several bodies, together, is from that of the whole by its far field, of `SlowForces`"""
+    if slow.of_each is None:
+        if body.bodies:
+            yield "drift of each body is left out: the database has none, or a current carries the waves"
+        return
+    if not body.own:
+        yield (
+            "drift of each body is that stored of their free motions: damping, stiffness and hinges beside the "
+            "database's change it where they change the motions"
+        )
+        return
+    away = np.abs(sum_about_origin(slow.of_each, body.bodies) - slow.drift)[:2].max()
+    largest = np.abs(slow.of_each[:, :2]).max()
+    if away > EACH * largest:
+        yield (
+            f"drift of the bodies adds up to {100 * away / max(largest, 1e-300):.2g} % of the largest off what the "
+            f"waves far away say; limit {100 * EACH:g} %; add frequencies, or panels, to the scene"
         )
 
 

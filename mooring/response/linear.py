@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.bem.database.resonances import about, resonances
 
 from ..on_current.body import carrier_of_body
@@ -53,7 +52,7 @@ def frequencies(body, density=None, headings=None):
     found = [] if carried else resonances(body)
     for one in found:
         if density is None and one.damping <= LEAST:
-            raise ValueError(UNDAMPED.format(DOFS[one.mode].lower()))
+            raise ValueError(UNDAMPED.format(one.name))
     peaks = _apart(body.resonant(headings), steps, len(headings)) if carried else about(body, found)
     omega = np.union1d(steps, peaks)
     power, steps = _power(body, omega, density, headings), np.full(len(omega) - 1, coarse)
@@ -71,7 +70,7 @@ def frequencies(body, density=None, headings=None):
         if np.all(share.sum(axis=0) <= CONVERGED):
             return omega
         if steps[rough].max() >= FINEST // 2:
-            worst = DOFS[int(np.argmax(share.sum(axis=0)))].lower()
+            worst = body.words[int(np.argmax(share.sum(axis=0)))]
             raise ValueError(UNDAMPED.format(worst))
         again = np.full(len(rough), True) if first else share.max(axis=1) > CONVERGED / len(steps)
         halved = np.repeat(open_, np.where(open_, 2, 1))
@@ -92,7 +91,7 @@ def _apart(peaks, steps, count):
 
 
 def _power(body, omega, density, headings):
-    """(q, m, 6) |X|² S at headings, None for those stored"""
+    """(q, m, n) |X|² S at headings, None for those stored"""
     power = np.abs(body.motions(omega, headings)) ** 2
     return power if density is None else power * density(omega)[:, None, None]
 

@@ -1,4 +1,4 @@
-"""What a point of the body feels: displacement, velocity, acceleration, and the water below it.
+"""What a point of a body feels: displacement, velocity, acceleration, and the water below it.
 
     d = X₁₋₃ + X₄₋₆ × (p − p₀),    v = −iωd,    a = −ω²d,    r = ζ − d_z
     f_x = a_x − gX₅,    f_y = a_y + gX₄,    u = h + tide + p_z − sinkage + d_z
@@ -12,6 +12,10 @@ All per unit wave amplitude, in axes that do not turn with the body; a has no pa
 accelerometer feel along the deck, with the part of gravity that roll and pitch turn into it.  u is the water under a
 point of the bottom; over a plan it is least at a corner of its hull, since d_z is linear in x and y.  r is the height
 of the water above its mark on the body: a wall that reflects short waves doubles ζ.
+
+Of several bodies each point is one of a body's own, in its coordinates and along its axes, and there is no ζ: the water
+between hulls is not in the far field.  A `Pair` is how far the second of two points moves from the first, along the
+axes of the body of the first.
 """
 
 from __future__ import annotations
@@ -20,7 +24,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.bem.waves import wavenumber
 
 from ..on_current.body import carrier_of_body
@@ -30,19 +33,31 @@ MOST = 12
 
 
 class Point(NamedTuple):
-    """name; position (3,) m at rest; clearance m, height of what must stay dry above still water, or None"""
+    """name; position (3,) m at rest; clearance m, height of what must stay dry above still water, or None
+
+    body : name of one of several bodies, in whose coordinates the point is
+    """
 
     name: str
     position: tuple[float, float, float]
     clearance: float | None = None
+    body: str = ""
+
+
+class Pair(NamedTuple):
+    """name; points : two Points of two bodies, a gangway or a manifold between them"""
+
+    name: str
+    points: tuple[Point, Point]
 
 
 class KeelPoint(NamedTuple):
-    """name; position (3,) m at rest, of the bottom of the body; gap m, water under it at rest"""
+    """name; position (3,) m at rest, of the bottom of the body; gap m, water under it at rest; body : as of a Point"""
 
     name: str
     position: tuple[float, float, float]
     gap: float
+    body: str = ""
 
 
 class Transfer(NamedTuple):
@@ -63,8 +78,10 @@ class Transfer(NamedTuple):
 
 
 def transfer_functions(body, omega, heading, points=()) -> Transfer:
-    """All responses of a body: its six motions, and for every Point displacement, velocity, acceleration along x, y, z,
-    what is felt along the deck, and the relative elevation of the water; for every KeelPoint its vertical displacement.
+    """All responses of a body, or several: its motions, and for every Point displacement, velocity, acceleration along
+    x, y, z, what is felt along the deck, and of one body the relative elevation of the water; for every KeelPoint its
+    vertical displacement; for every Pair displacement and velocity; for every link the force and moment with which its
+    first body holds the second, along axes of the first.
 
     omega : (q,) rad/s; heading : (p,) rad.  Raises BetweenError outside the database.
     """
@@ -72,12 +89,22 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
     motion = body.motions(omega, heading)
     met = None if carrier_of_body(body) is None else body.encounter(omega, heading)
     omega, given = omega if met is None else met, np.asarray(omega, float)
-    names, units, values = [name.lower() for name in DOFS], ["m"] * 3 + ["rad"] * 3, [motion]
-    dry = [point.position[:2] for point in points if isinstance(point, Point)]
+    names, units, values = list(body.words), [("m", "rad")[d % 6 // 3] for d in range(len(body.words))], [motion]
+    dry = [point.position[:2] for point in points if isinstance(point, Point) and not body.bodies]
     water, missed = elevations(body, given, heading, motion, dry)
     levels = iter(np.moveaxis(water, -1, 0))
     for point in points:
-        d = displacement(motion, point.position, body.rotation_center)
+        if isinstance(point, Pair):
+            d = apart(body, motion, *point.points)
+            names += [
+                f"{point.name} {word} {axis}"
+                for word in ("relative displacement", "relative velocity")
+                for axis in "xyz"
+            ]
+            units += ["m"] * 3 + ["m/s"] * 3
+            values += [d, velocity(omega, d)]
+            continue
+        d, own = of_point(body, motion, point)
         if isinstance(point, KeelPoint):
             names.append(keel_name(point))
             units.append("m")
@@ -91,10 +118,18 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
             names += [f"{point.name} {word} {axis}" for axis in "xyz"]
             units += [unit] * 3
             values.append(part)
-        names += [f"{point.name} felt acceleration {axis}" for axis in "xy"] + [relative_name(point)]
-        units += ["m/s²"] * 2 + ["m"]
-        values.append(felt_acceleration(omega, d, motion, body.gravity))
-        values.append((next(levels) - d[..., 2])[..., None])
+        names += [f"{point.name} felt acceleration {axis}" for axis in "xy"]
+        units += ["m/s²"] * 2
+        values.append(felt_acceleration(omega, d, own, body.gravity))
+        if not body.bodies:
+            names.append(relative_name(point))
+            units.append("m")
+            values.append((next(levels) - d[..., 2])[..., None])
+    if body.bodies and body.links:
+        values.append(body.link_forces(given, heading, motion).reshape(*motion.shape[:2], -1))
+        for link in body.links:
+            names += [f"{link.name} {word} {axis}" for word in ("force", "moment") for axis in "xyz"]
+            units += ["N"] * 3 + ["N m"] * 3
     return Transfer(tuple(names), tuple(units), given, heading, np.concatenate(values, axis=-1), missed, met)
 
 
@@ -106,6 +141,25 @@ def relative_name(point):
 def keel_name(point):
     """Name of the vertical displacement of a KeelPoint"""
     return f"{point.name} displacement z"
+
+
+def of_point(body, motion, point):
+    """Displacement (q, p, 3) of a Point or KeelPoint, and the motions (q, p, 6) of its body, along the axes of that
+
+    body : `bem.database.reader.Reader`; motion : (q, p, n) of all of it
+    """
+    if not body.bodies:
+        return displacement(motion, point.position, body.rotation_center), motion
+    one = body.body_named(point.body)
+    own = body.motions_of(motion, one)
+    return displacement(own, point.position, one.own_center), own
+
+
+def apart(body, motion, first, second):
+    """(q, p, 3) of the point `second` from the point `first`, of two bodies, along the axes of the body of the first"""
+    here, there = (of_point(body, motion, point)[0] for point in (first, second))
+    turn = body.body_named(first.body).axes.T @ body.body_named(second.body).axes
+    return there @ turn.T - here
 
 
 def displacement(motion, position, rotation_center):

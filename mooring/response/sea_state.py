@@ -39,6 +39,8 @@ class SlowForces:
     damping : (3, 2) N s/m, N s: wave drift damping of velocities along x and y, waves within the stored band;
     None where drift has no slope over the headings, because the direction has no stored neighbours
     by_current : (3,) of the mean drift, what the current adds, None in still water
+    of_each : (bodies, 3) mean drift of each of several bodies about its own point in its own axes, None where it is not
+    known for these motions; `drift` is that of all about the origin
     """
 
     drift: np.ndarray
@@ -49,6 +51,7 @@ class SlowForces:
     of_pairs: np.ndarray | None = None
     level: str = "newman"
     by_current: np.ndarray | None = None
+    of_each: np.ndarray | None = None
 
     @property
     def sigma_of_pairs(self):
@@ -188,9 +191,10 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
         slow = slow_forces(body, sea, omega, heading, weights, bound)
         warnings += left_out(body, sea) if bound is None else ()
         warnings += findings.current_along_waves(carrier, heading, weights, slow.damping)
+        warnings += findings.drift_of_each(body, slow)
         inside = slow.drift - slow.beyond.sum(axis=0)
         warnings += findings.drift_outside(body, inside, slow.beyond)
-    errors = findings.errors_between(body, sea, omega, found.m0[:6], inside, slow and slow.damping)
+    errors = findings.errors_between(body, sea, omega, found.m0[: len(body.words)], inside, slow and slow.damping)
     warnings += findings.between_waves(body, errors)
     return SeaState(
         sea, float(duration), tuple(points), transfer.names, transfer.units, omega, spectrum, found, slow,
@@ -242,7 +246,20 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
         with_bound,
         "newman" if bound is None else bound.level,
         by_current,
+        None if carrier is not None else drift_of_each(body, sea, omega, heading, weights),
     )
+
+
+def drift_of_each(body, sea, omega, heading, weights):
+    """(bodies, 3) mean drift of each of several bodies, None where it is not known; arguments as of `slow_forces`"""
+    if not body.bodies:
+        return None
+    try:
+        value = body.drift_of_each(omega, heading)
+    except BetweenError:
+        return None
+    inside, beyond = mean_drift(body, sea, omega, value.reshape(*value.shape[:2], -1), weights)
+    return (inside + beyond.sum(axis=0)).reshape(-1, 3)
 
 
 def drift_on_current(body, omega, heading):

@@ -109,7 +109,7 @@ def _lost_of_one(sea, omega, step):
 
 
 def _integrals(body, sea, omega, step):
-    """(6,) ∫⟨|X|²⟩S dω and (2, 3) ∫⟨D±⟩S dω"""
+    """(n,) ∫⟨|X|²⟩S dω and (2, 3) ∫⟨D±⟩S dω"""
     heading, weights = directions(sea, omega, step)
     density = sea.spectrum.density(omega)
     power = np.abs(body.motions(omega, heading)) ** 2
@@ -123,7 +123,8 @@ def _integrals(body, sea, omega, step):
 def _change(found, before):
     """Largest relative change of what counts; drift beside both parts together"""
     (motion, drift), (motion_before, drift_before) = found, before
-    kind = np.repeat([motion[:3].max(), motion[3:].max()], 3)
+    kinds = motion.reshape(-1, 2, 3)
+    kind = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
     seen = motion > SMALL * kind
     change = np.abs(motion - motion_before)[seen] / motion[seen]
     total = drift.sum(axis=0)

@@ -47,13 +47,13 @@ def laws_of(reader):
 
 
 def in_sea(reader, sea, laws=None, held=None):
-    """A `Reader`, floating, with viscous damping linearised in a Sea, and that damping (6, 6).
+    """A `Reader`, floating, with viscous damping linearised in a Sea, and that damping (n, n).
 
     laws : in place of those of its scene; held : the floating Reader as it is restrained, None for free
     raises : as `linearised` and `Reader.floating`
     """
     laws, body = laws_of(reader) if laws is None else laws, reader.floating() if held is None else held
-    return linearised(body, sea, laws) if laws else (body, np.zeros((6, 6)))
+    return linearised(body, sea, laws) if laws else (body, np.zeros_like(body.damping))
 
 
 def in_regular_waves(reader, omega, amplitude, direction):
@@ -63,7 +63,7 @@ def in_regular_waves(reader, omega, amplitude, direction):
     """
     laws, body = laws_of(reader), reader.floating()
     if not laws:
-        return body, np.zeros((6, 6))
+        return body, np.zeros_like(body.damping)
     (A,), (B,) = body.coefficients(np.array([omega]))
     force = body.forces(np.array([omega]), np.array([direction]))[0]
     viscous = replace(reader.viscous, wave_amplitude=amplitude)
@@ -104,13 +104,13 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
 
 
 def linearised(body, sea, laws):
-    """The `bem.database.reader.Reader` with the damping that viscosity has in a Sea, and that damping (6, 6).
+    """The `bem.database.reader.Reader` with the damping that viscosity has in a Sea, and that damping (n, n).
 
     laws : {degree of freedom: law of `bem.viscous`}
     raises : ValueError where no damping is found that agrees with its own motion
     """
     middle = 2 * np.pi / sea.spectrum.T01
-    damping = np.array([laws[d].equivalent(middle, FIRST) if d in laws else 0.0 for d in DOFS])
+    damping = np.array([laws[d].equivalent(middle, FIRST) if d in laws else 0.0 for d in body.names])
     first = body.restrained(damping=np.diag(damping))
     step = heading_step(first, sea, frequencies(first, sea.spectrum.density))
     before, damping_before = None, None
@@ -129,14 +129,14 @@ def _ratio(a, b):
 
 
 def _share(step, answer):
-    """(6,) of the damping found in the next guess: secant in logarithms; ⅔ for quadratic drag, as σ_v ∝ damping^−½"""
+    """(n,) of the damping found in the next guess: secant in logarithms; ⅔ for quadratic drag, as σ_v ∝ damping^−½"""
     moved = (step > 0) & (answer > 0) & (np.abs(step - 1) > 1e-12)
     slope = np.log(np.where(moved, answer, 1.0)) / np.log(np.where(moved, step, 2.0))
     return np.where(moved, 1 / (1 - np.clip(slope, -3.0, 0.5)), 2 / 3)
 
 
 def _damping(body, sea, laws, step):
-    """(6,) damping at the motion of a body that has some already; step : degrees between directions"""
+    """(n,) damping at the motion of a body that has some already; step : degrees between directions"""
     omega = frequencies(body, sea.spectrum.density)
     heading, weights = directions(sea, omega, step)
     X, density = body.motions(omega, heading), sea.spectrum.density(omega)
@@ -144,8 +144,8 @@ def _damping(body, sea, laws, step):
         found = moments(omega, response_spectrum(X, density, weights))
     else:
         found = moments_met(omega, body.encounter(omega, heading), X, density, weights)
-    out = np.zeros(6)
-    for i, dof in enumerate(DOFS):
+    out = np.zeros(len(body.names))
+    for i, dof in enumerate(body.names):
         if dof in laws and found.m0[i] > 0:
             frequency = np.sqrt(found.m2[i] / found.m0[i])
             out[i] = laws[dof].equivalent(frequency, EQUIVALENT_AMPLITUDE * np.sqrt(found.m0[i]))

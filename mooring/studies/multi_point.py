@@ -7,6 +7,10 @@ floating body: in irregular waves, or by the report's regular wave of significan
 are taken in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension.
 The body is small-angled throughout: loads and motions are those of its heading at rest.
 Motions of slow drift are not in the method.
+
+Several bodies are held by lines to anchors and to each other: forces and motions are six for each that moves, one body
+after another, in one equilibrium and one set of natural periods.  A line between two of them is tightened by the
+largest motions of both.
 """
 
 from __future__ import annotations
@@ -19,9 +23,11 @@ import numpy as np
 from hakobune.bem import DOFS
 from hakobune.bem.database.natural_periods import NaturalPeriods, natural_periods
 
+from ..lines.system.bodies import rotation
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.graph import LineForces, System
 from ..lines.system.parts import Anchor, Fairlead
+from .afloat import afloat, in_motions
 from .conditions import Conditions
 from .multi_point_findings import HORIZONTAL, findings
 from .places import check_places, place_findings
@@ -36,11 +42,12 @@ class MultiPoint:
     """Result of a study; per-line arrays follow the lines of the system.
 
     at_rest, at_equilibrium : natural periods without and with the steady forces
-    loads : {"wind", "current", "drift": (6,)} N, N m about the rotation centre
+    loads : {"wind", "current", "drift": (n,)} N, N m about the rotation centre, of n = 6 for each body along space axes
     rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
     waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
-    amplitudes : (6,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
+    amplitudes : (n,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
         the amplitudes
+    hulls : `afloat.Afloat` of every body
     warnings : what a reader has to know, a line each; of what fails as `criteria.failing.fails` marks it
     """
 
@@ -58,6 +65,7 @@ class MultiPoint:
     upward: np.ndarray
     extreme: LineForces
     warnings: tuple[str, ...]
+    hulls: tuple = ()
 
     def __repr__(self):
         worst = int(np.argmax(self.tension))
@@ -68,18 +76,25 @@ class MultiPoint:
 
     @cached_property
     def steady_force(self):
-        """(6,) N, N m, sum of the steady loads"""
-        return sum(self.loads.values(), np.zeros(6))
+        """(n,) N, N m, sum of the steady loads"""
+        return sum(self.loads.values(), np.zeros(len(self.amplitudes)))
 
     @cached_property
     def displacement(self):
-        """(3,) m, m, rad: surge, sway and yaw of the body under the steady forces"""
-        return (self.equilibrium.position - self.rest.position)[0, PLANE]
+        """(3,) m, m, rad: surge, sway and yaw of each body under the steady forces"""
+        return self._moved[:, PLANE].ravel()
 
     @cached_property
     def heel(self):
-        """(2,) rad: roll and pitch of the body under the steady forces"""
-        return (self.equilibrium.position - self.rest.position)[0, 3:5]
+        """(2,) rad: roll and pitch of each body under the steady forces"""
+        return self._moved[:, 3:5].ravel()
+
+    @cached_property
+    def _moved(self):
+        """(b, 6)"""
+        moved = self.equilibrium.position - self.rest.position
+        moved[:, 5] -= 2 * np.pi * np.round(moved[:, 5] / (2 * np.pi))
+        return moved
 
     @cached_property
     def tension(self):
@@ -93,21 +108,24 @@ class MultiPoint:
 
 
 def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
-    """Study of a body, its stored wave database `db`, and its lines.
+    """Study of a body, its stored wave database `db`, and its lines; or of several.
 
-    system : of one body whose axes have their origin at the rotation centre of `db`, and of lines from anchors to it,
-        as `lines.system.moored_body` makes one; allowable : fraction of the breaking load
+    system : of bodies whose axes have their origin at their rotation centres, and of lines from anchors to them and
+        between them, as `lines.system.moored_body` makes one
+    hull : `conditions.ExposedBox`, of several bodies {name: ExposedBox}; allowable : fraction of the breaking load
     raises : ValueError naming what does not fit or has no solution
     """
-    _check(db, system, hull, allowable)
-    conditions = with_coefficients(conditions, hull, system.depth)
-    body = system.bodies[0].name
-    at_rest = rest(held_at(system, {body: system.bodies[0].position}))
-    periods_at_rest = natural_periods(db.reader.restrained(stiffness=at_rest.stiffness))
+    hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader
+    _check(db, system, hulls, allowable)
+    if not db.bodies:
+        conditions = with_coefficients(conditions, hull, system.depth)
+    at_rest = rest(held_at(system, {one.name: one.position for one in system.bodies}))
+    periods_at_rest = natural_periods(body.restrained(stiffness=in_motions(at_rest.stiffness, hulls)))
     waves = wave_effects(db, conditions) if conditions.waves else {}
-    effects = waves.get(conditions.method, WaveEffects(None, np.zeros(6)))
-    loads = steady_loads(db, hull, conditions, system.depth, effects.drift)
-    equilibrium = _heeled(system, at_rest, db.hydrostatic_stiffness, sum(loads.values(), np.zeros(6)))
+    effects = waves.get(conditions.method, WaveEffects(None, np.zeros(6 * len(hulls))))
+    loads = _loads(hulls, conditions, system.depth, effects.drift)
+    hydrostatic = [body.stiffness[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(hulls))]
+    equilibrium = _heeled(system, at_rest, hydrostatic, sum(loads.values(), np.zeros(6 * len(hulls))))
     outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
@@ -116,7 +134,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         conditions,
         allowable,
         periods_at_rest,
-        natural_periods(db.reader.restrained(stiffness=equilibrium.stiffness)),
+        natural_periods(body.restrained(stiffness=in_motions(equilibrium.stiffness, hulls))),
         loads,
         waves,
         at_rest,
@@ -126,20 +144,38 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         upward,
         system.forces_between(anchors, moved),
         (),
+        hulls,
     )
-    return replace(result, warnings=(*place_findings(system, hull), *findings(result, db)))
+    return replace(result, warnings=(*place_findings(system, hulls), *findings(result, db)))
+
+
+def _loads(hulls, conditions, depth, drift):
+    """`MultiPoint.loads`; drift : (3,) for each of the hulls along its own axes, or None"""
+    rows = []
+    for i, one in enumerate(hulls):
+        own = None if drift is None else drift[3 * i : 3 * i + 3]
+        given = with_coefficients(conditions, one.box, depth)
+        rows.append(steady_loads(one, one.box, given, depth, own, one.heading))
+    if len(rows) == 1:
+        return rows[0]
+    in_space = [np.kron(np.eye(2), one.axes) for one in hulls]
+    return {name: np.concatenate([T @ row[name] for T, row in zip(in_space, rows, strict=True)]) for name in rows[0]}
 
 
 def _heeled(system, at_rest, hydrostatic, load):
-    """SystemEquilibrium of a body that floats, under a load (6,); its stiffness is that of the lines alone.
+    """SystemEquilibrium of bodies that float, under a load (n,); its stiffness is that of the lines alone.
 
-    What the lines pull down and heel at rest, which its ballast is for, is taken off.
+    hydrostatic : (6, 6) of each.  What the lines pull down and heel at rest, which ballast is for, is taken off.
     """
-    (body,), trim = system.bodies, np.array([0, 0, 1, 1, 1, 0])
-    balanced = load - trim * np.asarray(at_rest.force)[:6]
-    afloat = replace(body, freedom=DOFS, hydrostatic_stiffness=np.asarray(hydrostatic, float), load=tuple(balanced))
-    found = rest(replace(system, bodies=(afloat,)))
-    lines = rest(held_at(system, {body.name: found.position[0]}))
+    count = len(system.bodies)
+    trim = np.tile([0, 0, 1, 1, 1, 0], count)
+    balanced = (load - trim * np.asarray(at_rest.force)[: 6 * count]).reshape(count, 6)
+    floating = [
+        replace(body, freedom=DOFS, hydrostatic_stiffness=np.asarray(C, float), load=tuple(own))
+        for body, C, own in zip(system.bodies, hydrostatic, balanced, strict=True)
+    ]
+    found = rest(replace(system, bodies=tuple(floating)))
+    lines = rest(held_at(system, {body.name: found.position[i] for i, body in enumerate(system.bodies)}))
     return replace(found, stiffness=lines.stiffness)
 
 
@@ -158,24 +194,33 @@ def outward_directions(state):
 
 
 def fairlead_displacements(state, amplitudes):
-    """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (n,) m.
+    """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (l,) m.
 
+    amplitudes : (n,) of all bodies; of a line between two both ends are summed
     Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction.
     The sum is an upper bound of the displacement; how far it is above depends on the origin of the body's axes, to
     which the motions refer.
     """
-    arm = line_ends(state)[1] - state.pose.place[0]
-    turns = np.stack([np.cross(axis, arm) for axis in np.eye(3)])
-    shifts = np.broadcast_to(np.eye(3)[:, None, :], (3, *arm.shape))
-    modes = np.concatenate([shifts, turns])
-    along = np.einsum("jni,ni->jn", modes[..., :2], outward_directions(state))
-    return np.abs(along).T @ amplitudes, np.abs(modes[..., 2]).T @ amplitudes
+    arrays, towards = state.system.arrays, outward_directions(state)
+    outward, upward = np.zeros((2, len(towards)))
+    for ends in arrays.ends.T:
+        for i, body in enumerate(state.system.bodies):
+            mine = np.flatnonzero(arrays.owner[ends] == i)
+            arm, axes = state.points[ends[mine]] - state.pose.place[i], rotation(0.0, 0.0, body.position[5]).T
+            turns = np.stack([np.cross(axis, arm) for axis in axes])
+            shifts = np.broadcast_to(axes[:, None, :], (3, *arm.shape))
+            modes, X = np.concatenate([shifts, turns]), amplitudes[6 * i : 6 * i + 6]
+            along = np.einsum("jni,ni->jn", modes[..., :2], towards[mine])
+            outward[mine] += np.abs(along).T @ X
+            upward[mine] += np.abs(modes[..., 2]).T @ X
+    return outward, upward
 
 
-def _check(db, system, hull, allowable):
-    for name in ("length", "beam", "draft", "freeboard"):
-        if not 0 < getattr(hull, name) < np.inf:
-            raise ValueError(f"hull {name} is {getattr(hull, name):g} m; allowed: above 0")
+def _check(db, system, hulls, allowable):
+    for one in hulls:
+        for name in ("length", "beam", "draft", "freeboard"):
+            if not 0 < getattr(one.box, name) < np.inf:
+                raise ValueError(f"hull {name} is {getattr(one.box, name):g} m; allowed: above 0")
     depth = system.depth
     if np.isfinite(db.water_depth) and not abs(depth - db.water_depth) <= 1e-6 * depth:
         raise ValueError(f"the study is for {depth:g} m of water, its database for {db.water_depth:g} m")
@@ -183,19 +228,28 @@ def _check(db, system, hull, allowable):
         raise ValueError(f"allowable fraction is {allowable:g}; allowed: above 0, at most 1")
     if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
         raise ValueError("the database has no inertia of the body; give --gyration kxx,kyy,kzz and solve again")
-    _check_body(system, np.asarray(db.rotation_center, float))
-    check_places(system, hull)
+    _check_bodies(system, hulls)
+    check_places(system, hulls)
 
 
-def _check_body(system, center):
-    if len(system.bodies) != 1:
-        raise ValueError(f"the system has {len(system.bodies)} bodies; allowed: one")
-    body, points = system.bodies[0], {point.name: point for point in system.points}
-    if not np.allclose(body.position, [*center, 0, 0, 0], rtol=0, atol=1e-9) or body.freedom != HORIZONTAL:
+def _check_bodies(system, hulls):
+    names, known = [body.name for body in system.bodies], [one.name for one in hulls]
+    if names != known:
         raise ValueError(
-            f"body {body.name} has its axes at {body.position} and moves in {', '.join(body.freedom) or 'nothing'}; "
-            f"allowed: at the rotation centre {center}, unturned, moving in {', '.join(HORIZONTAL)}"
+            f"the system has bodies {', '.join(names)}; allowed: those of the database, {', '.join(known)}"
         )
+    for body, one in zip(system.bodies, hulls, strict=True):
+        if not np.allclose(body.position, one.position, rtol=0, atol=1e-9) or body.freedom != HORIZONTAL:
+            turned = f"turned by {one.heading:.4g} rad" if one.heading else "unturned"
+            raise ValueError(
+                f"body {body.name} has its axes at {body.position}, moving in {', '.join(body.freedom) or 'nothing'}; "
+                f"allowed: at the rotation centre {one.position[:3]}, {turned}, moving in {', '.join(HORIZONTAL)}"
+            )
+    points = {point.name: point for point in system.points}
     for line in system.lines:
-        if not (isinstance(points[line.a], Anchor) and isinstance(points[line.b], Fairlead)):
+        a, b = points[line.a], points[line.b]
+        between = isinstance(a, Fairlead) and isinstance(b, Fairlead)
+        if between and a.body == b.body:
+            raise ValueError(f"line {line.name} runs from {a.body} to itself; allowed: to an anchor or another body")
+        if not (isinstance(b, Fairlead) and (isinstance(a, Anchor) or between)):
             raise ValueError(f"line {line.name} runs from {line.a} to {line.b}; allowed: from an anchor to the body")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.bem.database.resonances import resonances as known_resonances
 
 from ..criteria.failing import fails
@@ -27,20 +26,22 @@ HORIZONTAL = ("Surge", "Sway", "Yaw")
 
 def findings(result, db):
     """What a reader of the result has to know: one line each, with the number and its limit."""
-    waves, current = result.conditions.waves, result.conditions.current
+    waves, current, words = result.conditions.waves, result.conditions.current, db.bodies_reader.words
     if current:
         yield from getattr(current.table, "notes", ())
     if waves:
         irregular = result.conditions.method == "irregular"
-        yield from _of_the_sea(result) if irregular else _uncertain(db.reader, waves)
+        yield from _of_the_sea(result) if irregular else _uncertain(db.bodies_reader, waves)
         yield from () if irregular else result.waves["regular_wave"].warnings
-        yield from large_rotations(dict(zip(DOFS[3:], np.degrees(result.amplitudes[3:]), strict=True)))
+        yield from large_rotations(
+            {name: a for d, (name, a) in enumerate(zip(words, np.degrees(result.amplitudes), strict=True)) if d % 6 > 2}
+        )
         yield from resonances(result, waves.period)
         if db.has_viscous_motions:
             yield "motions and drift hold the viscous damping of the database's scene, linearised in these waves"
         else:
             yield from _undamped(result, db, waves)
-        yield from _stiff_modes(result, np.asarray(db.hydrostatic_stiffness, float))
+        yield from _stiff_modes(result, db.bodies_reader.stiffness, words)
     yield from _held(result.at_rest)
     yield from _unstable(result)
     yield from _outside_the_method(result, db.water_depth)
@@ -50,8 +51,10 @@ def findings(result, db):
 def _uncertain(body, waves):
     """Estimated errors of motions and drift between stored waves, beside the largest of their kind in this wave"""
     motion, wrong = (part[0, 0] for part in body.at([waves.omega], "rao", [waves.direction]))
-    share = wrong / np.maximum(np.abs(motion), np.repeat([np.abs(motion[:3]).max(), np.abs(motion[3:]).max()], 3) / 10)
-    named = [f"{DOFS[i].lower()} {100 * share[i]:.0f} %" for i in np.argsort(-share) if share[i] > UNSURE]
+    largest = np.abs(motion).reshape(-1, 2, 3).max(axis=(0, 2))
+    largest = np.tile(np.repeat(largest, 3), len(motion) // 6)
+    share = wrong / np.maximum(np.abs(motion), largest / 10)
+    named = [f"{body.words[i]} {100 * share[i]:.0f} %" for i in np.argsort(-share) if share[i] > UNSURE]
     force, wrong = (part[0, 0] for part in body.at([waves.omega], "drift_force", [waves.direction]))
     for name, part in (("drift force", slice(0, 2)), ("drift moment", slice(2, 3))):
         off = wrong[part].max() / max(np.abs(force[part]).max(), 1e-300)
@@ -79,7 +82,7 @@ def resonances(result, wave_period):
         near = [
             f"{name} {value:.3g} s"
             for name, value in zip(periods.names, periods.period, strict=True)
-            if name in HORIZONTAL and low <= value / wave_period <= high
+            if name.split("__")[-1] in HORIZONTAL and low <= value / wave_period <= high
         ]
         if near:
             yield (
@@ -91,21 +94,24 @@ def resonances(result, wave_period):
 def _undamped(result, db, waves):
     """Roll, and heave and pitch that waves alone damp little, near the wave period"""
     low, high = NEAR
-    weak = {3} | {one.mode for one in known_resonances(db.reader) if one.damping < WEAK}
-    for mode in sorted(weak & {2, 3, 4}):
-        period = result.at_equilibrium.period[result.at_equilibrium.names.index(DOFS[mode])]
-        amplitude, unit = result.amplitudes[mode], "m" if mode == 2 else "rad"
+    body = db.bodies_reader
+    weak = {one.mode for one in known_resonances(body) if one.damping < WEAK}
+    for mode in range(len(body.words)):
+        if mode % 6 != 3 and not (mode in weak and mode % 6 in (2, 4)):
+            continue
+        period, amplitude = result.at_equilibrium.period[mode], result.amplitudes[mode]
+        unit = "m" if mode % 6 == 2 else "rad"
         if amplitude > MOVING * 0.5 * waves.height and low <= period / waves.period <= high:
             yield (
-                f"natural period of {DOFS[mode].lower()} {period:.3g} s lies within {low:g} to {high:g} of the wave "
+                f"natural period of {body.words[mode]} {period:.3g} s lies within {low:g} to {high:g} of the wave "
                 f"period {waves.period:g} s: its amplitude {amplitude:.2g} {unit} has no viscous damping; "
                 "motion, drift and tension are too large"
             )
 
 
-def _stiff_modes(result, hydrostatic):
+def _stiff_modes(result, hydrostatic, words):
     k = np.diag(result.equilibrium.stiffness)
-    for i, name in ((2, "heave"), (3, "roll"), (4, "pitch")):
+    for i, name in ((d, word) for d, word in enumerate(words) if d % 6 in (2, 3, 4)):
         ratio = k[i] / hydrostatic[i, i] if hydrostatic[i, i] > 0 else np.inf
         if ratio > NEGLIGIBLE:
             yield (
@@ -121,7 +127,9 @@ def _held(periods):
         if not inside and np.isfinite(value)
     ]
     if held:
-        yield f"natural periods outside the solved frequencies, with added mass of the nearest one: {', '.join(held)}"
+        gap = " or in the resonance of a gap" if len(periods.names) > 6 else ""
+        named = ", ".join(held)
+        yield f"natural periods outside the solved frequencies{gap}, with added mass of the nearest one: {named}"
 
 
 def _unstable(result):
@@ -132,7 +140,7 @@ def _unstable(result):
 
 
 def _outside_the_method(result, depth):
-    turn = abs(result.displacement[2])
+    turn = np.abs(result.displacement[2::3]).max()
     if turn > TURNED:
         yield (
             f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: they and the motions are those "

@@ -13,12 +13,12 @@ BESIDE = 0.1  # of the hull's length: farther out of the hull no bracket or outr
 NEAR = 0.01  # of it: so far out a fairlead is remarked, and so much of a line inside of the hull
 
 
-def check_places(system, hull):
-    """Raise ValueError for a fairlead off the hull, and for a line that no material stretches to its anchor.
+def check_places(system, hulls):
+    """Raise ValueError for a fairlead off its hull, and for a line that no material stretches to its other end.
 
-    system : of one body at rest; hull : `conditions.ExposedBox`, its middle at x = y = 0
+    system : at rest; hulls : (`afloat.Afloat`, …)
     """
-    for line, anchor, fairlead in _ends(system):
+    for line, anchor, fairlead, hull in _ends(system, hulls):
         out = _outside(fairlead, hull)
         if out > BESIDE * hull.length:
             x, y, z = fairlead
@@ -36,22 +36,21 @@ def check_places(system, hull):
             )
 
 
-def place_findings(system, hull):
-    """Lines on fairleads beside the hull, and on lines whose way to the anchor leads through it"""
-    beside, through = [], []
-    for line, anchor, fairlead in _ends(system):
+def place_findings(system, hulls):
+    """Lines on fairleads beside their hull, and on lines whose way to the other end leads through it"""
+    beside, through, limit = [], [], f"limit {NEAR * max(one.box.length for one in hulls):.3g} m"
+    for line, anchor, fairlead, hull in _ends(system, hulls):
         out, inside = _outside(fairlead, hull), _inside(fairlead, anchor, hull)
         if out > NEAR * hull.length:
             beside.append(f"{line.name} {out:.3g} m")
         if inside > NEAR * hull.length:
             through.append(f"{line.name} {inside:.3g} m")
     if beside:
-        limit = f"limit {NEAR * hull.length:.3g} m"
         yield f"fairleads beside the hull: {some(beside, LINES_NAMED)}; {limit}; check where they are"
     if through:
         yield (
-            f"lines through the hull, on the straight way from fairlead to anchor: {some(through, LINES_NAMED)}; limit "
-            f"{NEAR * hull.length:.3g} m; check fairleads and headings"
+            "lines through the hull, on the straight way from fairlead to anchor: "
+            f"{some(through, LINES_NAMED)}; {limit}; check fairleads and headings"
         )
 
 
@@ -69,13 +68,23 @@ def off_the_mesh(system, body, mesh):
         yield f"fairleads off the hull of the database: {some(off, LINES_NAMED)}; {limit}; check where they are"
 
 
-def _ends(system):
-    """(line, anchor (3,), fairlead (3,)) in space, of lines from anchors to the body at rest"""
-    points, body = {point.name: point for point in system.points}, system.bodies[0]
+def _ends(system, hulls):
+    """(line, its other end (3,), fairlead (3,), hull) of every end of a line at a hull, in coordinates of that"""
+    points, bodies = {point.name: point for point in system.points}, {one.name: one for one in hulls}
     for line in system.lines:
         a, b = points[line.a], points[line.b]
-        a, b = (b, a) if isinstance(a, Fairlead) else (a, b)
-        yield line, np.asarray(a.position, float), np.asarray(b.position, float) + np.asarray(body.position[:3], float)
+        for end, other in ((b, a), (a, b)):
+            if isinstance(end, Fairlead):
+                one = bodies[end.body]
+                yield line, one.own(_in_space(other, bodies)), one.own(_in_space(end, bodies)), one.box
+
+
+def _in_space(point, bodies):
+    """(3,) m"""
+    if not isinstance(point, Fairlead):
+        return np.asarray(point.position, float)
+    body = bodies[point.body]
+    return body.axes @ np.asarray(point.position, float) + body.position[:3]
 
 
 def _box(hull):

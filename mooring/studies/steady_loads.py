@@ -10,17 +10,17 @@ from ..loads.box_current import box_table
 from ..loads.on_hull import current_on, wind_on
 
 
-def steady_loads(db, hull, conditions, depth, drift=None):
+def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
     """{"wind", "current", "drift"} of the conditions that are given, each (6,) N and N m about the rotation centre.
 
     Wind and current are taken at the heading of the body at rest, with the moments of the heights they act at; drift :
-    (3,) surge, sway and yaw of the waves, None without
+    (3,) surge, sway and yaw of the waves, None without; heading : rad, of the hull's axes, along which all of it is
     """
     loads, center, wind, current = {}, db.rotation_center, conditions.wind, conditions.current
     if wind:
-        loads["wind"] = wind.speed**2 * wind_on(wind, hull).about(wind.direction, center)
+        loads["wind"] = wind.speed**2 * wind_on(wind, hull).about(wind.direction - heading, center)
     if current:
-        unit = current_on(current, hull, db.density, depth).about(current.direction, center)
+        unit = current_on(current, hull, db.density, depth).about(current.direction - heading, center)
         loads["current"] = current.speed**2 * unit
     if drift is not None:
         loads["drift"] = np.array([*drift[:2], 0.0, 0.0, 0.0, drift[2]])

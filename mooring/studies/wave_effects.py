@@ -31,9 +31,10 @@ BESIDE = 1e-3  # of the frequency of a regular wave, for the slope of its drift
 
 
 class WaveEffects(NamedTuple):
-    """drift : (3,) N, N, N m; amplitudes : (6,) m, rad; slow : (3,) deviation of the slow drift, or None; warnings
+    """drift : (3,) N, N, N m; amplitudes : (n,) m, rad; slow : (3,) deviation of the slow drift, or None; warnings
 
     by_current : (3,) of the drift, what a current that carries the waves adds; None in still water
+    Of several bodies drift is (3,) for each that moves, one after another, and slow that of all about the origin
     """
 
     drift: np.ndarray
@@ -69,27 +70,47 @@ def sea_of(conditions):
 
 def _irregular(db, conditions):
     sea = sea_of(conditions)
-    if not db.reader.knows_drift:
+    if not db.bodies_reader.knows_drift:
         raise BetweenError("drift_force must be stored for waves; run its command again with --only drift,kochin,rao")
     try:
-        body, _ = in_sea(on_current(db.reader, carrier_of(conditions.current)), sea)
+        body, _ = in_sea(on_current(db.bodies_reader, carrier_of(conditions.current)), sea)
     except BetweenError as error:
         raise BetweenError(f'{error}, or say method = "regular_wave"') from None
     state = sea_state(body, sea, conditions.duration)
     slow = state.slow
+    drift = _of_moving(body, slow.of_each) if body.bodies else slow.drift
     return WaveEffects(
-        _cleared(slow.drift), state.expected_maximum[:6], _cleared(slow.sigma), state.warnings, slow.by_current
+        _cleared(drift),
+        state.expected_maximum[: len(body.words)],
+        _cleared(slow.sigma),
+        state.warnings,
+        slow.by_current,
     )
+
+
+def _of_moving(body, of_each):
+    """(3,) for each body that moves, one after another, of the drift (bodies, 3) of several; None: not known"""
+    if of_each is None:
+        raise BetweenError(
+            'drift of each of several bodies is known without a current that carries the waves; say waves = "still" '
+            "under [current]"
+        )
+    return of_each[[i for i, one in enumerate(body.bodies) if not one.fixed]].ravel()
 
 
 def _regular(db, conditions):
     w, carrier, amplitude = conditions.waves, carrier_of(conditions.current), 0.5 * conditions.waves.height
-    body = on_current(db.reader, carrier)
+    body = on_current(db.bodies_reader, carrier)
+    if body.bodies and carrier is not None:
+        _of_moving(body, None)
     if body.viscous is not None and body.viscous.wave_amplitude != amplitude:
         body, _ = in_regular_waves(body, w.omega, amplitude, w.direction)
-    drift = body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
-    X = np.abs(body.motions([w.omega], [w.direction])[0, 0])
-    amplitudes = np.concatenate([_cleared(X[:3]), _cleared(X[3:])]) * amplitude
+    if body.bodies:
+        drift = _of_moving(body, body.drift_of_each([w.omega], [w.direction])[0, 0]) * amplitude**2
+    else:
+        drift = body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
+    X = np.abs(body.motions([w.omega], [w.direction])[0, 0]).reshape(-1, 2, 3).swapaxes(0, 1)
+    amplitudes = np.stack([_cleared(X[0]), _cleared(X[1])], axis=1).ravel() * amplitude
     if carrier is None:
         return WaveEffects(_cleared(drift), amplitudes)
     warnings = tuple(check_blocked(carrier, w, body.depth, body.gravity))

@@ -37,14 +37,14 @@ def frequency(period, omega):
 
 
 def around_body(db, omega, beta, fixed, amplitude=None):
-    """`WavesAround` of a database's body.  Raises ValueError for waves that it does not have.
+    """`WavesAround` of a database's body, or of all of several.  Raises ValueError for waves that it does not have.
 
     amplitude : m, of the waves that its viscous damping is of, None for those of its scene
     """
     if not math.isfinite(beta):
         raise ValueError("heading is not a number; allowed: an angle")
     db.require(*KOCHIN)
-    reader = db.reader
+    reader = db.bodies_reader
     if amplitude is not None and reader.viscous is not None:
         reader, _ = in_regular_waves(reader, omega, amplitude, beta)
     return waves_around(reader, omega, beta, fixed)
@@ -81,9 +81,12 @@ def sides(around):
 
 def remarks(around, db, amplitude=None):
     """One line each on what the waves leave out or hang on; amplitude : as of `around_body`"""
-    if around.motion is not None and db.reader.viscous is not None:
-        height = 2 * (db.reader.viscous.wave_amplitude if amplitude is None else amplitude)
+    viscous = db.bodies_reader.viscous
+    if around.motion is not None and viscous is not None:
+        height = 2 * (viscous.wave_amplitude if amplitude is None else amplitude)
         yield f"the body's motion has its viscous damping in waves of {height:.3g} m"
+    if db.bodies:
+        yield "between the bodies, within the line around all, the water is not in their far field: nothing is said"
     if around.missed > MISSED:
         yield fails(
             f"the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}; take the waves "

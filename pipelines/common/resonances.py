@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem import DOFS
-
 VISCOUS = 0.1  # ratio of wave damping; viscous damping, 1 to 3 % of critical, takes up to a third off lower ones
 UNSURE = 0.05  # estimated error of a peak that is named
 SEEN = 0.8  # of a peak that stored frequencies show
@@ -21,17 +19,17 @@ def resonance_lines(found, omega=None, rao=None):
 
 def underdamped(one):
     """Whether viscous damping, that would lower a peak of heave, roll or pitch by a third and more, is not in it"""
-    return not one.viscous and one.mode in (2, 3, 4) and one.damping < VISCOUS
+    return not one.viscous and one.mode % 6 in (2, 3, 4) and one.damping < VISCOUS
 
 
 def _peak(one):
-    factor, unit = (180 / np.pi, "°/m") if one.mode > 2 else (1.0, "m/m")
+    factor, unit = (180 / np.pi, "°/m") if one.mode % 6 > 2 else (1.0, "m/m")
     damping = f"damping ratio {one.damping:.2g}"
     if not one.viscous:
         damping += " of waves alone"
         damping += ", without the viscous damping that lowers it" * underdamped(one)
     return (
-        f"resonance of {DOFS[one.mode].lower()} at {one.period:.4g} s ({one.omega:.5g} rad/s): peak "
+        f"resonance of {one.name} at {one.period:.4g} s ({one.omega:.5g} rad/s): peak "
         f"{factor * one.peak:.3g} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"
     )
 

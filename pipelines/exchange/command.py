@@ -12,6 +12,7 @@ from hakobune.bem.database import open_database
 from hakobune.bem.database.file import check_place
 from hakobune.bem.database.schema import LIMITS
 from hakobune.bem.database.widening import read_group
+from hakobune.bem.drift import OF_EACH
 from hakobune.bem.formats.values import CARRIED, values_of
 from hakobune.mooring.criteria.failing import fails
 
@@ -22,7 +23,7 @@ from ..printing.verdict import tell
 
 
 class Format(NamedTuple):
-    """module : of `bem.formats`; ending : of the default name; folder : whether it is one
+    """module : of `bem.formats`; ending : of the default name; folder : whether it is one; several : of several bodies
 
     hull : where its mesh lies, seen from the place that is read; silent : what its files do not say, or may not
     """
@@ -33,16 +34,17 @@ class Format(NamedTuple):
     hull: str = ""
     silent: tuple[str, ...] = ()
     read_only: bool = False
+    several: bool = False
 
 
 WATER = ("water_depth", "density", "gravity")
 FORMATS = {
-    "wamit": Format("wamit", ".1", silent=(*WATER, "length_unit", "rotation_center")),
+    "wamit": Format("wamit", ".1", silent=(*WATER, "length_unit", "rotation_center"), several=True),
     "nemoh": Format("nemoh", "_nemoh", True),
     "hams": Format("hams", "_hams", True, "Input/HullMesh.pnl", ("density", "gravity")),
     "bemio": Format("bemio", "_bemio.h5"),
     "hydrochrono": Format("bemio", "_hydrochrono.h5"),
-    "capytaine": Format("capytaine", ".nc"),
+    "capytaine": Format("capytaine", ".nc", several=True),
     "orcaflex": Format("orcaflex", ".yml", silent=("gravity",)),
     "aqwa": Format("aqwa", "", read_only=True),
     "diodore": Format("diodore", "", silent=WATER, read_only=True),
@@ -54,17 +56,31 @@ def export(database, to, output, fresh):
     kind, db = format_of("to", to), open_database(database)
     output = database.with_name(database.stem + kind.ending) if output is None else output
     _check_place(output, kind, fresh, database)
-    values = values_of(db)
+    if db.bodies and not kind.several:
+        raise ValueError(
+            f"{database} is of {len(db.bodies)} bodies, which --to {to} does not write; allowed: --to wamit, capytaine"
+        )
+    values = values_of(db, kind.several)
     made = import_module(f"hakobune.bem.formats.{kind.module}").write(values, output)
     if to == "wamit" and values.mesh is not None:
         from hakobune.meshing.files import write_mesh
 
-        made.append(Path(output).with_suffix(".gdf"))
-        write_mesh(values.mesh, made[-1])
+        for name, mesh in _hulls(values):
+            made.append(Path(output).with_name(f"{Path(output).stem}{name}.gdf"))
+            write_mesh(mesh, made[-1])
     if to == "wamit":
         made += _pairs_written(db, values, output)
     print("\n".join(map(str, made)))
     return tell(_left_out(db, values, to), new_console(stderr=True))
+
+
+def _hulls(values):
+    """("", PanelMesh) of a body, of each of several ("_barge", PanelMesh in its own coordinates)"""
+    for i, body in enumerate(values.bodies):
+        mesh = values.mesh.of_body(i).whole().moved(dx=-body.place[0], dy=-body.place[1])
+        yield f"_{body.name}", mesh.rotated(-body.heading)
+    if not values.bodies:
+        yield "", values.mesh
 
 
 def _pairs_written(db, values, output):
@@ -120,11 +136,17 @@ def _left_out(db, values, to):
         if to == "orcaflex":
             kept, gone = ("rao",), ("Froude_Krylov_force", "diffraction_force", "added_mass_zero")
             lost = [name for name in lost if name not in kept] + [name for name in gone if name in db.names]
+        lost += [name for name in OF_EACH if name in db.names]
         lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono", "capytaine")]
+    elif db.bodies:
+        lost += [name for name in ("drift_force", "drift_force_fixed", *OF_EACH) if name in db.names]
     elif "drift_force" in db.names and "drift_force_fixed" in db.names:
         lost.append("drift_force_fixed")
     if lost:
         yield f"{to} has no place for {', '.join(lost)}"
+    if to == "wamit" and values.bodies:
+        points = "; ".join(f"{b.name} ({', '.join(f'{x:g}' for x in b.rotation_center)}) m" for b in values.bodies)
+        yield f"of each body along the axes of the scene, moments and rotations about the point of each: {points}"
     if to == "wamit" and np.any(values.rotation_center):
         about = ", ".join(f"{x:g}" for x in values.rotation_center)
         yield f"moments and rotations are about ({about}) m, which these files do not say; read them again with --about"

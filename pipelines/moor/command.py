@@ -28,8 +28,8 @@ def _written(result, output):
     """Names of the files"""
     from .plan_picture import draw_plan
 
-    made, hull = result.detail
+    made, _ = result.detail
     plan = output.with_name(output.stem + "_plan.png")
     write_result(result, output)
-    draw_plan(made, hull, plan)
+    draw_plan(made, plan)
     return str(output), plan.name

@@ -25,7 +25,7 @@ def notes(made):
 
 def resonant(made, db):
     """Findings on resonances of the free body that the stored frequencies do not tell, where there are waves"""
-    return tuple(resonance_lines(resonances(db.reader))) if made.conditions.waves else ()
+    return tuple(resonance_lines(resonances(db.bodies_reader))) if made.conditions.waves else ()
 
 
 def _used(result, line):

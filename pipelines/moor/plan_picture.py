@@ -13,7 +13,7 @@ LABEL = 0.3  # of a line from its anchor, where lines are apart
 UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
 
 
-def draw_plan(result, hull, path, used=None):
+def draw_plan(result, path, used=None):
     """Write the plan of a MultiPoint result as a picture.
 
     used : (n,) largest tension over breaking load of the lines, nan where it is unknown; by default of the result
@@ -45,17 +45,23 @@ def draw_plan(result, hull, path, used=None):
     axes.plot(hung[:, 0], hung[:, 1], "o", color="0.2", ms=5)
     joints = joints_of_lines(result.equilibrium)
     axes.plot(joints[:, 0], joints[:, 1], "|", color="0.2", ms=7)
-    corners = 0.5 * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0]], float)
-    outline = corners * [hull.length, hull.beam, 0.0]
-    pose = result.equilibrium.pose
-    moved = pose.place[0] + (outline - result.rest.pose.place[0]) @ pose.turn[0].T
-    axes.plot(outline[:, 0], outline[:, 1], color="0.6", ls="--", label="at rest")
-    axes.plot(moved[:, 0], moved[:, 1], color="k", label="under steady forces")
+    for i, (at_rest, moved) in enumerate(_outlines(result)):
+        axes.plot(at_rest[:, 0], at_rest[:, 1], color="0.6", ls="--", label="" if i else "at rest")
+        axes.plot(moved[:, 0], moved[:, 1], color="k", label="" if i else "under steady forces")
     _draw_loads(axes, result)
     figure.colorbar(colours, ax=axes, label="largest tension / breaking load", shrink=0.8)
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=_title(result))
     figure.legend(loc="outside lower center", ncols=5, fontsize=8)
     save(figure, path, 150)
+
+
+def _outlines(result):
+    """Corners (5, 3) m of every hull at rest, and under the steady forces"""
+    corners = 0.5 * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0]], float)
+    then, now = result.rest.pose, result.equilibrium.pose
+    for i, one in enumerate(result.hulls):
+        at_rest = corners * [one.box.length, one.box.beam, 0.0] @ one.axes.T + (*one.place, 0.0)
+        yield at_rest, now.place[i] + (at_rest - then.place[i]) @ then.turn[i] @ now.turn[i].T
 
 
 def _colour(colours, share):
@@ -84,5 +90,7 @@ def _draw_loads(axes, result):
 
 
 def _title(result):
+    if len(result.displacement) > 3:
+        return "dashed: at rest"
     x, y, turn = np.round([*result.displacement[:2], np.degrees(result.displacement[2])], 2) + 0.0  # no −0.00
     return f"offset {x:.2f} m, {y:.2f} m, yaw {turn:.2f}°; dashed: at rest"

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..results.given import File, Tables, database_of, given
@@ -47,7 +47,7 @@ LINE = {  # name: (unit, description, table, of a MultiPoint)
 
 
 def moor(study: File | Tables | Study, database: File | Database) -> Result:
-    """Equilibrium, natural periods and line tensions of a moored body.
+    """Equilibrium, natural periods and line tensions of a moored body, or of several moored to each other too.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
@@ -62,18 +62,21 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
 
 def studied(study, db):
     """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
-    hull = study.without_berth("moor").hull_of(db.sizes)
-    system = study.system(hull, db.rotation_center, db.density, db.gravity)
+    hull = study.without_berth("moor").hulls_of(db)
+    system = study.system_of(db, hull)
     result = multi_point(db, system, hull, study.conditions(), study.allowable)
     return replace(result, warnings=(*study.remarks(hull, db), *result.warnings)), hull
 
 
 def result_of(made, hull, text, db, first=()):
-    """Result of a MultiPoint and its hull; text : of its study; db : of the body; first : what is said before all"""
+    """Result of a MultiPoint and its hull or hulls; text : of its study; db : of the body; first : said before all"""
+    names = [body.name for body in db.bodies if not body.fixed]
+    of_each = partial(_of_each, names)
     quantities = {**_steady(made), **_periods(made), **_lines(made), **_waves(made), **_place(made)}
-    axes = labels("mode", [name.lower() for name in made.at_rest.names]) | labels("line", made.system.line_names)
-    axes |= labels("load", [*made.loads, "sum"]) | labels("motion", [name.lower() for name in DOFS])
-    axes |= labels("force", FORCES) | labels("xyz", ["x", "y", "z"]) | labels("plane", ["x", "y", "yaw"])
+    axes = labels("mode", db.bodies_reader.words) | labels("line", made.system.line_names)
+    axes |= labels("load", of_each([*made.loads, "sum"])) | labels("motion", db.bodies_reader.words)
+    axes |= labels("force", of_each(FORCES)) | labels("plane", of_each(["x", "y", "yaw"]))
+    axes |= labels("xyz", ["x", "y", "z"]) | labels("body", names)
     used = {axis for one in quantities.values() for axis in one.axes}
     return Result(
         "moor",
@@ -87,8 +90,15 @@ def result_of(made, hull, text, db, first=()):
     )
 
 
+def _of_each(bodies, words):
+    """Words, of several bodies those of each after its name"""
+    return [f"{body} {word}" for body in bodies for word in words] or list(words)
+
+
 def _steady(made):
+    """Rows of loads, of several bodies all of one before those of the next"""
     loads = np.array([*made.loads.values(), made.steady_force])
+    loads = loads.reshape(len(loads), -1, 6).swapaxes(0, 1).reshape(-1, 6)
     return {
         f"load.{name}": Quantity(loads[:, k], ("load",), unit, name, LOADS if name != "Fz" else "")
         for k, (name, unit) in enumerate(zip(FORCES, FORCE_UNITS, strict=True))
@@ -118,13 +128,13 @@ def _lines(made):
 
 
 def _waves(made):
-    found = {
-        "motion.amplitude": Quantity(made.amplitudes, ("motion",), MOTION_UNITS, "amplitude that tightens the lines")
-    }
+    count = len(made.amplitudes) // 6
+    units = MOTION_UNITS * count
+    found = {"motion.amplitude": Quantity(made.amplitudes, ("motion",), units, "amplitude that tightens the lines")}
     for method, effects in made.waves.items():
         words = ("" if method == made.conditions.method else UNUSED) + WORDS[method]
-        found[f"free_motion.{method}"] = Quantity(effects.amplitudes, ("motion",), MOTION_UNITS, words, FREE)
-        drift = (("plane",), ("N", "N", "N m"))
+        found[f"free_motion.{method}"] = Quantity(effects.amplitudes, ("motion",), units, words, FREE)
+        drift = (("plane",), ("N", "N", "N m") * count)
         found[f"drift.{method}"] = Quantity(effects.drift, *drift, words, DRIFT)
         if effects.by_current is not None:
             found[f"drift_by_current.{method}"] = Quantity(
@@ -134,8 +144,9 @@ def _waves(made):
 
 
 def _place(made):
-    x, y, yaw = made.displacement
-    roll, pitch = made.heel
+    count = len(made.amplitudes) // 6
+    x, y, yaw = made.displacement.reshape(count, 3).T
+    roll, pitch = made.heel.reshape(count, 2).T
     rows = {
         "pose.x": (x, "m", "x of the rotation centre"),
         "pose.y": (y, "m", "y of the rotation centre"),
@@ -143,11 +154,17 @@ def _place(made):
         "pose.roll": (roll, "rad", "roll"),
         "pose.pitch": (pitch, "rad", "pitch"),
     }
-    found = {name: Quantity(float(value), (), unit, words, PLACE) for name, (value, unit, words) in rows.items()}
+    found = {
+        name: Quantity(values if count > 1 else float(values[0]), ("body",) * (count > 1), unit, words, PLACE)
+        for name, (values, unit, words) in rows.items()
+    }
     found["allowable"] = Quantity(float(made.allowable), (), "", "allowable share of the breaking load", PLACE, True)
     found["motion_factor"] = Quantity(float(made.conditions.motion_factor), (), "", "factor on the motions")
     found["stiffness"] = Quantity(
         made.equilibrium.stiffness, ("force", "motion"), "N/m, N/rad; N m/m, N m/rad", "stiffness of the lines"
     )
-    found["residual"] = Quantity(made.equilibrium.residual[PLANE], ("plane",), ("N", "N", "N m"), "of the equilibrium")
+    found["residual"] = Quantity(
+        made.equilibrium.residual[: 6 * count].reshape(count, 6)[:, PLANE].ravel(), ("plane",),
+        ("N", "N", "N m") * count, "of the equilibrium",
+    )  # fmt: skip
     return found

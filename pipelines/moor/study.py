@@ -16,7 +16,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from hakobune.mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
+from hakobune.bem.bodies.one_of_several import body_named, each_body
+from hakobune.mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_bodies, moored_body
 from hakobune.mooring.loads.on_hull import current_on, wind_on
 from hakobune.mooring.studies.conditions import Conditions, ExposedBox, Waves
 from hakobune.mooring.studies.wave_effects import METHODS
@@ -45,11 +46,13 @@ MOST_LINES = 500  # of a study; they take three seconds
 class Study(Table):
     """Water, hull, lines and the weather they have to stand
 
+    hulls : [hull] of each of several bodies that move, by name
     allowable : fraction of the breaking load a line may carry, above 0, at most 1
     """
 
     water: DepthTable
     hull: HullTable | None = None
+    hulls: dict[str, HullTable] = msgspec.field(default_factory=dict)
     site: SiteLink | None = None
     types: dict[str, TypeTable] = msgspec.field(default_factory=dict)
     spreads: list[Spread] = msgspec.field(default_factory=list)
@@ -80,9 +83,35 @@ class Study(Table):
         factor = below("waves.motion_factor", waves.motion_factor, 10.0)
         return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
-    def hull_of(self, dimensions):
-        """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error."""
-        sizes, given = {}, HullTable() if self.hull is None else self.hull
+    def hulls_of(self, db):
+        """ExposedBox as `hull_of` of a database of one body; of several {name: ExposedBox} of those that move"""
+        if not db.bodies:
+            if self.hulls:
+                raise StudyError(f"hulls.{min(self.hulls)} is given, and the database is of one body; allowed: [hull]")
+            return self.hull_of(db.sizes)
+        moving = [body for body in db.bodies if not body.fixed]
+        unknown = set(self.hulls) - {body.name for body in moving}
+        if unknown or self.hull is not None:
+            wrong = f"hulls.{min(unknown)}" if unknown else "hull"
+            names = ", ".join(f"[hulls.{body.name}]" for body in moving)
+            raise StudyError(f"{wrong} is given; allowed with this database: {names}")
+        found = {}
+        for body in moving:
+            points = body_named(db, body.name).mesh.whole().points - (*body.place, 0.0)
+            (length, beam), draft = 2 * np.abs(points @ body.axes)[:, :2].max(axis=0), -points[:, 2].min()
+            sizes = {"length": float(length), "beam": float(beam), "draft": float(draft)}
+            try:
+                found[body.name] = self.hull_of(sizes, self.hulls.get(body.name, HullTable()))
+            except StudyError as error:
+                raise StudyError(f"hulls.{body.name}: {error}") from None
+        return found
+
+    def hull_of(self, dimensions, table=None):
+        """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error.
+
+        table : HullTable, by default that of one body
+        """
+        sizes, given = {}, table or (HullTable() if self.hull is None else self.hull)
         for key in ("length", "beam", "draft"):
             own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:
@@ -101,9 +130,14 @@ class Study(Table):
         raises : StudyError as `check_streams`
         """
         self.check_depth(db.water_depth, db.path)
-        self.check_streams(hull, db.density)
-        volume = db.displaced_volume
-        return [] if volume is None else no_box(volume / (hull.length * hull.beam * hull.draft), hull, self)
+        said = []
+        for one in each_body(db):
+            box = hull.get(one.name) if db.bodies else hull
+            if box is not None:
+                self.check_streams(box, db.density)
+                volume = one.displaced_volume
+                said += [] if volume is None else no_box(volume / (box.length * box.beam * box.draft), box, self)
+        return said
 
     def check_depth(self, solved, name):
         """Raises StudyError where a body solved in `solved` m is in other waves in this depth: waves in deep water are
@@ -154,9 +188,28 @@ class Study(Table):
         return self
 
     def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
-        """System of the hull on all spreads and lines, None where a berth alone holds it, or nothing in time
+        """System of one hull on all spreads and lines, None where a berth alone holds it, or nothing in time
 
         its axes at `center` (3,) m; density : kg/m³; gravity : m/s²
+        """
+        known = [line.body or line.to for line in (*self.spreads, *self.lines) if getattr(line, "to", "") or line.body]
+        if known:
+            raise StudyError(f"body {known[0]!r} is given, and the database is of one body; leave body and to out")
+        legs = self._legs({"": hull}, density, gravity, in_time)
+        return None if legs is None else moored_body(legs, self.water.depth, center, density, gravity)
+
+    def system_of(self, db, hulls):
+        """System of the bodies of a database, `hulls_of` it"""
+        if not db.bodies:
+            return self.system(hulls, db.rotation_center, db.density, db.gravity)
+        legs = self._legs(hulls, db.density, db.gravity, False, {body.name: body for body in db.bodies})
+        moving = {body.name: (body.rotation_center, body.heading) for body in db.bodies if not body.fixed}
+        return moored_bodies(legs, moving, self.water.depth, db.density, db.gravity)
+
+    def _legs(self, hulls, density, gravity, in_time, bodies=None):
+        """[Leg] of all spreads and lines on hulls {name: ExposedBox}, None where there are none and may be none
+
+        bodies : {name: `bem.modes.Body`} of several, in whose coordinates their ends are given
         """
         check_types(self.types, density, gravity)
         if not self.spreads and not self.lines:
@@ -176,10 +229,16 @@ class Study(Table):
         legs = []
         for i, spread in enumerate(self.spreads):
             prefix = f"spread {i + 1} " if len(self.spreads) > 1 else ""
-            made = self._spread(f"spreads[{i}]", spread, hull, density, gravity)
-            legs += [leg._replace(line=replace(leg.line, name=prefix + leg.line.name)) for leg in made]
-        legs += [self._leg(f"lines[{i}]", line, density, gravity) for i, line in enumerate(self.lines)]
-        return moored_body(legs, self.water.depth, center, density, gravity)
+            if bodies is not None:
+                alone = [one.body for one in self.spreads].count(spread.body) == 1
+                prefix = f"{spread.body} {'' if alone else prefix}"
+            body = _of_several(f"spreads[{i}].body", spread.body, bodies, hulls)
+            made = self._spread(f"spreads[{i}]", spread, hulls[spread.body], density, gravity)
+            legs += [_placed(leg, body)._replace(line=replace(leg.line, name=prefix + leg.line.name)) for leg in made]
+        for i, line in enumerate(self.lines):
+            body = _of_several(f"lines[{i}].body", line.body, bodies, hulls)
+            legs.append(self._leg(f"lines[{i}]", _in_space(f"lines[{i}]", line, body, bodies), density, gravity))
+        return legs
 
     def _spread(self, where, spread, hull, density, gravity):
         if self._straight(spread):
@@ -195,20 +254,53 @@ class Study(Table):
             away = math.dist(given.bollard, given.fairlead)
             kind = given.type, self.types[given.type]
             line = hawser_at_tension(where, given.name, *kind, away, pretension)
-            return Leg(line, given.bollard, given.fairlead)
+            return Leg(line, given.bollard, given.fairlead, given.body, given.to)
         line = line_of(where, given.name, given, self.types, density=density, gravity=gravity, level=-depth)
         if given.bollard is not None and pretension is None and given.anchor is None and given.heading_deg is None:
-            return Leg(line, given.bollard, given.fairlead)
+            return Leg(line, given.bollard, given.fairlead, given.body, given.to)
         if straight:
             raise StudyError(f"{where} ({given.name}) is a hawser; allowed: a bollard, with its length or a pretension")
         if given.anchor is not None and given.heading_deg is None and pretension is None:
-            return Leg(line, (*given.anchor, -depth), given.fairlead)
+            return Leg(line, (*given.anchor, -depth), given.fairlead, given.body)
         if given.anchor is None and given.heading_deg is not None and pretension is not None:
-            return leg_at_tension(line, given.fairlead, math.radians(given.heading_deg), depth, pretension)
+            leg = leg_at_tension(line, given.fairlead, math.radians(given.heading_deg), depth, pretension)
+            return leg._replace(body=given.body)
         raise StudyError(f"{where} ({given.name}): allowed: one of anchor, bollard, heading_deg with a pretension")
 
     def _straight(self, table):
         return table.type in self.types and self.types[table.type].straight
+
+
+def _of_several(where, name, bodies, hulls):
+    """`bem.modes.Body` of a name, None of one body.  Raises StudyError for one that does not move."""
+    if bodies is None:
+        return None
+    if name not in hulls:
+        raise StudyError(f"{where} is {name!r}; allowed: one that moves, {', '.join(hulls)}")
+    return bodies[name]
+
+
+def _placed(leg, body):
+    """A Leg of a body in its own coordinates, in space"""
+    if body is None:
+        return leg
+    ends = (tuple(map(float, body.in_scene(end))) for end in (leg.anchor, leg.fairlead))
+    return leg._replace(**dict(zip(("anchor", "fairlead"), ends, strict=True)), body=body.name)
+
+
+def _in_space(where, line, body, bodies):
+    """A OneLine whose fairlead and bollard are in coordinates of bodies, with both in space"""
+    if body is None:
+        return line
+    changed = {"fairlead": tuple(map(float, body.in_scene(line.fairlead)))}
+    if line.to:
+        if line.to not in bodies or line.to == line.body:
+            others = ", ".join(name for name in bodies if name != line.body)
+            raise StudyError(f"{where}.to is {line.to!r}; allowed: another body, {others}")
+        if line.bollard is None:
+            raise StudyError(f"{where}.bollard is missing; allowed: m, x, y, z on {line.to}, where the line ends")
+        changed["bollard"] = tuple(map(float, bodies[line.to].in_scene(line.bollard)))
+    return msgspec.structs.replace(line, **changed)
 
 
 def read_study(path):

@@ -31,16 +31,18 @@ class Spread(LineTable, kw_only=True):
     corner_headings_deg : 0 to 90, off the x axis, of the lines of the corner at +x, +y; the others are mirrored
     pretension : horizontal, at rest
     fairlead_z : m, above still water
+    body : name of one of several bodies, whose corners they are
     """
 
     corner_headings_deg: list[float]
     pretension_tonf: float | None = None
     pretension_kN: float | None = None
     fairlead_z: float = 0.0
+    body: str = ""
 
 
 class OneLine(LineTable, kw_only=True):
-    """A line to an anchor, along a heading to where it carries the pretension, or to a bollard
+    """A line to an anchor, along a heading to where it carries the pretension, to a bollard, or to another body
 
     name : for results and messages
     fairlead : m, x, y, z on the body at rest
@@ -48,6 +50,8 @@ class OneLine(LineTable, kw_only=True):
     bollard : m, x, y, z, still, in place of an anchor; a hawser to it has a length or a pretension
     heading_deg : from the fairlead to the anchor, 0 → +x
     pretension : horizontal, at rest
+    body : name of one of several bodies, in whose coordinates the fairlead is
+    to : name of another of them, in whose coordinates the bollard is
     """
 
     name: str
@@ -57,6 +61,8 @@ class OneLine(LineTable, kw_only=True):
     heading_deg: float | None = None
     pretension_tonf: float | None = None
     pretension_kN: float | None = None
+    body: str = ""
+    to: str = ""
 
 
 class LostTable(Table):

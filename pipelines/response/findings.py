@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem import DOFS
+from hakobune.bem.modes import words_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.response.findings import large_rotations
 from hakobune.mooring.response.long_term import YEAR
@@ -13,26 +13,26 @@ from hakobune.mooring.response.return_period import probability_not_exceeded
 
 from ..common.units import KN
 
+ONE_BODY = words_of(())
 WORTH_NAMING = 1e-3  # estimated error of a result
-MOTIONS = {name.upper() for name in DOFS}
 
 
 def turned(quantities, axes):
     """Lines on rotations that are too large for linear theory, by the largest expected or once in all years"""
     largest = quantities.get("response.expected_maximum") or quantities["response.once_in_return_period"]
     rows = zip(axes["response"].values.tolist(), largest.units(), largest.values, strict=True)
-    return large_rotations({n: np.degrees(v) for n, unit, v in rows if n.upper() in MOTIONS and unit == "rad"})
+    return large_rotations({n: np.degrees(v) for n, unit, v in rows if unit == "rad"})
 
 
-def failures(result, stiffness, years=None):
+def failures(result, stiffness, years=None, words=ONE_BODY):
     """What fails of a SeaState, or of a Climate in `years`: a body that capsizes, water at a deck, a keel on the bed
 
-    stiffness : (6, 6) restoring of the body, N m/rad, with its mooring, or None
+    stiffness : (n, n) restoring of the body, N m/rad, with its mooring, or None; words : (n,) names of its motions
     """
-    for mode in (3, 4):
-        if stiffness is not None and stiffness[mode, mode] < 0:
+    for mode in range(len(words)):
+        if mode % 6 in (3, 4) and stiffness is not None and stiffness[mode, mode] < 0:
             yield fails(
-                f"the body capsizes: its restoring in {DOFS[mode].lower()} is {stiffness[mode, mode] / KN:.4g} kN m/rad"
+                f"the body capsizes: its restoring in {words[mode]} is {stiffness[mode, mode] / KN:.4g} kN m/rad"
                 ", limit 0; lower its centre of gravity or make it wider"
             )
     for word, gaps, way_out in (

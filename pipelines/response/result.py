@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 KIND = "response"
 MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
-DAMPING = "wave drift damping"
+DAMPING, EACH = "wave drift damping", "drift of each body, about its own point in its own axes"
 MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
 FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
 FAR_FROM_DEPTH = 0.2  # of the gap under the keel, by which it may differ from that of the database
@@ -52,7 +52,10 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         check_effort(read)
     db = database_of(database)
     points, held = read.places(db), None
-    body = db.reader.floating() if moored else read.restrained(db.reader.floating())
+    if moored is not None:
+        db.require_one_body()
+    body = db.bodies_reader.floating()
+    body = body if moored else read.linked(read.restrained(body), db)
     with heard() as caught:
         try:
             if moored is not None:
@@ -68,12 +71,16 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     warned += resonance_lines([one for one in peaks if underdamped(one)])
     noted = resonance_lines([one for one in peaks if not underdamped(one)])
     stiffness, years = (body if held is None else held).stiffness, read.climate and read.climate.years
-    quantities, axes = of_sea(found, body.radius) if read.sea else of_climate(found, years, body.radius)
+    quantities, axes = of_sea(found, body.radius, body.bodies) if read.sea else of_climate(found, years, body.radius)
     if held is not None:
         quantities |= of_moored(held.motion)
         axes |= labels("plane", PLANE) | labels("moored_omega", held.motion.omega, "rad/s")
         axes |= labels("with_plane", PLANE)
-    warned += [*(() if held is None else held.failures), *failures(found, stiffness, years), *turned(quantities, axes)]
+    warned += [
+        *(() if held is None else held.failures),
+        *failures(found, stiffness, years, body.words),
+        *turned(quantities, axes),
+    ]
     return Result(
         KIND,
         quantities,
@@ -100,8 +107,8 @@ def _of_depth(read, db):
     ]
 
 
-def of_sea(found, radius):
-    """Quantities of a SeaState and the labels of their axes; radius : m, of the hull"""
+def of_sea(found, radius, bodies=()):
+    """Quantities of a SeaState and the labels of their axes; radius : m, of the hull; bodies : of several"""
     excited = np.flatnonzero(~(found.sigma <= 0))  # what is not known is no zero
     units, axis = tuple(found.units[i] for i in excited), ("response",)
     columns = {
@@ -124,6 +131,8 @@ def of_sea(found, radius):
         made |= _of_slow(found.slow, radius)
         axes |= labels("plane", PLANE) | labels("velocity", ("surge", "sway"))
         axes |= labels("difference", found.slow.difference, "rad/s")
+        if found.slow.of_each is not None:
+            axes |= labels("body", [body.name for body in bodies])
     return _with_gaps(made, axes, found, None)
 
 
@@ -183,6 +192,9 @@ def _of_slow(slow, radius):
             record=True,
         ),
     }
+    if slow.of_each is not None:
+        for k, (name, unit) in enumerate(zip(PLANE, FORCE, strict=True)):
+            made[f"drift.of_each.{name}"] = Quantity(slow.of_each[:, k], ("body",), unit, f"mean, {name}", EACH)
     if slow.by_current is not None:
         made["drift.by_current"] = Quantity(slow.by_current, ("plane",), FORCE, "of the mean by the current", DRIFT)
     if slow.of_pairs is not None:

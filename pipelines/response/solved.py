@@ -15,13 +15,16 @@ def solved_in_sea(read, body, db, points, beside):
     from hakobune.mooring.response.sea_state import sea_state
     from hakobune.mooring.response.viscous import in_sea
 
-    from ..common.quantities import level_of, positive
+    from ..common.quantities import StudyError, level_of, positive
     from .study import sea_of, viscous_laws, viscous_words
 
-    level, duration = level_of("sea.qtf", read.sea.qtf), 3600 * positive("sea.duration_hours", read.sea.duration_hours)
+    level = level_of("sea.qtf", read.sea.qtf)
+    if db.bodies and level != "newman":
+        raise StudyError(f'sea.qtf is "{level}", and {db.path} is of {len(db.bodies)} bodies; allowed: "newman"')
+    duration = 3600 * positive("sea.duration_hours", read.sea.duration_hours)
     sea, laws = sea_of(read.sea, beside, db.water_depth), viscous_laws(read, db)
     body = on_current(body, carrier_of(read.stream()))
-    body, damping = in_sea(db.reader, sea, laws, body)
+    body, damping = in_sea(db.bodies_reader, sea, laws, body)
     for line in viscous_words(body, laws, damping):
         warnings.warn(line, stacklevel=2)
     bound, said = beside_newman(db, sea, level, spread=True)

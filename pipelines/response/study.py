@@ -25,6 +25,20 @@
     position = [50.0, 0.0, 10.0]
     clearance = 8.0                      # m above still water, what has to stay dry
 
+    [[points]]                       # of several bodies: in the coordinates of one of them
+    name = "manifold"
+    body = "barge"
+    position = [0.0, 6.0, 3.0]
+
+    [[relative]]                     # how far the second of two points moves from the first
+    name = "hose"
+    points = ["manifold", "quay side"]
+
+    [[hinges]]                       # between two bodies, exact
+    name = "hinge"
+    bodies = ["fore", "aft"]
+    position = [-16.5, 0.0, 1.0]         # m, in the coordinates of the first
+
     [keel]
     tide = -0.5                          # m, under-keel clearance at this level of the water
     extra_draft = 0.2                    # m
@@ -41,7 +55,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from hakobune.bem import DOFS
+from hakobune.bem.bodies.one_of_several import each_body
+from hakobune.bem.modes import words_of
 from hakobune.bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive, speed, waves_on
@@ -49,6 +64,8 @@ from ..common.typed import typed
 from ..common.weather import seas as common
 from ..common.weather.seas import family_of, shape_of, spreading_of
 from ..site.link import RESPONSE, SiteLink, read_study_at_site
+
+ONE_BODY = words_of(())
 
 
 class SystemTable(common.SeaTable):
@@ -112,11 +129,24 @@ class PointTable(Table):
     name : for results
     position : m, x, y, z with the body at rest
     clearance : m, above still water, of what has to stay dry
+    body : name of one of several bodies, in whose coordinates the point is
     """
 
     name: str
     position: tuple[float, float, float]
     clearance: float | None = None
+    body: str = ""
+
+
+class RelativeTable(Table):
+    """Two points of two bodies whose relative motion is wanted: a gangway, a hose, a fender
+
+    name : for results
+    points : names of two of the points; the motion is of the second from the first, in axes of the first's body
+    """
+
+    name: str
+    points: tuple[str, str]
 
 
 class KeelTable(Table):
@@ -132,13 +162,49 @@ class KeelTable(Table):
     points: list[tuple[float, float, float]] | None = None
 
 
+class HingeTable(Table):
+    """A hinge between two bodies, a ball joint or a rigid link, exact
+
+    name : for results
+    bodies : names of two; one of them may be fixed
+    position : m, in the coordinates of the first
+    axis : free to turn about, in axes of the first
+    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none
+    """
+
+    name: str
+    bodies: tuple[str, str]
+    position: tuple[float, float, float]
+    axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
+    kind: str = "hinge"
+
+    def link(self, where, db):
+        """`bem.bodies.hinges.Link`.  Raises StudyError."""
+        from hakobune.bem.bodies.hinges import KINDS, Link
+
+        known = [body.name for body in db.bodies]
+        wrong = [name for name in self.bodies if name not in known]
+        if wrong or self.bodies[0] == self.bodies[1]:
+            given, allowed = wrong[:1] or list(self.bodies), ", ".join(known) or "none, the database is of one body"
+            raise StudyError(
+                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different of {allowed}"
+            )
+        if self.kind not in KINDS:
+            raise StudyError(f"{where}.kind is {self.kind!r}; allowed: {', '.join(KINDS)}")
+        if not all(map(math.isfinite, (*self.position, *self.axis))) or not any(self.axis):
+            raise StudyError(
+                f"{where} has position {self.position} and axis {self.axis}; allowed: finite, an axis not 0"
+            )
+        return Link(self.name, self.bodies, self.position, self.axis, self.kind)
+
+
 class BodyTable(Table):
     """What acts on the body beside the waves
 
     viscous : damping that grows with the motion, linearised in the sea, in place of that of the database's scene
-    damping_ratio : {motion = share of critical}, beyond radiation
-    damping : 6 × 6 in SI units, added
-    stiffness : 6 × 6 in SI units, added
+    damping_ratio : {motion = share of critical}, beyond radiation; of several bodies {"barge roll" = share}
+    damping : 6 × 6 in SI units, added; of several bodies six rows for each that moves
+    stiffness : 6 × 6 in SI units, added; of several bodies six rows for each that moves
     """
 
     viscous: Laws | None = None
@@ -170,17 +236,29 @@ class ResponseStudy(Table):
     current: CarryingTable | None = None
     body: BodyTable = msgspec.field(default_factory=BodyTable)
     points: list[PointTable] = msgspec.field(default_factory=list)
+    relative: list[RelativeTable] = msgspec.field(default_factory=list)
+    hinges: list[HingeTable] = msgspec.field(default_factory=list)
     keel: KeelTable | None = None
 
     def restrained(self, body):
         """A Body with the damping and stiffness of the study"""
-        damping, stiffness = _matrix("damping", self.body.damping), _matrix("stiffness", self.body.stiffness)
+        count = len(body.words)
+        damping = _matrix("damping", self.body.damping, count)
+        stiffness = _matrix("stiffness", self.body.stiffness, count)
         if damping is not None and np.all(np.isfinite(damping)):
-            _check_damping(damping)
+            _check_damping(damping, body.words)
         body = body.restrained(damping, stiffness)
         if stiffness is not None:
-            _check_stable(body.stiffness)
+            _check_stable(body.stiffness, body.words)
         return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
+
+    def linked(self, body, db):
+        """A Reader of the database with the hinges of the study.  Raises StudyError."""
+        links = [one.link(f"hinges[{i}]", db) for i, one in enumerate(self.hinges)]
+        try:
+            return body.linked(links) if links else body
+        except ValueError as error:
+            raise StudyError(str(error)) from None
 
     def stream(self):
         """`mooring.studies.conditions.Current` of the study, None for none.  Raises StudyError."""
@@ -192,10 +270,11 @@ class ResponseStudy(Table):
         return Current(*towards, waves=waves_on(self.current))
 
     def places(self, db):
-        """Points of the study, those of the bottom after the others; db : database"""
+        """Points and pairs of the study, those of the bottom after the others; db : database"""
         from hakobune.mooring.response.points import Point
 
-        twice = [name for name, count in Counter(point.name for point in self.points).items() if count > 1]
+        named = [point.name for point in (*self.points, *self.relative, *self.hinges)]
+        twice = [name for name, count in Counter(named).items() if count > 1]
         if twice:
             raise StudyError(f"two points are called {twice[0]!r}; give each a name of its own")
         for i, point in enumerate(self.points):
@@ -203,8 +282,10 @@ class ResponseStudy(Table):
                 raise StudyError(f"points[{i}].position is {list(point.position)}; allowed: finite, m")
             if point.clearance is not None:
                 positive(f"points[{i}].clearance", point.clearance)
-        points = [Point(point.name, point.position, point.clearance) for point in self.points]
-        return points + (keel_points(self.keel, db) if self.keel else [])
+            _check_body_of(f"points[{i}]", point, db.bodies)
+        points = [Point(point.name, point.position, point.clearance, point.body) for point in self.points]
+        pairs = [_pair(f"relative[{i}]", one, points, db) for i, one in enumerate(self.relative)]
+        return points + pairs + (keel_points(self.keel, db) if self.keel else [])
 
 
 def viscous_laws(study, db):
@@ -213,7 +294,11 @@ def viscous_laws(study, db):
     from hakobune.mooring.response import viscous
 
     if study.body.viscous is None:
-        return viscous.laws_of(db.reader)
+        return viscous.laws_of(db.bodies_reader)
+    if db.bodies:
+        raise StudyError(
+            f"body.viscous is given, and {db.path} is of {len(db.bodies)} bodies; give damping or damping_ratio"
+        )
     box = db.dimensions if "beam" in db.dimensions else {}
     return laws_of("body.viscous", study.body.viscous, box, db.density, db.gravity)
 
@@ -221,31 +306,77 @@ def viscous_laws(study, db):
 def viscous_words(body, laws, damping):
     """A line on the viscous damping (6, 6) that each of the laws has in a sea"""
     for dof in laws:
-        i = DOFS.index(dof)
+        i = body.names.index(dof)
         share = damping[i, i] / body.critical_damping(i)
-        yield f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical"
+        yield f"viscous damping of {body.words[i]} in this sea: {100 * share:.2g} % of critical"
 
 
 def keel_points(table, db):
     """`KeelPoint`s of a KeelTable.  Raises StudyError where there is no water under one at rest."""
-    from hakobune.mooring.response.points import KeelPoint, corners_of_bottom
+    from hakobune.mooring.response.points import KeelPoint
 
     if not math.isfinite(db.water_depth):
         raise StudyError("[keel] is given and the water of the database has no bed; solve it in finite depth")
     for key in ("tide", "extra_draft"):
         if not math.isfinite(getattr(table, key)):
             raise StudyError(f"keel.{key} is {getattr(table, key)}; allowed: finite, m")
-    found = corners_of_bottom(db.mesh.whole().points) if table.points is None else table.points
+    if db.bodies and table.points is not None:
+        raise StudyError("keel.points is given with several bodies; leave it out, the corners of each bottom are taken")
+    found = [("", point) for point in table.points or ()]
+    if table.points is None:
+        found = [(name, point) for name, points in _bottoms(db) for point in points]
     points = []
-    for x, y, z in found:
+    for name, (x, y, z) in found:
         gap = db.water_depth + table.tide + z - table.extra_draft
         if not gap > 0:
             raise StudyError(
                 f"under ({x:g}, {y:g}, {z:g}) there is {gap:.3g} m of water at rest, depth {db.water_depth:g}, tide "
                 f"{table.tide:g}, extra draft {table.extra_draft:g} m; allowed: above 0"
             )
-        points.append(KeelPoint(f"keel x {x:.4g} y {y:.4g}", (float(x), float(y), float(z)), gap))
+        title = f"{name} keel x {x:.4g} y {y:.4g}".strip()
+        points.append(KeelPoint(title, (float(x), float(y), float(z)), gap, name))
     return points
+
+
+def _bottoms(db):
+    """(name, corners (n, 3) m of the bottom in its own coordinates) of every body that moves"""
+    from hakobune.mooring.response.points import corners_of_bottom
+
+    if not db.bodies:
+        yield "", corners_of_bottom(db.mesh.whole().points)
+    for body, one in zip(db.bodies, each_body(db), strict=False):
+        if not body.fixed:
+            yield body.name, (corners_of_bottom(one.mesh.whole().points) - (*body.place, 0.0)) @ body.axes
+
+
+def _check_body_of(where, point, bodies):
+    """Raise StudyError for a point of no body, or of none there is, and for a clearance beside other hulls"""
+    known = [body.name for body in bodies]
+    if point.body not in (known or [""]):
+        allowed = f"one of {', '.join(known)}" if known else "left out, the database is of one body"
+        raise StudyError(f"{where}.body is {point.body!r}; allowed: {allowed}")
+    if known and point.clearance is not None:
+        raise StudyError(
+            f"{where}.clearance is given, and the water between hulls is not known; allowed: of one body, or left out"
+        )
+
+
+def _pair(where, table, points, db):
+    """`mooring.response.points.Pair` of a RelativeTable"""
+    from hakobune.mooring.response.points import Pair
+
+    if not db.bodies:
+        raise StudyError(f"{where} is given, and the database is of one body; allowed: with several")
+    found = {point.name: point for point in points}
+    unknown = [name for name in table.points if name not in found]
+    if unknown:
+        raise StudyError(f"{where}.points has {unknown[0]!r}; allowed: names of [[points]]: {', '.join(found)}")
+    ends = tuple(found[name] for name in table.points)
+    if ends[0].body == ends[1].body:
+        raise StudyError(
+            f"{where}.points are both of {ends[0].body}, and do not move from each other; allowed: of two bodies"
+        )
+    return Pair(table.name, ends)
 
 
 def read_response_study(path):
@@ -318,22 +449,21 @@ def _of_file(where, table, folder):
 
 
 def damping_of(where, ratios, body):
-    """(6, 6) SI of ratios {motion: of critical} of a Body.  Raises StudyError."""
-    extra = np.zeros((6, 6))
-    for mode, ratio in checked_ratios(where, ratios).items():
+    """(n, n) SI of ratios {motion: of critical} of a Body.  Raises StudyError."""
+    extra = np.zeros_like(body.damping)
+    for mode, ratio in checked_ratios(where, ratios, body.words).items():
         extra[mode, mode] = ratio * body.critical_damping(mode)
     return extra
 
 
-def checked_ratios(where, ratios):
+def checked_ratios(where, ratios, names=ONE_BODY):
     """{number of a motion: of critical} of ratios by its name.  Raises StudyError."""
-    names = [dof.lower() for dof in DOFS]
     for name, ratio in ratios.items():
         if name not in names:
             raise StudyError(f"{where}.damping_ratio.{name} is unknown; allowed: {', '.join(names)}")
         if not 0 <= ratio < 1:
             raise StudyError(f"{where}.damping_ratio.{name} is {ratio:g}; allowed: 0 to 1")
-    return {names.index(name): ratio for name, ratio in ratios.items()}
+    return {list(names).index(name): ratio for name, ratio in ratios.items()}
 
 
 def climate_of(table, beside, depth):
@@ -352,28 +482,31 @@ def climate_of(table, beside, depth):
     )
 
 
-def _matrix(name, rows):
+def _matrix(name, rows, count):
     if rows is None:
         return None
-    if [len(row) for row in rows] != [6] * 6:
-        raise StudyError(f"body.{name} has rows of {[len(row) for row in rows]} numbers; allowed: 6 rows of 6")
+    if [len(row) for row in rows] != [count] * count:
+        raise StudyError(
+            f"body.{name} has rows of {[len(row) for row in rows]} numbers; allowed: {count} rows of {count}"
+        )
     return np.array(rows)
 
 
-def _check_damping(matrix):
+def _check_damping(matrix, words):
     """Raise StudyError for damping that gives a motion energy: a negative eigenvalue of its symmetric part"""
     least, worst = _least(matrix)
     if not least >= -1e-9:
         value = matrix[worst, worst]
-        raise StudyError(f"body.damping gives energy to {DOFS[worst].lower()}, {value:.4g} of it; allowed: at least 0")
+        raise StudyError(f"body.damping gives energy to {words[worst]}, {value:.4g} of it; allowed: at least 0")
 
 
-def _check_stable(stiffness):
+def _check_stable(stiffness, words):
     """Raise StudyError for a body that sinks or capsizes with the stiffness of the study"""
-    upright = stiffness[2:5, 2:5]
+    restored = [d for d in range(len(words)) if d % 6 in (2, 3, 4)]
+    upright = stiffness[np.ix_(restored, restored)]
     least, worst = _least(upright)
     if not least > 0:
-        value, name = upright[worst, worst], DOFS[2 + worst].lower()
+        value, name = upright[worst, worst], words[restored[worst]]
         raise StudyError(
             f"body.stiffness leaves {value:.4g} of restoring to {name}: the body does not float; allowed: above 0"
         )

@@ -102,6 +102,8 @@ def _check_one(body):
         if getattr(body, name) is not None:
             way = "give it at the top of the scene" if name == "rotation_center" else "leave it out"
             raise SceneError(f"bodies[0].{name} is {list(getattr(body, name))}, but there is one body; {way}")
+    if body.viscous is not None:
+        raise SceneError("bodies[0].viscous is given, but there is one body; give its laws under [viscous]")
     if body.fixed:
         raise SceneError("bodies[0].fixed is true, but nothing else is there to move; leave it out")
 
@@ -118,6 +120,8 @@ def _check_among_others(key, body):
         raise SceneError(f"{key}.place has the heading {body.place[2]}; allowed: -360 to 360")
     if body.rotation_center is not None:
         _check_point(f"{key}.rotation_center", body.rotation_center)
+    if body.viscous is not None and body.fixed:
+        raise SceneError(f"{key}.viscous is given, and {body.name} does not move; leave it out")
 
 
 def _check_arrangement(scene):
@@ -132,6 +136,9 @@ def _check_arrangement(scene):
         raise SceneError(
             f"rotation_center is {list(scene.rotation_center)}, but there are several bodies; give it under [[bodies]]"
         )
+    damped = [body.name for body in scene.bodies if body.viscous is not None]
+    if damped and scene.viscous is None:
+        raise SceneError(f"{damped[0]} has viscous damping and no waves for it; give wave_height under [viscous]")
     if scene.wall is not None:
         raise SceneError(
             f"wall is {scene.wall:g}, beside which one body is solved; leave it out, or all bodies but one"

@@ -20,7 +20,7 @@ from .scene import Scene, SceneError
 
 MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
 FILE = re.compile(r"bodies\[\d+\]\.file")
-FREE = re.compile(r"bodies\[\d+\]\.(mass|center_of_gravity|gyration)|viscous\.")  # of the free body alone
+FREE = re.compile(r"bodies\[\d+\]\.(mass|center_of_gravity|gyration|viscous)|viscous\.")  # of the free body alone
 SAME = 1e-6  # of the hull: what is left of its points in mesh files
 
 

@@ -60,9 +60,9 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
     def alone(self, number):
         """The scene of one of several bodies in coordinates of its own"""
         body = self.bodies[number]
-        own = replace(body, name=None, place=None, rotation_center=None, fixed=False)
+        own = replace(body, name=None, place=None, rotation_center=None, fixed=False, viscous=None)
         center = body.rotation_center or (0.0, 0.0, 0.0)
-        return replace(self, bodies=[own], rotation_center=center, method="panel")
+        return replace(self, bodies=[own], rotation_center=center, method="panel", viscous=None)
 
     @property
     def accuracy(self):

@@ -7,6 +7,8 @@ import math
 import msgspec
 import numpy as np
 
+from hakobune.bem.viscous_table import Laws
+
 SHAPES = {
     "box": ("length", "beam", "draft"),
     "buoy": ("radius", "draft"),
@@ -75,6 +77,7 @@ class BodyTable(SceneTable):
     place : m, m, degrees; where the origin of one of several bodies lies, and how it is turned about z
     rotation_center : m, x, y, z from the origin of one of several bodies, that its rotations and moments are about
     fixed : whether one of several bodies scatters waves and does not move: a caisson, a pier
+    viscous : damping of one of several bodies; [viscous] of the scene has the wave height
     """
 
     shape: str = "box"
@@ -94,6 +97,7 @@ class BodyTable(SceneTable):
     place: tuple[float, float, float] | None = None
     rotation_center: tuple[float, float, float] | None = None
     fixed: bool = False
+    viscous: Laws | None = None
 
 
 class Waves(SceneTable):

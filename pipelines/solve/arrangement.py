@@ -21,7 +21,10 @@ def bodies_of(scene):
     """`bem.modes.Body` of each of several bodies, empty for one"""
     if not scene.several:
         return ()
-    return tuple(Body(body.name, _center(body), math.radians(body.place[2]), body.fixed) for body in scene.bodies)
+    return tuple(
+        Body(body.name, _center(body), math.radians(body.place[2]), body.fixed, tuple(map(float, body.place[:2])))
+        for body in scene.bodies
+    )
 
 
 def arranged(scene, hulls):

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.mooring.criteria.failing import failing
 from hakobune.mooring.studies.waves_around import around_body, frequency, half_width, mapped, remarks, sides
 
@@ -36,7 +35,7 @@ def waves(
     width: float | None = None,
     at: Sequence[Sequence[float]] = (),
 ) -> Result:
-    """How high the water stands around the body of a database in regular waves.
+    """How high the water stands around the body of a database in regular waves, or around several.
 
     database : its path, or an open one; period s, or omega rad/s; heading : rad that the waves travel to
     fixed : the body is held; width : m, of the map; at : [(x, y) m], places of their own
@@ -54,11 +53,12 @@ def waves(
     said = list(remarks(around, db))
     places = _places(found, wanted)
     inside = [name for name, (_, _, value) in places.items() if np.isnan(value)]
-    notes = [line for line in said if line not in failing(said)] + [f"{name} is in the body" for name in inside]
+    where = "in a body or between bodies" if db.bodies else "in the body"
+    notes = [line for line in said if line not in failing(said)] + [f"{name} is {where}" for name in inside]
     return Result(
-        "waves", {**_waves(around), **_heights(places), **_map(around, found)},
+        "waves", {**_waves(around), **_heights(places), **_map(around, found, len(db.bodies_reader.words))},
         labels("place", list(places)) | labels("y", found.y, "m") | labels("x", found.x, "m")
-        | labels("motion", [name.lower() for name in DOFS]),
+        | labels("motion", db.bodies_reader.words),
         tuple(failing(said)), tuple(notes), provenance=provenance("", db), detail=found,
     )  # fmt: skip
 
@@ -94,9 +94,9 @@ def _heights(places):
     }, "place")  # fmt: skip
 
 
-def _map(around, found):
-    motion = np.full(6, np.nan + 0j) if around.motion is None else around.motion
-    units = ("m/m", "m/m", "m/m", "rad/m", "rad/m", "rad/m")
+def _map(around, found, count):
+    motion = np.full(count, np.nan + 0j) if around.motion is None else around.motion
+    units = ("m/m", "m/m", "m/m", "rad/m", "rad/m", "rad/m") * (count // 6)
     return (
         quantities("", {"far_field.missed": (around.missed, "%", "share of the far field that the sources miss")})
         | quantities("", {"body.motion": (motion, units, "motion of the body")}, "motion")

@@ -1,4 +1,4 @@
-"""A System of one body from its mooring legs, each a line from an anchor to a fairlead, and how a spread is laid."""
+"""A System of bodies from their mooring legs, each a line from an anchor to a fairlead, and how a spread is laid."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 from ..catenary.buoyant import solve_buoyant_lines
 from ..catenary.solve import span_at_tension
 from ..multi_segment.span import span_of
+from .bodies import rotation
 from .composite import of_line, solution
 from .graph import System
 from .hawser import Hawser
@@ -20,23 +21,46 @@ class Leg(NamedTuple):
     """A line (its ends a, anchor, and b, fairlead, are named anew), and where it is made fast with the body at rest.
 
     anchor, fairlead : (3,) m in space
+    body : name of the body that has the fairlead, of several; to : of another that has the other end, "" for none
     """
 
     line: UniformLine | CompositeLine | Hawser
     anchor: tuple[float, float, float]
     fairlead: tuple[float, float, float]
+    body: str = ""
+    to: str = ""
 
 
 def moored_body(legs, depth, center=(0.0, 0.0, 0.0), density=1025.0, gravity=9.80665, name="body"):
     """The System of one body that moves in the plane, the origin of its axes at `center` (3,) m, on its legs."""
     points, lines = [], []
-    for line, anchor, fairlead in legs:
+    for line, anchor, fairlead, *_ in legs:
         ends = f"{line.name} anchor", f"{line.name} fairlead"
         arm = tuple(float(f - c) for f, c in zip(fairlead, center, strict=True))
         points += [Anchor(ends[0], tuple(map(float, anchor))), Fairlead(ends[1], name, arm)]
         lines.append(replace(line, a=ends[0], b=ends[1]))
     body = MooredBody(name, (*map(float, center), 0.0, 0.0, 0.0))
     return System(depth, lines, points, (body,), density, gravity)
+
+
+def moored_bodies(legs, bodies, depth, density=1025.0, gravity=9.80665):
+    """The System of several bodies that move in the plane, on legs to anchors, to still bodies and to each other.
+
+    bodies : {name: (center (3,) m, heading rad)} of those that move, the origin and the turn of their axes
+    """
+    points, lines = [], []
+    for line, anchor, fairlead, body, to in legs:
+        ends = f"{line.name} anchor", f"{line.name} fairlead"
+        for end, place, of in zip(ends, (anchor, fairlead), (to, body), strict=True):
+            if of in bodies:
+                center, heading = bodies[of]
+                arm = (np.asarray(place, float) - center) @ rotation(0.0, 0.0, heading)
+                points.append(Fairlead(end, of, tuple(map(float, arm))))
+            else:
+                points.append(Anchor(end, tuple(map(float, place))))
+        lines.append(replace(line, a=ends[0], b=ends[1]))
+    made = [MooredBody(name, (*map(float, c), 0.0, 0.0, float(heading))) for name, (c, heading) in bodies.items()]
+    return System(depth, lines, points, tuple(made), density, gravity)
 
 
 def leg_at_tension(line, fairlead, heading, depth, horizontal_tension):

@@ -18,6 +18,7 @@ import tomli_w
 from hakobune.bem import DOFS
 from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.lines.system.hawser import Hawser
+from hakobune.mooring.studies.afloat import alone
 from hakobune.mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
 from hakobune.mooring.studies.places import check_places
 
@@ -154,7 +155,7 @@ def laid_lines(raw, db):
     system = typed.system(hull, db.rotation_center, db.density, db.gravity)
     if system is None:
         return []
-    check_places(system, hull)
+    check_places(system, (alone(db, hull, system.bodies[0].name),))
     points = {point.name: point for point in system.points}
     center = np.asarray(db.rotation_center, float)
     laid = []
@@ -215,7 +216,7 @@ def draw(study, database, numbers, path):
 
     known = np.isfinite(numbers.breaking)
     used = np.where(known, numbers.largest / numbers.breaking, np.nan)
-    draw_plan(*studied(made, db), path, used)
+    draw_plan(studied(made, db)[0], path, used)
 
 
 def line_tables(raw):

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.modes import words_of
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import tabulated
 from hakobune.mooring.on_current.waves import Carrier
@@ -95,6 +96,8 @@ def test_rotations_above_fifteen_degrees_are_told():
 
 class Guessed:
     """A reader whose motions, drift and estimated errors are numbers, alike at every frequency"""
+
+    words = words_of(())
 
     depth, gravity, radius, rebuilds_drift = 1e4, 9.81, 50.0, True
 

@@ -69,10 +69,10 @@ class StandIn:
     water_depth, density, gravity = 20.0, 1025.0, 9.80665
     rotation_center = np.zeros(3)
     inertia_matrix, hydrostatic_stiffness = INERTIA, STIFFNESS
-    has_viscous_motions = False
+    has_viscous_motions, bodies = False, ()
 
     @property
-    def reader(self):
+    def bodies_reader(self):
         plan = np.array([[50.0, 25.0], [-50.0, 25.0], [-50.0, -25.0], [50.0, -25.0]])
         stored = {name: self[name] for name in MADE_UP}
         between = Between(OMEGA, stored, 20.0, 9.80665, HEADINGS, np.zeros(1), plan)

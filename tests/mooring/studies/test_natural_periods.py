@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from hakobune.bem import DOFS
 from hakobune.bem.database.natural_periods import check_positive, natural_periods
 from hakobune.mooring.lines.system.moored_body import corner_legs, moored_body
 from hakobune.mooring.lines.system.parts import LineType, UniformLine
@@ -20,6 +21,7 @@ class Floating:
     inertia: np.ndarray
     stiffness: np.ndarray
     zero: np.ndarray | None = None
+    omega, names, bodies, free = OMEGA, DOFS, (), None
 
     def _known(self):
         if self.zero is None:

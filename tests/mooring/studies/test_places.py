@@ -1,5 +1,7 @@
 """Fairleads off the hull, lines through it and lines that cannot reach: refused or told with number and limit."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -7,10 +9,12 @@ from hakobune.meshing.shapes import box
 from hakobune.mooring.lines.system.moored_body import Leg, moored_body
 from hakobune.mooring.lines.system.parts import LineType, UniformLine
 from hakobune.mooring.response.findings import some
+from hakobune.mooring.studies.afloat import afloat
 from hakobune.mooring.studies.conditions import ExposedBox
 from hakobune.mooring.studies.places import check_places, off_the_mesh, place_findings
 
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
+HULLS = afloat(SimpleNamespace(bodies=(), rotation_center=np.zeros(3), density=1025.0), HULL)
 CHAIN = LineType("chain", 3500.0, 1e9)
 
 
@@ -20,7 +24,7 @@ def system(fairlead, anchor=(150.0, 25.0, -20.0), length=120.0):
 
 def refused(*place, **more):
     with pytest.raises(ValueError) as error:
-        check_places(system(*place, **more), HULL)
+        check_places(system(*place, **more), HULLS)
     return str(error.value)
 
 
@@ -34,11 +38,11 @@ def test_a_fairlead_off_the_hull_is_refused_with_its_distance(fairlead, out):
 
 @pytest.mark.parametrize("fairlead", [(50.0, 25.0, 0.0), (-50.0, 25.0, 10.0), (0.0, 0.0, -10.0), (58.0, 0.0, 5.0)])
 def test_a_fairlead_on_the_hull_or_on_a_bracket_is_accepted(fairlead):
-    check_places(system(fairlead, length=250.0), HULL)
+    check_places(system(fairlead, length=250.0), HULLS)
 
 
 def test_a_fairlead_on_a_bracket_is_told():
-    (said,) = place_findings(system((58.0, 0.0, 5.0)), HULL)
+    (said,) = place_findings(system((58.0, 0.0, 5.0)), HULLS)
     assert said == "fairleads beside the hull: one 8 m; limit 1 m; check where they are"
 
 
@@ -54,7 +58,7 @@ def test_a_line_that_no_material_stretches_to_its_anchor_is_refused():
     away = np.hypot(20, 20)
     assert f"one is 5 m long and its anchor {away:.4g} m from its fairlead" in said
     assert f"stretched by {100 * (away / 5 - 1):.3g} %, limit 50 %" in said
-    check_places(system((50.0, 25.0, 0.0), (70.0, 25.0, -20.0), length=20.0), HULL)
+    check_places(system((50.0, 25.0, 0.0), (70.0, 25.0, -20.0), length=20.0), HULLS)
 
 
 @pytest.mark.parametrize(
@@ -67,7 +71,7 @@ def test_a_line_that_no_material_stretches_to_its_anchor_is_refused():
     ],
 )
 def test_a_line_through_the_hull_is_told_with_its_length_in_it(fairlead, anchor, inside):
-    said = [text for text in place_findings(system(fairlead, anchor), HULL) if "through the hull" in text]
+    said = [text for text in place_findings(system(fairlead, anchor), HULLS) if "through the hull" in text]
     assert len(said) == (inside > 0)
     chord = np.linalg.norm(np.subtract(anchor, fairlead))
     share = min(inside / np.abs(np.subtract(anchor, fairlead)[:2]).sum(), 0.5)  # halfway it leaves by the keel

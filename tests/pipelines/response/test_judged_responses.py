@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem import DOFS
 from hakobune.mooring.response.points import KeelPoint, Point, keel_name, relative_name
 from hakobune.pipelines.common.resonances import resonance_lines, underdamped
 from hakobune.pipelines.response.findings import failures, notes, sea_in_words, system_in_words, turned
@@ -123,8 +124,8 @@ def test_rotations_beyond_fifteen_degrees_are_no_small_ones(largest, told):
 
 
 def peak(mode=3, damping=0.05, viscous=False, error=0.0, height=0.02):
-    return SimpleNamespace(mode=mode, damping=damping, viscous=viscous, period=12.5, omega=2 * math.pi / 12.5,
-                           peak=height, heading=math.radians(90.0), error=error)  # fmt: skip
+    return SimpleNamespace(mode=mode, name=DOFS[mode].lower(), damping=damping, viscous=viscous, period=12.5,
+                           omega=2 * math.pi / 12.5, peak=height, heading=math.radians(90.0), error=error)  # fmt: skip
 
 
 def test_a_resonance_is_told_in_degrees_per_metre_for_rotations():

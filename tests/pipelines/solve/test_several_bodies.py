@@ -2,17 +2,23 @@
 
 import tomllib
 
+import h5py
 import numpy as np
 import pytest
 
 from hakobune.bem.bodies.one_of_several import body_named, each_body
 from hakobune.bem.database import DatabaseError, open_database
+from hakobune.bem.formats import capytaine, wamit
 from hakobune.bem.formats.values import values_of
 from hakobune.bem.modes import Body
+from hakobune.bem.viscous_table import viscous_of_text
+from hakobune.meshing.files import read_mesh
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.checking import check
+from hakobune.pipelines.exchange.command import export
 from hakobune.pipelines.scene.scene import SceneError, make_scene
 from hakobune.pipelines.scene.text import to_toml
+from hakobune.pipelines.scene.viscous_table import viscous_of
 from hakobune.pipelines.solve.arrangement import _gap, arranged, own_hulls
 from hakobune.pipelines.solve.hull import coarse_hull, finer_hull, make_hull
 from hakobune.pipelines.solve.plan import planned
@@ -46,7 +52,11 @@ def test_names_axes_and_bodies_of_the_database(database):
     assert db["added_mass"].shape == (2, 12, 6) and db["rao"].shape == (2, 2, 6)
     assert db["added_mass_infinity"].shape == (12, 6) and db["kochin_radiation"].shape[1] == 6
     barge, pier = db.bodies
-    assert barge == Body("barge", (0.0, 4.0, 0.2)) and pier.fixed and pier.heading == pytest.approx(np.pi / 2)
+    assert (
+        barge == Body("barge", (0.0, 4.0, 0.2), place=(0.0, 4.0))
+        and pier.fixed
+        and pier.heading == pytest.approx(np.pi / 2)
+    )
     assert db.complete and check(database, _console()) == 0
 
 
@@ -80,6 +90,42 @@ def test_what_takes_one_body_says_so(database):
     for taken in (lambda db: db.reader, values_of):
         with pytest.raises(DatabaseError, match=r"of 2 bodies, barge, pier; allowed here: one body"):
             taken(open_database(database))
+
+
+def test_capytaine_has_all_bodies_along_the_axes_of_the_scene(database, tmp_path):
+    """The pier heads 90°: its own surge is along y, its own sway against x"""
+    db, place = open_database(database), tmp_path / "quay.nc"
+    capytaine.write(values_of(db, several=True), place)
+    with h5py.File(place) as file:
+        assert file["influenced_dof"].asstr()[6] == "pier__Surge" and file["added_mass"].shape == (2, 12, 6)
+        F = file["excitation_force"][..., 0] + 1j * file["excitation_force"][..., 1]
+        A = file["added_mass"][()]
+        assert file["rotation_center"][1].tolist() == [1.0, -4.0, 0.0] and file["disp_mass"].shape == (2,)
+    own = db["excitation_force"]
+    assert F[..., :6] == pytest.approx(own[..., :6]) and F[..., 8] == pytest.approx(own[..., 8])
+    assert F[..., 6] == pytest.approx(-own[..., 7]) and F[..., 7] == pytest.approx(own[..., 6])
+    assert A[:, 6] == pytest.approx(-db["added_mass"][:, 7]) and A[:, :6] == pytest.approx(db["added_mass"][:, :6])
+    barge = capytaine.read(place, {"body": 1})
+    assert barge.quantities["added_mass"] == pytest.approx(db["added_mass"][:, :6])
+    assert barge.body["mass"] == pytest.approx(1025 * 90) and barge.rotation_center == pytest.approx([0, 4, 0.2])
+    with pytest.raises(ValueError, match="which --to nemoh does not write; allowed: --to wamit, capytaine"):
+        export(database, "nemoh", None, False)
+
+
+def test_wamit_numbers_the_modes_of_all_bodies_on(database, tmp_path):
+    """The pier, which does not move, has modes 7 to 12 of forces alone: 90° turned, its force 7 is −that of its sway"""
+    db, place = open_database(database), tmp_path / "quay.1"
+    assert export(database, "wamit", place, False) == 0
+    water = {"density": 1025.0, "gravity": db.gravity, "water_depth": 9.0, "length_unit": 1.0}
+    barge = wamit.read(place, {**water, "body": 1, "rotation_center": (0.0, 4.0, 0.2)})
+    assert barge.quantities["added_mass"] == pytest.approx(db["added_mass"][:, :6], rel=1e-5, abs=1.0)
+    assert barge.quantities["rao"] == pytest.approx(db["rao"], rel=1e-5, abs=1e-6)
+    rows = np.loadtxt(tmp_path / "quay.3")
+    there = rows[(rows[:, 2] == 7) & np.isclose(rows[:, 0], 2 * np.pi / 1.4) & np.isclose(rows[:, 1], 60.0)][0]
+    exact = np.conj(-db["excitation_force"][1, 1, 7]) / (1025 * db.gravity)
+    assert there[5] + 1j * there[6] == pytest.approx(exact, rel=1e-5)
+    pier = read_mesh(tmp_path / "quay_pier.gdf")
+    assert np.abs(pier.whole().points).max(axis=0) == pytest.approx([3.0, 1.0, 4.0])
 
 
 def test_a_sweep_keeps_the_axes_of_several(tmp_path):
@@ -138,7 +184,19 @@ def test_coarser_and_finer_meshes_of_all_bodies():
     assert coarse.volume == pytest.approx(138.0) and finer.volume == pytest.approx(138.0)
 
 
+def test_each_body_has_its_own_viscous_damping():
+    """By hand: 8/(3π) ω a N₂ of the tug's roll, and nothing else; the text of the scene says the same"""
+    tug = {**BARGE, "name": "tug", "place": [0.0, 14.0, 0.0], "viscous": {"roll": {"drag": 2e5}}}
+    scene = make_scene(tables(BARGE, PIER, tug, viscous={"wave_height": 1.0}))
+    for found in (viscous_of(scene), viscous_of_text(to_toml(scene), {}, 1025.0, 9.81)):
+        damping = found.damping(1.5, np.full(12, 0.1))
+        assert damping[9, 9] == pytest.approx(8 / (3 * np.pi) * 1.5 * 0.1 * 2e5) and np.count_nonzero(damping) == 1
+        assert found.wave_amplitude == 0.5
+
+
 FAULTS = {
+    "no waves for it": (({**BARGE, "viscous": {"roll": {"drag": 1e5}}}, PIER), "give wave_height under [viscous]"),
+    "of what is fixed": ((BARGE, {**PIER, "viscous": {"roll": {"drag": 1e5}}}), "pier does not move"),
     "no name": (({**BARGE, "name": None}, PIER), "bodies[0].name is None"),
     "two of a name": ((BARGE, {**PIER, "name": "barge"}), "two of the name 'barge'"),
     "a name of two words": (({**BARGE, "name": "my barge"}, PIER), "a word of letters"),
@@ -168,7 +226,8 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"), ({"panels": 9}, "allowed: 16 to"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
      ({"waves": {"band": {"from": 0.5, "to": 1.0}}}, "places frequencies for one body"),
-     ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "leave [viscous] out")],
+     ({"viscous": {"wave_height": 1.0}}, "no body a law"),
+     ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "give it under [bodies.viscous] of each")],
 )  # fmt: skip
 def test_what_several_bodies_do_not_have_is_refused(more, said):
     with pytest.raises(SceneError) as error:

@@ -125,7 +125,7 @@ def test_phases_of_forces_that_are_those_of_the_mesh_are_not_drawn(page):
 
 def test_a_peak_is_written_with_the_resonance_that_it_is_of():
     """Roll is sharp, and heave so damped that its width reaches over the peak of roll"""
-    roll, heave = (Resonance(mode, omega, damping, 1.0, 0.0, 0.0, False)
+    roll, heave = (Resonance(mode, omega, damping, 1.0, 0.0, 0.0, False, "")
                    for mode, omega, damping in ((ROLL, 0.21, 0.002), (HEAVE, 0.35, 0.24)))  # fmt: skip
     omega = np.linspace(0.1, 1.0, 91)
     size = 1 + 279 * np.exp(-(((omega - 0.21) / 0.01) ** 2))[:, None]

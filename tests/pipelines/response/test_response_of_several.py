@@ -1,0 +1,114 @@
+"""A response study of a barge beside a pier, from its tables to its result."""
+
+import numpy as np
+import pytest
+
+import hakobune
+from hakobune.bem.database import open_database
+from hakobune.bem.drift import harmonics
+from hakobune.bem.waves import wavenumber
+from hakobune.pipelines.common.quantities import StudyError
+
+BARGE = {"name": "barge", "shape": "box", "length": 12.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 4.0, 0.0],
+         "gyration": [1.6, 3.6, 3.6]}  # fmt: skip
+PIER = {"name": "pier", "shape": "box", "length": 6.0, "beam": 2.0, "draft": 4.0, "place": [1.0, -4.0, 90.0],
+        "fixed": True}  # fmt: skip
+SEA = {"spectrum": "issc", "height": 0.5, "mean_period": 4.5, "direction_deg": 0.0}
+DECK = {"name": "deck", "body": "barge", "position": [0.0, -2.5, 1.0]}
+QUAY = {"name": "quay", "body": "pier", "position": [0.0, 0.0, 1.0]}
+HOSE = {"name": "hose", "points": ["quay", "deck"]}
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = tmp_path_factory.mktemp("several") / "quay.h5"
+    waves = {"omegas": {"from": 0.8, "to": 2.2, "count": 6}, "headings_deg": [0.0]}
+    hakobune.solve({"water": {"depth": 9.0}, "bodies": [BARGE, PIER], "waves": waves, "panels": 60}, path)
+    return path
+
+
+def test_absolute_and_relative_motion_and_drift_of_each(database):
+    """Beside a pier that heads 90° the hose moves along its x as the deck does along y, and along its y against x"""
+    found = hakobune.response({"sea": SEA, "points": [DECK, QUAY], "relative": [HOSE], "keel": {}}, database)
+    sigma = dict(zip(found.labels["response"].values.tolist(), found["response.sigma"], strict=True))
+    assert sigma["barge heave"] > 0 and not any(name.startswith("quay") for name in sigma)
+    for hose, deck in zip("xyz", "yxz", strict=True):
+        assert sigma[f"hose relative displacement {hose}"] == pytest.approx(sigma[f"deck displacement {deck}"])
+    assert list(found.labels["body"].values) == ["barge", "pier"] and np.all(found["drift.of_each.surge"] != 0)
+    assert len(found["keel.left"]) == 4 and found.labels["keel_point"].values[0].startswith("barge keel")
+
+
+FAULTS = {
+    "of none": ({"points": [{**DECK, "body": "tug"}]}, "points[0].body is 'tug'; allowed: one of barge, pier"),
+    "of no body": ({"points": [{**DECK, "body": ""}]}, "points[0].body is ''; allowed: one of barge, pier"),
+    "a clearance": ({"points": [{**DECK, "clearance": 1.0}]}, "water between hulls is not known"),
+    "a pair of what is not there": ({"points": [DECK], "relative": [HOSE]}, "relative[0].points has 'quay'"),
+    "a pair of one body": (
+        {"points": [DECK, {**DECK, "name": "bow"}], "relative": [{**HOSE, "points": ["deck", "bow"]}]},
+        "both of barge",
+    ),
+    "two of a name": ({"points": [DECK], "relative": [{**HOSE, "name": "deck"}]}, "two points are called 'deck'"),
+    "a matrix of one": ({"body": {"damping": [[1.0]]}}, "allowed: 6 rows of 6"),
+    "viscous": ({"body": {"viscous": {"roll": "Yamashita"}}}, "give damping or damping_ratio"),
+    "pairs of waves": ({"sea": {**SEA, "qtf": "bound-wave"}}, 'allowed: "newman"'),
+    "another's damping": ({"body": {"damping_ratio": {"roll": 0.1}}}, "allowed: barge surge, barge sway"),
+}
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_what_several_bodies_cannot_be_asked(database, name):
+    more, words = FAULTS[name]
+    with pytest.raises(StudyError) as error:
+        hakobune.response({"sea": SEA, **more}, database)
+    assert words in str(error.value)
+
+
+def test_waves_far_from_all_are_those_of_their_kochin_function(database):
+    """η = exp(ikx) + √(2/πkr) H(θ) exp(i(kr − π/4)); between the hulls nothing is known"""
+    db, w, r = open_database(database), 1.36, 3000.0
+    place = r * np.array([np.cos(0.7), np.sin(0.7)])
+    found = hakobune.waves(database, omega=w, heading=0.0, at=[place, (0.5, 0.5)])
+    k = float(wavenumber(w, 9.0, db.gravity))
+    reader = db.bodies_reader
+    H = (reader.far_field([w], [0.0])[1] + reader.motions([w], [0.0]) @ reader.far_field([w])[0])[0, 0]
+    towards = harmonics(H, db["theta"])
+    H = np.sum(towards[1] * np.exp(1j * towards[0] * 0.7))
+    exact = np.exp(1j * k * place[0]) + np.sqrt(2 / (np.pi * k * r)) * H * np.exp(1j * (k * r - np.pi / 4))
+    height = found["place.height"]
+    assert height[-2] == pytest.approx(abs(exact), abs=2e-3) and np.isnan(height[-1])
+    assert found.labels["motion"].values[3] == "barge roll" and any("nothing is said" in one for one in found.notes)
+
+
+CHAIN = {"types": {"spring": {"spring_kN_per_m": 50.0, "breaking_load_kN": 500.0}}, "water": {"depth": 9.0}}
+TO_QUAY = {"name": "stern line", "body": "barge", "type": "spring", "fairlead": [-6.0, -2.5, 1.0], "length": 4.0,
+           "to": "pier", "bollard": [-1.0, 3.0, 1.0]}  # fmt: skip
+ANCHORED = {"name": "breast", "body": "barge", "type": "spring", "fairlead": [0.0, 2.5, 1.0], "length": 20.0,
+            "bollard": [0.0, 30.0, 1.0]}  # fmt: skip
+
+
+def test_a_barge_moored_to_a_pier_lies_between_its_lines(database):
+    """At rest by hand: ends (−6, 1.5, 1) on the barge, and of the pier that heads 90° at (1, −4): (−2, −5, 1)"""
+    study = {**CHAIN, "hulls": {"barge": {"freeboard": 1.0}}, "lines": [TO_QUAY, ANCHORED]}
+    found = hakobune.moor(study, database)
+    assert found["anchor.place"] == pytest.approx(np.array([[-2.0, -5.0, 1.0], [0.0, 30.0, 1.0]]))
+    assert found["fairlead.place"] == pytest.approx(np.array([[-6.0, 1.5, 1.0], [0.0, 6.5, 1.0]]))
+    stretched = np.array([np.hypot(4.0, 6.5) - 4.0, 23.5 - 20.0])
+    assert found["tension.at_rest"] == pytest.approx(50e3 * stretched)
+    assert found.labels["motion"].values.tolist()[0] == "barge surge"
+
+
+MOORED = {
+    "of what is fixed": ({"lines": [{**TO_QUAY, "body": "pier"}]}, "lines[0].body is 'pier'; allowed: one that moves"),
+    "to itself": ({"lines": [{**TO_QUAY, "to": "barge"}]}, "lines[0].to is 'barge'; allowed: another body, pier"),
+    "to no place": ({"lines": [{k: v for k, v in TO_QUAY.items() if k != "bollard"}]}, "lines[0].bollard is missing"),
+    "a hull of one": ({"lines": [ANCHORED], "hull": {"freeboard": 1.0}}, "allowed with this database: [hulls.barge]"),
+    "fenders": ({"lines": [ANCHORED], "fender": [{"curve": "cell", "y": 1.0}]}, "fender"),
+}
+
+
+@pytest.mark.parametrize("name", MOORED)
+def test_what_a_mooring_of_several_cannot_be_asked(database, name):
+    more, words = MOORED[name]
+    with pytest.raises(ValueError) as error:
+        hakobune.moor({**CHAIN, "hulls": {} if "hull" in more else {"barge": {"freeboard": 1.0}}, **more}, database)
+    assert words in str(error.value)
