@@ -42,7 +42,7 @@ $(STAMP): pyproject.toml
 demo: venv
 	mkdir -p demo
 	$(BIN)/hakobune solve $(SCENES)/series_box.toml --output demo/box_12m.h5
-	$(BIN)/hakobune look demo/box_12m.h5 --screenshot demo/box_mesh.png
+	$(BIN)/hakobune look demo/box_12m.h5 --plot demo/box_mesh.png
 	$(BIN)/hakobune plot demo/box_12m.h5 --output demo/box_12m.png
 	$(BIN)/hakobune solve $(SCENES)/series_box_20m.toml --output demo/box_20m.h5
 	$(BIN)/hakobune plot demo/box_20m.h5 --output demo/box_20m.png

@@ -131,7 +131,7 @@ def look(
     file: Annotated[Path, Parameter(help="database, scene or mesh file")],
     /,
     *,
-    screenshot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
     page: Annotated[
         Path | None, Parameter(help=".html to turn the mesh in, in any browser, in place of a window")
     ] = None,
@@ -142,7 +142,7 @@ def look(
     """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
     from .view.looking import look
 
-    return look(file, screenshot, field, omega, heading, page)
+    return look(file, plot, field, omega, heading, page)
 
 
 @app.command

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from hakobune.mooring.criteria.failing import FAILS as MARKED
@@ -104,6 +106,8 @@ def time_words(read):
 
 def _system(waves):
     """Words on one system of waves"""
+    if waves.file is not None:
+        return Path(waves.file).name
     ((kind, value),) = period_of("waves", waves).items()
     return f"{waves.height:g} m, {value:g} s" + ("" if kind == "mean_period" else f" ({kind.replace('_', ' ')})")
 

@@ -29,7 +29,7 @@ def lines_command(file, depth, output, picture, moordyn, **asked):
     check_asked(asked["offset"], asked["directions"])
     given = read_given(file, depth)
     if given.system is None:
-        given.check_alone({"--picture": picture, "--moordyn": moordyn})
+        given.check_alone({"--plot": picture, "--moordyn": moordyn})
     exported = None if moordyn is None else _moordyn_file(given, moordyn)
     try:
         result = lines_of(given, **asked)

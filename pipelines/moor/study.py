@@ -29,6 +29,7 @@ from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
 from ..common.weather.water import DepthTable
 from ..site.link import SiteLink, read_study_at_site
+from .lines_file import with_lines
 from .tables import (
     HarbourTable,
     HullTable,
@@ -45,6 +46,7 @@ MOST_LINES = 500  # of a study; they take three seconds
 class Study(Table):
     """Water, hull, lines and the weather they have to stand
 
+    lines_file : of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines` beside the study, in place of types and lines
     allowable : fraction of the breaking load a line may carry, above 0, at most 1
     """
 
@@ -52,6 +54,7 @@ class Study(Table):
     hull: HullTable | None = None
     site: SiteLink | None = None
     types: dict[str, TypeTable] = msgspec.field(default_factory=dict)
+    lines_file: str | None = None
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
     wind: WindTable | None = None
@@ -219,7 +222,7 @@ def read_study(path):
 
 def read_raw(path):
     """Nested dictionaries and text of a TOML file, with what it takes of a site and of files.  Raises StudyError."""
-    return with_files(*read_study_at_site(Path(path), "a study"), path)
+    return with_files(*with_lines(*read_study_at_site(Path(path), "a study"), path), path)
 
 
 def make_study(raw):
@@ -227,6 +230,8 @@ def make_study(raw):
     study = typed(raw, Study, StudyError)
     if study.site is not None:
         raise StudyError("site is given to tables without a file; allowed: in a study file, read by read_study")
+    if study.lines_file is not None:
+        raise StudyError("lines_file is given to tables without a file; allowed: in a study file, read by read_study")
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
     if study.water.depth != math.inf:
