@@ -112,6 +112,12 @@ def _system(waves):
     return f"{waves.height:g} m, {value:g} s" + ("" if kind == "mean_period" else f" ({kind.replace('_', ' ')})")
 
 
+def issue(own):
+    """Words on whose report it is, and which"""
+    given = {"for": own.client, "by": own.author, "revision": own.revision, "of": own.date}
+    return ", ".join(f"{word} {value}" for word, value in given.items() if value)
+
+
 def state_row(state):
     def stream(table):
         if table is None:
@@ -241,8 +247,8 @@ def case(one, links):
 
 
 def _place_words(row):
-    """Offset and yaw of a row of cases, dashes where the method has none"""
-    values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"]])
+    """Offset, yaw and excursion of a row of cases, dashes where the method has none"""
+    values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"]])
     return [f"{value:.2f}" if np.isfinite(value) else "–" for value in np.round(values, 2) + 0.0]  # no −0.00
 
 
