@@ -103,11 +103,12 @@ def ship(
     block: Annotated[float | None, Parameter(help="block coefficient", allow_leading_hyphen=True)] = None,
     bow: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
     stern: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
+    waterplane: Annotated[float | None, Parameter(help="its coefficient C_WP, without bow and stern")] = None,
     flags: SceneFlags = SceneFlags(),  # noqa: B008
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
     """The same for a ship of flat bottom, bilge, pointed bow and stern; sizes in m, with x towards the bow."""
-    form = {"block": block, "bow": bow, "stern": stern}
+    form = {"block": block, "bow": bow, "stern": stern, "waterplane": waterplane}
     return _solve(scene, {"shape": "ship", "length": length, "beam": beam, "draft": draft, **form}, flags, run)
 
 

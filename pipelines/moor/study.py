@@ -27,7 +27,7 @@ from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
-from ..common.weather.water import DepthTable
+from ..common.weather.water import DepthTable, check_solved_depth
 from ..site.link import SiteLink, read_study_at_site
 from .lines_file import with_lines
 from .tables import (
@@ -39,7 +39,6 @@ from .tables import (
     Spread,
 )
 
-GRAVITY = 9.80665
 MOST_LINES = 500  # of a study; they take three seconds
 
 
@@ -109,20 +108,9 @@ class Study(Table):
         return [] if volume is None else no_box(volume / (hull.length * hull.beam * hull.draft), hull, self)
 
     def check_depth(self, solved, name):
-        """Raises StudyError where a body solved in `solved` m is in other waves in this depth: waves in deep water are
-        those of any depth of half their length"""
-        depth = self.water.depth
-        if math.isclose(depth, solved, rel_tol=1e-6):
-            return
-        if math.isfinite(solved):
-            raise StudyError(f"water.depth is {depth:g} m, {name} is for {solved:g} m")
+        """Raises StudyError as `common.weather.water.check_solved_depth`"""
         waves = self.conditions().waves
-        felt = 0.0 if waves is None else GRAVITY * waves.period**2 / (4 * math.pi)
-        if felt > depth:
-            raise StudyError(
-                f"water.depth is {depth:g} m, {name} is for deep water, and waves of {waves.period:.3g} s feel a bed "
-                f"above {felt:.3g} m; solve it in {depth:g} m"
-            )
+        check_solved_depth(self.water.depth, solved, name, None if waves is None else waves.period)
 
     def check_streams(self, hull, density):
         """Raises StudyError for weather that cannot be, or that has no coefficients for an `ExposedBox`; kg/m³"""

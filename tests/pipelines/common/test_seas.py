@@ -10,6 +10,7 @@ from hakobune.mooring.seas.systems import Systems
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.typed import typed
 from hakobune.pipelines.common.weather.seas import PERIODS, SeaTable
+from hakobune.pipelines.common.weather.water import check_solved_depth
 from hakobune.pipelines.design.tables import StateTable
 from hakobune.pipelines.line_dynamics.study import LineSeaTable
 from hakobune.pipelines.moor.study import make_study, read_study
@@ -109,3 +110,13 @@ def test_a_spectrum_of_a_file_is_a_sea_of_any_study(tmp_path):
 def test_a_key_of_another_name_is_told_by_the_one_that_is_meant(key, meant):
     with pytest.raises(StudyError, match=rf"waves.{key} is unknown, {meant} may be meant; allowed: "):
         sea(f"{key} = 9.0\n")
+
+
+def test_deep_water_is_any_of_half_a_length():
+    """Waves of 4 s are gT²/2π = 24.97 m long"""
+    check_solved_depth(12.5, np.inf, "box.h5", 4.0)
+    check_solved_depth(3.0, np.inf, "box.h5")
+    with pytest.raises(StudyError, match=r"waves of 4 s feel a bed above 12.5 m; solve it in 12.4 m"):
+        check_solved_depth(12.4, np.inf, "box.h5", 4.0)
+    with pytest.raises(StudyError, match=r"water.depth is 12.5 m, box.h5 is for 20 m"):
+        check_solved_depth(12.5, 20.0, "box.h5")
