@@ -34,7 +34,7 @@ $(STAMP): pyproject.toml
 	  { echo "make: $(PYTHON) is older than 3.11; give another with make PYTHON=…" >&2; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv || \
 	  { rm -rf .venv; echo "make: no virtual environment could be made; on Debian: apt-get install python3-venv" >&2; exit 1; }
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test,page]'
 	@$(BIN)/python -c 'import gmsh' || \
 	  { echo "make: gmsh lacks shared libraries; on Debian: apt-get install $(LIBRARIES)" >&2; exit 1; }
 	@touch $@
@@ -96,7 +96,7 @@ test-ends: .venv-oldest/.installed .venv-newest/.installed
 
 .venv-%/.installed: pyproject.toml
 	$(PYTHON) -m venv .venv-$*
-	.venv-$*/bin/python -m pip install --quiet --disable-pip-version-check --upgrade -e '.[test]' \
+	.venv-$*/bin/python -m pip install --quiet --disable-pip-version-check --upgrade -e '.[test,page]' \
 	  $(foreach one,$(if $(filter oldest,$*),$(OLDEST),$(NEWEST)),'$(one)')
 	@touch $@
 
