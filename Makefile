@@ -34,7 +34,7 @@ $(STAMP): pyproject.toml
 	  { echo "make: $(PYTHON) is older than 3.11; give another with make PYTHON=…" >&2; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv || \
 	  { rm -rf .venv; echo "make: no virtual environment could be made; on Debian: apt-get install python3-venv" >&2; exit 1; }
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test,page]'
 	@$(BIN)/python -c 'import gmsh' || \
 	  { echo "make: gmsh lacks shared libraries; on Debian: apt-get install $(LIBRARIES)" >&2; exit 1; }
 	@$(BIN)/hakobune doctor --compile || echo 'make: not all kernels are compiled; commands compile what they lack' >&2
@@ -43,7 +43,7 @@ $(STAMP): pyproject.toml
 demo: venv
 	mkdir -p demo
 	$(BIN)/hakobune solve $(SCENES)/series_box.toml --output demo/box_12m.h5
-	$(BIN)/hakobune look demo/box_12m.h5 --screenshot demo/box_mesh.png
+	$(BIN)/hakobune look demo/box_12m.h5 --plot demo/box_mesh.png
 	$(BIN)/hakobune plot demo/box_12m.h5 --output demo/box_12m.png
 	$(BIN)/hakobune solve $(SCENES)/series_box_20m.toml --output demo/box_20m.h5
 	$(BIN)/hakobune plot demo/box_20m.h5 --output demo/box_20m.png
@@ -97,7 +97,7 @@ test-ends: .venv-oldest/.installed .venv-newest/.installed
 
 .venv-%/.installed: pyproject.toml
 	$(PYTHON) -m venv .venv-$*
-	.venv-$*/bin/python -m pip install --quiet --disable-pip-version-check --upgrade -e '.[test]' \
+	.venv-$*/bin/python -m pip install --quiet --disable-pip-version-check --upgrade -e '.[test,page]' \
 	  $(foreach one,$(if $(filter oldest,$*),$(OLDEST),$(NEWEST)),'$(one)')
 	@touch $@
 

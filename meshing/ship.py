@@ -9,7 +9,9 @@ C_M = 1 − (1 − π/4) 2r₀²/(B d) the block coefficient is
     C_B = C_M {1 − l [(1 − φ_b) + (1 − φ_s)]},
 
 l the share of the length of entrance and of run: LONG, from which φ = φ_b = φ_s follows, or what follows from given
-φ_b and φ_s.  Panels are graded towards both ends, the bilge and the waterline; half-breadths are scaled so that their
+φ_b and φ_s.  Of a given coefficient of the waterplane C_WP = 1 − 2l (1 − φ) the fullness φ goes evenly from the keel to
+the waterline, such that the volume is C_B L B d: V-shaped ends where C_WP is above C_B/C_M; l is 0.4, or 0.5 where that
+is not enough.  Panels are graded towards both ends, the bilge and the waterline; half-breadths are scaled so that their
 volume is L B d C_B, by a factor that tends to 1 with the square of the panel size.  x points to the bow.
 """
 
@@ -29,10 +31,13 @@ CORNER = 1 - math.pi / 4
 FEWEST = 8, 2, 3
 
 
-def ship(length, beam, draft, block, *, bow=None, stern=None, panels=500, counts=None, longest=math.inf):
+def ship(
+    length, beam, draft, block, *, bow=None, stern=None, waterplane=None, panels=500, counts=None, longest=math.inf
+):
     """`PanelMesh` of half a ship, y ≥ 0.
 
     length, beam, draft : m; block : C_B; bow, stern : fullness φ of entrance and run, both or neither
+    waterplane : C_WP, without these
     panels : at most so many on the whole hull; counts : (n_length, n_bottom, n_side) over the length, half the bottom,
     and bilge with side, instead: 2 n_length (n_bottom + n_side) on the whole hull; longest : as for `shapes.box`
     raises : ValueError, one line
@@ -41,16 +46,23 @@ def ship(length, beam, draft, block, *, bow=None, stern=None, panels=500, counts
         if not 0 < value < math.inf:
             raise ValueError(f"{name} is {value} m; allowed: a positive length")
     radius = BILGE * min(draft, 0.5 * beam)
-    along, bow, stern = _form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern)
+    if waterplane is not None:
+        if bow is not None or stern is not None:
+            raise ValueError("waterplane is given beside fullness of bow or stern; allowed: one of them")
+        along, (keel, top) = _fullness(block, waterplane, radius / (0.5 * beam), radius / draft)
+        bow, stern = np.array([keel, top]), np.array([keel, top])
+    else:
+        along, bow, stern = _form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern)
     n_length, n_bottom, n_side = counts or ship_counts(length, beam, draft, panels, longest)
     u = np.arange(n_length + 1) / n_length
     x = 0.5 * (u - 0.5) - 0.25 * np.cos(np.pi * u)  # a pointed end is no edge: panels half as long as evenly spaced
     t = np.clip((np.abs(x) - (0.5 - along)) / along, 0.0, 1.0)
-    fullness = np.where(x > 0, bow, stern)
-    f = 1 - t ** (fullness / (1 - fullness))
-    f[[0, -1]] = 0.0
     girth = _girth(n_bottom, n_side, 0.5 * beam, draft, radius)[::-1]
-    points = np.stack(np.broadcast_arrays(length * x[:, None], np.outer(f, girth[:, 0]), girth[:, 1]), axis=-1)
+    at_depth = [np.interp(girth[:, 1], [-draft, 0.0], np.broadcast_to(end, 2)) for end in (bow, stern)]
+    fullness = np.where(x[:, None] > 0, *at_depth)
+    f = 1 - t[:, None] ** (fullness / (1 - fullness))
+    f[[0, -1]] = 0.0
+    points = np.stack(np.broadcast_arrays(length * x[:, None], f * girth[:, 0], girth[:, 1]), axis=-1)
     name = f"ship {length:g} x {beam:g} x {draft:g} m, block coefficient {block:g}"
     made = replace(structured(points), symmetry="y", name=name)
     wide = np.array([1.0, block * length * beam * draft / made.volume, 1.0])
@@ -78,6 +90,30 @@ def _form(block, middle, bow, stern):
             f"{100 * along:.3g} % of the length; allowed: up to {100 * LONGEST:g} %"
         )
     return along, bow, stern
+
+
+def _fullness(block, waterplane, wide, high):
+    """Share of the length of entrance and run, LONG or else LONGEST, and φ at keel and waterline
+
+    block, waterplane : coefficients; wide, high : radius of the bilge over half the beam, and over the draft
+    """
+    if not BLOCKS[0] <= block <= BLOCKS[1]:
+        raise ValueError(f"block coefficient is {block:g}; allowed: {BLOCKS[0]:g} to {BLOCKS[1]:g}")
+    # ∫ Y dz and ∫ Y (1 + z/d) dz of the middle section, over B/2 d
+    m0, m1 = 1 - CORNER * wide * high, 0.5 - (5 / 6 - math.pi / 4) * wide * high**2
+    allowed = []
+    for along in (LONG, LONGEST):
+        share = (block - m0 * (1 - 2 * along)) / (2 * along)  # φ_keel (m0 − m1) + φ_top m1
+        top = 1 - (1 - waterplane) / (2 * along)
+        keel = (share - top * m1) / (m0 - m1)
+        if all(FULLNESS[0] <= value <= FULLNESS[1] for value in (top, keel)):
+            return along, (keel, top)
+        ends = np.clip([(share - end * (m0 - m1)) / m1 for end in FULLNESS], *FULLNESS)
+        allowed += [1 - 2 * along * (1 - end) for end in ends]
+    raise ValueError(
+        f"waterplane coefficient is {waterplane:g}; allowed with block coefficient {block:g}: "
+        f"{math.ceil(1e3 * min(allowed)) / 1e3:g} to {math.floor(1e3 * max(allowed)) / 1e3:g}"
+    )
 
 
 def ship_counts(length, beam, draft, panels=500, longest=math.inf):

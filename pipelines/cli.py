@@ -103,11 +103,12 @@ def ship(
     block: Annotated[float | None, Parameter(help="block coefficient", allow_leading_hyphen=True)] = None,
     bow: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
     stern: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
+    waterplane: Annotated[float | None, Parameter(help="its coefficient C_WP, without bow and stern")] = None,
     flags: SceneFlags = SceneFlags(),  # noqa: B008
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
     """The same for a ship of flat bottom, bilge, pointed bow and stern; sizes in m, with x towards the bow."""
-    form = {"block": block, "bow": bow, "stern": stern}
+    form = {"block": block, "bow": bow, "stern": stern, "waterplane": waterplane}
     return _solve(scene, {"shape": "ship", "length": length, "beam": beam, "draft": draft, **form}, flags, run)
 
 
@@ -131,7 +132,7 @@ def look(
     file: Annotated[Path, Parameter(help="database, scene or mesh file")],
     /,
     *,
-    screenshot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
     page: Annotated[
         Path | None, Parameter(help=".html to turn the mesh in, in any browser, in place of a window")
     ] = None,
@@ -142,7 +143,7 @@ def look(
     """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
     from .view.looking import look
 
-    return look(file, screenshot, field, omega, heading, page)
+    return look(file, plot, field, omega, heading, page)
 
 
 @app.command

@@ -7,6 +7,7 @@ import signal
 import sys
 
 from .printing import timing
+from .printing.spelled import spell_out
 
 # commands that solve large linear systems, which more than one BLAS thread serves
 SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sections")
@@ -20,6 +21,7 @@ def main():
         # `moor` took 5 s of processor time on a busy machine with two cores in place of 0.8
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
             os.environ.setdefault(name, "1")
+    spell_out(sys.stdout, sys.stderr)
     if timing.FLAG in sys.argv:
         timing.begin()
     from hakobune.bem.kernels.jit import before_first_kernel

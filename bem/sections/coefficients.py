@@ -158,7 +158,7 @@ def report_row(section):
     """The columns of the SR179 report's (1982) tables 2.1.3.1-20, by name, and what makes the row.
 
     ξ_B = ω²b/g, b = B/2, S = Bd.  M_H, M_S over ρS, M_R over ρS b², M_SR over ρS b; N likewise and over ω;
-    E_H, E_S over ρg b, E_R over ρg b²; ε in degrees.
+    E_H, E_S over ρg b, E_R over ρg b²; ε in degrees.  Beside them |R|, |T| of the fixed body and its drift over ρg/2.
     """
     b, area = section.beam / 2, section.beam * section.draft
     row = {
@@ -173,7 +173,8 @@ def report_row(section):
     for name, i, arm in (("H", HEAVE, 1), ("S", SWAY, 1), ("R", ROLL, 2)):
         force = section.excitation[i] / (section.density * section.gravity * b**arm)
         row[f"E_{name}"], row[f"eps_{name}_deg"] = abs(force), np.degrees(np.angle(force))
-    return row
+    row |= {"reflected": abs(section.reflection), "transmitted": abs(section.transmission)}
+    return row | {"drift": section.drift / (0.5 * section.density * section.gravity)}
 
 
 def check_shape(beam, draft, depth, tolerance):

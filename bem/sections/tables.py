@@ -16,10 +16,12 @@ XI = (0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.5, 2.0, 2.5, 3.0)
 SHAPE_COLUMNS = ("H_over_d", "B_over_d", "xi_B")
 IMPEDANCES = ("H", "S", "R", "SR")
 FORCES = ("H", "S", "R")
+FIXED = ("reflected", "transmitted", "drift")
 COLUMNS = (
     *SHAPE_COLUMNS,
     *(f"{part}_{name}" for name in IMPEDANCES for part in "MN"),
     *(name for mode in FORCES for name in (f"E_{mode}", f"eps_{mode}_deg")),
+    *FIXED,
 )
 
 

@@ -1,7 +1,7 @@
 """Spectra as buoys, hindcasts and wave models give them, in one and in two dimensions.
 
     SWAN (`swan`);  NDBC, Datawell, Triaxys, Spotter (`buoys`);  WAVEWATCH III's transfer file (`wavewatch`)
-    netCDF of WAVEWATCH III, ERA5, SWAN, NDBC and wavespectra (`netcdf`)
+    netCDF of WAVEWATCH III, ERA5, SWAN, NDBC and wavespectra (`netcdf`);  a table of densities (.csv)
 
 Nautical directions are where waves come from, clockwise from north; with the x axis of the body towards ψ of the
 compass waves travel to β = ψ − (N + 180°).  Cartesian ones are where they travel to, from the x axis of the model,
@@ -14,6 +14,8 @@ from pathlib import Path
 
 from hakobune.meshing.text_files import read_text
 
+from ..environment.sea import Sea
+from ..environment.spectra import read_spectrum
 from ..environment.tables import TableError
 from . import buoys
 from .planes import TabulatedSpreading, two_dimensional
@@ -34,7 +36,7 @@ def read_sea(path, x_axis=None, time=None, location=1):
     Raises TableError that names the line.
     """
     path = Path(path)
-    if path.is_file() and path.open("rb").read(4).startswith(NETCDF):
+    if path.is_file() and _begin(path).startswith(NETCDF):
         from .netcdf import read_netcdf
 
         return read_netcdf(path, x_axis, time, location)
@@ -43,6 +45,8 @@ def read_sea(path, x_axis=None, time=None, location=1):
         return Swan(path, text).sea(x_axis, time, location)
     if reader := buoys.kind(text):
         return reader(path, text, x_axis, time)
+    if path.suffix.lower() == ".csv":
+        return Sea(read_spectrum(path))
     if text.lstrip().startswith(HEAD):
         found = read_wavewatch(path, text, x_axis, time, location)
         try:
@@ -54,3 +58,8 @@ def read_sea(path, x_axis=None, time=None, location=1):
         f"netCDF; allowed: a first line SWAN, #YY MM DD hh mm .0200 …, or {HEAD}; of others the package wavespectra "
         "makes one: read_…(file).spec.to_swan(…)"
     )
+
+
+def _begin(path):
+    with path.open("rb") as file:
+        return file.read(4)

@@ -115,5 +115,5 @@ def check_display():
     drawn_by_x = sys.platform.startswith("linux")
     if drawn_by_x and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         raise ValueError(
-            "there is no display to open a window on (DISPLAY is not set); give --screenshot out.png or --page out.html"
+            "there is no display to open a window on (DISPLAY is not set); give --plot out.png or --page out.html"
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 import tomllib
 import typing
@@ -11,6 +12,25 @@ import msgspec
 from hakobune.meshing.text_files import read_text
 
 Typed = typing.TypeVar("Typed")
+ALIKE = 0.75  # of letters, by which a slip of the pen differs no more
+OTHER_NAMES = {  # of keys, in other programs and books
+    "height": "h hs hm0 h13 wave_height significant_height significant_wave_height",
+    "mean_period": "t tm t01 tm01",
+    "zero_crossing_period": "tz t02 tm02",
+    "energy_period": "te tm10 tm_10",
+    "peak_period": "tp",
+    "significant_period": "ts t13 t1/3",
+    "direction_deg": "heading heading_deg direction dir towards",
+    "headings_deg": "heading heading_deg headings",
+    "incidence_deg": "incidence from_deg",
+    "swell": "systems system",
+    "waves": "sea seas wave",
+    "sea": "waves wave",
+    "center_of_gravity": "kg cog vcg center_of_mass centre_of_gravity",
+    "breaking_load_kN": "mbl mbs minimum_breaking_load",
+    "axial_stiffness_kN": "ea stiffness",
+    "pretension_kN": "t0 tension",
+}
 LARGEST = 8  # MB, which take some seconds
 WORDS = {
     "float": "a number",
@@ -67,12 +87,21 @@ def _line(message, raw, kind):
     if named:
         keys = [field.encode_name for field in msgspec.structs.fields(_table(kind, path))]
         state = "is unknown" if named[1] == "contains unknown" else "is missing"
+        meant = _meant(named[2], keys) if named[1] == "contains unknown" else ""
         return (
-            f"{path + '.' if path else ''}{named[2]} {state}; allowed: {', '.join(keys)} (hakobune keys explains them)"
+            f"{path + '.' if path else ''}{named[2]} {state}{meant}; allowed: {', '.join(keys)} "
+            "(hakobune keys explains them)"
         )
     expected, _, got = what.removeprefix("Expected ").partition(", got ")
     expected = " or ".join(_words(part) for part in expected.split(" | ") if "null" not in part)
     return f"{path or 'the file'} is {_value(raw, path, got)}; allowed: {expected}"
+
+
+def _meant(key, keys):
+    """ ", {key} may be meant" of the key that another name or a slip of the pen stands for, "" without"""
+    other = [name for name, others in OTHER_NAMES.items() if name in keys and key.lower() in others.split()]
+    found = other or difflib.get_close_matches(key.lower(), keys, 1, ALIKE)
+    return f", {found[0]} may be meant" if found else ""
 
 
 def _words(text):

@@ -9,10 +9,14 @@ from cyclopts import Parameter
 
 
 def damping(
-    record: Annotated[Path, Parameter(help="CSV: time_s, motion_m, and force_kN of the water where the body is moved")],
+    record: Annotated[
+        Path, Parameter(help="CSV: time_s, motion_m, and force_kN where the body is moved; or motion_deg, moment_kNm")
+    ],
     /,
     *,
-    mass: Annotated[float | None, Parameter(help="t with added mass, of a decay", allow_leading_hyphen=True)] = None,
+    mass: Annotated[
+        float | None, Parameter(help="t with added mass, of a decay; t m² of a rotation", allow_leading_hyphen=True)
+    ] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
@@ -40,7 +44,8 @@ def _draw(result, path):
 
     from ..common.picture import save
 
-    what, unit, size = ("force", "kN", 1e3) if "record.force" in result else ("motion", "m", 1.0)
+    what, size = ("force", 1e3) if "record.force" in result else ("motion", 1.0)
+    unit = ("k" if what == "force" else "") + result.quantity(f"record.{what}").unit
     time = result.labels["time"].values
     figure = Figure(figsize=(9.0, 4.5), layout="constrained")
     axis = figure.add_subplot()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,27 +18,38 @@ from ..results.quantity import quantities
 from ..results.result import Result, labels
 
 LEFT = 0.25  # of the record, that a fit may leave
-COLUMNS = ("time_s", "motion_m", "force_kN")
+COLUMNS = ("time_s", "motion_m", "force_kN", "motion_deg", "moment_kNm")
+TURNED = {"m": "rad", "kg": "kg m2", "N s/m": "N m s", "N s2/m2": "N m s2", "1/m": "1/rad", "N": "N m"}  # units
 
 
 def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: float | None = None) -> Result:
     """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
 
-    record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values}
-    mass : kg with added mass, of a free decay
+    record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values};
+        of a rotation motion_deg and moment_kNm
+    mass : with added mass, of a free decay, kg, or of a rotation kg m²
     returns : Result, in SI
     raises : ValueError, one line
     """
     if mass is not None and not 0 < mass < np.inf:
         raise ValueError(f"mass is {mass:g} kg; allowed: above 0, finite")
     columns = record if isinstance(record, dict) else read_record(record)
-    time, motion, *force = (np.asarray(columns[name], float) for name in COLUMNS if name in columns)
-    if force and mass is not None:
-        raise ValueError("mass is given with force_kN in the record; allowed: of a decay")
+    turned = "motion_deg" in columns
+    names = ("motion_deg", "moment_kNm") if turned else ("motion_m", "force_kN")
     try:
-        found, findings, notes = _forced(time, motion, 1e3 * force[0]) if force else _decay(time, motion, mass)
+        _check_columns(columns, names)
+        time, motion, *force = (np.asarray(columns[name], float) for name in ("time_s", *names) if name in columns)
+        if force and mass is not None:
+            raise ValueError(f"mass is given with {names[1]} in the record; allowed: of a decay")
+        motion = np.radians(motion) if turned else motion
+        found, findings, notes = (
+            _forced(time, motion, 1e3 * force[0]) if force else _decay(time, motion, mass, "rad" if turned else "m")
+        )
     except ValueError as error:
         raise ValueError(str(error) if isinstance(record, dict) else f"{record}: {error}") from None
+    if turned:
+        found = {name: replace(one, unit=TURNED.get(one.unit, one.unit)) for name, one in found.items()}
+    notes += _to_paste(found, "roll" if turned else "heave")
     source = {} if isinstance(record, dict) else {"record": str(record)}
     return Result("damping", found, labels("time", time, "s"), findings, notes, provenance=provenance(**source))
 
@@ -49,14 +61,36 @@ def read_record(path: File) -> dict[str, np.ndarray]:
 
     names, values = read_table(path)
     wrong = [name for name in names or () if name not in COLUMNS]
-    if names is None or wrong or not {"time_s", "motion_m"} <= set(names):
+    if names is None or wrong or "time_s" not in names or not {"motion_m", "motion_deg"} & set(names):
         shown = "no names of columns in its first row" if names is None else f"the columns {', '.join(names)}"
         raise ValueError(
-            f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved: name them so"
+            f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved, "
+            "or motion_deg and moment_kNm: name them so"
         )
     columns = dict(zip(names, values.T, strict=True))
     check_even(path, columns["time_s"], UNEVEN)
     return columns
+
+
+def _check_columns(columns, names):
+    """Raises ValueError for columns that are no record of the motion and force (moment) of `names`"""
+    strange = [name for name in columns if name not in ("time_s", *names)]
+    if strange or names[0] not in columns:
+        raise ValueError(
+            f"the columns are {', '.join(columns)}; allowed: time_s, motion_m and force_kN, or time_s, motion_deg and "
+            "moment_kNm"
+        )
+
+
+def _to_paste(found, motion):
+    """A line with the damping as a study and a scene take it, () where it is not known; its motion is to be named"""
+    if "B1" not in found:
+        return ()
+    B1, B2 = (float(found[name].values) for name in ("B1", "B2"))
+    return (
+        f"as keys, of {motion} or whichever it is: [simulation] linear_damping = {{ {motion} = {B1 / 1e3:.4g} }}, "
+        f"quadratic_damping = {{ {motion} = {B2 / 1e3:.4g} }}; of a scene [viscous] {motion} = {{ drag = {B2:.4g} }}",
+    )
 
 
 def _forced(time, motion, force):
@@ -92,7 +126,7 @@ def _forced(time, motion, force):
     return found | quantities("", records, "time", record=True), tuple(findings), ()
 
 
-def _decay(time, motion, mass):
+def _decay(time, motion, mass, unit):
     made = decay(time, motion)
     rows = {
         "period": (2 * np.pi / made.omega, "s", "natural period"),
@@ -111,7 +145,7 @@ def _decay(time, motion, mass):
     rows["left"] = made.off, "%", "motion not explained"
     records = {"record.motion": (motion, "m", "motion"), "fitted.motion": (made.fitted, "m", "motion")}
     found = quantities("free decay", rows) | quantities("", records, "time", record=True)
-    note = f"{len(made.extremes)} extremes from {significant(made.extremes[0])} m; M with added mass"
+    note = f"{len(made.extremes)} extremes from {significant(made.extremes[0])} {unit}; M with added mass"
     return found, tuple(_rest(made.off, "motion", "the free decay of one motion")), (note,)
 
 

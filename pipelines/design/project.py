@@ -265,7 +265,8 @@ def _check_states(project, depth):
 
 def _check_waves(where, waves, depth):
     """Raises StudyError for waves that no case could take"""
-    spectrum_of(where, waves, depth)
+    if waves.file is None:
+        spectrum_of(where, waves, depth)
     for i, one in enumerate(waves.swell):
         one.sea(f"{where}.swell[{i}]", depth)
 

@@ -46,6 +46,7 @@ def _context(read, verdict, advice, paths, folder):
     return {
         "name": own.name,
         "note": own.note,
+        "issue": words.issue(own),
         "word": verdict.word,
         "word_class": CSS[verdict.word],
         "summary": words.summary(verdict),
@@ -65,7 +66,7 @@ def _context(read, verdict, advice, paths, folder):
         "lines": list(words.line_rows(read, verdict)),
         "criteria": [words.criterion(one, _found_in(read, verdict, folder)) for one in verdict.judged],
         "cases": [words.case(one, links) for one in verdict.ran],
-        "rule_sets": [words.rule_set(one) for one in verdict.rule_sets],
+        "rule_sets": [words.rule_set(one) for one in verdict.rule_sets if own.other_rules],
         "checklist": [
             (one.text, WORDS[one.met] if one.met is not None else "does not apply", words.MARK[one.met], one.how)
             for one in checklist(read)

@@ -19,7 +19,8 @@ KEPT = {of.PRETENSION: "pretension", of.HOLDING: "horizontal", of.PARTIAL: "mean
 OF_PROJECT = {"service life": "project.service_life", "return period": "project.service_life, project.probability"}
 WORDS = {True: "met", False: "not met", None: "not judged"}
 CASE_HEAD = (
-    "case", "state", "level", "incidence_deg", "lost", "motion_factor", "x_m", "y_m", "yaw_deg", "largest_tension_N",
+    "case", "state", "level", "incidence_deg", "lost", "motion_factor", "x_m", "y_m", "yaw_deg", "excursion_m",
+    "largest_tension_N",
     "line", "of_breaking_load", "horizontal_at_anchor_N", "uplift_at_anchor_N", "fault",
 )  # fmt: skip
 HEAD = (
@@ -58,10 +59,10 @@ def case_row(one):
     case, r = one.case, one.numbers
     head = case.name, case.state, case.level, case.incidence, case.lost, case.factor
     if r is None:
-        return (*head, *[""] * 8, one.fault)
+        return (*head, *[""] * 9, one.fault)
     x, y, turn = r.place
     if not r.names:
-        return (*head, x, y, np.degrees(turn), *[""] * 5, "")
+        return (*head, x, y, np.degrees(turn), excursion(one), *[""] * 5, "")
     worst = r.names.index(worst_of(one))
     share = one.largest[worst] / r.breaking[worst]
     return (
@@ -69,12 +70,21 @@ def case_row(one):
         x,
         y,
         np.degrees(turn),
+        excursion(one),
         one.largest[worst],
         r.names[worst],
         share if np.isfinite(r.breaking[worst]) else np.nan,
         *one.at_anchors.max(axis=1),
         "",
     )
+
+
+def excursion(one):
+    """m, the largest horizontal distance of a Ran from rest: of its runs in time, else steady offset and motions"""
+    if one.runs is not None and "excursion" in one.runs:
+        return float(one.runs["excursion"])
+    r = one.numbers
+    return float(np.hypot(*r.place[:2]) + (np.hypot(*r.motions[:2]) if len(r.motions) else 0.0))
 
 
 def _criterion_rows(verdict):

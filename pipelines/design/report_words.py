@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from hakobune.mooring.criteria.failing import FAILS as MARKED
@@ -104,8 +106,16 @@ def time_words(read):
 
 def _system(waves):
     """Words on one system of waves"""
+    if waves.file is not None:
+        return Path(waves.file).name
     ((kind, value),) = period_of("waves", waves).items()
     return f"{waves.height:g} m, {value:g} s" + ("" if kind == "mean_period" else f" ({kind.replace('_', ' ')})")
+
+
+def issue(own):
+    """Words on whose report it is, and which"""
+    given = {"for": own.client, "by": own.author, "revision": own.revision, "of": own.date}
+    return ", ".join(f"{word} {value}" for word, value in given.items() if value)
 
 
 def state_row(state):
@@ -237,8 +247,8 @@ def case(one, links):
 
 
 def _place_words(row):
-    """Offset and yaw of a row of cases, dashes where the method has none"""
-    values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"]])
+    """Offset, yaw and excursion of a row of cases, dashes where the method has none"""
+    values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"]])
     return [f"{value:.2f}" if np.isfinite(value) else "–" for value in np.round(values, 2) + 0.0]  # no −0.00
 
 

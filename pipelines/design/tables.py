@@ -23,6 +23,11 @@ class ProjectTable(Table):
     service_life : years
     probability : that the value of an extreme state is not exceeded in them
     note : of the report
+    author : of the report
+    client : whom it is for
+    revision : of the report, as "B"
+    date : of the report, as "31 March 2026"
+    other_rules : whether the report says what rule sets that were not asked for say to the same cases
     """
 
     name: str
@@ -33,6 +38,11 @@ class ProjectTable(Table):
     service_life: float | None = None
     probability: float | None = None
     note: str = ""
+    author: str = ""
+    client: str = ""
+    revision: str = ""
+    date: str = ""
+    other_rules: bool = False
 
 
 class StateTable(Table):

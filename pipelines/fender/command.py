@@ -7,18 +7,18 @@ from ..results.tables import printed
 from .result import fender as found
 
 
-def fender(table, strain, deflection, energy, output):
-    """Print the fender of a FenderTable, draw it to `output`; energy : kJ.  Returns the exit status.
+def fender(table, strain, deflection, energy, plot):
+    """Print the fender of a FenderTable, draw it to `plot`; energy : kJ.  Returns the exit status.
 
     raises : ValueError, one line
     """
-    check_picture(output, PLOTS)
+    check_picture(plot, PLOTS)
     result = found(table, strain=strain, deflection=deflection, energy=None if energy is None else 1e3 * energy)
-    if output is not None:
+    if plot is not None:
         from .picture import draw
 
-        draw(result.detail, output)
+        draw(result.detail, plot)
     status = printed(result)
-    if output is not None:
-        print(output)
+    if plot is not None:
+        print(plot)
     return status

@@ -26,14 +26,14 @@ def fender(
     strain: Annotated[float | None, Parameter(help="of its height, as 0.35", allow_leading_hyphen=True)] = None,
     deflection: Annotated[float | None, Parameter(help="m", allow_leading_hyphen=True)] = None,
     energy: Annotated[float | None, Parameter(help="kJ, to be taken up", allow_leading_hyphen=True)] = None,
-    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Reaction and energy of a fender over its compression, what it returns, softest and stiffest; lengths in m.
 
     Under a face inclined by --angle over --width, deflection is that of the edge that is pressed most; shares of the
     upright fender stand beside.
     hakobune fender --family cell --height 2 --energy 900
-    hakobune fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --output fender.png
+    hakobune fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --plot fender.png
     """
     from ..common.fender_tables import FenderTable
     from .command import fender
@@ -41,4 +41,4 @@ def fender(
     given = {"family": family, "table": table, "length": length, "rated_reaction": rated_reaction}
     given |= {"pressure": pressure, "overload": overload, "count": count, "dolphin": dolphin}
     given |= {"angle_deg": angle, "width": width}
-    return fender(FenderTable(height=height, **given), strain, deflection, energy, output)
+    return fender(FenderTable(height=height, **given), strain, deflection, energy, plot)

@@ -15,9 +15,9 @@ def line_dynamics(
     duration: Annotated[float | None, Parameter(help="s, in place of the study's")] = None,
     tolerance: Annotated[float | None, Parameter(help="error of a time step, of the largest tension")] = None,
     output: Annotated[Path | None, Parameter(help="histories and frames, .h5")] = None,
-    picture: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
+    plot: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
 ):
     """Tension, slack and work of one mooring line whose fairlead moves (TOML), beside its quasi-static tension."""
     from .command import line_dynamics_command
 
-    return line_dynamics_command(study, duration, tolerance, output, picture)
+    return line_dynamics_command(study, duration, tolerance, output, plot)

@@ -188,14 +188,13 @@ def wave_of(study, ramp):
 def _components(study):
     """Components of the sea.  Raises StudyError."""
     sea = study.sea
-    if sea.height is None:
-        raise StudyError("sea.height is missing; allowed: m, significant")
-    positive("sea.height", sea.height)
-    _check_breaking("sea", sea.height, mean_period("sea", sea, study.water.depth), study.water)
+    made = sea.sea("sea", study.water.depth)
+    height = made.spectrum.significant_height if sea.height is None else sea.height
+    _check_breaking("sea", height, mean_period("sea", sea, study.water.depth), study.water)
     for name, least, most in (("seed", 0, 2**32), ("components", FEWEST, MOST)):
         if not least <= getattr(sea, name) <= most:
             raise StudyError(f"sea.{name} is {getattr(sea, name)}; allowed: {least} to {most}")
-    return sea.sea("sea", study.water.depth).components(sea.components, sea.seed)
+    return made.components(sea.components, sea.seed)
 
 
 def _check_breaking(where, height, period, water):

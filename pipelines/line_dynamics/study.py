@@ -7,13 +7,15 @@ that names key, value and what is allowed.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import msgspec
 
 from ..common.line_tables import AttachedTable, MaterialTable, SegmentTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 from ..common.weather import water
-from ..common.weather.seas import SeaTable
+from ..common.weather.seas import SeaTable, seas_at
 
 
 class WaterTable(water.WaterTable):
@@ -182,7 +184,7 @@ class LineDynamicsStudy(Table):
 def read_line_dynamics(path):
     """The LineDynamicsStudy of a TOML file and its text.  Raises StudyError."""
     raw, text = read_toml(path, "a study", StudyError)
-    return make_line_dynamics(raw), text
+    return make_line_dynamics(seas_at(raw, Path(path).parent)[0]), text
 
 
 def make_line_dynamics(raw):

@@ -26,7 +26,8 @@ def line(
         float, Parameter(help="degrees, of the bed, above 0 where it rises to the fairlead", allow_leading_hyphen=True)
     ] = 0.0,
     characteristic: Annotated[bool, Parameter(help="span, forces and what lies, slack to taut", negative="")] = False,
-    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf; or the result, .h5")] = None,
+    output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Forces of one mooring line, its profile and its tension–offset curve; lengths in m."""
     from .line_command import line_command
@@ -36,7 +37,7 @@ def line(
     }
     at = {"span": span, "friction": friction, "slope": math.radians(slope_deg), "fairlead_z": fairlead_z}
     return line_command(
-        output, type=type, weight=weight, length=length, depth=depth, characteristic=characteristic, **kN, **at
+        output, plot, type=type, weight=weight, length=length, depth=depth, characteristic=characteristic, **kN, **at
     )
 
 
@@ -58,7 +59,7 @@ def lines(
         Parameter(help="of the body: natural periods, fairleads off its hull"),
     ] = None,
     output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
-    picture: Annotated[
+    plot: Annotated[
         Path | None,
         Parameter(help="plan, profile, curves: .png .svg .pdf; of a result its frames, .gif too [NAME_frames.png]"),
     ] = None,
@@ -74,15 +75,15 @@ def lines(
             flag for flag, value in (asked | {"--output": output, "--moordyn": moordyn}).items() if value is not None
         ]
         if given:
-            raise ValueError(f"{given[0]} is for a system of lines and {file} is a result; allowed with it: --picture")
-        print(draw_result(file, picture))
+            raise ValueError(f"{given[0]} is for a system of lines and {file} is a result; allowed with it: --plot")
+        print(draw_result(file, plot))
         return 0
     from .lines_command import lines_command
 
     load = [1e3 * value for value in _numbers("--force", force)] if force else None
     directions = [math.radians(value) for value in (_numbers("--direction", direction) if direction else [0.0, 90.0])]
     asked = {"body": body, "force": load, "offset": offset, "directions": directions, "characteristic": characteristic}
-    return lines_command(file, depth, output, picture, moordyn, **asked, broken=broken, database=database)
+    return lines_command(file, depth, output, plot, moordyn, **asked, broken=broken, database=database)
 
 
 def _numbers(flag, text):

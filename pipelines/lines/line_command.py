@@ -6,26 +6,30 @@ import numpy as np
 
 from hakobune.mooring.lines.one_line import tension_curve
 
-from ..common.picture import save
+from ..common.picture import PLOTS, check_picture, save
 from ..common.units import KN
-from ..results.output import check_picture_or_result, picture_or_result
+from ..results.output import check_result, write_result
 from ..results.tables import printed
 from .line_result import line
 
 
-def line_command(output, **words):
+def line_command(output, plot, **words):
     """Print a line, draw or write it; returns the exit status.  Raises ValueError.
 
     words : of `line_result.line`
     """
     if output is not None:
-        check_picture_or_result(output, "line")
+        check_result(output, "line")
+    if plot is not None:
+        check_picture(plot, PLOTS)
     result = line(**words)
     if output is not None:
-        picture_or_result(result, output, lambda: draw(*result.detail, output))
+        write_result(result, output)
+    if plot is not None:
+        draw(*result.detail, plot)
     status = printed(result)
-    if output is not None:
-        print(output)
+    for path in (path for path in (output, plot) if path is not None):
+        print(path)
     return status
 
 

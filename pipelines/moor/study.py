@@ -28,8 +28,9 @@ from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
-from ..common.weather.water import DepthTable
+from ..common.weather.water import DepthTable, check_solved_depth
 from ..site.link import SiteLink, read_study_at_site
+from .lines_file import with_lines
 from .tables import (
     HarbourTable,
     HullTable,
@@ -39,7 +40,6 @@ from .tables import (
     Spread,
 )
 
-GRAVITY = 9.80665
 MOST_LINES = 500  # of a study; they take three seconds
 
 
@@ -47,6 +47,7 @@ class Study(Table):
     """Water, hull, lines and the weather they have to stand
 
     hulls : [hull] of each of several bodies that move, by name
+    lines_file : of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines` beside the study, in place of types and lines
     allowable : fraction of the breaking load a line may carry, above 0, at most 1
     """
 
@@ -55,6 +56,7 @@ class Study(Table):
     hulls: dict[str, HullTable] = msgspec.field(default_factory=dict)
     site: SiteLink | None = None
     types: dict[str, TypeTable] = msgspec.field(default_factory=dict)
+    lines_file: str | None = None
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
     wind: WindTable | None = None
@@ -140,20 +142,9 @@ class Study(Table):
         return said
 
     def check_depth(self, solved, name):
-        """Raises StudyError where a body solved in `solved` m is in other waves in this depth: waves in deep water are
-        those of any depth of half their length"""
-        depth = self.water.depth
-        if math.isclose(depth, solved, rel_tol=1e-6):
-            return
-        if math.isfinite(solved):
-            raise StudyError(f"water.depth is {depth:g} m, {name} is for {solved:g} m")
+        """Raises StudyError as `common.weather.water.check_solved_depth`"""
         waves = self.conditions().waves
-        felt = 0.0 if waves is None else GRAVITY * waves.period**2 / (4 * math.pi)
-        if felt > depth:
-            raise StudyError(
-                f"water.depth is {depth:g} m, {name} is for deep water, and waves of {waves.period:.3g} s feel a bed "
-                f"above {felt:.3g} m; solve it in {depth:g} m"
-            )
+        check_solved_depth(self.water.depth, solved, name, None if waves is None else waves.period)
 
     def check_streams(self, hull, density):
         """Raises StudyError for weather that cannot be, or that has no coefficients for an `ExposedBox`; kg/m³"""
@@ -311,7 +302,7 @@ def read_study(path):
 
 def read_raw(path):
     """Nested dictionaries and text of a TOML file, with what it takes of a site and of files.  Raises StudyError."""
-    return with_files(*read_study_at_site(Path(path), "a study"), path)
+    return with_files(*with_lines(*read_study_at_site(Path(path), "a study"), path), path)
 
 
 def make_study(raw):
@@ -319,6 +310,8 @@ def make_study(raw):
     study = typed(raw, Study, StudyError)
     if study.site is not None:
         raise StudyError("site is given to tables without a file; allowed: in a study file, read by read_study")
+    if study.lines_file is not None:
+        raise StudyError("lines_file is given to tables without a file; allowed: in a study file, read by read_study")
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
     if study.water.depth != math.inf:

@@ -59,7 +59,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     with heard() as caught:
         try:
             if moored is not None:
-                held = solved_moored(read, db, points, place, moored)
+                held = solved_moored(read, db, points, moored)
                 found = held.motion.fast
             else:
                 found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)

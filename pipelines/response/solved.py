@@ -7,7 +7,7 @@ import warnings
 FRACTILE = 0.9  # probability of a value that is not exceeded
 
 
-def solved_in_sea(read, body, db, points, beside):
+def solved_in_sea(read, body, db, points, _):
     """SeaState, and the body with its viscous damping in it"""
     from hakobune.mooring.on_current.body import on_current
     from hakobune.mooring.on_current.waves import carrier_of
@@ -16,13 +16,14 @@ def solved_in_sea(read, body, db, points, beside):
     from hakobune.mooring.response.viscous import in_sea
 
     from ..common.quantities import StudyError, level_of, positive
-    from .study import sea_of, viscous_laws, viscous_words
+    from ..common.weather.seas import sea_with_swell
+    from .study import viscous_laws, viscous_words
 
     level = level_of("sea.qtf", read.sea.qtf)
     if db.bodies and level != "newman":
         raise StudyError(f'sea.qtf is "{level}", and {db.path} is of {len(db.bodies)} bodies; allowed: "newman"')
     duration = 3600 * positive("sea.duration_hours", read.sea.duration_hours)
-    sea, laws = sea_of(read.sea, beside, db.water_depth), viscous_laws(read, db)
+    sea, laws = sea_with_swell("sea", read.sea, db.water_depth), viscous_laws(read, db)
     body = on_current(body, carrier_of(read.stream()))
     body, damping = in_sea(db.bodies_reader, sea, laws, body)
     for line in viscous_words(body, laws, damping):
@@ -33,14 +34,14 @@ def solved_in_sea(read, body, db, points, beside):
     return sea_state(body, sea, duration, points, bound), body
 
 
-def solved_moored(read, db, points, beside, path):
+def solved_moored(read, db, points, path):
     from ..common.quantities import StudyError, positive
+    from ..common.weather.seas import sea_with_swell
     from .moored import moored
-    from .study import sea_of
 
     if read.sea.qtf != "newman":
         raise StudyError(f"sea.qtf is {read.sea.qtf!r}; allowed with --moored: newman")
-    sea = sea_of(read.sea, beside, db.water_depth)
+    sea = sea_with_swell("sea", read.sea, db.water_depth)
     return moored(path, read, db, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
 
 

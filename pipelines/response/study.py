@@ -7,12 +7,7 @@
     incidence_deg = 60.0                 directions = [{ direction_deg = 0, share = 1.0 }]
     spreading = "cosine:4"
 
-    [[sea.systems]]                  # in place of a height in [sea]: wind sea, swell, long waves at once
-    spectrum = "tma"                 # in the database's depth
-    height = 2.0
-    peak_period = 8.0
-    direction_deg = 180.0
-    [[sea.systems]]
+    [[sea.swell]]                    # beside the height in [sea]: swell, long waves
     file = "hindcast.sp2"            # SWAN, WAVEWATCH III, ERA5, NDBC, Datawell …, beside the study
     x_axis_compass_deg = 30.0
 
@@ -62,28 +57,13 @@ from hakobune.bem.viscous_table import Laws
 from ..common.quantities import StudyError, Table, direction, positive, speed, waves_on
 from ..common.typed import typed
 from ..common.weather import seas as common
-from ..common.weather.seas import family_of, shape_of, spreading_of
+from ..common.weather.seas import family_of, seas_at, shape_of, spreading_of
 from ..site.link import RESPONSE, SiteLink, read_study_at_site
 
 ONE_BODY = words_of(())
 
 
-class SystemTable(common.SeaTable):
-    """One system of waves of a sea; a height and one period, or a file of a spectrum
-
-    file : of a spectrum (SWAN, NDBC, WAVEWATCH III, CSV) beside the study
-    x_axis_compass_deg : what the x axis heads, for nautical directions of a file
-    time : which of the spectra of a file
-    location : which of the places of a file, from 1
-    """
-
-    file: str | None = None
-    x_axis_compass_deg: float | None = None
-    time: str | None = None
-    location: int = 1
-
-
-class SeaTable(SystemTable):
+class SeaTable(common.SystemsTable):
     """A sea of one system of waves, or of several at once
 
     duration_hours : of the largest motions
@@ -92,7 +72,6 @@ class SeaTable(SystemTable):
     above "newman" of one system of waves, "bound-wave" of long crests only
     """
 
-    systems: list[SystemTable] = msgspec.field(default_factory=list)
     duration_hours: float = 3.0
     qtf: str = "newman"
 
@@ -382,7 +361,7 @@ def _pair(where, table, points, db):
 def read_response_study(path):
     """The ResponseStudy of a TOML file and its text.  Raises StudyError."""
     raw, text = read_study_at_site(Path(path), "a response study", RESPONSE)
-    return make_response_study(raw, path), text
+    return make_response_study(seas_at(raw, Path(path).parent)[0], path), text
 
 
 def make_response_study(raw, name="the study"):
@@ -398,54 +377,7 @@ def files_of(study, folder):
     """Paths of the files that a ResponseStudy reads"""
     if study.climate is not None:
         return [folder / study.climate.scatter]
-    return [folder / one.file for one in (study.sea, *study.sea.systems) if one.file is not None]
-
-
-def sea_of(table, beside, depth):
-    """The Sea of a SeaTable, or Systems where it has several; `beside` is the path of the study, depth m.
-
-    Raises ValueError.
-    """
-    from hakobune.mooring.seas.systems import Systems
-
-    if not table.systems:
-        return _system("sea", table, Path(beside).parent, depth)
-    if table.height is not None or table.file is not None:
-        raise StudyError("sea has systems and a height or file of its own; allowed: give it as one of sea.systems")
-    named = [(f"sea.systems[{i}]", one) for i, one in enumerate(table.systems)]
-    return Systems(tuple(_system(where, one, Path(beside).parent, depth) for where, one in named))
-
-
-def _system(where, table, folder, depth):
-    if (table.height is None) == (table.file is None):
-        state = "neither is given" if table.height is None else "both are given"
-        raise StudyError(f"{where}: {state}; allowed: one of height, file")
-    if table.file is not None:
-        return _of_file(where, table, folder)
-    return table.sea(where, depth)
-
-
-def _of_file(where, table, folder):
-    """The Sea of a file of `spectra_files`, or of a table of densities; a direction of the study goes before its own"""
-    from hakobune.meshing.text_files import read_text
-    from hakobune.mooring.environment.sea import Sea
-    from hakobune.mooring.environment.spectra import read_spectrum
-    from hakobune.mooring.environment.tables import TableError
-    from hakobune.mooring.seas import buoys
-    from hakobune.mooring.seas.spectra_files import TabulatedSpreading, read_sea
-
-    path = folder / table.file
-    if path.suffix == ".csv" and buoys.kind(read_text(path, TableError)) is None:
-        sea = Sea(read_spectrum(path))
-    else:
-        sea = read_sea(path, table.x_axis_compass_deg, table.time, table.location)
-    given = table.direction_deg is not None or table.incidence_deg is not None
-    if isinstance(sea.spreading, TabulatedSpreading) and (given or table.spreading is not None):
-        raise StudyError(f"{where}: {table.file} has directions of its own; leave direction and spreading out")
-    if isinstance(sea.spreading, TabulatedSpreading) or (sea.spreading is not None and not given):
-        return sea
-    spread = spreading_of(where, table, sea.spectrum) if table.spreading is not None else sea.spreading
-    return Sea(sea.spectrum, direction(where, table), spread)
+    return [Path(one.file) for one in (study.sea, *study.sea.swell) if one.file is not None]
 
 
 def damping_of(where, ratios, body):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import DATABASE, check_output, opening
-from ..common.picture import PLOTS, check_picture
 from .writing import schema
 
 CSV = ".csv"
@@ -36,19 +35,3 @@ def _is_one(path, kind):
     from hakobune.bem.database.results import has_schema  # which loads h5py
 
     return has_schema(path, schema(kind))
-
-
-def check_picture_or_result(path, kind, inputs=()):
-    """Raise ValueError unless a picture, or a result of a `kind` as its ending says, can be written to a path"""
-    if path.suffix.lower() in DATABASE:
-        check_result(path, kind, inputs)
-    else:
-        check_picture(path, (*PLOTS, *DATABASE))
-
-
-def picture_or_result(result, path, draw):
-    """Write a result to a path that ends so, else draw it"""
-    if path.suffix.lower() in DATABASE:
-        result.write(path)
-    else:
-        draw()

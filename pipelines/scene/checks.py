@@ -83,8 +83,8 @@ def _check_body(key, body, depth):
             _within(f"{key}.{name}", value, EXTENT)
     if body.shape == "ship":
         _check_ship(key, body)
-    elif body.bow is not None or body.stern is not None:
-        raise SceneError(f"{key} has a fullness of bow or stern; a {body.shape} has {', '.join(own)}")
+    elif (body.bow, body.stern, body.waterplane) != (None, None, None):
+        raise SceneError(f"{key} has a fullness of bow or stern, or a waterplane; a {body.shape} has {', '.join(own)}")
     if body.shape != "mesh" and body.draft >= depth:
         raise SceneError(f"{key}.draft is {body.draft} in water {depth} m deep; allowed: below the depth")
     if body.shape == "mesh" and not Path(body.file).is_file():
@@ -152,7 +152,8 @@ def _check_ship(key, body):
     from hakobune.meshing.ship import ship
 
     try:
-        ship(body.length, body.beam, body.draft, body.block, bow=body.bow, stern=body.stern, counts=(8, 2, 3))
+        ship(body.length, body.beam, body.draft, body.block, bow=body.bow, stern=body.stern,
+             waterplane=body.waterplane, counts=(8, 2, 3))  # fmt: skip
     except ValueError as error:
         raise SceneError(f"{key}: {error}") from None
 

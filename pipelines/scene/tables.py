@@ -68,6 +68,7 @@ class BodyTable(SceneTable):
     block : coefficient of a ship
     bow : fullness of a ship's waterplane there
     stern : fullness of a ship's waterplane there
+    waterplane : coefficient of a ship's waterplane, in place of bow and stern
     file : of a mesh, beside the scene: .gdf .msh .vtu .pnl …
     mass : kg, left out: that of the displaced water
     center_of_gravity : m, x, y, z; z above still water
@@ -88,6 +89,7 @@ class BodyTable(SceneTable):
     block: float | None = None
     bow: float | None = None
     stern: float | None = None
+    waterplane: float | None = None
     file: str | None = None
     mass: float | None = None
     center_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)

@@ -29,7 +29,10 @@ class SpectrumFlags:
     gamma: Annotated[float | None, _flag("peak enhancement of jonswap and tma [3.3]")] = None
     wind_speed: Annotated[float | None, _flag("m/s at 10 m; with fetch instead of height and period, jonswap")] = None
     fetch: Annotated[float | None, _flag("m, with wind-speed")] = None
-    table: Annotated[Path | None, _flag("CSV of omega_rad_s,density_m2_s_rad or frequency_hz,density_m2_hz")] = None
+    table: Annotated[
+        Path | None,
+        _flag("of a spectrum, as a study's sea has it, or CSV of frequency_hz,density_m2_hz or omega_rad_s,…"),
+    ] = None
 
     @property
     def periods(self):

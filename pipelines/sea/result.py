@@ -156,12 +156,12 @@ def refuse(state, flags, quiet):
 
 
 def _spectrum(flags, depth):
-    from hakobune.mooring.environment import spectra
     from hakobune.mooring.seas.families import PEAKED, families
+    from hakobune.mooring.seas.spectra_files import read_sea
 
     if flags.table is not None:
         refuse("--table is given", flags, SpectrumFlags(table=flags.table))
-        return spectra.read_spectrum(flags.table)
+        return read_sea(flags.table, x_axis=0.0).spectrum
     known = families(depth)
     if flags.spectrum not in known:
         raise ValueError(f"--spectrum is {flags.spectrum!r}; allowed: {', '.join(known)}")

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from hakobune.bem.sections.tables import BEAM_DRAFT, COLUMNS, DEPTH_DRAFT, SHAPE_COLUMNS, XI, tables
+from hakobune.bem.sections.tables import BEAM_DRAFT, COLUMNS, DEPTH_DRAFT, FIXED, SHAPE_COLUMNS, XI, tables
 
 from ..common.bounds import Pace, check_memory
 from ..results.provenance import provenance
@@ -22,6 +22,7 @@ NOTES = (
     "Force = |E| cos(omega t - eps) per unit amplitude, eps in degrees, 0 when the crest passes y = 0",
     "xi_B = (omega^2/g)(B/2), S = B d; M_H, M_S: M/(rho S); M_R: M/(rho S (B/2)^2); M_SR: M/(rho S (B/2))",
     "N likewise and over omega; E_H, E_S: |E|/(rho g (B/2)); E_R: |E|/(rho g (B/2)^2)",
+    "Of the fixed body: waves reflected and transmitted per unit amplitude; drift: mean sway force/(rho g a^2/2)",
 )
 BYTES = 2000  # of a row
 LARGEST = sys.float_info.max
@@ -31,6 +32,11 @@ ALLOWED = {  # of each axis: above, at most, in words
     "xi": (0, LARGEST, "above 0, finite"),
 }
 WORDS = {"M": "added mass", "N": "damping", "E": "wave force", "eps": "phase of the wave force"}
+FIXED_WORDS = {
+    "reflected": "reflection of the fixed body",
+    "transmitted": "transmission past the fixed body",
+    "drift": "mean sway force on the fixed body",
+}
 MOTIONS = {"H": "heave", "S": "sway", "R": "roll", "SR": "sway and roll"}
 
 
@@ -59,8 +65,11 @@ def sections(
     axes = dict(zip(SHAPE_COLUMNS, (depth_draft, beam_draft, xi), strict=True))
     found = {}
     for name in COLUMNS[len(SHAPE_COLUMNS) :]:
-        kind, motion, *degrees = name.split("_")
         values = np.reshape([row[name] for row in rows], [len(axis) for axis in axes.values()])
+        if name in FIXED:
+            found[name] = values, "", FIXED_WORDS[name]
+            continue
+        kind, motion, *degrees = name.split("_")
         values, unit = (np.radians(values), "rad") if degrees else (values, "")
         found[f"{kind}_{motion}"] = values, unit, f"{WORDS[kind]}, {MOTIONS[motion]}"
     made = {axis: labels(axis, np.asarray(values, float))[axis] for axis, values in axes.items()}

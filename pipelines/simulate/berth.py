@@ -67,7 +67,7 @@ def by_design_spectrum(study, db, body, hull, fenders):
     conditions = study.conditions()
     if study.rope or study.lines or study.spreads or study.simulation.record or conditions.sea is None:
         return ""
-    if study.waves.swell:  # the limit is that of a height of one system
+    if study.waves.swell or study.waves.file is not None:  # the limit is that of a height of one system
         return ""
     steady = with_coefficients(conditions, hull, study.water.depth)
     across = sum(load[1] for load in steady_loads(db, hull, steady, study.water.depth).values())

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from ..common.quantities import direction
-from ..common.weather.seas import sea_of
+from ..common.weather.seas import sea_with_swell
 from ..moor.checked import check_headings
 from .running import check
 from .study import check_database, make
@@ -19,12 +18,12 @@ def checked(study, body=None):
     """
     known = study
     if body is not None:
-        check_database(study.hull, study.water.depth, body)
+        check_database(study, body)
         if study.mass is None:  # that of the body follows from its waves
             hull = msgspec.structs.replace(study.hull, center=float(body.rotation_center[0]))
             known = msgspec.structs.replace(study, mass=MassTable(0.0, 0.0, 0.0), hull=hull)
         if study.waves is not None and study.waves.drift_tonf_per_m2 is None:
-            check_headings(body, [sea_of("waves", study.waves, direction("waves", study.waves), study.water.depth)])
+            check_headings(body, [sea_with_swell("waves", study.waves, study.water.depth)])
             known = msgspec.structs.replace(known, waves=None)
     make(known)
     if study.slewing is not None:

@@ -14,7 +14,7 @@ def single_point(
     *,
     database: Annotated[Path | None, Parameter(help="of the body, for its masses and the drift of the waves")] = None,
     output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
-    picture: Annotated[Path | None, Parameter(help="plan of all equilibria, .png, .svg or .pdf")] = None,
+    plot: Annotated[Path | None, Parameter(help="plan of all equilibria, .png, .svg or .pdf")] = None,
 ):
     """A body on a buoy or turret: all headings of rest, whether it slews (fishtails), hawser and lines.
 
@@ -22,4 +22,4 @@ def single_point(
     """
     from .command import single_point_command
 
-    return single_point_command(study, database, output, picture)
+    return single_point_command(study, database, output, plot)

@@ -31,7 +31,7 @@ from hakobune.mooring.studies.conditions import ExposedBox
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
 from ..common.weather.gusts import gusts_of
-from ..common.weather.seas import sea_of
+from ..common.weather.seas import sea_with_swell
 from ..common.weather.streams import current_of, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
@@ -147,19 +147,20 @@ def _drift(study, db, center, findings):
     w = study.waves
     if w is None:
         return None
-    to = direction("waves", w)
-    if w.height is None:
-        raise StudyError("waves.height is missing; allowed: m, significant")
-    positive("waves.height", w.height)
     if w.drift_tonf_per_m2 is not None:
         if not 0 <= w.drift_tonf_per_m2 < math.inf:
             raise StudyError(f"waves.drift_tonf_per_m2 is {w.drift_tonf_per_m2:g}; allowed: at least 0")
-        return isotropic_drift(w.drift_tonf_per_m2 * TONF * w.height**2, to, center, MIDDLE)
+        if w.height is None:
+            raise StudyError("waves.height is missing; allowed: m, significant, beside drift_tonf_per_m2")
+        if w.swell:
+            raise StudyError("waves.swell is given beside drift_tonf_per_m2; allowed: with the drift of --database")
+        height, to = positive("waves.height", w.height), direction("waves", w)
+        return isotropic_drift(w.drift_tonf_per_m2 * TONF * height**2, to, center, MIDDLE)
     if db is None:
         raise StudyError("waves: their drift is not known; give --database, or drift_tonf_per_m2")
     if not db.reader.knows_drift:
         raise StudyError('the database holds no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2')
-    sea = sea_of("waves", w, to, db.water_depth)
+    sea = sea_with_swell("waves", w, db.water_depth)
     body, _ = in_sea(db.reader, sea)
     findings += _between_waves(body, sea)
     carrier, forces = waves_carrier(study), wave_forces(body)

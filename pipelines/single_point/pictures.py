@@ -9,6 +9,7 @@ from hakobune.mooring.single_point.equilibria import bow, preferred
 from ..common.picture import save
 from ..common.quantities import direction
 from ..common.units import KN
+from ..common.weather.seas import sea_with_swell
 
 
 def draw_plan(study, point, found, path):
@@ -68,7 +69,8 @@ def _draw_streams(axes, study, best):
         table = getattr(study, name)
         if table is None:
             continue
-        to = direction(name, table)
+        whole = name == "waves" and (table.file is not None or table.swell)
+        to = sea_with_swell(name, table, study.water.depth).direction if whole else direction(name, table)
         along = np.array([np.cos(to), np.sin(to)])
         end = best.buoy - 0.5 * size * along + 0.15 * size * (i - 1) * np.array([-along[1], along[0]])
         axes.annotate("", end, end - size * along, arrowprops={"arrowstyle": "-|>", "color": f"C{i}", "lw": 2})

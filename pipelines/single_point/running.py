@@ -29,9 +29,9 @@ from hakobune.mooring.single_point.slewing import slew, turned_state
 from hakobune.mooring.single_point.two_scale import Steps, two_scale, wave_body
 from hakobune.mooring.single_point.waves import GROWS, mean_frequency, slow_part, split_frequency
 
-from ..common.quantities import StudyError, direction, force, positive
+from ..common.quantities import StudyError, force, positive
 from ..common.units import KN
-from ..common.weather.seas import sea_of
+from ..common.weather.seas import sea_with_swell
 from ..results.heard import heard
 from .loads import waves_carrier
 
@@ -218,7 +218,7 @@ def _check(s):
 
 
 def _sea(study, db):
-    return sea_of("waves", study.waves, direction("waves", study.waves), db.water_depth)
+    return sea_with_swell("waves", study.waves, db.water_depth)
 
 
 def _components(study, db, s):

@@ -15,6 +15,8 @@ from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
 
 from ..common.line_tables import line_of
 from ..common.quantities import StudyError, force, positive, water_depth
+from ..common.weather.seas import mean_wave, sea_with_swell
+from ..common.weather.water import check_solved_depth
 from .loads import loads_of
 
 DENSITY, GRAVITY = 1025.0, 9.80665
@@ -41,7 +43,7 @@ def make(study, db=None) -> Made:
     depth = water_depth("water.depth", study.water.depth)
     _check_hull(study, depth)
     if db is not None:
-        check_database(study.hull, depth, db)
+        check_database(study, db)
     density = DENSITY if db is None else db.density
     mass, center = _mass(study, db, density)
     loads, findings = loads_of(study, db, density, center, mass)
@@ -65,10 +67,12 @@ def _check_hull(study, depth):
         raise StudyError(f"hull.center is {h.center:g} m from midship; allowed: within {0.5 * h.length:g} m")
 
 
-def check_database(hull, depth, db):
+def check_database(study, db):
     """Masses, drift and memory of another hull, or of other water, are not those of the study"""
-    if not math.isclose(depth, db.water_depth, rel_tol=SAME):
-        raise StudyError(f"water.depth is {depth:g} m, the database is for {db.water_depth:g} m")
+    hull, depth, waves = study.hull, study.water.depth, study.waves
+    seen = waves is not None and waves.drift_tonf_per_m2 is None
+    period = mean_wave(waves, sea_with_swell("waves", waves, depth).spectrum)[1] if seen else None
+    check_solved_depth(depth, db.water_depth, "the database", period)
     for key in ("length", "beam", "draft"):
         own, stored = getattr(hull, key), db.dimensions.get(key)
         if stored is not None and not math.isclose(own, stored, rel_tol=SAME):

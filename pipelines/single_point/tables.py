@@ -25,7 +25,7 @@ import msgspec
 from ..common.line_tables import LineTable, TypeTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import typed
-from ..common.weather.seas import SeaTable
+from ..common.weather.seas import SystemsTable
 from ..common.weather.streams import CurrentTable as UniformTable
 from ..common.weather.streams import SuperstructureTable, WindTable
 from ..common.weather.water import DepthTable
@@ -177,8 +177,8 @@ class CurrentTable(UniformTable):
     yaw_damping: float = 0.0
 
 
-class WavesTable(SeaTable):
-    """The sea, with one period where the drift is that of a database
+class WavesTable(SystemsTable):
+    """The sea; it needs no period where the drift is not that of a database
 
     drift_tonf_per_m2 : of the square of the height, along the waves at every heading, in place of the database's drift
     """

@@ -79,7 +79,8 @@ def counts_of(body, mesh):
 
 def meshed(body, counts, **panels):
     """PanelMesh with these counts, or of None with so many `panels`"""
-    form = {"block": body.block, "bow": body.bow, "stern": body.stern} if body.shape == "ship" else {}
+    keys = ("block", "bow", "stern", "waterplane") if body.shape == "ship" else ()
+    form = {key: getattr(body, key) for key in keys}
     return MAKERS[body.shape][0](*sizes(body), **form, counts=counts, **panels)
 
 

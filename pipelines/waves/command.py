@@ -7,13 +7,13 @@ import math
 import numpy as np
 
 from ..common.outputs import DATABASE, check_ending
-from ..common.picture import PLOTS
+from ..common.picture import PLOTS, check_picture
 from ..results.tables import printed
 from .result import waves as found
 
 
-def waves(database, period, omega, heading, fixed, width, at, output):
-    """Tell, and draw to `output` or write its points, the waves around a database's body.
+def waves(database, period, omega, heading, fixed, width, at, output, plot):
+    """Tell, and draw to `plot`, write its points to `output`, the waves around a database's body.
 
     heading : degrees; at : texts x,y m; returns the exit status; raises ValueError, one line
     """
@@ -22,19 +22,25 @@ def waves(database, period, omega, heading, fixed, width, at, output):
 
         from ..results.output import check_result
 
-        check_ending(output, (*PLOTS, ".csv", *DATABASE))
+        check_ending(output, (".csv", *DATABASE))
         if output.suffix.lower() in DATABASE:
             check_result(output, "waves", [database])
         check_place(output)
+    if plot is not None:
+        check_picture(plot, PLOTS)
     spots = [_spot(text) for text in at]
     result = found(
         database, period=period, omega=omega, heading=math.radians(heading), fixed=fixed, width=width, at=spots
     )
     if output is not None:
         _write(output, result)
+    if plot is not None:
+        from .picture import draw
+
+        draw(plot, result.detail)
     status = printed(result)
-    if output is not None:
-        print(output)
+    for path in (path for path in (output, plot) if path is not None):
+        print(path)
     return status
 
 
@@ -50,10 +56,6 @@ def _spot(text):
 def _write(output, result):
     if output.suffix.lower() in DATABASE:
         result.write(output)
-    elif output.suffix.lower() != ".csv":
-        from .picture import draw
-
-        draw(output, result.detail)
     else:
         from hakobune.meshing.whole_files import write_whole
 

@@ -18,12 +18,13 @@ def waves(
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     width: Annotated[float | None, Parameter(help="m, of the map")] = None,
     at: Annotated[tuple[str, ...], Parameter(help="x,y m of a point that is told", allow_leading_hyphen=True)] = (),
-    output: Annotated[Path | None, Parameter(help="map: .png, .svg, .pdf, .csv of its points, or .h5")] = None,
+    output: Annotated[Path | None, Parameter(help="points of the map, .csv, or the result, .h5")] = None,
+    plot: Annotated[Path | None, Parameter(help="map: .png, .svg or .pdf")] = None,
 ):
     """The waves around a body in regular waves, what it scatters and radiates included.
 
-    hakobune waves box.h5 --period 9 --heading 180 --output waves.png
+    hakobune waves box.h5 --period 9 --heading 180 --plot waves.png
     """
     from .command import waves
 
-    return waves(database, period, omega, heading, fixed, width, at, output)
+    return waves(database, period, omega, heading, fixed, width, at, output, plot)

@@ -62,10 +62,10 @@ COMMANDS = {
     "solve scene.toml --output box.h5": ("scene.toml", "box.h5"),
     "solve --mesh mesh.gdf --depth 20 --omega 0.5 --heading 0 --output new.h5": ("mesh.gdf",),
     "solve --mesh mesh.pnl --depth 20 --omega 0.5 --heading 0 --mesh-only --output new.msh": ("mesh.pnl",),
-    "look mesh.nemoh --screenshot new.png": ("mesh.nemoh",),
-    "look mesh.vtu --screenshot new.png": ("mesh.vtu",),
-    "look mesh.ply --screenshot new.png": ("mesh.ply",),
-    "look box.h5 --screenshot new.png": ("box.h5",),
+    "look mesh.nemoh --plot new.png": ("mesh.nemoh",),
+    "look mesh.vtu --plot new.png": ("mesh.vtu",),
+    "look mesh.ply --plot new.png": ("mesh.ply",),
+    "look box.h5 --plot new.png": ("box.h5",),
     "plot box.h5 --output new.png": ("box.h5",),
     "check box.h5": ("box.h5",),
     "moor moor.toml --database box.h5 --output new.h5": ("moor.toml", "box.h5"),
@@ -84,7 +84,7 @@ COMMANDS = {
     "animate time.h5 --output new.gif --length 2 --seed 1": ("time.h5",),
     "check time.h5": ("time.h5",),
     "ship --length 90 --beam 20 --draft 6 --block .8 --depth 9 --panels 60 --omega 0.5 --heading 0 --output new.h5": (),
-    "fender --family cell --height 2 --energy 900 --output new.png": (),
+    "fender --family cell --height 2 --energy 900 --plot new.png": (),
     "fender --table fender.csv --height 1.2 --energy 50": ("fender.csv",),
     "berth berth.toml --output new.csv": ("berth.toml",),
     "damping decay.csv --mass 1000 --plot new.png": ("decay.csv",),
@@ -238,7 +238,7 @@ def _flag(chance, line, files):
 def _output(chance, line, files):
     """A result where none may be written"""
     words = line.split()
-    places = [i + 1 for i, word in enumerate(words) if word in ("--output", "--screenshot", "--record")]
+    places = [i + 1 for i, word in enumerate(words) if word in ("--output", "--plot", "--record")]
     if not places:
         return _flag(chance, line, files)
     ending = Path(words[places[0]]).suffix

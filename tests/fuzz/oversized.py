@@ -82,7 +82,7 @@ FLAGS = (  # command lines alone
     "line-dynamics line.toml --duration 1e7 --output new.h5",
     "line-dynamics line.toml --tolerance 1e-300",
     "line-dynamics line.toml --tolerance 1e-14 --duration 100",
-    "look box.h5 --omega 1e300 --field pressure --screenshot new.png",
+    "look box.h5 --omega 1e300 --field pressure --plot new.png",
 )
 
 
@@ -148,10 +148,10 @@ def _set(*way):
 READERS = {  # what reads a file of this name
     "scene.toml": "solve scene.toml --output new.h5",
     "mesh.gdf": "solve --mesh mesh.gdf --depth 20 --omega 0.5 --heading 0 --output new.h5",
-    "mesh.ply": "look mesh.ply --screenshot new.png",
-    "mesh.vtu": "look mesh.vtu --screenshot new.png",
-    "mesh.pnl": "look mesh.pnl --screenshot new.png",
-    "mesh.nemoh": "look mesh.nemoh --screenshot new.png",
+    "mesh.ply": "look mesh.ply --plot new.png",
+    "mesh.vtu": "look mesh.vtu --plot new.png",
+    "mesh.pnl": "look mesh.pnl --plot new.png",
+    "mesh.nemoh": "look mesh.nemoh --plot new.png",
     "box.h5": "check box.h5",
     "moor.toml": "moor moor.toml --database box.h5 --output new.h5",
     "response.toml": "response response.toml --database box.h5 --output new.csv",
@@ -168,7 +168,7 @@ READERS = {  # what reads a file of this name
 MORE = {  # other readers of the same
     "box.h5": (
         "plot box.h5 --output new.png",
-        "look box.h5 --screenshot new.png",
+        "look box.h5 --plot new.png",
         "moor moor.toml --database box.h5",
         "response response.toml --database box.h5",
         "lines system.toml --database box.h5",
@@ -208,8 +208,8 @@ def _of_meshes():
     lists = b"ply\nformat ascii 1.0\nelement vertex 9999999\nproperty list uchar int a\nend_header\n"
     yield "ply with lists for points", look, _text("mesh.ply", lists)
     for name, content in HEADS:
-        yield f"{name} that begins {content[:40]!r}", f"look {name} --screenshot new.png", _text(name, content)
-    for words in (READERS["mesh.gdf"], "look mesh.gdf --screenshot new.png"):
+        yield f"{name} that begins {content[:40]!r}", f"look {name} --plot new.png", _text(name, content)
+    for words in (READERS["mesh.gdf"], "look mesh.gdf --plot new.png"):
         for ratio in (1e3, 1e5, 1e7, 1e9):
             yield f"panels of {ratio:g} to 1: {words}", words, _text("mesh.gdf", _box_with_slivers(ratio))
         for count in (10_000, 400_000):

@@ -45,6 +45,16 @@ def test_waterplane_is_what_the_middle_section_leaves():
     assert abs(made.center_of_buoyancy[0]) < 1e-5 * length
 
 
+def test_a_waterplane_fuller_than_the_hull_below_keeps_the_volume():
+    """A car carrier of C_B 0.62 and C_WP 0.83, which a hull of sections alike cannot have"""
+    length, beam, draft, block = CONTAINER
+    made = hydrostatics(ship(*CONTAINER, waterplane=0.83, panels=6000))
+    assert made.volume == pytest.approx(block * length * beam * draft, rel=1e-9)
+    assert made.waterplane_area == pytest.approx(0.83 * length * beam, rel=3e-3)
+    with pytest.raises(ValueError, match=r"waterplane coefficient is 0.95; allowed with block coefficient 0.62: 0\.3"):
+        ship(*CONTAINER, waterplane=0.95)
+
+
 def test_a_fuller_bow_moves_the_buoyancy_ahead():
     made = hydrostatics(ship(*TANKER, bow=0.85, stern=0.65, panels=500))
     assert made.center_of_buoyancy[0] > 0.005 * TANKER[0]

@@ -108,7 +108,7 @@ def test_pressures_are_added_to_a_database_and_shown(whole, tmp_path):
     path, picture = tmp_path / "box.h5", tmp_path / "pressure.png"
     shutil.copy(whole, path)
     assert main([*WORDS[:-1], "pressure", "--output", str(path)]) == 0
-    words = ["--field", "pressure", "--omega", "0.61", "--heading", "30", "--screenshot", str(picture)]
+    words = ["--field", "pressure", "--omega", "0.61", "--heading", "30", "--plot", str(picture)]
     assert main(["look", str(path), *words]) == 0
     assert picture.stat().st_size > 5_000
 
@@ -161,7 +161,7 @@ def test_a_mesh_alone_needs_no_water_and_no_waves(tmp_path, capsys):
     assert main(["box", *flags, str(path)]) == 0
     np.testing.assert_allclose(read_mesh(path).volume, 50_000, rtol=1e-6)
     picture = tmp_path / "box.png"
-    assert main(["look", str(path), "--screenshot", str(picture), "--field", "area"]) == 0
+    assert main(["look", str(path), "--plot", str(picture), "--field", "area"]) == 0
     assert picture.stat().st_size > 5_000
 
 

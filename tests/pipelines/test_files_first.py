@@ -22,10 +22,10 @@ class Left(io.StringIO):
     [
         (["berth", "berth_tanker.toml", "--output", "a.csv", "--plot", "a.png"], ("a.csv", "a.png")),
         (["earthquake", "earthquake_box.toml", "--plot", "a.png"], ("a.png",)),
-        (["lines", "lines_barge.toml", "--picture", "a.png"], ("a.png",)),
-        (["fender", "--family", "cell", "--height", "2", "--output", "a.png"], ("a.png",)),
+        (["lines", "lines_barge.toml", "--plot", "a.png"], ("a.png",)),
+        (["fender", "--family", "cell", "--height", "2", "--plot", "a.png"], ("a.png",)),
         (["line", "--type", "R3 studless 76 mm", "--length", "100", "--depth", "20", "--tension", "100",
-          "--output", "a.png"], ("a.png",)),
+          "--plot", "a.png", "--output", "a.csv"], ("a.csv", "a.png")),
     ],
 )  # fmt: skip
 def test_files_are_there_whoever_reads_what_is_printed(words, files, tmp_path, monkeypatch):

@@ -337,8 +337,8 @@ CASES = {
         r"case 1: status 1; energy of the berthing: 120.8 kJ are 107.9 %",
     ),
     "look": (
-        "look box.h5 --screenshot box.png",
-        "look partial.h5 --screenshot partial.png",
+        "look box.h5 --plot box.png",
+        "look partial.h5 --plot partial.png",
         r"partial.h5: 1 of 17 frequencies are not solved",
     ),
     "plot": (

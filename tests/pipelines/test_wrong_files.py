@@ -25,7 +25,7 @@ BOX = (
 )
 RESPONSE = "response response.toml --database {} --output response.h5"
 SWEEP = 'command = "berth"\nstudy = "berth.toml"\n[[vary]]\nkey = "approach.speed"\nvalues = [0.05, 0.06]\n'
-SHOWS = "look {} --screenshot shown.png", "plot {} --output shown.png", "export {} --to wamit --output other.1 --fresh"
+SHOWS = "look {} --plot shown.png", "plot {} --output shown.png", "export {} --to wamit --output other.1 --fresh"
 WAVES = "animate {} --omega 0.5 --heading 60 --output film.gif", "waves {} --omega 0.5 --heading 60"
 READERS = *SHOWS, *WAVES, "qtf {}", RESPONSE.replace("response.h5", "new.h5"), "moor moor.toml --database {}"
 OF_KINDS = {  # modules that say which version of a kind of results they read
@@ -180,7 +180,7 @@ def test_a_database_in_which_nothing_is_solved_is_told_as_that(here, capsys):
     with h5py.File("box.h5") as file:
         names = list(file["stored"])
     without([name for name in names if "added_mass_" not in name], solved=False)
-    for words in ("check {}", "look {} --screenshot shown.png"):
+    for words in ("check {}", "look {} --plot shown.png"):
         status, lines = ended(words.format("box.h5"), capsys)
         assert status == 1 and any(line.startswith(FAILS) and " of 5 frequencies are " in line for line in lines), lines
     for words in set(READERS) - {SHOWS[0]}:

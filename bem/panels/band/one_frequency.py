@@ -11,6 +11,7 @@ import numpy as np
 from ...green.tables import wave_table
 from ...kernels.real_times_complex import complex_times_real, real_times_complex
 from ...kernels.threads import blas_threads
+from ..compressed.one_frequency import CompressedRun
 from ..one_frequency import PanelRun
 from .low_rank_waves import FEW_NODES, wave_operator
 
@@ -20,7 +21,7 @@ ALLOWED = FEW_NODES**0.5
 LARGEST_FULL_SYSTEM = 8000  # nodes of the hull: a gigabyte for each symmetry class
 
 
-class BandRun(PanelRun):
+class BandRun(CompressedRun):
     """As `PanelRun`, at a cost that hardly grows with the number of panels.
 
     Forces follow from integrals that `bem.panels.band.equations` holds; potentials are computed when needed.  Where the
@@ -82,13 +83,28 @@ class BandRun(PanelRun):
         return solution
 
     def rejected(self, error):
-        """None, for the full equations to be solved.  Raises FloatingPointError if they are too large"""
-        if self.geometry.hull > LARGEST_FULL_SYSTEM:
+        """None, for the full equations to be solved, or where they are too large the compressed ones.
+
+        raises : FloatingPointError where neither can be
+        """
+        if self.geometry.hull > LARGEST_FULL_SYSTEM and self.problem.nodes_per_panel != 4:
             raise FloatingPointError(
                 f"ω = {self.omega:.6g} rad/s: the low-rank waves of the band are {error:.1e} off; allowed: "
                 f"{ALLOWED * self.equations_of_band.accuracy:.1e}; ask for a narrower band, fewer panels or "
                 "a larger tolerance"
             )
+
+    @property
+    def compressed(self):
+        """Whether the band is not accurate enough, and the full equations are too large"""
+        return self.solution is None and self.geometry.hull > LARGEST_FULL_SYSTEM
+
+    def _solved(self):
+        return super()._solved() if self.compressed else PanelRun._solved(self)
+
+    def enlarged(self, radiation, excitation):
+        """Errors with what a compression may have changed"""
+        return super().enlarged(radiation, excitation) if self.compressed else (radiation, excitation)
 
     @cached_property
     def velocity(self):

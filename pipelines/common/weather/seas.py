@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import msgspec
 
@@ -34,26 +35,51 @@ class SpectrumTable(Table):
 
 
 class SeaTable(SpectrumTable):
-    """A sea of one system of waves, as swell"""
+    """A sea of one system of waves, as swell; a height and one period, or a file of a spectrum
+
+    file : of a spectrum (SWAN, NDBC, WAVEWATCH III, CSV) beside the study, in place of height and period
+    x_axis_compass_deg : what the x axis heads, for nautical directions of a file
+    time : which of the spectra of a file
+    location : which of the places of a file, from 1
+    """
 
     direction_deg: float | None = None
     incidence_deg: float | None = None
+    file: str | None = None
+    x_axis_compass_deg: float | None = None
+    time: str | None = None
+    location: int = 1
 
     def sea(self, where, depth):
-        """The Sea in water of `depth` m.  Raises StudyError."""
-        return sea_of(where, self, direction(where, self), depth)
+        """The Sea in water of `depth` m, of a file as `files_at` found it.  Raises ValueError."""
+        if (self.height is None) == (self.file is None):
+            state = "neither is given" if self.height is None else "both are given"
+            raise StudyError(f"{where}: {state}; allowed: one of height, file")
+        if self.file is None:
+            return sea_of(where, self, direction(where, self), depth)
+        given = [key for key in (*PERIODS, "gamma") if getattr(self, key) is not None]
+        if given:
+            raise StudyError(f"{where}.{given[0]} is given beside a file, which has it; leave it out")
+        return _of_file(where, self)
 
 
-class WavesTable(SeaTable):
-    """The sea, or a regular wave
+class SystemsTable(SeaTable):
+    """A sea of one system of waves or several
 
     swell : further systems of waves, each with a direction of its own
+    """
+
+    swell: list[SeaTable] = msgspec.field(default_factory=list)
+
+
+class WavesTable(SystemsTable):
+    """The sea, or a regular wave
+
     method : "irregular", waves of a spectrum, or "regular_wave" of this height and mean period as in the SR179 report
     duration_hours : of the largest motions
     motion_factor : by which the motions are multiplied before lines are tightened by them, 1.5 in some rules
     """
 
-    swell: list[SeaTable] = msgspec.field(default_factory=list)
     method: str = "irregular"
     duration_hours: float = 3.0
     motion_factor: float = 1.0
@@ -85,24 +111,73 @@ def spectrum_of(where, table, depth):
 def mean_wave(waves, spectrum):
     """Height m and mean period s of a WavesTable: as given, else those of its spectrum, with the swell"""
     given = waves.period if waves.mean_period is None else waves.mean_period
-    if waves.swell:
+    if waves.swell or waves.file is not None:
         return float(spectrum.significant_height), float(spectrum.T01)
     return waves.height, float(spectrum.T01) if given is None else given
 
 
 def mean_period(where, table, depth):
-    """s, mean, of a SpectrumTable in `depth` m: as given, else that of its spectrum.  Raises StudyError."""
+    """s, mean, of a SpectrumTable or SeaTable in `depth` m: as given, else that of its spectrum.  Raises StudyError."""
+    if getattr(table, "file", None) is not None:
+        return float(table.sea(where, depth).spectrum.T01)
     period = period_of(where, table)
     return period["mean_period"] if "mean_period" in period else float(spectrum_of(where, table, depth).T01)
 
 
 def sea_with_swell(where, waves, depth):
-    """The Sea of a WavesTable, or Systems with its swell, in `depth` m.  Raises StudyError."""
+    """The Sea of a SystemsTable, or Systems with its swell, in `depth` m.  Raises StudyError."""
     from hakobune.mooring.seas.systems import Systems
 
     own = waves.sea(where, depth)
     more = [one.sea(f"{where}.swell[{i}]", depth) for i, one in enumerate(waves.swell)]
     return Systems((own, *more)) if more else own
+
+
+def files_at(table, folder):
+    """A raw table of a sea, its files and those of its swell with the `folder` they lie in"""
+    found = dict(table)
+    if isinstance(table.get("file"), str):
+        found["file"] = str(folder / table["file"])
+    if isinstance(table.get("swell"), list):
+        found["swell"] = [files_at(one, folder) if isinstance(one, dict) else one for one in table["swell"]]
+    return found
+
+
+def seas_at(raw, folder):
+    """Nested dictionaries of a study with `files_at` of its seas, and the paths of these files"""
+    changed, files = dict(raw), []
+    for key in ("waves", "sea"):
+        if isinstance(raw.get(key), dict):
+            changed[key] = files_at(raw[key], folder)
+            files += files_of(changed[key])
+    simulation = raw.get("simulation")
+    if isinstance(simulation, dict) and isinstance(simulation.get("sea"), list):
+        more = [files_at(one, folder) if isinstance(one, dict) else one for one in simulation["sea"]]
+        changed["simulation"] = {**simulation, "sea": more}
+        files += [file for one in more if isinstance(one, dict) for file in files_of(one)]
+    return (changed, files) if files else (raw, [])
+
+
+def files_of(table):
+    """Paths of the files of a raw table of a sea as `files_at` gives it"""
+    systems = (table, *(table["swell"] if isinstance(table.get("swell"), list) else ()))
+    return [Path(one["file"]) for one in systems if isinstance(one, dict) and isinstance(one.get("file"), str)]
+
+
+def _of_file(where, table):
+    """The Sea of a file of `spectra_files`; a direction of the study goes before its own"""
+    from hakobune.mooring.environment.sea import Sea
+    from hakobune.mooring.seas.spectra_files import TabulatedSpreading, read_sea
+
+    path = Path(table.file)
+    sea = read_sea(path, table.x_axis_compass_deg, table.time, table.location)
+    given = table.direction_deg is not None or table.incidence_deg is not None
+    if isinstance(sea.spreading, TabulatedSpreading) and (given or table.spreading is not None):
+        raise StudyError(f"{where}: {path.name} has directions of its own; leave direction and spreading out")
+    if isinstance(sea.spreading, TabulatedSpreading) or (sea.spreading is not None and not given):
+        return sea
+    spread = spreading_of(where, table, sea.spectrum) if table.spreading is not None else sea.spreading
+    return Sea(sea.spectrum, direction(where, table), spread)
 
 
 def family_of(where, table, depth):

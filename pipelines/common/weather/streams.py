@@ -8,10 +8,12 @@ the numbers it holds: a state of a design has them, and a result tells them.
 from __future__ import annotations
 
 import math
+import zlib
 from functools import partial
 from pathlib import Path
 
 from ..quantities import StudyError, Table, direction, speed, waves_on
+from .seas import seas_at
 
 STREAMS = ("wind", "current")
 WAYS = ("coefficients", "ship")  # of the hull, one of them
@@ -230,22 +232,25 @@ def with_hull(table, of_hull):
 
 
 def with_files(raw, text, path):
-    """Nested dictionaries and text of a study at `path`, with the numbers of the files of its wind and current.
+    """Nested dictionaries and text of a study at `path`, with the numbers of the files of its wind and current, and the
+    folder of those of its seas, of which the text has a checksum.
 
     raises : StudyError
     """
     import tomli_w
 
+    raw, seas = seas_at(raw, Path(path).parent)
     found = {}
     for where in STREAMS:
         table = raw.get(where)
         if isinstance(table, dict) and isinstance(table.get("file"), str):
             found[where] = _with_numbers(where, table, Path(path).parent)
-    if not found:
+    if not found and not seas:
         return raw, text
-    named = ", ".join(f"{where} of {raw[where]['file']}" for where in found)
-    raw = {**raw, **found}
-    return raw, f"# {Path(path).name} with coefficients: {named}\n{tomli_w.dumps(raw)}"
+    named = [", ".join(f"{where} of {raw[where]['file']}" for where in found)] if found else []
+    named += [f"{one.name}, checksum {zlib.crc32(one.read_bytes()):08x}" for one in seas if one.is_file()]
+    raw, head = {**raw, **found}, "coefficients: " if found else ""
+    return raw, f"# {Path(path).name} with {head}{'; '.join(named)}\n{tomli_w.dumps(raw)}"
 
 
 def _with_numbers(where, table, folder):

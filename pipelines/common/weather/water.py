@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from ..quantities import Table
+import math
+
+from ..quantities import StudyError, Table
+
+GRAVITY = 9.80665
 
 
 class DepthTable(Table):
@@ -32,3 +36,22 @@ class WaveTable(Table):
     period: float
     direction_deg: float | None = None
     incidence_deg: float | None = None
+
+
+def check_solved_depth(depth, solved, name, period=None):
+    """Raise StudyError where a body solved in `solved` m is in other waves in `depth` m.
+
+    Waves in deep water are those of any depth of half their length.
+
+    name : of what is solved; period : s, mean, of the waves, None without
+    """
+    if math.isclose(depth, solved, rel_tol=1e-6):
+        return
+    if math.isfinite(solved):
+        raise StudyError(f"water.depth is {depth:g} m, {name} is for {solved:g} m")
+    felt = 0.0 if period is None else GRAVITY * period**2 / (4 * math.pi)
+    if felt > depth:
+        raise StudyError(
+            f"water.depth is {depth:g} m, {name} is for deep water, and waves of {period:.3g} s feel a bed above "
+            f"{felt:.3g} m; solve it in {depth:g} m"
+        )

@@ -24,10 +24,12 @@ def simulated(study, database, path, factors):
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement
     returns : {"mean" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift": (n,) N at the
-        anchor with it, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their means, "findings"}
+        anchor with it, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their means, "excursion": m,
+        largest horizontal distance from rest, "findings"}
     raises : ValueError, one line, where it cannot be run
     """
-    place, texts = path.with_name(f"{path.stem}_extremes.json"), (study.read_text(encoding="utf-8"), repr(factors))
+    texts = study.read_text(encoding="utf-8"), repr(factors), "excursion"
+    place = path.with_name(f"{path.stem}_extremes.json")
     found = kept(
         place, lambda: key_of(*texts, Path(database), path), lambda: _plain(_simulated(study, database, path, factors))
     )
@@ -45,6 +47,7 @@ def _plain(runs):
 READ = {  # what of JSON is not an array
     "largest": lambda pairs: {factor: np.array(values) for factor, values in pairs},
     "cycles": lambda pairs: [(time, Cycles(*map(np.array, parts))) for time, parts in pairs],
+    "excursion": float,
     "findings": tuple,
 }
 
@@ -61,6 +64,7 @@ def _simulated(study, database, path, factors):
     with opened(path) as file:
         rows = [summary_of(file, f"tension {name}") for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
+        excursion = _largest_excursion(file, motion)
         motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
         found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *rare_findings(file))
     largest = {1.0: np.array([row["largest"] for row in rows])}
@@ -77,6 +81,7 @@ def _simulated(study, database, path, factors):
         "uplift": up * more,
         "cycles": cycles_of(tension, step),
         "motions": motions,
+        "excursion": excursion,
         "findings": tuple(dict.fromkeys(found)),
     }
 
@@ -116,6 +121,14 @@ def _largest_motions(file):
         row = summary_of(file, name.lower())
         out.append(max(row["largest"] - row["mean"], row["mean"] - row["smallest"]))
     return np.array(out)
+
+
+def _largest_excursion(file, motion):
+    """m, of the records motion (runs, t, 6), and no less than the largest surge or sway of runs that are not kept"""
+    from ...simulate.file import summary_of
+
+    along = [abs(summary_of(file, name)[side]) for name in ("surge", "sway") for side in ("largest", "smallest")]
+    return float(max(np.hypot(motion[..., 0], motion[..., 1]).max(initial=0.0), *along))
 
 
 def _moved(study, database, motion, tension, factor):

@@ -56,10 +56,6 @@ def check(project, raw):
     if project.database_with_levels:
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
 
-    for i, state in enumerate(project.states):
-        if state.waves is not None and state.waves.swell:
-            raise StudyError(f"states[{i}].waves.swell is given; a single point stands one system of waves")
-
 
 def base(raw, db):
     """Tables of a study with a heading for each line"""

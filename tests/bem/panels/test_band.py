@@ -126,14 +126,14 @@ def test_frequencies_outside_the_band_use_full_matrices():
     assert type(prepared.run(1.3, HEADINGS, WANT, None, DOFS)) is PanelRun
 
 
-def test_a_basis_too_small_is_rejected_and_full_matrices_are_used(monkeypatch):
+def test_a_basis_too_small_is_rejected_and_full_or_compressed_matrices_are_used(monkeypatch):
     rough = band_equations(body("box in 20 m").geometry, (0.2, 0.21), 9.80665, 1e-2)  # long waves only
     prepared = with_equations(body("box in 20 m"), tuple(part._replace(accuracy=1e-5) for part in rough))
     low_rank, full = both(prepared, 0.8)
     assert largest_difference(low_rank, full) == 0.0
     monkeypatch.setattr(one_frequency, "LARGEST_FULL_SYSTEM", 10)
-    with pytest.raises(FloatingPointError, match="the low-rank waves of the band are"):
-        both(prepared, 0.8)
+    compressed, full = both(prepared, 0.8)
+    assert 0 < largest_difference(compressed, full) < 1e-4
 
 
 def test_the_same_band_gives_the_same_bits():

@@ -82,6 +82,9 @@ def test_a_row_of_the_report_is_made_dimensionless_by_half_the_beam():
     assert row["E_R"] == pytest.approx(abs(one.excitation[2]) / (rho * G * b * b))
     assert row["eps_S_deg"] == pytest.approx(np.degrees(np.angle(one.excitation[0])))
     assert set(row) == set(COLUMNS)
+    assert row["reflected"] ** 2 + row["transmitted"] ** 2 == pytest.approx(1, rel=1e-6)  # energy of the fixed body
+    kh = 2 * one.k * one.depth
+    assert row["drift"] == pytest.approx(row["reflected"] ** 2 * (1 + kh / np.sinh(kh)), rel=1e-6)  # Longuet-Higgins
 
 
 def test_the_twenty_tables_of_the_report_are_of_its_shapes_and_frequencies():

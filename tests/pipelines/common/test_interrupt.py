@@ -17,7 +17,7 @@ KEPT = "; what was solved is stored, the same command goes on"
     ("words", "place", "said"),
     [
         (["plot", "box.h5"], "hakobune.bem.database.open_database", ""),
-        (["look", "box.h5", "--screenshot", "box.png"], "hakobune.pipelines.view.looking.look", ""),
+        (["look", "box.h5", "--plot", "box.png"], "hakobune.pipelines.view.looking.look", ""),
         (["sections"], "hakobune.pipelines.sections.result.tables", ""),
         ([*BOX, "--mesh-only"], "hakobune.pipelines.solve.hull.make_hull", ""),
         (BOX, "hakobune.pipelines.solve.run.solve", KEPT),

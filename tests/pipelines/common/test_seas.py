@@ -10,10 +10,11 @@ from hakobune.mooring.seas.systems import Systems
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.typed import typed
 from hakobune.pipelines.common.weather.seas import PERIODS, SeaTable
+from hakobune.pipelines.common.weather.water import check_solved_depth
 from hakobune.pipelines.design.tables import StateTable
 from hakobune.pipelines.line_dynamics.study import LineSeaTable
-from hakobune.pipelines.moor.study import make_study
-from hakobune.pipelines.response.study import SystemTable
+from hakobune.pipelines.moor.study import make_study, read_study
+from hakobune.pipelines.response.study import SeaTable as ResponseSea
 from hakobune.pipelines.simulate.study import plan_of
 from hakobune.pipelines.single_point.tables import WavesTable as SinglePointWaves
 
@@ -43,7 +44,7 @@ def test_every_kind_of_period_means_the_same_sea(kind):
     assert found.sea.spectrum.density(omega) == pytest.approx(same.density(omega), rel=2e-3)
 
 
-@pytest.mark.parametrize("table", [SystemTable, SinglePointWaves, LineSeaTable, SeaTable])
+@pytest.mark.parametrize("table", [ResponseSea, SinglePointWaves, LineSeaTable, SeaTable])
 def test_every_study_knows_every_kind_of_period(table):
     for kind in PERIODS:
         raw = {"height": 3.0, kind: 9.0, "direction_deg": 30.0, "spectrum": "bretschneider"}
@@ -88,3 +89,34 @@ def test_a_state_of_a_design_may_have_a_swell():
     waves = {"height": 3.0, "peak_period": 9.0, "swell": [{"height": 1.0, "peak_period": 14.0, "direction_deg": 60.0}]}
     state = typed(raw | {"waves": waves}, StateTable, StudyError)
     assert state.waves.swell[0].sea("swell", 20.0).direction == pytest.approx(np.pi / 3)
+
+
+def test_a_spectrum_of_a_file_is_a_sea_of_any_study(tmp_path):
+    """A triangle of 0.04 Hz and 3.125 m²/Hz has m₀ = 1/16 m², 1 m, at 1/12.5 s; beside 3 m that is √10 m"""
+    (tmp_path / "buoy.csv").write_text("frequency_hz,density_m2_hz\n0.06,0\n0.08,3.125\n0.10,0\n")
+    swell = '[[waves.swell]]\nfile = "buoy.csv"\ndirection_deg = 60.0\n'
+    (tmp_path / "study.toml").write_text(f"{HEAD}period = 8.0\n{swell}")
+    study, text = read_study(tmp_path / "study.toml")
+    assert study.conditions().waves.height == pytest.approx(10**0.5, rel=1e-3)
+    (tmp_path / "buoy.csv").write_text("frequency_hz,density_m2_hz\n0.06,0\n0.08,6.25\n0.10,0\n")
+    again, later = read_study(tmp_path / "study.toml")
+    assert text != later  # what was made of another file is made again
+    assert again.conditions().waves.height == pytest.approx(11**0.5, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("key", "meant"), [("Tp", "peak_period"), ("Hs", "height"), ("peak_perod", "peak_period"), ("systems", "swell")]
+)
+def test_a_key_of_another_name_is_told_by_the_one_that_is_meant(key, meant):
+    with pytest.raises(StudyError, match=rf"waves.{key} is unknown, {meant} may be meant; allowed: "):
+        sea(f"{key} = 9.0\n")
+
+
+def test_deep_water_is_any_of_half_a_length():
+    """Waves of 4 s are gT²/2π = 24.97 m long"""
+    check_solved_depth(12.5, np.inf, "box.h5", 4.0)
+    check_solved_depth(3.0, np.inf, "box.h5")
+    with pytest.raises(StudyError, match=r"waves of 4 s feel a bed above 12.5 m; solve it in 12.4 m"):
+        check_solved_depth(12.4, np.inf, "box.h5", 4.0)
+    with pytest.raises(StudyError, match=r"water.depth is 12.5 m, box.h5 is for 20 m"):
+        check_solved_depth(12.5, 20.0, "box.h5")

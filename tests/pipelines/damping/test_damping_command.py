@@ -42,6 +42,21 @@ def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
     assert rows["B1"] == pytest.approx(2 * ratio * OMEGA * 5e6, rel=1e-3)
 
 
+def test_a_roll_decay_has_its_damping_in_moments_as_a_study_takes_it(tmp_path, capsys):
+    """Of I = 2e9 kg m², 5 % of critical, from 10°: B₁ = 2 ζ Ω I"""
+    ratio, inertia = 0.05, 2e9
+    x = 10.0 * np.exp(-ratio * OMEGA * T) * np.cos(OMEGA * np.sqrt(1 - ratio**2) * T)
+    path = written(tmp_path / "roll.csv", time_s=T, motion_deg=x)
+    assert cli.main(["damping", path, "--mass", "2e6"]) == 0
+    B1, rows = 2 * ratio * OMEGA * inertia, hakobune.damping(path, mass=inertia)
+    assert rows["B1"] == pytest.approx(B1, rel=1e-3) and rows.quantity("B1").unit == "N m s"
+    assert rows["record.motion"] == pytest.approx(np.radians(x))
+    said = " ".join(capsys.readouterr().out.split())
+    assert f"linear_damping = {{ roll = {rows['B1'] / 1e3:.4g} }}" in said
+    both = written(tmp_path / "both.csv", time_s=T, motion_deg=x, force_kN=x)
+    assert cli.main(["damping", both]) == 2 and "motion_deg and moment_kNm" in capsys.readouterr().err
+
+
 def test_a_record_of_something_else_fails(tmp_path, capsys):
     noise = np.random.default_rng(1).standard_normal(len(T))
     path = written(tmp_path / "noise.csv", time_s=T, motion_m=np.exp(-0.01 * T) * np.cos(OMEGA * T) + noise)

@@ -12,7 +12,7 @@ def test_energy_asked_for_is_taken_up_and_drawn(tmp_path, capsys):
     """By the fender, its softest and its stiffest, each at the deflection where its own energy is that asked for; their
     factors are products of the bands of the SR179 report (1982), 3.4.7"""
     picture = tmp_path / "f.png"
-    asked = f"fender --family cell --height 2 --dolphin 14000 --energy 900 --output {picture}"
+    asked = f"fender --family cell --height 2 --dolphin 14000 --energy 900 --plot {picture}"
     assert cli.main(asked.split()) == 0
     table = {"family": "cell", "height": 2.0, "dolphin": 14000.0}
     result = hakobune.fender(table, energy=9e5)
@@ -26,7 +26,7 @@ def test_energy_asked_for_is_taken_up_and_drawn(tmp_path, capsys):
 
 def test_an_inclined_face_is_told_beside_the_upright_one_and_drawn(tmp_path, capsys):
     picture = tmp_path / "f.png"
-    asked = f"fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --output {picture}"
+    asked = f"fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --plot {picture}"
     assert cli.main(asked.split()) == 0
     assert "inclined by 8° over 2.4 m, by strips" in capsys.readouterr().out
     words, tilted = {"family": "cell", "height": 2.0}, {"angle_deg": 8.0, "width": 2.4}

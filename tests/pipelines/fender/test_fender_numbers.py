@@ -104,7 +104,7 @@ def test_an_inclined_face_presses_strips_of_a_spring_less(table):
 
 
 def test_the_picture_of_a_fender_has_its_curves_in_the_units_of_its_axes(table, tmp_path, asked, pictures):
-    words = ["fender", "--table", table, "--height", 2, "--strain", 0.3, "--output", tmp_path / "f.png"]
+    words = ["fender", "--table", table, "--height", 2, "--strain", 0.3, "--plot", tmp_path / "f.png"]
     asked(*words, "--angle", 10, "--width", 1)
     axis, right = pictures[0].axes
     assert (axis.get_xlabel(), axis.get_ylabel(), right.get_ylabel()) == ("deflection, m", "reaction, kN", "energy, kJ")
@@ -132,7 +132,7 @@ def test_a_fender_that_loses_energy_has_its_unloading_drawn_below(tmp_path, aske
     """Half of the reaction comes back"""
     path = tmp_path / "lossy.csv"
     path.write_text("deflection_m,reaction_kN,unloading_kN\n0,0,0\n0.5,500,250\n1.0,1000,500\n")
-    asked("fender", "--table", path, "--height", 2, "--output", tmp_path / "f.svg")
+    asked("fender", "--table", path, "--height", 2, "--plot", tmp_path / "f.svg")
     lines = {line.get_label(): line.get_data() for line in pictures[0].axes[0].lines}
     x, R = lines["unloading"]
     assert 500 * x == pytest.approx(R, abs=1e-6)

@@ -58,7 +58,7 @@ def result(path):
 def test_a_scene_prints_writes_and_draws_what_it_found(scene, tmp_path, monkeypatch, capsys):
     monkeypatch.delenv("DISPLAY", raising=False)
     out, picture = tmp_path / "run.h5", tmp_path / "strip.png"
-    assert main(["line-dynamics", str(scene), "--output", str(out), "--picture", str(picture)]) == 0
+    assert main(["line-dynamics", str(scene), "--output", str(out), "--plot", str(picture)]) == 0
     shown = capsys.readouterr().out
     for text in ("largest, quasi-static", "slack in a cycle", "work per cycle", "friction", "regime"):
         assert text in shown
@@ -145,7 +145,7 @@ def test_a_line_that_lies_on_the_bed_wholly_is_told_to_pull_nothing(tmp_path):
     lying = changed(tmp_path, ("[292.0, 0.0, -2.0]", "[292.0, 0.0, -60.0]"), ("[1.0, 0.0, 0.5]", "[0.0, 0.0, 0.0]"))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        words = ["--output", str(tmp_path / "lying.h5"), "--picture", str(tmp_path / "lying.png")]
+        words = ["--output", str(tmp_path / "lying.h5"), "--plot", str(tmp_path / "lying.png")]
         assert main(["line-dynamics", str(lying), *words]) == 0
     assert np.all(np.isnan(result(tmp_path / "lying.h5")["tension.over_quasi_static"]))
 
@@ -235,7 +235,7 @@ def test_an_interrupted_run_leaves_no_file(tmp_path, monkeypatch, capsys):
 
     monkeypatch.setattr(line_dynamics_command.Progress, "__call__", stop)
     path = changed(tmp_path)
-    arguments = ["--output", str(tmp_path / "run.h5"), "--picture", str(tmp_path / "run.png")]
+    arguments = ["--output", str(tmp_path / "run.h5"), "--plot", str(tmp_path / "run.png")]
     assert main(["line-dynamics", str(path), *arguments]) == 130
     assert capsys.readouterr().err == "hakobune line-dynamics: interrupted; nothing was written\n"
     assert list(tmp_path.iterdir()) == [path]
@@ -278,7 +278,7 @@ FAULTS = [
     (("R3 studless", "R3 stuffed"), [], "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes"),
     (("[fairlead]", "[bed]\npoints = [[5, 2], [60, 62], [90, 92]]\n[fairlead]"), [],
      "bed.points[2] is [90, 92], 30 m above still water; allowed: z up to 62, as points[0] lies at z = -60 m"),
-    (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown; allowed: depth"),
+    (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown, depth may be meant; allowed: depth"),
     (('type = "chain"', 'type = "rope"'), [], "segments[0].type is 'rope'; allowed: chain"),
     (("length = 315.0", "length = 250.0"), [], "m from the anchor at t ="),
     (("[1.0, 0.0, 0.5]", "[40.0, 0.0, 0.5]"), [], "where the line of 315 m breaks at 4884 kN"),
@@ -295,7 +295,7 @@ FAULTS = [
     (("duration = 24.0", "duration = 15.0"), [], "one cycle of 8 s before the end; give a longer duration"),
     (("", ""), ["--duration", "-1"], "duration is -1 s; allowed: finite, above 0"),
     (("", ""), ["--tolerance", "0"], "tolerance is 0; allowed: 1e-08"),
-    (("", ""), ["--picture", "x.doc"], "has the suffix '.doc'; allowed"),
+    (("", ""), ["--plot", "x.doc"], "has the suffix '.doc'; allowed"),
     (("", ""), ["--output", "/nowhere/x.h5"], "there is no folder /nowhere"),
 ]  # fmt: skip
 
@@ -354,7 +354,7 @@ def test_hills_lie_under_the_line_from_its_anchor_towards_the_fairlead(tmp_path)
     assert line.bed.points == ((0.0, 0.0), (60.0, 0.0), (115.0, 6.0), (395.0, 0.0))
     way = np.array(read_line_dynamics(place)[0].fairlead.position[:2]) - line.anchor[:2]
     assert np.allclose(line.system.bed_course[2:], way / np.linalg.norm(way))
-    assert main(["line-dynamics", str(place), "--duration", "16", "--picture", str(tmp_path / "hills.png")]) == 0
+    assert main(["line-dynamics", str(place), "--duration", "16", "--plot", str(tmp_path / "hills.png")]) == 0
     place.write_text(place.read_text().replace("[65, 1]", "[5, 1]"))
     with pytest.raises(ValueError, match="bed: bed points step 0 m"):
         line_of(read_line_dynamics(place)[0])

@@ -51,7 +51,7 @@ def written(folder, *changes):
 
 def test_every_tension_of_a_rope_that_is_a_spring(tmp_path, asked, pictures):
     out = tmp_path / "run.h5"
-    words = ["line-dynamics", written(tmp_path), "--output", out, "--picture", tmp_path / "p.png"]
+    words = ["line-dynamics", written(tmp_path), "--output", out, "--plot", tmp_path / "p.png"]
     asked(*words)
     found = hakobune.read(out)
     assert [found[f"window.{name}"] for name in ("begin", "end", "cycles")] == [RAMP, RAMP + 3 * PERIOD, 3]
@@ -142,7 +142,7 @@ def test_a_rope_in_a_standing_wave_parts_at_its_anchor_above_its_breaking_load(t
 
 def test_a_breaking_load_near_the_tensions_is_drawn(tmp_path, asked, pictures):
     path = written(tmp_path, ("breaking_load_kN = 400.0", "breaking_load_kN = 250.0"))
-    asked("line-dynamics", path, "--picture", tmp_path / "p.png")
+    asked("line-dynamics", path, "--plot", tmp_path / "p.png")
     lines = {line.get_label(): line.get_ydata()[0] for line in pictures[0].axes[0].lines}
     assert lines["breaking load"] == 250.0
 

@@ -94,7 +94,7 @@ def test_tensions_at_rest_and_the_stiffness_of_a_cross(tmp_path, asked):
 def test_offsets_from_rest_pull_back_by_the_difference_of_both_chains(tmp_path, asked, pictures):
     """Moved d along: H(X + d) − H(X − d) + 2 H(√(X² + d²)) d/√(X² + d²); the largest T = H + w h of them"""
     found = hakobune.lines(written(tmp_path), offset=5.0, directions=[0.0, np.pi / 2, np.pi / 3])
-    asked("lines", written(tmp_path), "--offset", 5, "--direction", "0,90,60", "--picture", tmp_path / "p.png")
+    asked("lines", written(tmp_path), "--offset", 5, "--direction", "0,90,60", "--plot", tmp_path / "p.png")
     offsets, by_hand = found.labels["offset"].values, []
     assert offsets == pytest.approx(np.linspace(-5, 5, 21))
     for d in offsets:
@@ -130,7 +130,7 @@ def test_with_one_chain_lost_the_others_come_to_rest_where_they_balance(tmp_path
     d = root(left, 1.0, 25.0)
     T = pull_at(math.hypot(SPAN, d)) + W * H_WATER / 1e3
     found = hakobune.lines(written(tmp_path), broken=True)
-    asked("lines", written(tmp_path), "--broken", "--picture", tmp_path / "p.png")
+    asked("lines", written(tmp_path), "--broken", "--plot", tmp_path / "p.png")
     assert found.labels["lost"].values.tolist() == list(ARMS)
     assert found["loss.tension"] / 1e3 == pytest.approx([T] * 4, rel=1e-5)
     assert found["loss.used"] == pytest.approx([T / BREAKING] * 4, rel=1e-5)

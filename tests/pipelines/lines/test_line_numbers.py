@@ -141,7 +141,7 @@ def test_a_rope_that_is_half_as_long_again_parts(asked, strain, status):
 def test_the_picture_of_a_line_has_its_profile_and_its_curves(tmp_path, asked, pictures):
     H = 150.0
     span, s, T, _ = hanging(H)
-    asked(*WORDS, "--tension", H, "--output", tmp_path / "line.png")
+    asked(*WORDS, "--tension", H, "--plot", tmp_path / "line.png")
     left, right = pictures[0].axes
     a = 1e3 * H / W
     x, z = left.lines[0].get_data()

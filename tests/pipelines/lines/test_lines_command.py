@@ -100,7 +100,7 @@ def spread(tmp_path):
 def test_line_prints_the_forces_of_the_line_and_draws_it(tmp_path, capsys):
     picture = tmp_path / "line.png"
     arguments = ["--weight", "1000", "--stiffness", "5e5", "--length", "300", "--depth", "60", "--span", "285"]
-    assert main(["line", *arguments, "--output", str(picture)]) == 0
+    assert main(["line", *arguments, "--plot", str(picture)]) == 0
     shown = capsys.readouterr().out
     expected = solve_lines(285.0, 60.0, 300.0, 1000.0, 5e8)
     found = line(weight=1000.0, stiffness=5e8, length=300.0, depth=60.0, span=285.0)
@@ -215,7 +215,7 @@ def test_lines_runs_a_system_and_writes_results_picture_and_moordyn_file(spread,
     own = SPREAD[SPREAD.index("weight_N_per_m") : SPREAD.index("bed_friction = 0.5\n[[bodies]]")]
     spread.write_text(SPREAD.replace(own, 'catalogue = "wire 6x36 IWRC 60 mm"\n'))
     out, picture, deck = tmp_path / "rest.h5", tmp_path / "rest.svg", tmp_path / "deck.txt"
-    extra = ["--offset", "3", "--direction", "0,90", "--broken", "--output", str(out), "--picture", str(picture)]
+    extra = ["--offset", "3", "--direction", "0,90", "--broken", "--output", str(out), "--plot", str(picture)]
     assert main(["lines", str(spread), *extra, "--moordyn", str(deck)]) == 0
     shown = capsys.readouterr().out
     for text in (
@@ -302,14 +302,14 @@ FAULTS = [
     (("type = \"wire\"", "type = \"rope\""), [], "lines[1].type is 'rope'; allowed: chain, wire"),
     (("R3 studless", "R3 stuffed"), [],
      "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes studlink or studless"),
-    (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown; allowed: depth"),
+    (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown, depth may be meant; allowed: depth"),
     (("mass = 8000.0", "mass = -1"), [], "point sinker: mass is -1; allowed: finite, at least 0 kg"),
     (("to = \"stern\"", "to = \"bow\""), [], "its end 'bow' is no point of the system"),
     (("", ""), ["--body", "tug"], "--body is 'tug'; allowed: barge"),
     (("", ""), ["--force", "1,2"], "--force has 2 numbers; allowed: 3"),
     (("", ""), ["--force", "a"], "--force is 'a'; allowed: finite numbers"),
     (("", ""), ["--offset", "-2"], "--offset is -2 m; allowed: above 0"),
-    (("", ""), ["--picture", "x.doc"], "has the suffix '.doc'; allowed"),
+    (("", ""), ["--plot", "x.doc"], "has the suffix '.doc'; allowed"),
     (("", ""), ["--output", "/nowhere/x.h5"], "/nowhere"),
     (("bed_friction = 0.5\n[[bodies]]", "[[bodies]]"), ["--moordyn", "never.txt"], "bed friction is 0 and 0.5"),
 ]  # fmt: skip
@@ -339,9 +339,9 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     place = Quantity(nodes, ("frame", "node", "xyz"), "m", "places", record=True)
     Result("line-dynamics", {"line.place": place}, axes).write(run)
     for name in ("strip.png", "film.gif"):
-        assert main(["lines", str(run), "--picture", str(tmp_path / name)]) == 0
+        assert main(["lines", str(run), "--plot", str(tmp_path / name)]) == 0
         assert (tmp_path / name).stat().st_size > 5_000
-    picture = tmp_path / "run.png"  # of `line-dynamics --output run.h5 --picture run.png`
+    picture = tmp_path / "run.png"  # of `line-dynamics --output run.h5 --plot run.png`
     picture.write_text("tensions")
     assert main(["lines", str(run)]) == 0
     assert picture.read_text() == "tensions" and (tmp_path / "run_frames.png").stat().st_size > 5_000
@@ -405,7 +405,7 @@ def test_a_line_of_segments_that_cannot_be_is_refused_by_its_key(tmp_path, old, 
 
 def test_the_example_of_lines_with_segments_comes_to_rest_and_is_drawn(tmp_path, capsys):
     scene, picture = Path(pipelines.__file__).parent / "scenes" / "lines_barge.toml", tmp_path / "barge.png"
-    assert main(["lines", str(scene), "--picture", str(picture)]) == 0
+    assert main(["lines", str(scene), "--plot", str(picture)]) == 0
     warned = [line for line in capsys.readouterr().out.splitlines() if "warning" in line]
     assert len(warned) == 1 and "weighing there as in it: hawser over" in warned[0]  # a pile above the water holds it
     assert picture.stat().st_size > 20_000

@@ -126,7 +126,7 @@ def test_stiffness_of_the_study_holds_heave(folder):
 
 FAULTS = [
     (("height = 3.0", "height = -1.0"), "sea.height is -1; allowed: above 0"),
-    (("height = 3.0", "heigth = 3.0"), "sea.heigth is unknown; allowed: height"),
+    (("height = 3.0", "heigth = 3.0"), "sea.heigth is unknown, height may be meant; allowed: height"),
     (("mean_period = 10.0", ""), "no period is given; allowed: one of period, mean_period"),
     (("mean_period = 10.0", "mean_period = 10.0\npeak_period = 12.0"), "mean_period and peak_period are given"),
     (("incidence_deg = 180.0", ""), "sea: neither is given; allowed: one of direction_deg, incidence_deg"),
@@ -240,12 +240,11 @@ def test_wind_sea_in_shallow_water_and_a_buoys_swell_are_one_sea(folder, capsys)
     Path("buoy.csv").write_text("frequency_hz,density_m2_hz\n0.06,0\n0.08,3.125\n0.10,0\n")
     both = """[sea]
 duration_hours = 3.0
-[[sea.systems]]
 spectrum = "tma"
 height = 2.0
 peak_period = 9.0
 direction_deg = 0.0
-[[sea.systems]]
+[[sea.swell]]
 file = "buoy.csv"
 direction_deg = 90.0
 """

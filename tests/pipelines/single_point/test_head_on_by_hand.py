@@ -172,7 +172,7 @@ def test_a_heading_that_is_turned_away_begins_there(tmp_path, asked):
 
 
 def test_the_plan_shows_hull_buoy_and_lines(tmp_path, asked, pictures):
-    asked("single-point", written(tmp_path), "--picture", tmp_path / "p.png")
+    asked("single-point", written(tmp_path), "--plot", tmp_path / "p.png")
     axes = pictures[0].axes[0]
     assert f"pull {PULL:.0f} kN" in axes.get_title() and axes.get_title().startswith("stable")
     hull = next(line for line in axes.lines if line.get_label() == "0.0°, stable").get_xydata()

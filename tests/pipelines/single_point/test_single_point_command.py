@@ -31,7 +31,7 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
     text = STUDY + "\n[hawser]\nlength = 25.0\n\n[[maps]]\n"
     text += 'x = { key = "hawser.length", from = 10, to = 90, count = 3 }\n'
     text += 'y = { key = "hull.length_over_beam", from = 1.98, to = 2.02, count = 2 }\n'
-    assert run(tmp_path, text, "--output", "a.h5", "--picture", "a.png", monkeypatch=monkeypatch) == 0
+    assert run(tmp_path, text, "--output", "a.h5", "--plot", "a.png", monkeypatch=monkeypatch) == 0
     said = capsys.readouterr().out
     assert "map over hawser.length" in said and "beam_over_draft = 10" in said
     assert {p.name for p in tmp_path.iterdir()} == {"study.toml", "a.h5", "a.png", "a_slewing.png"}

@@ -118,7 +118,7 @@ def test_a_ctrl_c_that_ends_the_command_of_a_case_ends_the_sweep_and_leaves_the_
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("approach.speed", "approach.sped", "approach.sped is unknown; allowed: speed"),
+        ("approach.speed", "approach.sped", "approach.sped is unknown, speed may be meant; allowed: speed"),
         ("[0.1, 0.15, 0.2]", '["slow", "fast"]', "approach.speed is 'slow'; allowed: a number"),
     ],
 )

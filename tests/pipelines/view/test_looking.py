@@ -100,7 +100,7 @@ def test_the_picture_holds_the_whole_body_and_the_whole_bed(mesh, depth, field):
 def test_a_mesh_turned_inside_out_is_said(tmp_path, capsys):
     path = tmp_path / "inward.gdf"
     write_mesh(box(40, 10, 5, panels=40).flipped(), path)
-    assert main(["look", str(path), "--screenshot", str(tmp_path / "inward.png")]) == 1
+    assert main(["look", str(path), "--plot", str(tmp_path / "inward.png")]) == 1
     assert "point into the body (volume" in capsys.readouterr().out
 
 
@@ -136,7 +136,7 @@ def test_what_a_database_lacks_is_said_of_it_and_a_field_without_a_number_is_ref
         file["pressure"][...] = np.nan  # none is stored by us: a file of another program
         file["stored/pressure"][0, 0] = crc(file["pressure"][0, 0])
     capsys.readouterr()
-    look = ["look", str(path), "--screenshot", str(picture)]
+    look = ["look", str(path), "--plot", str(picture)]
     assert main(look) == 1
     assert "FAILS: " in (said := capsys.readouterr().out) and "pressure is not a number at all frequencies" in said
     assert main([*look, "--field", "pressure", "--omega", "0.8", "--heading", "0"]) == 2

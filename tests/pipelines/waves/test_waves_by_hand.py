@@ -86,7 +86,7 @@ def test_a_map_is_wider_than_the_body_and_up_to_a_thousand_times(small, capsys, 
 
 
 def test_the_map_is_drawn_with_the_way_of_the_waves(small, tmp_path, asked, pictures):
-    asked("waves", small, "--omega", OMEGA, "--heading", 0, "--width", 100, "--output", tmp_path / "w.png", status=None)
+    asked("waves", small, "--omega", OMEGA, "--heading", 0, "--width", 100, "--plot", tmp_path / "w.png", status=None)
     left, right = pictures[0].axes[:2]
     assert left.get_title(loc="left") == "height" and "crest" in right.get_title(loc="left")
     arrow = right.texts[0]

@@ -1,0 +1,75 @@
+"""Lines of a study from a file of MoorDyn: the numbers of the file, where the body has its fairleads."""
+
+import math
+
+import pytest
+
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.moor.study import read_study
+
+FILE = """--- LINE TYPES ---
+TypeName Diam Mass/m EA BA/-zeta EI Cd Ca CdAx CaAx
+(name) (m) (kg/m) (N) (N-s/-) (N-m^2) (-) (-) (-) (-)
+chain 0.1 100.0 5.0e8 -1.0 0.0 1.3 1.0 0.2 0.5
+wire 0.05 20.0 2.0e8 -1.0 0.0 1.3 1.0 0.2 0.5
+--- BODIES ---
+ID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG I Volume CdA Ca
+(#) (-) (m) (m) (m) (deg) (deg) (deg) (kg) (m) (kg-m^2) (m^3) (m^2) (-)
+1 Coupled 0 0 0 0 0 90 0 0 0 0 0 0
+--- POINTS ---
+ID Type X Y Z M V CdA Ca
+(#) (name) (m) (m) (m) (kg) (m^3) (m^2) (-)
+1 Fixed 0.0 290.0 -50.0 0 0 0 0
+2 Body1 20.0 5.0 -4.0 0 0 0 0
+3 Free 0.0 100.0 -40.0 0 0 0 0
+4 Body1 -20.0 0.0 -4.0 0 0 0 0
+5 Fixed 0.0 -200.0 -45.0 0 0 0 0
+--- LINES ---
+ID LineType AttachA AttachB UnstrLen NumSegs Outputs
+(#) (name) (#) (#) (m) (-) (-)
+1 chain 1 3 200.0 20 -
+2 wire 3 2 85.0 10 -
+3 chain 4 5 190.0 20 -
+--- OPTIONS ---
+1025 WtrDnsty
+50 WtrDpth
+9.80665 g
+--- OUTPUTS ---
+--- end ---
+"""
+HEAD = 'lines_file = "m.dat"\n[water]\ndepth = 50.0\n[hull]\nlength = 60.0\nbeam = 30.0\ndraft = 8.0\nfreeboard = 5.0\n'
+
+
+def read(folder, text=HEAD, file=FILE):
+    (folder / "m.dat").write_text(file)
+    (folder / "s.toml").write_text(text)
+    return read_study(folder / "s.toml")
+
+
+def test_lines_have_the_numbers_of_the_file(tmp_path):
+    """Submerged weight (m − ρ π d²/4) g; a body headed 90° has what lies ahead at +y"""
+    study, text = read(tmp_path)
+    system = study.system(study.hull_of({}), (0, 0, 0))
+    joined, chain = system.lines
+    assert [part.length for part in joined.segments] == [200.0, 85.0]  # from the anchor up, and at the free joint
+    assert joined.segments[1].weight == pytest.approx((20.0 - 1025 * math.pi / 4 * 0.05**2) * 9.80665)
+    assert chain.length == 190.0 and chain.type.axial_stiffness == pytest.approx(5e8)
+    assert chain.type.weight == pytest.approx((100.0 - 1025 * math.pi / 4 * 0.1**2) * 9.80665)
+    places = {one.name: one.position for one in system.points}
+    assert places[joined.b] == pytest.approx((-5.0, 20.0, -4.0)) and places[chain.b] == pytest.approx((0, -20, -4))
+    assert places[joined.a] == pytest.approx((0, 290, -50)) and places[chain.a] == pytest.approx((0, -200, -45))
+    assert "lines_file" not in text and "[types.chain]" in text  # what is kept needs no file
+
+
+@pytest.mark.parametrize(
+    ("text", "file", "said"),
+    [
+        (HEAD.replace("50.0", "60.0"), FILE, "lines_file: .*WtrDpth is 50 m and the depth given 60 m"),
+        (HEAD + "[types.c]\nweight_N_per_m = 9.0\n", FILE, "types is given beside lines_file"),
+        (HEAD, FILE.replace("3 Free", "3 Coupled"), "ends at a joint of 1 lines|bodies; allowed: one"),
+        (HEAD.replace("m.dat", "none.dat"), FILE, "lines_file: .*none.dat"),
+    ],
+)
+def test_what_no_study_can_have_is_told_by_its_file(tmp_path, text, file, said):
+    with pytest.raises(StudyError, match=said):
+        read(tmp_path, text, file)
