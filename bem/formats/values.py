@@ -26,7 +26,7 @@ class Values:
 
     quantities : {name of `schema.QUANTITIES`: array}, axes as there; body : {name of `schema.BODY`: value}
     rotation_center : (3,) m; mesh : PanelMesh, or None; name : of the body
-    others : bodies beside it, which are held fixed
+    others : bodies beside it, which are held fixed; left_out : lines on what of the files is not taken, and why
     """
 
     omega: np.ndarray
@@ -40,6 +40,7 @@ class Values:
     mesh: object = None
     name: str = "body"
     others: int = 0
+    left_out: tuple = ()
 
     def get(self, name):
         """A quantity or a value of the body; None where it is not there"""
