@@ -24,6 +24,7 @@ LONG = 0.35  # k times the size of the body, of a long wave
 SHORT = 6.0  # the same, of waves that are so short that damping has ended
 TRUE = 0.25  # by which a ratio of laws may differ from 1: sets of few headings and coarse panels
 CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
+PEAKED = 0.25  # of the range of added mass, a step between neighbours: a peak, or an irregular frequency
 STEEP = 0.85  # power of ω, from which a ratio goes with it
 DEPTH_FITS = 0.04  # of 1, by which ratios differ at the right depth
 FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness of what floats
@@ -152,7 +153,7 @@ def haskind_ratios(values):
         weights, step = circle
         good = (kL < 0.4 * np.pi / step) & (kL > 0.02)
         whole = {i: np.abs(X[:, :, i]) ** 2 @ weights for i in range(6)}
-    found, rows, A = {}, np.abs(X).max(axis=1), values.get("added_mass")
+    found, rows = {}, np.abs(X).max(axis=1)
     few = FEW if circle is None else 1  # one frequency with waves all round is as good as many
     arm = CANCELS * size_of(values) * rows[:, :3].max(axis=1)  # moments below are small differences
     for i, integral in whole.items():
@@ -166,8 +167,6 @@ def haskind_ratios(values):
         C = values.get("hydrostatic_stiffness")
         if i == HEAVE and C is not None:  # where waves above and below a hull cancel, a small difference is left
             clear &= rows[:, HEAVE] > 0.3 * C[2, 2]
-        if i == HEAVE:
-            clear &= B[:, HEAVE] > NOISE * values.omega * np.abs(A[:, HEAVE, HEAVE])
         if clear.sum() >= few:
             found[i] = (B[clear, i] / np.maximum(far[clear], 1e-300), values.omega[clear])
     return found or None
@@ -313,18 +312,23 @@ def _causality(values):
             continue
         limits = values.others == 0 and low is not None and high is not None and low[i, i] - high[i, i]
         if limits and np.isfinite(limits) and abs(limits) > 0.1 * abs(high[i, i]):
-            ratio, fall = _integral(w, b) / limits, limits
-        elif np.ptp(a) > 0.3 * np.abs(a).max():
-            ratio, fall = _follows(w, a, b), float(np.ptp(a))
+            ratio, fall, least, most = _integral(w, b) / limits, limits, 1 - CAUSAL, 1 + CAUSAL
+        elif np.ptp(a) > 0.3 * np.abs(a).max() and _even(a):
+            ratio, fall, least, most = _follows(w, a, b), float(np.ptp(a)), 0.5, 2.0
         else:
             continue
         tested = True
-        if not 1 - CAUSAL < ratio < 1 + CAUSAL:
+        if not least < ratio < most:
             lines.append(
                 f"A_{i + 1}{i + 1} falls by {fall:.4g} from long to short waves, damping makes it {ratio:.3g} times "
                 "that; units of the two differ, or limits are exchanged"
             )
     return lines[:1] if tested else None
+
+
+def _even(a):
+    """Whether added mass (n,) has no peak that its frequencies do not resolve"""
+    return np.abs(np.diff(a)).max() < PEAKED * np.ptp(np.quantile(a, [0.05, 0.95]))
 
 
 def _integral(w, b):
