@@ -164,7 +164,11 @@ def _read(file, name, known):
         quantities["drift_force"] = np.stack(parts, axis=-1)
     if "excitation_force" not in quantities and {"diffraction_force", "Froude_Krylov_force"} <= set(quantities):
         quantities["excitation_force"] = quantities["diffraction_force"] + quantities["Froude_Krylov_force"]
-    body = {own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file}
+    body = {
+        own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file and not _is_upper(file, own)
+    }
+    if _is_upper(file, "hydrostatic_stiffness"):
+        body["hydrostatic_stiffness"] = _from_upper(file["hydrostatic_stiffness"][()].reshape(-1, 6)[which])
     for name, own in (VECTORS | SCALARS).items():
         rows = file[name][()].reshape(len(bodies), -1) if name in file and file[name].size % len(bodies) == 0 else ()
         if len(rows) and len(rows[which]) == (3 if name in VECTORS else 1):  # of several bodies only with one for each
@@ -175,6 +179,18 @@ def _read(file, name, known):
     omega = np.ravel(axes["omega"])
     return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name,
                   others=len(bodies) - 1)  # fmt: skip
+
+
+def _is_upper(file, name):
+    """Whether a matrix is stored as S33 S34 S35 S44 S45 S55, as programs beside Capytaine 1 did"""
+    return name in file and "hydrostatic_S" in [_axis_name(file[name], place) for place in range(file[name].ndim)]
+
+
+def _from_upper(numbers):
+    """(6, 6) of the upper half of its part of heave, roll and pitch"""
+    C, (i, j) = np.zeros((6, 6)), np.triu_indices(3)
+    C[2 + i, 2 + j] = C[2 + j, 2 + i] = numbers
+    return C
 
 
 def _ordered(file, name, axes, places):

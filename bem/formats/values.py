@@ -27,7 +27,7 @@ class Values:
 
     quantities : {name of `schema.QUANTITIES`: array}, axes as there; body : {name of `schema.BODY`: value}
     rotation_center : (3,) m; mesh : PanelMesh, or None; name : of the body
-    others : bodies beside it, which are held fixed
+    others : bodies beside it, which are held fixed; left_out : lines on what of the files is not taken, and why
     bodies : `bem.modes.Body` of each of several, for formats that hold them; their motions along the axes of the scene
     """
 
@@ -43,6 +43,7 @@ class Values:
     name: str = "body"
     others: int = 0
     bodies: tuple = ()
+    left_out: tuple = ()
 
     def get(self, name):
         """A quantity or a value of the body; None where it is not there"""

@@ -6,6 +6,7 @@
     .4            the same                           ξ = ξ̄ L^(−p_I), rad for each metre of rotations
     .8 .9 .7      PER BETA BETA I Mod Pha Re Im      F = ρg L^(1 + p_I) F̄, of the mean drift by momentum, I = 1, 2, 6
     .hst          I J C̄                              C = ρg L^(2 + p_I + p_J) C̄
+    .mmx          volume, centres and mass (`wamit_mass`)
 
 with p = 0 for translations and 1 for rotations, L = ULEN; PER as IPEROUT says, by default the period in s, −1 at ω = 0
 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.  Pairs
@@ -28,6 +29,7 @@ from ..database.schema import DOFS, DRIFT_DOFS
 from ..modes import moving
 from .values import FormatError, Values, body_of, gridded, omega_of, table_of
 from .wamit_inputs import Table, beside, inputs_of
+from .wamit_mass import mass_of
 from .wamit_out import read_out
 
 FORCES = {
@@ -138,9 +140,14 @@ def read(place, known):
         if suffix in tables:
             headings, X = _read_forces(tables[suffix], omega, headings, columns, SIX)
             quantities[name] = np.conj(X) * (length**-POWER if name == "rao" else rho_g * length ** (2 + POWER))
+    left_out = []
     for suffix in DRIFTS:
         if suffix in tables:
-            headings, F = _read_forces(tables[suffix], omega, headings, columns, DRIFT_INDEX)
+            try:
+                headings, F = _read_forces(tables[suffix], omega, headings, columns, DRIFT_INDEX)
+            except OtherPlaces as error:  # motions and forces are whole without it
+                left_out.append(f"{error}; it is left out")
+                continue
             F = F.real * rho_g * length ** (1 + POWER[np.array(DRIFT_INDEX) - 1])
             quantities["drift_force" if "rao" in quantities else "drift_force_fixed"] = F
             break
@@ -148,9 +155,13 @@ def read(place, known):
         path, rows = tables[".hst"].path, _of_body(tables[".hst"].rows, (0, 1), columns.modes)
         C = gridded(path, rows.T[:2], rows[:, 2], modes=(SIX, SIX))[1]
         body["hydrostatic_stiffness"] = rho_g * C * length ** (2 + POWER + POWER[:, None])
+    masses = beside(place, ".mmx")
+    if masses:
+        body = mass_of(masses, chosen, rho, np.array(given.about, float)) | body
     water = {"water_depth": given.depth, "density": rho, "gravity": given.gravity}
     return Values(omega, headings, quantities=quantities, body=body, name=place.stem, **water,
-                  rotation_center=np.array(given.about, float), others=max(count, given.bodies) - 1)  # fmt: skip
+                  rotation_center=np.array(given.about, float), others=max(count, given.bodies) - 1,
+                  left_out=tuple(left_out))  # fmt: skip
 
 
 def hull_of(place, known=None):
@@ -160,6 +171,10 @@ def hull_of(place, known=None):
     if given.hull:
         return place.with_name(given.hull)
     return beside(place, ".gdf")
+
+
+class OtherPlaces(FormatError):
+    """A file is of other periods or headings than those beside it."""
 
 
 class Columns(NamedTuple):
@@ -238,5 +253,5 @@ def _read_forces(table, omega, headings, columns, index):
     places = np.array([int(np.argmin(np.abs(found - w))) for w in omega])
     same = len(found) >= len(omega) and np.allclose(found[places], omega, rtol=SAME_PERIOD)
     if not same or (len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))):
-        raise FormatError(f"{path} has other periods or headings than the files beside it; allowed: the same")
+        raise OtherPlaces(f"{path} has other periods or headings than the files beside it; allowed: the same")
     return own, X[places]

@@ -13,6 +13,7 @@ from hakobune.bem.database.file import Header, check_place
 from hakobune.bem.database.schema import DOFS, LIMITS
 from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
+from hakobune.bem.formats.judging.laws import depth_of
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.quality import findings
@@ -43,7 +44,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     if hasattr(module, "inputs_of"):
         inputs = module.inputs_of(place, of_module)
         said, of_module = inputs.said, of_module | {"length_unit": inputs.length, "rotation_center": inputs.about}
-    values = with_headings_once(module.read(place, of_module))
+    values = with_headings_once(_read(module, place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
     panels = _hull(place, kind, module, mesh, of_module)
@@ -73,6 +74,19 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     lost += map(fails, doubts)
     of_hull = (fails(f"{panels.name}: {one.text}") for one in findings(panels) if one.severity == "error")
     return tell([*remarks, *of_hull, *lost], new_console(stderr=True))
+
+
+def _read(module, place, known):
+    """The Values; raises FormatError, which names the depth that a set itself tells where none is given"""
+    try:
+        return module.read(place, known)
+    except FormatError as error:
+        if "--depth is missing" not in str(error):
+            raise
+        depth = depth_of(module.read(place, known | {"water_depth": np.inf}))
+        if depth is None:
+            raise
+        raise FormatError(f"{error}; its damping and excitation agree with --depth {depth:.3g}") from None
 
 
 def _check(kind, known, output, fresh, place):
@@ -112,6 +126,7 @@ def _hull(place, kind, module, mesh, known):
 
 
 def _remarks(place, said, values):
+    yield from values.left_out
     for one in said:
         if one != "ULEN 1 m of " + place.with_suffix(".gdf").name:
             yield f"{one} is taken"

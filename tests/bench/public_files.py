@@ -25,8 +25,9 @@ from hakobune.bem.formats.judging.own_solution import own_of, sample
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.meshing.files import read_mesh
 
-DEPTHS = {"barge.1": 150.0, "spar.1": 320.0, "tlpmit.1": 200.0, "marin_semi": 200.0, "UMaineSemi": 200.0,
-          "OC3": 320.0, "OC4": 200.0, "VolturnUS": 200.0, "MHK_RM1": 60.0, "IEA-22": 300.0}  # fmt: skip
+DEPTHS = {"HydroData/barge.1": 150.0, "HydroData/spar.1": 320.0, "tlpmit.1": 200.0, "marin_semi": 200.0,
+          "UMaineSemi": 200.0, "OC3": 320.0, "OC4": 200.0, "VolturnUS": 200.0, "MHK_RM1": 60.0,
+          "IEA-22": 300.0}  # fmt: skip
 FIRST = 4096  # bytes that tell what a file is
 MOST_BODIES = 12
 
@@ -102,6 +103,9 @@ def read(path, module, place, body):
         if "--depth is missing" not in str(error):
             raise
         values, remark = module.read(place, known | {"water_depth": np.inf}), "deep water taken; "
+        depth = laws.depth_of(values)
+        if depth is not None:  # what `hakobune import` asks for
+            values, remark = module.read(place, known | {"water_depth": depth}), f"--depth {depth:.3g} as told; "
     return with_headings_once(values), remark
 
 
@@ -185,7 +189,7 @@ def main():
             for path, program, words, tested, verdict in KINDS[kind](asked.folder, asked):
                 name = path.relative_to(asked.folder)
                 print(f"{str(name)[:100]} | {program} | {words} | {tested} | {verdict[:300]}", flush=True)
-                word = verdict.replace("deep water taken; ", "").split(":")[0].split()[0]
+                word = verdict.split("taken; ")[-1].split("as told; ")[-1].split(":")[0].split()[0]
                 counts[word] += 1
                 programs.setdefault(program, Counter())[word] += 1
     for program, found in [*sorted(programs.items()), ("all", counts)]:

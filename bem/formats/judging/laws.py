@@ -3,7 +3,7 @@
     Z = Zᵀ,  B ≥ 0                                                                     reciprocity, energy
     B_ii = k/(8π ρ g C_g) ∫₀²π |X_i(β)|² dβ                                            Haskind and Newman
     X₃ → C₃₃ − ω²(A₃₃ + ρV),   X₁ → −i k g (A₁₁ + ρV) cosβ / tanh kh · tanh kh         of a wave longer than the body
-    A(0) − A(∞) = (2/π) ∫ B/ω² dω                                                      causality
+    A(ω) − A(∞) = (2/π) ⨍ B(s)/(s² − ω²) ds                                            causality
 
 The second row needs headings all round, or from 0 to 180° or 90° of a body that its own added mass shows symmetric;
 else heave and surge of long waves stand for it: |X₃| is one for all headings, X₁ goes with cosβ.  Of surge the sign is
@@ -24,6 +24,7 @@ LONG = 0.35  # k times the size of the body, of a long wave
 SHORT = 6.0  # the same, of waves that are so short that damping has ended
 TRUE = 0.25  # by which a ratio of laws may differ from 1: sets of few headings and coarse panels
 CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
+PEAKED = 0.25  # of the range of added mass, a step between neighbours: a peak, or an irregular frequency
 STEEP = 0.85  # power of ω, from which a ratio goes with it
 DEPTH_FITS = 0.04  # of 1, by which ratios differ at the right depth
 FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness of what floats
@@ -153,6 +154,7 @@ def haskind_ratios(values):
         good = (kL < 0.4 * np.pi / step) & (kL > 0.02)
         whole = {i: np.abs(X[:, :, i]) ** 2 @ weights for i in range(6)}
     found, rows = {}, np.abs(X).max(axis=1)
+    few = FEW if circle is None else 1  # one frequency with waves all round is as good as many
     arm = CANCELS * size_of(values) * rows[:, :3].max(axis=1)  # moments below are small differences
     for i, integral in whole.items():
         far = rate * integral
@@ -165,7 +167,7 @@ def haskind_ratios(values):
         C = values.get("hydrostatic_stiffness")
         if i == HEAVE and C is not None:  # where waves above and below a hull cancel, a small difference is left
             clear &= rows[:, HEAVE] > 0.3 * C[2, 2]
-        if clear.sum() >= FEW:
+        if clear.sum() >= few:
             found[i] = (B[clear, i] / np.maximum(far[clear], 1e-300), values.omega[clear])
     return found or None
 
@@ -174,14 +176,24 @@ def _haskind(values):
     found = haskind_ratios(values)
     if found is None:
         return None
-    lines = []
-    for i, (ratio, omega) in found.items():
-        middle, slope = float(np.median(ratio)), _slope(omega, ratio)
-        off = np.abs(np.log(np.abs(ratio) + 1e-300))
-        if np.median(off) > np.log(1 + TRUE) or np.quantile(off, 0.8) > np.log(1 + 2 * TRUE) or abs(slope) > STEEP:
-            lines.append(f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "
-                         + ((not values.others and _of_depth(values)) or _why(middle, slope)))  # fmt: skip
-    return lines[:1]
+    off = [i for i, mode in found.items() if not _agrees(*mode)]
+    if not off:
+        return []
+    i, (ratio, omega) = off[0], found[off[0]]
+    others = [f"B_{j + 1}{j + 1}" for j in found if j not in off]
+    middle = float(np.median(ratio))
+    why = not values.others and _of_depth(values)
+    if not why and others:  # a wrong unit or length would show in these too
+        why = f"{', '.join(others)} agrees, so that units do: panels are too few for mode {i + 1}"
+    return [f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "
+            + (why or _why(middle, _slope(omega, ratio)))]  # fmt: skip
+
+
+def _agrees(ratio, omega):
+    """Whether ratios (q,) of a mode are near 1, and do not go with ω"""
+    off = np.abs(np.log(np.abs(ratio) + 1e-300))
+    wide = np.median(off) > np.log(1 + TRUE) or np.quantile(off, 0.8) > np.log(1 + 2 * TRUE)
+    return not wide and abs(_slope(omega, ratio)) <= STEEP
 
 
 def _slope(omega, ratio):
@@ -192,19 +204,25 @@ def _slope(omega, ratio):
     return power if np.std(np.log(ratio) - power * np.log(omega) - size) < 0.05 else 0.0
 
 
+def depth_of(values):
+    """m of water, may be inf, in which damping and excitation agree in every mode; None where there is no such depth"""
+    fits = {}
+    for depth in (np.inf, *np.geomspace(1000, 5, 60)):
+        found = haskind_ratios(replace(values, water_depth=depth)) or {}
+        ratios = np.concatenate([np.zeros(0), *(ratio for ratio, _ in found.values())])
+        if len(ratios) >= 5 and all(_agrees(*mode) for mode in found.values()):
+            fits[depth] = np.median(np.abs(ratios - 1)) * (0.8 if np.isinf(depth) else 1.0)
+    best = min(fits, key=fits.get, default=None)
+    return best if fits and fits[best] < DEPTH_FITS else None
+
+
 def _of_depth(values):
     """In words the depth at which damping and excitation agree, "" without one"""
-    best, said = DEPTH_FITS, ""
-    for depth in (np.inf, *np.geomspace(1000, 5, 60)):
-        found = haskind_ratios(replace(values, water_depth=depth))
-        ratios = np.concatenate([ratio for ratio, _ in found.values()]) if found else np.zeros(0)
-        off = np.median(np.abs(ratios - 1)) if len(ratios) >= 5 else np.inf
-        if off < best:
-            best, said = (
-                0.8 * off,
-                "they agree in deep water" if np.isinf(depth) else f"they agree in {depth:.3g} m of water",
-            )
-    return said and f"{said}, not in {values.water_depth:g} m (--depth)"
+    depth = depth_of(values)
+    if depth is None:
+        return ""
+    where = "deep water" if np.isinf(depth) else f"{depth:.3g} m of water"
+    return f"they agree in {where}, not in {values.water_depth:g} m (--depth)"
 
 
 def _why(ratio, slope):
@@ -283,27 +301,53 @@ def _surge(values, n, heave, kL, floats):
 
 
 def _causality(values):
-    low, high = values.get("added_mass_zero"), values.get("added_mass_infinity")
-    if values.others or low is None or high is None or len(values.omega) < 20 or _waves(values)[1].max() < SHORT:
+    w, B, A = values.omega, values.get("radiation_damping"), values.get("added_mass")
+    if len(w) < 20 or _waves(values)[1].max() < SHORT:
         return None
-    B = values.get("radiation_damping")
-    lines, ends = [], np.abs(B[-1])
+    low, high = values.get("added_mass_zero"), values.get("added_mass_infinity")
+    lines, tested = [], False
     for i in (SURGE, SWAY):  # of heave there is no limit in finite depth, and moonpools have narrow peaks
-        b = B[:, i, i]
-        change = low[i, i] - high[i, i]
-        if not np.isfinite(change) or abs(change) < 0.1 * abs(high[i, i]) or ends[i, i] > 0.1 * np.abs(b).max():
+        b, a = B[:, i, i], A[:, i, i]
+        if np.abs(b[-1]) > 0.1 * np.abs(b).max() or not np.abs(b).max() > 0:
             continue
-        w = values.omega
-        steps = np.diff(w)
-        inside = float(np.sum(0.5 * steps * (b[1:] / w[1:] ** 2 + b[:-1] / w[:-1] ** 2)))
-        below = b[0] / (w[0] * 2)  # b goes with ω³ at the start
-        ratio = (2 / np.pi) * (inside + below) / change
-        if not 1 - CAUSAL < ratio < 1 + CAUSAL:
+        limits = values.others == 0 and low is not None and high is not None and low[i, i] - high[i, i]
+        if limits and np.isfinite(limits) and abs(limits) > 0.1 * abs(high[i, i]):
+            ratio, fall, least, most = _integral(w, b) / limits, limits, 1 - CAUSAL, 1 + CAUSAL
+        elif np.ptp(a) > 0.3 * np.abs(a).max() and _even(a):
+            ratio, fall, least, most = _follows(w, a, b), float(np.ptp(a)), 0.5, 2.0
+        else:
+            continue
+        tested = True
+        if not least < ratio < most:
             lines.append(
-                f"A_{i + 1}{i + 1} falls by {change:.4g} from long to short waves, damping makes it {ratio:.3g} times "
+                f"A_{i + 1}{i + 1} falls by {fall:.4g} from long to short waves, damping makes it {ratio:.3g} times "
                 "that; units of the two differ, or limits are exchanged"
             )
-    return lines[:1]
+    return lines[:1] if tested else None
+
+
+def _even(a):
+    """Whether added mass (n,) has no peak that its frequencies do not resolve"""
+    return np.abs(np.diff(a)).max() < PEAKED * np.ptp(np.quantile(a, [0.05, 0.95]))
+
+
+def _integral(w, b):
+    """A(0) − A(∞) of damping b (n,), which goes with ω³ below the first frequency"""
+    inside = float(np.sum(0.5 * np.diff(w) * (b[1:] / w[1:] ** 2 + b[:-1] / w[:-1] ** 2)))
+    return 2 / np.pi * (inside + b[0] / (2 * w[0]))
+
+
+def _follows(w, a, b):
+    """Slope of the added mass that damping makes against added mass a (n,), whose limits are not known"""
+    inner = slice(len(w) // 10 + 1, -len(w) // 10 - 1)
+    s, at = w[:, None], w[None, inner]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = (b[:, None] - b[None, inner]) / (s**2 - at**2)
+    own = s == at
+    share = np.where(own, (np.gradient(b, w) / (2 * w))[:, None], share)
+    rest = np.log((w[-1] - at) * (at + w[0]) / ((w[-1] + at) * (at - w[0])))[0] / (2 * at[0])
+    made = 2 / np.pi * (np.trapezoid(share, w, axis=0) + b[inner] * rest)
+    return float(np.cov(a[inner], made)[0, 1] / np.var(a[inner], ddof=1))
 
 
 LAWS = {

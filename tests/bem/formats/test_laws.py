@@ -117,3 +117,32 @@ def test_added_mass_falls_by_what_damping_makes_of_it():
     right = replace(one, omega=omega, quantities={"added_mass": A, "radiation_damping": B, **limits})
     assert doubts(right) == ([], ["reciprocity", "energy", "causality"])
     assert "A_11 falls by" in said(changed(right, radiation_damping=lambda B: 2 * B))
+
+
+def test_waves_all_round_tell_at_one_frequency():
+    round_ = body(headings=np.radians(np.arange(0, 360, 30.0)))
+    some = {name: data[4:5] for name, data in round_.quantities.items()}
+    one = replace(round_, omega=round_.omega[4:5], quantities=some)
+    assert "damping and excitation" in doubts(one)[1] and said(one) == ""
+    assert "damping in kN beside forces in N" in said(changed(one, radiation_damping=lambda B: B / 1e3))
+
+
+def test_added_mass_follows_damping_without_its_limits():
+    """Of a memory (1 − ct) exp(−ct): B = 2cω²/(c² + ω²)², A = A∞ − (ω² − c²)/(c² + ω²)²"""
+    omega, c, one = np.linspace(0.05, 60.0, 1200), 1.0, body()
+    A, B = np.zeros((1200, 6, 6)), np.zeros((1200, 6, 6))
+    A[:, range(6), range(6)] = 0.5
+    for i in (0, 1):
+        B[:, i, i] = 2 * c * omega**2 / (c**2 + omega**2) ** 2
+        A[:, i, i] = 2.0 - (omega**2 - c**2) / (c**2 + omega**2) ** 2
+    right = replace(one, omega=omega, quantities={"added_mass": A, "radiation_damping": B})
+    found, tested = doubts(right)
+    assert "causality" in tested and not [line for line in found if line.startswith("causality")]
+    assert "A_11 falls by" in said(changed(right, radiation_damping=lambda B: 2 * B))
+
+
+def test_modes_that_agree_rule_out_a_wrong_unit():
+    round_ = body(headings=np.radians(np.arange(0, 360, 30.0)))
+    heave = np.where(np.arange(6) == 2, 2.0, 1.0)[None, :, None] * np.ones((1, 6, 6))
+    line = said(replace(changed(round_, radiation_damping=lambda B: B * heave), others=1))
+    assert "B_11, B_22 agrees, so that units do: panels are too few for mode 3" in line

@@ -6,6 +6,7 @@ import pytest
 
 from hakobune.bem.formats import aqwa, bemio, capytaine, diodore, nemoh, wamit
 from hakobune.bem.formats.values import FormatError, Values
+from hakobune.bem.formats.wamit_mass import mass_of
 
 RHO, G = 1000.0, 9.81
 KNOWN = {"water_depth": None, "density": RHO, "gravity": G}
@@ -181,6 +182,66 @@ def test_a_data_base_of_diodore(aqua, tmp_path):
     place.write_text(text.replace("   0.00", "   5.00"))
     with pytest.raises(FormatError, match="is of a forward speed; allowed: 0"):
         diodore.read(place, KNOWN | {"water_depth": 25.0})
+
+
+MMX = """ WAMIT -- Force Output File -- a.mmx
+
+ Gravity:     9.81000                Length scale:        1.00000
+
+ NBODY =     2       IALTFRC = 1
+
+ WAMIT  Ouputs for body N =     1    IALTFRCN = 1
+ Volumes (VOLX,VOLY,VOLZ):           9.0      9.0      9.0
+ Normalized mass matrix:
+     I     J     MASS(I,J)/RHO
+     1     1     9.0E+00
+ WAMIT  Ouputs for body N =     2    IALTFRCN = {kind}
+ Volumes (VOLX,VOLY,VOLZ):           4.1      4.0      3.9
+ Center of Buoyancy (Xb,Yb,Zb):     0.000000     0.000000    -0.250000
+ Center of Gravity:  (Xg,Yg,Zg)     0.000000     0.500000     0.000000
+
+ {title}:
+     I     J     MASS(I,J)
+{rows}
+     1     7   8.0E+00   0.0   0.0
+"""
+
+
+@pytest.mark.parametrize("kind, title, factor", [(1, "Normalized mass matrix", RHO), (2, "External force matrices", 1)])
+def test_volume_centres_and_mass_of_a_body_of_wamit(kind, title, factor, tmp_path):
+    place = tmp_path / "a.mmx"
+    rows = [f"     {i}     {i}   {m}   0.0   0.0" for i, m in enumerate((4.0, 4.0, 4.0, 1.5, 2.5, 3.0), 1)]
+    place.write_text(MMX.format(kind=kind, title=title, rows="\n".join(rows)))
+    body = mass_of(place, 1, RHO, np.array([10.0, 0.0, -1.0]))
+    assert body["displaced_volume"] == 4.0 and body["mass"] == 4.0 * factor
+    assert body["center_of_buoyancy"].tolist() == [10, 0, -1.25] and body["center_of_mass"].tolist() == [10, 0.5, -1]
+    assert body["inertia_matrix"].diagonal() == pytest.approx(np.array([4, 4, 4, 1.5, 2.5, 3]) * factor)
+    first = mass_of(place, 0, RHO, np.zeros(3))
+    assert first["mass"] == 9 * RHO and "inertia_matrix" not in first  # no inertia in rotation
+    with pytest.raises(FormatError, match="has 2 bodies; allowed: as many as the files beside it"):
+        mass_of(place, 2, RHO, np.zeros(3))
+
+
+def test_drift_of_other_headings_is_left_out_and_said(single, tmp_path):
+    wamit.write(single, tmp_path / "a.1")
+    rows = "".join(f" 6.28 45.0 45.0 {i} 1.0 0.0 1.0 0.0\n" for i in (1, 2, 6))
+    (tmp_path / "a.9").write_text(rows)
+    found = wamit.read(tmp_path / "a.1", KNOWN | {"water_depth": 20.0})
+    assert found.get("drift_force_fixed") is None and found.wave_direction.tolist() == [0.0]
+    assert "a.9 has other periods or headings than the files beside it" in found.left_out[0]
+
+
+def test_stiffness_of_six_numbers_beside_capytaine(single, tmp_path):
+    place = tmp_path / "a.nc"
+    capytaine.write(single, place)
+    with h5py.File(place, "a") as file:
+        del file["hydrostatic_stiffness"]
+        file.create_dataset("hydrostatic_S", data=np.arange(6.0)).make_scale("hydrostatic_S")
+        file.create_dataset("hydrostatic_stiffness", data=[33.0, 34.0, 35.0, 44.0, 45.0, 55.0])
+        file["hydrostatic_stiffness"].dims[0].attach_scale(file["hydrostatic_S"])
+    C = capytaine.read(place).get("hydrostatic_stiffness")
+    assert C[2, 2:5].tolist() == [33, 34, 35] and C[3, 3:5].tolist() == [44, 45] and C[4, 4] == 55
+    assert np.array_equal(C, C.T) and not C[:2].any() and not C[5].any()
 
 
 @pytest.fixture
