@@ -38,7 +38,7 @@ FLAT = Bed.sloping()
 LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is called slack
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
-SOFTER = 1e-5  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
+SOFTER = 1e-3  # the same where that finds nothing: of buoys in the surface one moves many times as far as the one above it
 WORDS = ("submerged", "floating", "emerged")  # of the states of point loads
 MOBILISED = (0.5, 0.2, 0.0)  # of the friction, where all of it has no equilibrium
 
