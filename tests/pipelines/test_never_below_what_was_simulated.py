@@ -17,6 +17,7 @@ import hakobune
 from hakobune import pipelines
 from hakobune.mooring.lines.system.equilibrium import held_at, rest
 from hakobune.pipelines.design.kinds.berth import _steady_of_few
+from hakobune.pipelines.design.kinds.numbers import strength
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import largest_use
 from hakobune.pipelines.single_point.findings import largest_pulls, used_in
@@ -207,3 +208,9 @@ def test_a_single_point_takes_the_largest_wherever_it_is(place):
 def test_steady_strains_of_fewer_records_than_runs_are_told(kept, told):
     said = list(_steady_of_few({"deflection": np.zeros((kept, 5, 1)), "seed": np.arange(3)}))
     assert bool(said) is told and (not told or ("of the 2 runs" in said[0] and "keep_series = 3" in said[0]))
+
+
+def test_a_design_judges_by_what_is_used_where_that_is_more_than_the_pull_on_the_body_says():
+    """Pulls of 100 kN on lines of 400 kN: half used below a buoy, a quarter, unknown, beyond reach"""
+    found = strength(np.full(4, 4e5), np.array([1e5, 1e5, 1e5, np.inf]), np.array([0.5, 0.25, np.nan, np.inf]))
+    assert found == pytest.approx([2e5, 4e5, 4e5, 4e5])
