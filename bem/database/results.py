@@ -34,8 +34,7 @@ MAKES = {  # commands, by what they make
 }
 COMMAND = "{} STUDY --output {}"  # of results that are called as their command is
 RESULT_VERSION = 2  # of the files of results, which are all laid out alike; before, each command had a way of its own
-OWN_WAY = ("simulation",)
-READS = {kind: 1 if kind in OWN_WAY else RESULT_VERSION for kind in MAKES if kind != FORMAT}  # version that is read
+READS = {kind: RESULT_VERSION for kind in MAKES if kind != FORMAT}  # version that is read
 # the name of the attribute, its type and its space as HDF5 writes them, and the number
 NUMBER = re.compile(rb"schema_version\0.{25}(.{8})", re.DOTALL)
 HIGHEST = 1000  # version that may be one; more is damage

@@ -8,6 +8,7 @@ from ..common.quantities import StudyError
 from ..results.tables import printed
 from .file import is_run, opened, whole_rows
 from .pictures import draw
+from .result import NoWholeRun
 from .result import simulate as found
 
 NOTHING = "interrupted before a seed was finished; nothing is stored yet, the same command begins with the first"
@@ -30,6 +31,10 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
     try:
         result = found(study, database, output, seeds=seeds, duration=duration, fresh=fresh, executor=executor,
                        window=window, console=console)  # fmt: skip
+    except NoWholeRun as none:
+        for line in none.args[1]:
+            console.print(line, highlight=False, soft_wrap=True, markup=False)
+        return 1
     except KeyboardInterrupt:
         raise KeyboardInterrupt(*(() if _has_seeds(output) else (NOTHING,))) from None
     if methods:

@@ -26,7 +26,7 @@ from hakobune.meshing.whole_files import keep_room
 from hakobune.mooring.motion.extremes import Extreme
 from hakobune.mooring.motion.statistics import RecordStatistics
 
-SCHEMA = "hakobune simulation 1"
+SCHEMA = "hakobune simulation 2"
 STATISTICS = RecordStatistics._fields
 SUMMARY = (*STATISTICS, *(f"{end}_{part}" for end in ("upper", "lower") for part in Extreme._fields))
 SLOW = ("Surge", "Sway", "Yaw")
@@ -50,6 +50,7 @@ ROWS = {
     "statistics": (("seed", "quantity", "statistic"), "unit of the quantity; T in s", "statistics of one run"),
     "estimated_error": (("seed", "dof"), "m, m, m, rad, rad, rad", "root mean square error of the motions"),
     "steps": (("seed",), "1", "steps of the integrator"),
+    "used": (("seed", "line"), "1", "largest share of a breaking load in one run, nan where none is known"),
 }
 
 

@@ -62,6 +62,13 @@ END = {
 }
 
 
+class NoWholeRun(DatabaseError):
+    """Every seed failed; `args[1]` has what fails, a line each"""
+
+    def __str__(self):
+        return self.args[0]
+
+
 def simulate(
     study: File | Tables | Study,
     database: File | Database,
@@ -104,7 +111,7 @@ def read_run(path, window=None, more=()):
     with opened(path) as file:
         if not whole_rows(file).any():
             if more:
-                raise DatabaseError(f"{path} has no whole run: {more[0]}")
+                raise NoWholeRun(f"{path} has no whole run: {more[0]}", more)
             raise DatabaseError(f"{path} has no whole run; the command that made it goes on with it")
         return result_of(file, window, more)
 

@@ -182,11 +182,31 @@ def simulate_seed(task, seed, kept, progress=None):
         "statistics": np.array([without_rounding(*pair) for pair in zip(found, still, strict=True)]),
         "estimated_error": run.estimated_error,
         "steps": float(run.steps),
+        "used": largest_use(body, run.motion[late], run.tension[late]),
         "findings": np.bytes_("\n".join(run.findings).encode()[:LONGEST].decode(errors="ignore").encode()),
     }
     if kept:
         row |= {name: getattr(run, name)[late] for name in SERIES}
     return row
+
+
+def largest_use(body, motion, tension):
+    """(lines,) largest share of the breaking load in motion (t, 6), m, rad, and tension (t, lines), N, at the body
+
+    Of a line of segments also that of each of them, where the pull on the body is largest: below a buoy that is under
+    water the line pulls more than at the body.
+    """
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
+
+    system = body.system
+    load = [*(() if system is None else system.breaking_load), *(one.breaking_load for one in body.berth.ropes)]
+    used = tension.max(axis=0) / np.where(np.isfinite(load), load, np.nan)
+    for i in () if system is None else (one.number for one in system.composites):
+        (hull,) = system.bodies
+        pose = np.add(hull.position, motion[tension[:, i].argmax()])
+        at = rest(held_at(system, {hull.name: tuple(map(float, pose))}))
+        used[i] = np.fmax(used[i], at.lines.utilisation[i])
+    return used
 
 
 def sample_times(settings):

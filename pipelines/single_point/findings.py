@@ -50,7 +50,11 @@ def used_in(study, best, cycle, run):
         where: np.array([*hawser[:count], *lines]) / breaking
         for where, (hawser, lines) in pulls(study, best, cycle, run).items()
     }
-    found["at rest"][count:] = best.lines.lines.utilisation  # of the segment that is nearest to it
+    at_rest = best.lines.lines.utilisation  # of the segment that is nearest to it
+    below_buoys = np.fmax(at_rest - found["at rest"][count:], 0.0)  # where a line pulls more than at the body
+    for used in found.values():
+        used[count:] += np.nan_to_num(below_buoys)
+    found["at rest"][count:] = at_rest
     return found
 
 

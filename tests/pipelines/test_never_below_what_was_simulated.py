@@ -7,15 +7,22 @@ in `simulate/test_simulate.py`, fenders there and in `simulate/test_quay.py`, sn
 """
 
 import tomllib
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import hakobune
+from hakobune import pipelines
+from hakobune.mooring.lines.system.equilibrium import held_at, rest
 from hakobune.pipelines.design.kinds.berth import _steady_of_few
+from hakobune.pipelines.design.kinds.numbers import strength
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.simulate.work import largest_use
 from hakobune.pipelines.single_point.findings import largest_pulls, used_in
 
+SCENES = Path(pipelines.__file__).parent / "scenes"
 BREAKING = 4e6  # N
 ROPE = "HMPE 160 mm"
 SINGLE_POINT = """
@@ -62,6 +69,24 @@ segments = [{ type = "chain", length = 315.0 }]
 [fairlead]
 position = [292.0, 0.0, -2.0]
 motions = [{ period = 8.0, amplitude = [0.5, 0.0, 0.2] }]
+"""
+BUOY_UNDER_WATER = """
+[water]
+depth = 200.0
+[hull]
+length = 100.0
+beam = 50.0
+draft = 10.0
+freeboard = 10.0
+[types.rope]
+weight_N_per_m = 80.0
+breaking_load_kN = 3000.0
+axial_stiffness_kN = 4e4
+[[spreads]]
+segments = [{ type = "rope", length = 150.0 }, { type = "rope", length = 300.0 }]
+bodies = [{ after_segment = 1, mass = 2000.0, volume = 20.0 }]
+corner_headings_deg = [45]
+pretension_kN = 150.0
 """
 QUAKE = {
     "motion": "sway",
@@ -120,7 +145,38 @@ def members(folder):
     return [*found["force.size"], *found["moment.size"]], np.concatenate(parts)
 
 
-STUDIES = floating_line, moving_line, single_point, in_a_sweep, shaken, members
+def lines_at_rest(folder):
+    """At rest and with a line lost, of which some are of segments: each end against the segment there"""
+    found = hakobune.lines(SCENES / "lines_barge.toml", broken=True)
+    state, _, losses = found.detail
+    told, simulated = [], []
+    for at, used in ((state, found["used"]), *zip(losses.values(), found["loss.used"], strict=True)):
+        ends = [
+            (a / line.segments[0].breaking_load, b / line.segments[-1].breaking_load)
+            if hasattr(line, "segments") else (a / line.breaking_load, b / line.breaking_load)
+            for line, a, b in zip(at.system.lines, at.lines.tension_a, at.lines.tension_b, strict=True)
+        ]  # fmt: skip
+        told += np.ravel(used).tolist()
+        largest = np.max(ends, axis=1)
+        simulated += largest.tolist() if np.ndim(used) else [largest.max()]
+    return told, simulated
+
+
+def below_a_buoy(folder):
+    """Of a line in time the pull on the body is recorded; below a buoy under water it pulls more, by hand"""
+    made = make_study(tomllib.loads(BUOY_UNDER_WATER))
+    system = made.system(made.hull_of({}), np.zeros(3), 1025.0, 9.80665)
+    body = SimpleNamespace(system=system, berth=SimpleNamespace(ropes=()))
+    (hull,) = system.bodies
+    at = rest(held_at(system, {hull.name: hull.position})).lines
+    found = largest_use(body, np.zeros((1, 6)), at.tension_b[None])
+    lift, rope = (1025.0 * 20.0 - 2000.0) * 9.80665, 80.0 * 300.0
+    below = np.hypot(at.horizontal_b, at.vertical_b - rope + lift)
+    assert np.all(below > 1.2 * at.tension_b)
+    return found, below / 3e6
+
+
+STUDIES = floating_line, moving_line, single_point, in_a_sweep, shaken, members, lines_at_rest, below_a_buoy
 
 
 @pytest.mark.parametrize("study", STUDIES, ids=lambda one: one.__name__)
@@ -152,3 +208,9 @@ def test_a_single_point_takes_the_largest_wherever_it_is(place):
 def test_steady_strains_of_fewer_records_than_runs_are_told(kept, told):
     said = list(_steady_of_few({"deflection": np.zeros((kept, 5, 1)), "seed": np.arange(3)}))
     assert bool(said) is told and (not told or ("of the 2 runs" in said[0] and "keep_series = 3" in said[0]))
+
+
+def test_a_design_judges_by_what_is_used_where_that_is_more_than_the_pull_on_the_body_says():
+    """Pulls of 100 kN on lines of 400 kN: half used below a buoy, a quarter, unknown, beyond reach"""
+    found = strength(np.full(4, 4e5), np.array([1e5, 1e5, 1e5, np.inf]), np.array([0.5, 0.25, np.nan, np.inf]))
+    assert found == pytest.approx([2e5, 4e5, 4e5, 4e5])

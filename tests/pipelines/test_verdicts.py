@@ -374,6 +374,34 @@ def test_what_is_sound_ends_with_0_and_what_fails_with_1_and_its_line(command, p
         assert any(re.match(FAILS + line, one) for one in found), found
 
 
+def small_fenders():
+    def change(raw):
+        raw["fender"] = [one | {"height": 0.6} for one in raw["fender"]]
+        raw["waves"] |= {"height": 3.0}
+        raw["simulation"] = {"duration": 60.0, "ramp": 20.0, "seeds": 1, "memory": "constant"}
+
+    return study("simulate_quay.toml", change)
+
+
+def parted_at_rest():
+    def change(raw):
+        raw |= {"allowable": 1.0, "types": {"chain_142": raw["types"]["chain_142"] | {"breaking_load_tonf": 47.0}}}
+        del raw["waves"], raw["current"], raw["wind"]
+
+    return study("moor_chain_12.toml", change)
+
+
+@pytest.mark.parametrize("words, line", [
+    (lambda: f"simulate {small_fenders()} --database box.h5 --output quay.h5",
+     r"seed 1: at \S+ s .*: fender \S+ is pressed by 0.33\d* m, beyond its table, which ends at 0.33 m"),
+    (lambda: f"moor {parted_at_rest()} --database box.h5", r"12 of 12 lines .* beyond the breaking load, limit 100 %"),
+], ids=["no seed has an answer", "parted at rest"])  # fmt: skip
+def test_further_failures_end_with_1_and_their_line(words, line, place, capsys):
+    assert ended(words) == 1, said(capsys)
+    found = failing(said(capsys).splitlines())
+    assert any(re.match(FAILS + line, one) for one in found), found
+
+
 # commands whose work is long: the part that gives the numbers is put aside, what it gives is sound or not
 def unsolved(patch):
     from hakobune.pipelines.solve import run

@@ -38,7 +38,7 @@ FLAT = Bed.sloping()
 LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is called slack
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
-SOFTER = 1e-5  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
+SOFTER = 1e-3  # the same where that finds nothing: of buoys in the surface one moves many times as far as the next
 WORDS = ("submerged", "floating", "emerged")  # of the states of point loads
 MOBILISED = (0.5, 0.2, 0.0)  # of the friction, where all of it has no equilibrium
 
@@ -164,12 +164,12 @@ class StaticLine:
         search, other = _search(), data._replace(to_place=not data.to_place)
         tries = [(data, search.EXACT), (other, search.QUICK), (other, search.EXACT)]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
-            tries += [(way._replace(soft=SOFTER * self.length), search.EXACT) for way in (data, other)]
+            tries.append((data._replace(soft=SOFTER * self.length), search.EXACT))
         if data.friction > 0:
             tries += [(data._replace(friction=share * data.friction), search.EXACT) for share in MOBILISED]
         if self.loads and self._steep:
-            ends = (False, search.EXACT), (True, search.ROUGH)
-            tries += [(data._replace(held=held, to_place=to), how) for held in (1, 2) for to, how in ends]
+            tries += [(data._replace(held=held, to_place=False), search.EXACT) for held in (1, 2)]
+            tries.append((data._replace(held=1, to_place=True), search.ROUGH))
         return tries
 
     @cached_property

@@ -45,9 +45,8 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
     if state == integrator.TOO_SHORT:
         rigid = name and not scene.lines.lines[_number(moored, name), 2] > 0
         way = "give it an axial stiffness" if rigid else "raise the tolerance or soften it"
-        return (
-            f"{where}: steps below {integrator.SHORTEST:g} s would be needed, line {name} pulls {tension:.3g} N; {way}"
-        )
+        pulled = f"line {name} pulls {tension:.3g} N; {way}" if name else "look at inertia, damping and stiffness"
+        return f"{where}: steps below {integrator.SHORTEST:g} s would be needed; {pulled}"
     return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
 
 

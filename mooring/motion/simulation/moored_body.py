@@ -19,6 +19,8 @@ from ..line_loads import body_lines, line_loads, line_work, tables_of
 from ..wave_loads import WaveForces, wave_forces
 from .memory import fitted_memory
 
+CAPSIZED = 1e-6  # of the stiffest motion, below which a negative restoring is rounding
+
 
 @dataclass(frozen=True, eq=False)
 class Moored:
@@ -92,6 +94,7 @@ def moored(
     if berth.names:
         start = _rest_at_berth(berth, system, tables, body, spring, start)
         stiffness = stiffness + berth_stiffness(berth, start)
+    _check_upright(stiffness, body.inertia)
     slow = body.held_added_mass(0.0)[0]
     rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
     return Moored(body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it)
@@ -145,6 +148,20 @@ def _rest_at_berth(berth, system, tables, body, spring, start):
 
     radius = np.sqrt(np.diag(body.inertia)[3:] / body.inertia[0, 0])
     return at_rest(berth, others, start, np.concatenate([np.ones(3), 1 / radius]))
+
+
+def _check_upright(stiffness, inertia):
+    """Raise ValueError for a body that capsizes at rest, by its stiffness (6, 6) with springs, lines and fenders"""
+    floats = [2, 3, 4]
+    scale = np.sqrt(np.diag(inertia)[floats])
+    values, ways = np.linalg.eigh((0.5 * (stiffness + stiffness.T))[np.ix_(floats, floats)] / np.outer(scale, scale))
+    if values[0] < -CAPSIZED * values[-1]:
+        worst = int(np.argmax(np.abs(ways[:, 0])))
+        unit = ("kN/m", "kN m/rad", "kN m/rad")[worst]
+        raise ValueError(
+            f"the body capsizes: its restoring in {DOFS[floats[worst]].lower()}, with springs, lines and fenders, is "
+            f"{1e-3 * values[0] * scale[worst] ** 2:.4g} {unit}, limit 0; lower center_of_gravity"
+        )
 
 
 def _check_place(system, body):

@@ -32,7 +32,7 @@ def berth_numbers(study, database, path, runs):
     berth = made.berth(hull, db.rotation_center)
     with opened(path) as file:
         names = tuple(file["line"].asstr()[()])
-        anchor, fairlead, breaking = file["anchor"][()], file["fairlead"][()], file.attrs["breaking_load"]
+        anchor, fairlead = file["anchor"][()], file["fairlead"][()]
         start, place = file.attrs["place_at_rest"], _mean_place(file)
         parts = _of_fenders(file, made, berth)
         warnings = (*runs["findings"], _periods(file), *_steady_of_few(file), *findings_on_periods(file),
@@ -50,7 +50,7 @@ def berth_numbers(study, database, path, runs):
         pretension=np.array([*(held.lines.tension_b if held is not None else ()), *at_rest]),
         static=runs["mean"],
         largest=runs["largest"][1.0],
-        breaking=np.array(breaking, float),
+        breaking=runs["breaking"],
         horizontal=runs["horizontal"],
         uplift=runs["uplift"],
         place=place,

@@ -15,6 +15,7 @@ import numpy as np
 
 from hakobune.mooring.criteria.fatigue import Cycles, rainflow_cycles
 
+from .numbers import strength
 from .stored import kept, key_of
 
 
@@ -23,9 +24,9 @@ def simulated(study, database, path, factors):
 
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement
-    returns : {"mean" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift": (n,) N at the
-        anchor with it, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their means, "excursion": m,
-        largest horizontal distance from rest, "findings"}
+    returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
+        (n,) N at the anchor with it, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their means,
+        "excursion": m, largest horizontal distance from rest, "findings"}
     raises : ValueError, one line, where it cannot be run
     """
     texts = study.read_text(encoding="utf-8"), repr(factors), "excursion"
@@ -54,7 +55,7 @@ READ = {  # what of JSON is not an array
 
 def _simulated(study, database, path, factors):
     from ...simulate.file import opened, stored_findings, summary_of, told
-    from ...simulate.over_runs import overloads, rare_findings
+    from ...simulate.over_runs import overloads, rare_findings, used_in_runs
 
     outcome = _run(study, database, path)
     if outcome.interrupted:
@@ -67,6 +68,7 @@ def _simulated(study, database, path, factors):
         excursion = _largest_excursion(file, motion)
         motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
         found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *rare_findings(file))
+        load, used = np.asarray(file.attrs["breaking_load"], float), used_in_runs(file).max(axis=0)
     largest = {1.0: np.array([row["largest"] for row in rows])}
     held, along, up = _moved(study, database, motion, tension, 1.0)
     more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # of runs that are not kept, and of lines in motion
@@ -77,6 +79,7 @@ def _simulated(study, database, path, factors):
     return {
         "mean": np.array([row["mean"] for row in rows]),
         "largest": largest,
+        "breaking": strength(load, largest[1.0], used),
         "horizontal": along * more,
         "uplift": up * more,
         "cycles": cycles_of(tension, step),

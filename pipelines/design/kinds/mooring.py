@@ -27,7 +27,7 @@ from ...common.weather.streams import OF_HULL, STREAMS, with_hull
 from ...moor.checked import check_weather
 from ...moor.study import make_study, read_raw
 from .needs import COEFFICIENT, DOLPHIN, OF_FENDERS, Need, of_lines
-from .numbers import Numbers, types_of
+from .numbers import Numbers, strength, types_of
 from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "mooring study", "needed", True
@@ -191,7 +191,7 @@ def run(study, database, path, factors):
         return stored, None
     runs = simulated(path.with_suffix(".toml"), database, runs_path, factors)
     beside = (f"simplified method: {text}" for text in stored.warnings if FINDINGS_IN_TIME not in text)
-    return stored._replace(warnings=(*runs["findings"], *beside)), runs
+    return stored._replace(breaking=runs["breaking"], warnings=(*runs["findings"], *beside)), runs
 
 
 def write_study(path, text):
@@ -260,7 +260,7 @@ def _stored(path, study, text, database):
             pretension=found["tension.at_rest"],
             static=found["tension.steady"],
             largest=found["tension.largest"],
-            breaking=found["line.breaking_load"],
+            breaking=strength(found["line.breaking_load"], found["tension.largest"], found["tension.used"]),
             horizontal=found["anchor.largest_horizontal"],
             uplift=found["anchor.largest_vertical"],
             place=np.array([found[f"pose.{name}"] for name in ("x", "y", "yaw")]),

@@ -37,6 +37,15 @@ class Numbers(NamedTuple):
     warnings: tuple = ()
 
 
+def strength(breaking, largest, used):
+    """(n,) N: breaking loads (n,), or less where a line uses more than its largest pull on the body (n,), N, says
+
+    used : (n,) largest share of any of its segments; below a buoy a line pulls more than at the body
+    """
+    held = np.divide(largest, used, out=np.full(len(used), np.inf), where=np.isfinite(used) & (used > 0))
+    return np.where(held < breaking * (1 - 1e-9), held, breaking)
+
+
 def types_of(table):
     """Names of the types that a line's table is made of"""
     return (table["type"],) if "type" in table else tuple(segment["type"] for segment in table["segments"])

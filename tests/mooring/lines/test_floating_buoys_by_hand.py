@@ -48,3 +48,18 @@ def test_a_buoy_floats_up_to_its_lift_and_is_drawn_under_beyond():
         buoys = [PointLoad(LEG, -lift), PointLoad(LEG + parts[0], -4e4)]
         line = StaticLine([Segment(LEG + sum(parts), WEIGHT)], buoys, None, surface=HIGH)
         assert line.solve(d + sum(over), HIGH).loads == (state, "floating")
+
+
+@pytest.mark.parametrize("x", [180.0, 200.0, 220.0])
+@pytest.mark.parametrize("parts", [(35.0, 60.0), (25.0, 30.0, 60.0)])
+def test_slack_light_rope_hangs_plumb_between_its_buoys(parts, x):
+    """Half of each part hangs from either buoy; the first buoy also carries the rope down to the bed"""
+    depth, rope = 100.0, 18.0
+    places = 380.0 + np.concatenate([[0.0], np.cumsum(parts)[:-1]])
+    buoys = [PointLoad(place, -1.5e5, 3e4) for place in places]
+    segments = [Segment(180.0, 1740.0), Segment(200.0 + sum(parts), rope)]
+    found = StaticLine(segments, buoys, surface=depth).solve(x, depth)
+    assert found.slack and found.loads == ("floating",) * len(parts)
+    assert found.vertical_fairlead == pytest.approx(rope * parts[-1] / 2, rel=1e-6)
+    below = next(piece for piece in found.pieces if abs(piece[1] - places[0]) < 1e-6 and piece[0] == 0)
+    assert below[6] == pytest.approx(rope * depth, rel=1e-6)

@@ -1,5 +1,6 @@
 """A body in time against what must be true of it: the frequency domain, energy, order, equilibrium, symmetry."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -399,3 +400,11 @@ def test_coefficients_of_a_wave_are_named_where_they_damp_slow_motion(on_springs
     assert len(named) == 1 and "surge" in named[0] and "states" in named[0]
     assert not any("damps slow motion as waves" in line for line in said[1].findings)
     assert any("slow motion is lightly damped: surge" in line for line in said[1].findings)
+
+
+@pytest.mark.parametrize("share, capsizes", [(0.99, False), (1.01, True)])
+def test_a_body_that_capsizes_is_refused_before_it_is_moved(database, on_springs, share, capsizes):
+    """A spring that takes all of its restoring in roll, and a little less"""
+    taken = on_springs.spring - np.diag([0, 0, 0, share * database.reader.floating().stiffness[3, 3], 0, 0])
+    with pytest.raises(ValueError, match="the body capsizes: its restoring in roll") if capsizes else nullcontext():
+        moored(database, spring=taken, memory=on_springs.memory)
