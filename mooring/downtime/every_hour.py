@@ -1,0 +1,125 @@
+"""Moments of linear responses in every hour of a record, without a call for each.
+
+    m_n(hour) = ∫ ωⁿ S(ω; H, T) P(ω, β) dω,    P(ω, β) = ∫ D(θ − β) |X(ω, θ)|² dθ
+
+P is made once on a ring of headings and is interpolated over β by the six nearest (Lagrange), which is exact to 1e-6 of
+the largest m_n; hours are grouped by those six, and each group is one product of matrices.  S of a family of one shape
+scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that nothing is tabulated over periods.
+
+The frequencies are those of `response.linear.frequencies` for all waves alike, the same for every hour; systems of
+waves add.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..environment.spectra import FAMILIES
+from ..response.linear import frequencies
+from ..response.points import transfer_functions
+
+RING = np.arange(720) * (2 * np.pi / 720)  # rad, headings
+NODES = np.arange(-2, 4)  # of the six about a direction
+AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
+HEADINGS_AT_ONCE = 90  # whose complex transfer functions are in memory together
+REFERENCE = 10.0  # s
+
+
+class Shape(NamedTuple):
+    """A family of spectra of one shape, and its spreading
+
+    family : name in `environment.spectra.FAMILIES`; kind : of its period, as "peak_period"; gamma : None without
+    spreading : `environment.spreading.Spreading` that does not depend on frequency, None for long crests
+    """
+
+    family: str
+    kind: str
+    gamma: float | None = None
+    spreading: object = None
+
+    def density(self, omega, height, period):
+        """(h, q) m² s/rad at omega (q,) rad/s of hours with height (h,) m and period (h,) s"""
+        more = {} if self.gamma is None else {"gamma": self.gamma}
+        one = FAMILIES[self.family](1.0, **{self.kind: REFERENCE}, **more)
+        tau = (period / REFERENCE)[:, None]
+        return (height**2)[:, None] * tau * one.density(omega * tau)
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """Responses (c,) of a body to waves of unit amplitude on RING.
+
+    names, units : (c,); omega : (q,) rad/s; power : (q, 720, c) |X|²
+    """
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    omega: np.ndarray
+    power: np.ndarray
+
+    def spread(self, spreading):
+        """(q, 720, c) P of mean directions on RING"""
+        if spreading is None:
+            return self.power
+        away = np.mod(RING + np.pi, 2 * np.pi) - np.pi
+        weight = spreading.density(away)
+        weight = np.fft.rfft(weight / weight.sum())[:, None]  # D is even in nothing: Σ_θ D(θ − β) P(θ)
+        return np.stack(
+            [np.fft.irfft(np.conj(weight) * np.fft.rfft(row, axis=0), len(RING), axis=0) for row in self.power]
+        )
+
+
+def response_of(body, points, wanted):
+    """The Response of a `bem.database.reader.Reader`, `floating`, of those of its names that are wanted.
+
+    points : as of `response.points.transfer_functions`.  Raises ValueError for a name that there is not.
+    """
+    omega = frequencies(body)
+    names, units = _names(body, omega[:1], points)
+    strange = [name for name in wanted if name not in names]
+    if strange:
+        raise ValueError(f"no response is called {strange[0]!r}; allowed: {', '.join(names)}")
+    chosen = [names.index(name) for name in wanted]
+    parts = np.split(RING, len(RING) // HEADINGS_AT_ONCE)
+    power = [np.abs(transfer_functions(body, omega, part, points).value[..., chosen]) ** 2 for part in parts]
+    return Response(tuple(wanted), tuple(units[i] for i in chosen), omega, np.concatenate(power, axis=1))
+
+
+def _names(body, omega, points):
+    found = transfer_functions(body, omega, RING[:1], points)
+    return found.names, found.units
+
+
+def moments_of_hours(response, shape, waves, orders=(0, 2)):
+    """(len(orders), n, c) moments m_n in hours of a `hindcast.WaveHours`; nan where these are unknown"""
+    omega, count = response.omega, len(response.names)
+    out = np.zeros((len(orders), len(waves.height), count))
+    out[:, np.isnan(waves.height)] = np.nan
+    power = response.spread(shape.spreading)
+    rule = np.gradient(omega)  # of the trapezium rule, but for its ends
+    rule[[0, -1]] *= 0.5
+    column = np.stack([rule * omega**n for n in orders])  # (o, q)
+    place = waves.direction / (RING[1] - RING[0])
+    cell = np.floor(place).astype(int)
+    share = lagrange(place - cell)
+    some = np.flatnonzero(waves.height > 0)
+    order = some[np.argsort(cell[some] % len(RING), kind="stable")]
+    cells = cell[order] % len(RING)
+    for group in np.split(order, np.flatnonzero(np.diff(cells)) + 1) if len(order) else ():
+        near = (cell[group[0]] + NODES) % len(RING)
+        kernel = np.einsum("oq,qkc->qokc", column, power[:, near]).reshape(len(omega), -1)
+        for hours in np.array_split(group, -(-len(group) // AT_ONCE)):
+            density = shape.density(omega, waves.height[hours], waves.period[hours])
+            at_nodes = (density @ kernel).reshape(len(hours), len(orders), len(NODES), count)
+            out[:, hours] = np.einsum("hk,hokc->ohc", share[hours], at_nodes)
+    return np.maximum(out, 0.0)
+
+
+def lagrange(t):
+    """(n, 6) weights of values at NODES for places t (n,) between 0 and 1"""
+    away = t[:, None] - NODES
+    weights = [np.prod(np.delete(away, j, axis=1) / np.delete(NODES[j] - NODES, j), axis=1) for j in range(len(NODES))]
+    return np.stack(weights, axis=1)
