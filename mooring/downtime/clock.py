@@ -42,7 +42,7 @@ def _parsed(texts, where):
     try:
         return texts.astype("datetime64[s]")
     except ValueError:
-        wrong = next(t for t in texts if not re.match(r"\d{4}-\d\d-\d\d([T ]\d\d(:\d\d(:\d\d(\.0*)?)?)?)?$", t))
+        wrong = next(str(t) for t in texts if not re.match(r"\d{4}-\d\d-\d\d([T ]\d\d(:\d\d(:\d\d(\.0*)?)?)?)?$", t))
         raise TableError(f"{where}: time is {wrong!r}; allowed: ISO 8601, as 2015-01-31T06:00") from None
 
 

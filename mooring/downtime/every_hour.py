@@ -6,8 +6,8 @@ P is made once on a ring of headings and is interpolated over β by the six near
 the largest m_n; hours are grouped by those six, and each group is one product of matrices.  S of a family of one shape
 scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that nothing is tabulated over periods.
 
-The frequencies are those of `response.linear.frequencies` for all waves alike, the same for every hour; systems of
-waves add.
+The frequencies are those of `response.linear.frequencies` for all waves alike, and between as many as the peak of a
+spectrum asks for; the same for every hour.  Systems of waves add.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ NODES = np.arange(-2, 4)  # of the six about a direction
 AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
 HEADINGS_AT_ONCE = 90  # whose complex transfer functions are in memory together
 REFERENCE = 10.0  # s
+FINE = 0.015  # of ω, between frequencies: a fifth of the narrow side of a JONSWAP peak
 
 
 class Shape(NamedTuple):
@@ -77,7 +78,9 @@ def response_of(body, points, wanted):
 
     points : as of `response.points.transfer_functions`.  Raises ValueError for a name that there is not.
     """
-    omega = frequencies(body)
+    low, high = body.omega[[0, -1]]
+    between = np.geomspace(low, high, 2 + int(np.log(high / low) / FINE))
+    omega = np.union1d(frequencies(body), between[1:-1])
     names, units = _names(body, omega[:1], points)
     strange = [name for name in wanted if name not in names]
     if strange:

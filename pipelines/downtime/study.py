@@ -78,8 +78,8 @@ def record_of(table, folder):
     time, found, said = read_columns(path, table.time, table.zone, wanted)
     x_axis, waves = math.radians(table.x_axis_compass_deg), []
     for one, (_, kind, angle, comes_from) in zip(table.waves, systems, strict=True):
-        towards = x_axis - found[angle] - (np.pi if comes_from else 0.0)
         _check_direction(path.name, angle, found[angle])
+        towards = x_axis - found[angle] - (np.pi if comes_from else 0.0)
         waves.append((found[one.height], found[getattr(one, kind)], np.mod(towards, 2 * np.pi)))
     columns = {name: (found[column], COLUMN_KINDS.get(name, "")) for name, column in table.columns.items()}
     hindcast = made(time, waves, columns, path.name)
