@@ -15,9 +15,12 @@ FEWEST = 5  # years with an interval
 
 
 def by_group(down, known, group, groups):
-    """Σ of down and of known (n, …) over each of `groups` (g,): two (g, …) arrays; group : (n,) sorted or not"""
+    """Σ of down and of known (n, …) over each of `groups` (g,): two (g, …) arrays.
+
+    down : (n, …) truths, or chances; group : (n,) of each row, sorted or not
+    """
     place = np.searchsorted(groups, group)
-    return tuple(_sums(values, place, len(groups)) for values in (down & known, known))
+    return tuple(_sums(values, place, len(groups)) for values in (down * known, known))
 
 
 def _sums(values, place, count):

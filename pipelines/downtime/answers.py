@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from hakobune.mooring.downtime.windows import in_windows, waiting, windows
@@ -16,29 +18,46 @@ CAUSE, WINDOW, WAIT = "causes of downtime", "windows of weather", "waiting for a
 NAMES = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 SECTOR = 30.0  # degrees
 FEW = 12  # years that are printed
+NORMAL = 1.645  # standard deviations of an interval of 90 %
+
+
+class Verdicts(NamedTuple):
+    """known, down : (n, o) of hours and operations; chance : (n, o) that an hour stops it, 0 or 1 where that is sure
+
+    used, beyond : (n, l) share used of each limit, and the chance that it is gone beyond
+    error : (o,) share of the time, standard deviation of the sum of chances that is beside the scatter of years
+    """
+
+    known: np.ndarray
+    down: np.ndarray
+    chance: np.ndarray
+    used: np.ndarray
+    beyond: np.ndarray
+    error: np.ndarray
 
 
 def judged(used, limits, operations):
-    """down, known (n, o) of operations from used (n, l) of their limits: known where all of its limits are"""
+    """Verdicts where what hours use (n, l) is sure: an operation is known where all of its limits are"""
     down, known = [], []
     for number in range(operations):
         own = used[:, [one.operation == number for one in limits]]
         known.append(np.isfinite(own).all(axis=1) | np.isposinf(own).any(axis=1))
         down.append((own > 1).any(axis=1) & known[-1])
-    return np.stack(down, axis=1), np.stack(known, axis=1)
+    down, known = np.stack(down, axis=1), np.stack(known, axis=1)
+    return Verdicts(known, down, down.astype(float), used, (used > 1).astype(float), np.zeros(operations))
 
 
-def answers(study, hindcast, limits, used):
-    """{name: Quantity} and {axis: labels} of a DowntimeStudy from used (n, l) of its limits in hours of a Hindcast"""
+def answers(study, hindcast, limits, verdicts):
+    """{name: Quantity} and {axis: labels} of a DowntimeStudy from Verdicts on the hours of a Hindcast"""
     names = [one.name for one in study.operations]
-    down, known = judged(used, limits, len(names))
+    down, known, chance = verdicts.down, verdicts.known, verdicts.chance
     years = np.unique(hindcast.year)
-    made, axes = _whole(down, known, hindcast, years), dict(labels("operation", names))
+    made, axes = _whole(chance, known, hindcast, years, verdicts.error), dict(labels("operation", names))
     axes |= labels("year", years) | labels("month", NAMES)
     axes |= labels("limit", [one.label for one in limits])
-    made |= _causes(down, known, used, limits)
-    made |= _by_month(down, known, hindcast, years) | _by_year(down, known, hindcast, years)
-    found, more = _by_sector(study, down, known, hindcast, years)
+    made |= _causes(known, verdicts, limits)
+    made |= _by_month(chance, known, hindcast, years) | _by_year(chance, known, hindcast, years)
+    found, more = _by_sector(study, chance, known, hindcast, years)
     made, axes = made | found, axes | more
     found, more = _windows(study, down, known, hindcast, years)
     return made | found, axes | more
@@ -56,9 +75,17 @@ def _three(head, table, axes, three, words, unit="", share=True):
     }
 
 
-def _whole(down, known, hindcast, years):
-    sums = by_group(down, known, hindcast.year, years)
-    three = share_with_interval(*sums)
+def _whole(chance, known, hindcast, years, error):
+    three = share_with_interval(*by_group(chance, known, hindcast.year, years))
+    if error.any():  # what is not known of these hours, beside the scatter of years
+        share, *ends = three
+        three = (
+            share,
+            *(
+                np.clip(share + s * np.hypot(end - share, NORMAL * error), 0, 1)
+                for s, end in zip((-1, 1), ends, strict=True)
+            ),
+        )
     hours = {"hours": three[0], "hours_low": three[1], "hours_high": three[2]}
     words = ("hours a year", "90 % from", "90 % to")
     made = {
@@ -72,16 +99,16 @@ def _whole(down, known, hindcast, years):
     return made
 
 
-def _causes(down, known, used, limits):
+def _causes(known, verdicts, limits):
     """Hours a year beyond each limit, and those in which it alone stops its operation"""
-    beyond, alone = [], []
+    beyond, alone, used = [], [], verdicts.used
     for k, one in enumerate(limits):
         others = [j for j, other in enumerate(limits) if other.operation == one.operation and j != k]
-        here = (used[:, k] > 1) & known[:, one.operation]
-        rest = (used[:, others] > 1).any(axis=1)
+        here = verdicts.beyond[:, k] * known[:, one.operation]
+        rest = np.prod(1 - verdicts.beyond[:, others], axis=1)
         count = max(known[:, one.operation].sum(), 1)
         beyond.append(YEAR * here.sum() / count)
-        alone.append(YEAR * (here & ~rest).sum() / count)
+        alone.append(YEAR * (here * rest).sum() / count)
     most = np.nanmax(np.where(np.isinf(used), np.nan, used), axis=0, initial=0.0)
     return {
         "cause.hours": Quantity(beyond, ("limit",), "h", "hours a year", CAUSE),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -15,11 +16,16 @@ def downtime(
     database: Annotated[Path, Parameter(help="of the body, .h5")],
     output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
     plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
+    states: Annotated[
+        Path | None, Parameter(help="file of simulated states, .jsonl [beside the study, with [simulation]]")
+    ] = None,
+    executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     page: Annotated[Path | None, Parameter(help=".html: tables and pictures of all answers")] = None,
 ):
     """Hours of years in which operations at a berth stop, and windows of weather between, from a hindcast.
 
-    Every hour of the record goes through the linear responses of the body.
+    Every hour of the record goes through the linear responses of the body; or a moored body is simulated in states
+    that stand for all hours, and a second call takes up where the first stopped.
     hakobune new downtime
     """
     from hakobune.meshing.whole_files import write_whole
@@ -41,7 +47,9 @@ def downtime(
         check_picture(plot, PLOTS)
     if page is not None:
         check_output(page, "a page of downtime", written_by_downtime, (".html",), inputs)
-    result = found(study, database)
+    if states is None and read.simulation is not None:
+        states = study.with_suffix(".states.jsonl")
+    result = found(study, database, states=states, executor=executor, say=lambda line: print(line, file=sys.stderr))
     if output is not None:
         write_result(result, output)
     if plot is not None:

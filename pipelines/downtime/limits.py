@@ -1,9 +1,10 @@
 """What operations can bear, and how much of it each hour uses.
 
-motion, point     mean largest amplitude of an hour, the significant one, or peak to peak
-air gap           clearance less the largest rise of the water at a point
-under-keel clearance    water at rest, level and draft in it, less the largest drop of the bottom, the least point
-the hindcast      significant height, peak period, and each of its columns
+motion, point           mean largest amplitude of an hour, the significant one, or peak to peak
+air gap                 clearance less the largest rise of the water at a point
+under-keel clearance    water at rest, its level with it, less the largest drop of the bottom, the least of its points
+simulated               motions, tensions, fenders of the moored body, with [simulation], in place of all these
+the hindcast            significant height, and each of its columns
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from hakobune.mooring.response.points import KeelPoint, keel_name, relative_name
 
 from ..common.quantities import StudyError
 
+SIMULATED = "simulated"
 STATISTICS = "largest", "significant", "peak to peak"
 KEEL, AIR = "under-keel clearance", "air gap "
 WEATHER = {"significant height": "m", "wind speed": "m/s", "current speed": "m/s", "level": "m", "ice": ""}
@@ -27,7 +29,7 @@ READ_IN = {"rad": ("deg", np.pi / 180), "m/s²": ("m/s²", 1.0)}
 class Limit(NamedTuple):
     """operation : its number; criterion : of `mooring.criteria.rules`; label : for tables
 
-    kind : "response", "air gap", "keel" or "weather"; names : of the responses that it asks for
+    kind : "response", "air gap", "keel", "weather" or SIMULATED; names : of the responses that it asks for
     rest : (p,) m at rest of what is left, an air gap or the water under points of the keel
     """
 
@@ -49,10 +51,12 @@ class Hours(NamedTuple):
     duration: float
 
 
-def limits_of(study, points, responses):
+def limits_of(study, points, responses, moored=None):
     """[Limit] of a DowntimeStudy.
 
-    points : of its body; responses : {name: unit} of all that the body has.  Raises StudyError.
+    points : of its body; responses : {name: unit} of all that the body has
+    moored : {name: unit} of what simulations of the moored body give, in place of these; None without
+    raises : StudyError
     """
     found = []
     for number, operation in enumerate(study.operations):
@@ -61,7 +65,9 @@ def limits_of(study, points, responses):
         criteria += _of_rule(where, operation)
         if not criteria:
             raise StudyError(f"{where}, {operation.name!r}, has no limits and no rule; allowed: one of them")
-        found += [_limit(where, number, operation.name, one, study, points, responses) for one in criteria]
+        for one in criteria:
+            source = _source(where, one.quantity, study, points, responses, moored)
+            found.append(_limit(where, number, operation.name, one, source))
     return found
 
 
@@ -91,10 +97,9 @@ def _of_rule(where, operation):
     return found
 
 
-def _limit(where, number, name, criterion, study, points, responses):
-    quantity = criterion.quantity
-    kind, names, rest, unit = _source(where, quantity, study, points, responses)
-    if kind != "response" and criterion.statistic not in ("largest", ""):
+def _limit(where, number, name, criterion, source):
+    quantity, (kind, names, rest, unit) = criterion.quantity, source
+    if kind not in ("response", SIMULATED) and criterion.statistic not in ("largest", ""):
         raise StudyError(
             f"{where}: {quantity} has no statistic {criterion.statistic!r}; allowed: of a motion or a point"
         )
@@ -111,11 +116,16 @@ def _limit(where, number, name, criterion, study, points, responses):
     return Limit(number, criterion, label, kind, names, rest)
 
 
-def _source(where, quantity, study, points, responses):
+def _source(where, quantity, study, points, responses, moored):
     """Kind, names of responses, what is left at rest, and unit of a quantity.  Raises StudyError."""
     columns = study.hindcast.columns
     if quantity == "significant height" or quantity in columns:
         return "weather", (), (), WEATHER.get(quantity, "")
+    if moored is not None:
+        if quantity in moored:
+            return SIMULATED, (), (), moored[quantity]
+        known = ", ".join(["significant height", *columns, *moored])
+        raise StudyError(f"{where}: no simulation of this study gives {quantity!r}; there are {known}")
     if quantity in responses:
         unit = responses[quantity]
         return "response", (quantity,), (), READ_IN.get(unit, (unit, 1.0))[0]

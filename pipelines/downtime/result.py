@@ -3,28 +3,32 @@
 from __future__ import annotations
 
 import os
+import tempfile
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.downtime.every_hour import Response, moments_of_hours, response_of
 from hakobune.mooring.downtime.hindcast import Hindcast, WaveHours
 from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
-from hakobune.mooring.downtime.years import by_group, share_with_interval
+from hakobune.mooring.downtime.years import FEWEST
 from hakobune.mooring.response.findings import MISSED
 from hakobune.mooring.response.points import transfer_functions
 from hakobune.mooring.response.seas import MOST_OUTSIDE
 
 from ..common.quantities import StudyError
+from ..executors.choice import executor_of
 from ..response.study import ResponseStudy
 from ..results.given import File, Tables, database_of, given
 from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels, records
-from .answers import YEAR, answers, judged
+from .answers import NORMAL, YEAR, Verdicts, answers, judged
 from .limits import Hours, limits_of, used_of, value_of
 from .study import make_downtime, read_downtime, record_of
 from .tables import DowntimeStudy
@@ -32,36 +36,79 @@ from .tables import DowntimeStudy
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
+    from .simulated import Simulated
+
 KIND = "downtime"
 WAVES = "waves"  # a response of 1, whose m0 tells what of the waves is within the stored frequencies
 RETURN, TURNED = "largest responses", "the body turned clockwise"
 DIRECTIONS = np.arange(0.0, 360.0, 10.0)  # degrees of the compass, of limiting seas
 PERIODS = 24
+STATES = "hours of this record by simulated states"
+LINEAR = (
+    "largest: mean largest amplitude of an hour in linear waves about the mean place; a body that floats freely, "
+    "without lines, fenders and slow drift"
+)
 
 
 class Detail(NamedTuple):
-    """study; hindcast; limits; used (n, l); down, known (n, o); response : `every_hour.Response`"""
+    """study; hindcast; limits; verdicts : `answers.Verdicts`; simulated : `simulated.Simulated`, None without"""
 
     study: DowntimeStudy
     hindcast: Hindcast
     limits: list
-    used: np.ndarray
-    down: np.ndarray
-    known: np.ndarray
-    response: Response
+    verdicts: Verdicts
+    simulated: Simulated | None = None
 
 
-def downtime(study: File | Tables | DowntimeStudy, database: File | Database) -> Result:
+def downtime(
+    study: File | Tables | DowntimeStudy,
+    database: File | Database,
+    *,
+    states: File | None = None,
+    executor: str = "local",
+    say: Callable[[str], None] | None = None,
+) -> Result:
     """Hours of downtime, windows of weather, limiting seas and return values of a body from a record of years.
 
     study : path of a downtime study, its tables as a dictionary, or a `DowntimeStudy`; files lie beside it
     database : path of the body's database, or an open one
+    states : path of the file of simulated states, which goes on where it stopped; None to keep none
+    executor : as of the command, for these; say : is told the progress, line by line
     returns : Result, in SI; its `detail` is a Detail
-    raises : ValueError, one line
+    raises : ValueError, one line; KeyboardInterrupt, states that were done are kept
     """
     read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
     db = database_of(database)
+    if read.simulation is None:
+        found = _linear(read, folder, db)
+    else:
+        found = _moored(read, folder, db, states, executor, say or (lambda line: None))
+    hindcast, limits, verdicts = found.detail.hindcast, found.detail.limits, found.detail.verdicts
+    made, axes = answers(read, hindcast, limits, verdicts)
+    made, axes = made | found.quantities, axes | found.axes
+    used = verdicts.used.astype(np.float32)
+    made |= records({"hour.used": (used, ("hour", "limit"), "", "share used of each limit")})
+    axes |= labels("hour", hindcast.time.astype("datetime64[s]").astype(np.int64), "seconds since 1970-01-01")
+    needed = {axis for one in made.values() for axis in one.axes}
+    told = tuple(dict.fromkeys([*found.findings, *_too_long(read, made)]))
+    axes = {axis: one for axis, one in axes.items() if axis in needed}
+    notes = (*_notes(hindcast), *found.notes)
+    return Result(KIND, made, axes, told, notes, (), provenance(text, db), found.detail)
+
+
+class Found(NamedTuple):
+    """detail; quantities, axes : beside those of `answers`; findings, notes : lines"""
+
+    detail: Detail
+    quantities: dict
+    axes: dict
+    findings: list
+    notes: list
+
+
+def _linear(read, folder, db):
+    """What linear responses say of every hour"""
     of_body = ResponseStudy(body=read.body, points=read.points, keel=read.keel)
     body, points = of_body.restrained(db.reader.floating()), of_body.places(db)
     first = transfer_functions(body, body.omega[:1], body.headings[:1], points)
@@ -70,26 +117,68 @@ def downtime(study: File | Tables | DowntimeStudy, database: File | Database) ->
         record = record_of(read.hindcast, folder)
         wanted = tuple(dict.fromkeys(name for one in limits for name in one.names))
         response = _with_waves(response_of(body, points, wanted))
-    hindcast = record.hindcast
-    hours = hours_of(response, record.shapes, hindcast)
-    used = used_of(limits, hours, hindcast)
-    made, axes = answers(read, hindcast, limits, used)
+    hours = hours_of(response, record.shapes, record.hindcast)
+    verdicts = judged(used_of(limits, hours, record.hindcast), limits, len(read.operations))
+    made, axes = {}, {}
     for found, more in (
-        _returned(read, hindcast, hours),
+        _returned(read, record.hindcast, hours),
         _limiting(read, record, response, limits),
         _turned(read, record, response, limits),
     ):
         made, axes = made | found, axes | more
-    made |= records({"hour.used": (used.astype(np.float32), ("hour", "limit"), "", "share used of each limit")})
-    axes |= labels("hour", hindcast.time.astype("datetime64[s]").astype(np.int64), "seconds since 1970-01-01")
-    warned = [*caught, *hindcast.said, *_viscous(read, db), *_outside(body, record, hours)]
-    used_axes = {axis for one in made.values() for axis in one.axes}
-    down, known = judged(used, limits, len(read.operations))
-    return Result(
-        KIND, made, {axis: one for axis, one in axes.items() if axis in used_axes}, tuple(dict.fromkeys(warned)),
-        tuple(_notes(hindcast, read)), (), provenance(text, db),
-        Detail(read, hindcast, limits, used, down, known, response),
-    )  # fmt: skip
+    warned = [*caught, *record.hindcast.said, *_viscous(read, db), *_outside(body, record, hours)]
+    return Found(Detail(read, record.hindcast, limits, verdicts), made, axes, warned, [LINEAR])
+
+
+def _moored(read, folder, db, states, executor, say):
+    """What simulations of the moored body in representative states say of every hour"""
+    from .one_state import UNITS
+    from .simulated import prepared_of, simulated
+
+    for key in ("points", "keel", "turned_deg"):
+        if getattr(read, key):
+            raise StudyError(f"{key} is given with [simulation]; allowed: of linear responses, without it")
+    with heard() as caught:
+        record = record_of(read.hindcast, folder)
+        ready = prepared_of(read.simulation, folder, db)
+    limits = limits_of(read, [], {}, {name: UNITS[name] for name in ready.names})
+    workers = executor_of(executor)
+    with tempfile.TemporaryDirectory() as place:
+        path = Path(place) / "states.jsonl" if states is None else Path(states)
+        try:
+            found = simulated(read, record, limits, ready, path, workers, say)
+        finally:
+            workers.shutdown(wait=False, cancel_futures=True)
+    made = {
+        "simulated.hours": Quantity(found.hours, ("operation",), "h", "hours a year in this record", STATES),
+        "simulated.interpolant": Quantity(NORMAL * found.error, ("operation",), "h", "± interpolant, 90 %", STATES),
+        "simulated.sea": Quantity(NORMAL * found.sea, ("operation",), "h", "± chance of the sea, 90 %", STATES),
+    }
+    made |= records({
+        "state.hour": (found.rows, ("state",), "", "row of the hindcast"),
+        "state.used": (found.used, ("state", "seed", "limit"), "", "share used of each limit that is simulated"),
+    })  # fmt: skip
+    axes = labels("state", np.arange(len(found.rows))) | labels("seed", np.arange(found.used.shape[1]))
+    wind = {"wind speed", "wind from"} <= set(record.hindcast.columns)
+    notes = [
+        f"simulated: {len(found.rows)} states of {read.simulation.duration_hours:g} h, {read.simulation.seeds} seeds "
+        f"each, waves{' and wind' if wind else ''} of the hour, all else of {read.simulation.study}; windows are those "
+        "of one realisation of the chances"
+    ]
+    failed = [fails(f"hour {record.hindcast.time[row]}: {reason}") for row, reason in found.failed[:5]]
+    warned = [*caught, *record.hindcast.said, *found.said, *failed]
+    return Found(Detail(read, record.hindcast, limits, found.verdicts, found), made, axes, warned, notes)
+
+
+def _too_long(read, made):
+    """Operations that stop for more hours than they may"""
+    for number, one in enumerate(read.operations):
+        hours = made["downtime.hours"].values[number]
+        if one.allowed_hours is not None and hours > one.allowed_hours:
+            yield fails(
+                f"{one.name} stops {hours:.4g} h a year, limit {one.allowed_hours:g} h; another heading (turned_deg), "
+                "wider limits, or another mooring"
+            )
 
 
 def _with_waves(response):
@@ -133,18 +222,14 @@ def _outside(body, record, hours):
         yield text
 
 
-def _notes(hindcast, read):
+def _notes(hindcast):
     years = len(hindcast.time) * hindcast.hours / YEAR
     yield (
         f"record: {len(hindcast.time)} rows of {hindcast.hours:g} h, {years:.3g} years, {hindcast.time[0]} to "
         f"{hindcast.time[-1]} UTC; years and months are those of UTC; intervals are those of years"
     )
-    yield (
-        "largest: mean largest amplitude of an hour in linear waves about the mean place; a body that floats freely, "
-        "without lines, fenders and slow drift"
-    )
-    if len(np.unique(hindcast.year)) < 5:
-        yield "fewer than 5 years have no interval"
+    if len(np.unique(hindcast.year)) < FEWEST:
+        yield f"fewer than {FEWEST} years have no interval"
 
 
 def _returned(read, hindcast, hours):
@@ -207,7 +292,7 @@ def _turned(read, record, response, limits):
         )
         hindcast = replace(record.hindcast, waves=waves)
         used = used_of(limits, hours_of(response, record.shapes, hindcast), hindcast)
-        down, known = judged(used, limits, len(read.operations))
-        rows.append(share_with_interval(*by_group(down, known, hindcast.year, np.unique(hindcast.year)))[0])
+        one = judged(used, limits, len(read.operations))
+        rows.append(one.down.sum(axis=0) / np.maximum(one.known.sum(axis=0), 1))
     made = {"turned.hours": Quantity(YEAR * np.array(rows), ("turned", "operation"), "h", "hours a year", TURNED)}
     return made, labels("turned", np.array(read.turned_deg), "deg")

@@ -19,7 +19,10 @@ from ..common.typed import read_toml, typed
 from ..common.weather.seas import spreading
 from .tables import DowntimeStudy
 
-COLUMN_KINDS = {"wind speed": "speed", "current speed": "speed", "level": "level", "ice": "share"}
+COLUMN_KINDS = {
+    "wind speed": "speed", "wind from": "direction", "current speed": "speed", "level": "level", "ice": "share",
+}  # fmt: skip
+MOST_STATES, MOST_SEEDS = 10_000, 1000
 MOST_WINDOWS, MOST_TURNS = 12, 36
 
 
@@ -53,6 +56,10 @@ def make_downtime(raw):
         positive(f"windows_hours[{i}]", hours)
     for i, one in enumerate(study.operations):
         positive(f"operations[{i}].window_hours", one.window_hours)
+        if one.allowed_hours is not None:
+            positive(f"operations[{i}].allowed_hours", one.allowed_hours)
+    if study.simulation is not None:
+        _check_states(study.simulation)
     if not 1 < study.return_years < math.inf:
         raise StudyError(f"return_years is {study.return_years:g}; allowed: above 1, finite")
     for key, degrees in (("hindcast.x_axis_compass_deg", study.hindcast.x_axis_compass_deg),
@@ -60,6 +67,15 @@ def make_downtime(raw):
         if not -360 <= degrees <= 360:
             raise StudyError(f"{key} is {degrees:g}; allowed: −360 to 360")
     return study
+
+
+def _check_states(table):
+    for key, least, most in (("states", 8, MOST_STATES), ("most_states", table.states, MOST_STATES), ("batch", 1, 1000),
+                             ("seeds", 2, MOST_SEEDS)):  # fmt: skip
+        if not least <= getattr(table, key) <= most:
+            raise StudyError(f"simulation.{key} is {getattr(table, key)}; allowed: {least} to {most}")
+    positive("simulation.duration_hours", table.duration_hours)
+    positive("simulation.tolerance_hours", table.tolerance_hours)
 
 
 def record_of(table, folder):

@@ -72,8 +72,9 @@ class HindcastTable(Table):
 class LimitTable(Table):
     """What an operation can bear
 
-    quantity : a motion as "roll", a response of a point as "bow acceleration z", "air gap NAME" or "under-keel
-        clearance", or of the hindcast "significant height" or a column
+    quantity : a motion as "roll"; with [simulation] that of the moored body, also "tension / breaking load", "fender
+        deflection" and "fender reaction"; without, a response of a point as "bow acceleration z", "air gap NAME" or
+        "under-keel clearance"; or of the hindcast "significant height" or a column
     at_most : m, degrees, m/s2, or the unit of a column
     statistic : of a motion: largest, the mean largest amplitude of an hour; significant; peak to peak
     """
@@ -90,6 +91,7 @@ class OperationTable(Table):
     rule : rule set of `mooring/criteria/tables` whose limits are taken too, as "PIANC"
     subject : of the rule set, as "freighter, coaster; quay cranes"
     window_hours : h, that it needs without a break
+    allowed_hours : h a year, above which the study fails
     """
 
     name: str
@@ -97,6 +99,28 @@ class OperationTable(Table):
     rule: str | None = None
     subject: str | None = None
     window_hours: float = 6.0
+    allowed_hours: float | None = None
+
+
+class StatesTable(Table):
+    """Limits on a moored body, simulated in states that stand for all hours
+
+    study : mooring study beside this one; its waves are those of each hour, and its wind where the hindcast has one
+    states : how many to begin with, by maximum dissimilarity
+    most_states : beyond which none is added
+    batch : states that are added at once where verdicts may change
+    seeds : of each state
+    duration_hours : h, of a run
+    tolerance_hours : h a year, of the hours of each operation, for the interpolant alone
+    """
+
+    study: str
+    states: int = 50
+    most_states: int = 200
+    batch: int = 10
+    seeds: int = 3
+    duration_hours: float = 1.0
+    tolerance_hours: float = 20.0
 
 
 class DowntimeStudy(Table):
@@ -112,6 +136,7 @@ class DowntimeStudy(Table):
     body: BodyTable = msgspec.field(default_factory=BodyTable)
     points: list[PointTable] = msgspec.field(default_factory=list)
     keel: KeelTable | None = None
+    simulation: StatesTable | None = None
     windows_hours: list[float] = msgspec.field(default_factory=lambda: [3.0, 6.0, 12.0, 24.0, 48.0])
     return_years: float = 50.0
     turned_deg: list[float] = msgspec.field(default_factory=list)
