@@ -5,11 +5,13 @@ from __future__ import annotations
 from copy import deepcopy
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 
 from hakobune.bem import DOFS
 
 from ..moor.study import make_study
+from ..results.given import database_of
 from ..simulate.file import STATISTICS
 from ..simulate.work import prepared, quantities_of, simulate_seed
 
@@ -18,6 +20,7 @@ UNITS = {
     **dict.fromkeys(MOTIONS[:3], "m"), **dict.fromkeys(MOTIONS[3:], "deg"), "tension / breaking load": "",
     "breaking load / tension": "", "fender deflection": "m", "fender reaction": "kN",
 }  # fmt: skip
+_kept = {}  # of this process: the database of a study, open, and its wave forces
 OF_MOTION = "largest", "significant", "peak to peak"
 
 
@@ -38,10 +41,30 @@ def state(task, raw, weather, seeds):
     tables = deepcopy(raw)
     for name, table in weather.items():
         tables[name] = {**tables.get(name, {}), **table} if name == "wind" else table
-    for other in ("incidence_deg",):
-        tables.get("wind", {}).pop(other, None) if "wind" in weather else None
+    if "wind" in weather:
+        tables["wind"].pop("incidence_deg", None)
     task = replace(task, study=make_study(tables))
-    return [_values(prepared(task)[0], simulate_seed(task, seed, False)["statistics"]) for seed in seeds]
+    body = _prepared(task, weather)
+    return [_values(body, simulate_seed(task, seed, False)["statistics"]) for seed in seeds]
+
+
+def _prepared(task, weather):
+    """The `Moored` body of a Task; its wave forces are those of the state before, which has the same body
+
+    But where the viscous damping of the database's scene is linearised in each sea.
+    """
+    key = task.database, task.folder, task.duration, msgspec.json.encode(_without(task.study, weather))
+    db, waves = _kept.get(key) or (database_of(task.database), None)
+    body = prepared(task, db, waves)[0]
+    _kept.clear()
+    if not db.has_viscous_motions:
+        _kept[key] = db, body.waves
+    return body
+
+
+def _without(study, weather):
+    """A Study without the weather of a state"""
+    return msgspec.structs.replace(study, **dict.fromkeys(weather))
 
 
 def _values(body, statistics):
