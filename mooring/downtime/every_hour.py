@@ -17,14 +17,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.waves import wavenumber
+
 from ..environment.spectra import FAMILIES
 from ..response.linear import frequencies
 from ..response.points import transfer_functions
 
-RING = np.arange(720) * (2 * np.pi / 720)  # rad, headings
 NODES = np.arange(-2, 4)  # of the six about a direction
 AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
-HEADINGS_AT_ONCE = 90  # whose complex transfer functions are in memory together
+RING = 72, 720  # headings, fewest and most
+PER_HARMONIC = 13.4  # of them, for each of the 2kR harmonics that |X|² has over β
+HEADINGS_AT_ONCE = 72  # whose complex transfer functions are in memory together
 REFERENCE = 10.0  # s
 FINE = 0.015  # of ω, between frequencies: a fifth of the narrow side of a JONSWAP peak
 
@@ -51,9 +54,9 @@ class Shape(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """Responses (c,) of a body to waves of unit amplitude on RING.
+    """Responses (c,) of a body to waves of unit amplitude on a ring of headings.
 
-    names, units : (c,); omega : (q,) rad/s; power : (q, 720, c) |X|²
+    names, units : (c,); omega : (q,) rad/s; power : (q, p, c) |X|² at p equal steps of β from 0
     """
 
     names: tuple[str, ...]
@@ -61,15 +64,20 @@ class Response:
     omega: np.ndarray
     power: np.ndarray
 
+    @property
+    def ring(self):
+        """(p,) rad"""
+        return ring_of(self.power.shape[1])
+
     def spread(self, spreading):
-        """(q, 720, c) P of mean directions on RING"""
+        """(q, p, c) P of mean directions on the ring"""
         if spreading is None:
             return self.power
-        away = np.mod(RING + np.pi, 2 * np.pi) - np.pi
+        away = np.mod(self.ring + np.pi, 2 * np.pi) - np.pi
         weight = spreading.density(away)
         weight = np.fft.rfft(weight / weight.sum())[:, None]  # D is even in nothing: Σ_θ D(θ − β) P(θ)
         return np.stack(
-            [np.fft.irfft(np.conj(weight) * np.fft.rfft(row, axis=0), len(RING), axis=0) for row in self.power]
+            [np.fft.irfft(np.conj(weight) * np.fft.rfft(row, axis=0), len(away), axis=0) for row in self.power]
         )
 
 
@@ -86,13 +94,15 @@ def response_of(body, points, wanted):
     if strange:
         raise ValueError(f"no response is called {strange[0]!r}; allowed: {', '.join(names)}")
     chosen = [names.index(name) for name in wanted]
-    parts = np.split(RING, len(RING) // HEADINGS_AT_ONCE)
+    harmonics = 2 * body.radius * wavenumber(omega[-1:], body.depth, body.gravity)[0]
+    count = HEADINGS_AT_ONCE * int(np.ceil(np.clip(PER_HARMONIC * harmonics, *RING) / HEADINGS_AT_ONCE))
+    parts = np.split(ring_of(count), count // HEADINGS_AT_ONCE)
     power = [np.abs(transfer_functions(body, omega, part, points).value[..., chosen]) ** 2 for part in parts]
     return Response(tuple(wanted), tuple(units[i] for i in chosen), omega, np.concatenate(power, axis=1))
 
 
 def _names(body, omega, points):
-    found = transfer_functions(body, omega, RING[:1], points)
+    found = transfer_functions(body, omega, np.zeros(1), points)
     return found.names, found.units
 
 
@@ -105,20 +115,26 @@ def moments_of_hours(response, shape, waves, orders=(0, 2)):
     rule = np.gradient(omega)  # of the trapezium rule, but for its ends
     rule[[0, -1]] *= 0.5
     column = np.stack([rule * omega**n for n in orders])  # (o, q)
-    place = waves.direction / (RING[1] - RING[0])
+    ring = power.shape[1]
+    place = waves.direction * (ring / (2 * np.pi))
     cell = np.floor(place).astype(int)
     share = lagrange(place - cell)
     some = np.flatnonzero(waves.height > 0)
-    order = some[np.argsort(cell[some] % len(RING), kind="stable")]
-    cells = cell[order] % len(RING)
+    order = some[np.argsort(cell[some] % ring, kind="stable")]
+    cells = cell[order] % ring
     for group in np.split(order, np.flatnonzero(np.diff(cells)) + 1) if len(order) else ():
-        near = (cell[group[0]] + NODES) % len(RING)
+        near = (cell[group[0]] + NODES) % ring
         kernel = np.einsum("oq,qkc->qokc", column, power[:, near]).reshape(len(omega), -1)
         for hours in np.array_split(group, -(-len(group) // AT_ONCE)):
             density = shape.density(omega, waves.height[hours], waves.period[hours])
             at_nodes = (density @ kernel).reshape(len(hours), len(orders), len(NODES), count)
             out[:, hours] = np.einsum("hk,hokc->ohc", share[hours], at_nodes)
     return np.maximum(out, 0.0)
+
+
+def ring_of(count):
+    """(count,) rad, equal steps from 0"""
+    return np.arange(count) * (2 * np.pi / count)
 
 
 def lagrange(t):

@@ -72,6 +72,7 @@ def fitted(x, height, used):
         from sklearn.exceptions import ConvergenceWarning
         from sklearn.gaussian_process import GaussianProcessRegressor
         from sklearn.gaussian_process.kernels import ConstantKernel, Matern
+        from threadpoolctl import threadpool_limits
     except ImportError:
         raise ImportError(MISSING) from None
     y = np.log(np.maximum(used, LEAST))
@@ -82,9 +83,9 @@ def fitted(x, height, used):
     left = middle - _trend(height) @ trend
     size = max(float(left.var()), 1e-4)
     kernel = ConstantKernel(size, (1e-3 * size, 1e3 * size)) * Matern(np.full(x.shape[1], 0.5), (0.05, 20.0), nu=2.5)
-    process = GaussianProcessRegressor(kernel, alpha=scatter**2 / seeds + 1e-6 * size, n_restarts_optimizer=2,
+    process = GaussianProcessRegressor(kernel, alpha=scatter**2 / seeds + 1e-6 * size, n_restarts_optimizer=1,
                                        random_state=SEED)  # fmt: skip
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), threadpool_limits(1):  # matrices so small that threads would wait for each other
         warnings.simplefilter("ignore", ConvergenceWarning)  # a length at its bound is a feature that does not matter
         process.fit(x, left)
     return Interpolant(process, trend, scatter)

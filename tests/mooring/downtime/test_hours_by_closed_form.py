@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
-from hakobune.mooring.downtime.every_hour import RING, Response, Shape, lagrange, moments_of_hours
+from hakobune.mooring.downtime.every_hour import Response, Shape, lagrange, moments_of_hours, ring_of
 from hakobune.mooring.downtime.hindcast import WaveHours
 from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
 from hakobune.mooring.environment.spectra import jonswap
 from hakobune.mooring.environment.spreading import CosinePower
 
+RING = ring_of(72)
 OMEGA = np.linspace(0.05, 12.0, 3000)  # of waves of 6 s and more all but 1e-5
 
 
