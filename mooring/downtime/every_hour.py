@@ -13,6 +13,7 @@ spectrum asks for; the same for every hour.  Systems of waves add.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +22,7 @@ from hakobune.bem.waves import wavenumber
 
 from ..environment.spectra import FAMILIES
 from ..response.linear import frequencies
-from ..response.points import transfer_functions
+from ..response.points import Point, relative_name, transfer_functions
 
 NODES = np.arange(-2, 4)  # of the six about a direction
 AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
@@ -46,10 +47,15 @@ class Shape(NamedTuple):
 
     def density(self, omega, height, period):
         """(h, q) m² s/rad at omega (q,) rad/s of hours with height (h,) m and period (h,) s"""
-        more = {} if self.gamma is None else {"gamma": self.gamma}
-        one = FAMILIES[self.family](1.0, **{self.kind: REFERENCE}, **more)
+        one = _unit(self.family, self.kind, self.gamma)
         tau = (period / REFERENCE)[:, None]
         return (height**2)[:, None] * tau * one.density(omega * tau)
+
+
+@cache
+def _unit(family, kind, gamma):
+    """The Spectrum of a sea of 1 m and REFERENCE s"""
+    return FAMILIES[family](1.0, **{kind: REFERENCE}, **({} if gamma is None else {"gamma": gamma}))
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,21 +95,17 @@ def response_of(body, points, wanted):
     low, high = body.omega[[0, -1]]
     between = np.geomspace(low, high, 2 + int(np.log(high / low) / FINE))
     omega = np.union1d(frequencies(body), between[1:-1])
-    names, units = _names(body, omega[:1], points)
-    strange = [name for name in wanted if name not in names]
+    water = any(relative_name(point) in wanted for point in points if isinstance(point, Point))
+    first = transfer_functions(body, omega[:1], np.zeros(1), points, water)
+    strange = [name for name in wanted if name not in first.names]
     if strange:
-        raise ValueError(f"no response is called {strange[0]!r}; allowed: {', '.join(names)}")
-    chosen = [names.index(name) for name in wanted]
+        raise ValueError(f"no response is called {strange[0]!r}; allowed: {', '.join(first.names)}")
+    chosen = [first.names.index(name) for name in wanted]
     harmonics = 2 * body.radius * wavenumber(omega[-1:], body.depth, body.gravity)[0]
     count = HEADINGS_AT_ONCE * int(np.ceil(np.clip(PER_HARMONIC * harmonics, *RING) / HEADINGS_AT_ONCE))
     parts = np.split(ring_of(count), count // HEADINGS_AT_ONCE)
-    power = [np.abs(transfer_functions(body, omega, part, points).value[..., chosen]) ** 2 for part in parts]
-    return Response(tuple(wanted), tuple(units[i] for i in chosen), omega, np.concatenate(power, axis=1))
-
-
-def _names(body, omega, points):
-    found = transfer_functions(body, omega, np.zeros(1), points)
-    return found.names, found.units
+    power = [np.abs(transfer_functions(body, omega, part, points, water).value[..., chosen]) ** 2 for part in parts]
+    return Response(tuple(wanted), tuple(first.units[i] for i in chosen), omega, np.concatenate(power, axis=1))
 
 
 def moments_of_hours(response, shape, waves, orders=(0, 2)):

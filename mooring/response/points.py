@@ -62,20 +62,21 @@ class Transfer(NamedTuple):
     met: np.ndarray | None = None
 
 
-def transfer_functions(body, omega, heading, points=()) -> Transfer:
+def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
     """All responses of a body: its six motions, and for every Point displacement, velocity, acceleration along x, y, z,
     what is felt along the deck, and the relative elevation of the water; for every KeelPoint its vertical displacement.
 
-    omega : (q,) rad/s; heading : (p,) rad.  Raises BetweenError outside the database.
+    omega : (q,) rad/s; heading : (p,) rad; water : whether the elevation is wanted, which takes most of the time
+    raises : BetweenError outside the database
     """
     heading = np.atleast_1d(heading)
     motion = body.motions(omega, heading)
     met = None if carrier_of_body(body) is None else body.encounter(omega, heading)
     omega, given = omega if met is None else met, np.asarray(omega, float)
     names, units, values = [name.lower() for name in DOFS], ["m"] * 3 + ["rad"] * 3, [motion]
-    dry = [point.position[:2] for point in points if isinstance(point, Point)]
-    water, missed = elevations(body, given, heading, motion, dry)
-    levels = iter(np.moveaxis(water, -1, 0))
+    dry = [point.position[:2] for point in points if water and isinstance(point, Point)]
+    raised, missed = elevations(body, given, heading, motion, dry)
+    levels = iter(np.moveaxis(raised, -1, 0))
     for point in points:
         d = displacement(motion, point.position, body.rotation_center)
         if isinstance(point, KeelPoint):
@@ -91,10 +92,13 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
             names += [f"{point.name} {word} {axis}" for axis in "xyz"]
             units += [unit] * 3
             values.append(part)
-        names += [f"{point.name} felt acceleration {axis}" for axis in "xy"] + [relative_name(point)]
-        units += ["m/s²"] * 2 + ["m"]
+        names += [f"{point.name} felt acceleration {axis}" for axis in "xy"]
+        units += ["m/s²"] * 2
         values.append(felt_acceleration(omega, d, motion, body.gravity))
-        values.append((next(levels) - d[..., 2])[..., None])
+        if water:
+            names.append(relative_name(point))
+            units.append("m")
+            values.append((next(levels) - d[..., 2])[..., None])
     return Transfer(tuple(names), tuple(units), given, heading, np.concatenate(values, axis=-1), missed, met)
 
 
