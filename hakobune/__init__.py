@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.breakwater.result import breakwater as breakwater
     from hakobune.pipelines.damping.result import damping as damping
     from hakobune.pipelines.design.result import design as design
+    from hakobune.pipelines.downtime.result import downtime as downtime
     from hakobune.pipelines.earthquake.result import earthquake as earthquake
     from hakobune.pipelines.fender.result import fender as fender
     from hakobune.pipelines.line_dynamics.result import line_dynamics as line_dynamics

@@ -20,6 +20,7 @@ from .common.interrupt import interrupted
 from .damping.command import damping
 from .design.command import design
 from .doctor import doctor
+from .downtime.command import downtime
 from .earthquake.flags import earthquake
 from .exchange.flags import body_, export, import_
 from .fender.flags import fender
@@ -250,6 +251,7 @@ def sweep(
 app.command(sea)
 app.command(response)
 app.command(qtf)
+app.command(downtime)
 app.command(sections)
 app.command(compare)
 app.command(bench)

@@ -17,6 +17,7 @@ BARGE = "--length 100 --beam 50 --draft 10 --depth 20 --gyration 15.6,29.4,32.3"
 LONG = (
     "animate box.h5",
     "design design.toml",
+    "downtime downtime.toml",
     "solve ship_n_port",
     "simulate simulate_n_port",
     "sweep sweep_n_port",

@@ -77,22 +77,23 @@ class Transfer(NamedTuple):
     met: np.ndarray | None = None
 
 
-def transfer_functions(body, omega, heading, points=()) -> Transfer:
+def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
     """All responses of a body, or several: its motions, and for every Point displacement, velocity, acceleration along
     x, y, z, what is felt along the deck, and of one body the relative elevation of the water; for every KeelPoint its
     vertical displacement; for every Pair displacement and velocity; for every link the force and moment with which its
     first body holds the second, along axes of the first.
 
-    omega : (q,) rad/s; heading : (p,) rad.  Raises BetweenError outside the database.
+    omega : (q,) rad/s; heading : (p,) rad; water : whether the elevation is wanted, which takes most of the time
+    raises : BetweenError outside the database
     """
     heading = np.atleast_1d(heading)
     motion = body.motions(omega, heading)
     met = None if carrier_of_body(body) is None else body.encounter(omega, heading)
     omega, given = omega if met is None else met, np.asarray(omega, float)
     names, units, values = list(body.words), [("m", "rad")[d % 6 // 3] for d in range(len(body.words))], [motion]
-    dry = [point.position[:2] for point in points if isinstance(point, Point) and not body.bodies]
-    water, missed = elevations(body, given, heading, motion, dry)
-    levels = iter(np.moveaxis(water, -1, 0))
+    dry = [point.position[:2] for point in points if water and isinstance(point, Point) and not body.bodies]
+    raised, missed = elevations(body, given, heading, motion, dry)
+    levels = iter(np.moveaxis(raised, -1, 0))
     for point in points:
         if isinstance(point, Pair):
             d = apart(body, motion, *point.points)
@@ -121,7 +122,7 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
         names += [f"{point.name} felt acceleration {axis}" for axis in "xy"]
         units += ["m/s²"] * 2
         values.append(felt_acceleration(omega, d, own, body.gravity))
-        if not body.bodies:
+        if water and not body.bodies:
             names.append(relative_name(point))
             units.append("m")
             values.append((next(levels) - d[..., 2])[..., None])

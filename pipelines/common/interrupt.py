@@ -9,7 +9,16 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 AGAIN, PATIENCE = 0.01, 1.0  # s, between looks at what is at work, and altogether
-STORING = ("box", "buoy", "ship", "solve", "compare", "simulate", "design")  # whose files the same command completes
+STORING = (
+    "box",
+    "buoy",
+    "ship",
+    "solve",
+    "compare",
+    "simulate",
+    "design",
+    "downtime",
+)  # whose files the same command completes
 
 
 def interrupted(command, arguments):

@@ -67,6 +67,14 @@ KINDS = {
         (SOLVED, "hakobune response FILE --database box.h5"),
         ("series_box_20m.toml",),
     ),
+    "downtime": Kind(
+        "hours at a berth that operations cannot use, from years of weather",
+        "hakobune.pipelines.downtime.tables:DowntimeStudy",
+        "downtime",
+        "downtime_box_20m.toml",
+        (SOLVED, "hakobune downtime FILE --database box.h5 --page downtime.html"),
+        ("series_box_20m.toml", "downtime_hindcast.csv"),
+    ),
     "system": Kind(
         "lines between bodies, anchors and free points",
         "hakobune.pipelines.lines.system_file:SystemTable",

@@ -9,6 +9,7 @@ MODULES = {
     "breakwater": "pipelines.breakwater.result",
     "damping": "pipelines.damping.result",
     "design": "pipelines.design.result",
+    "downtime": "pipelines.downtime.result",
     "earthquake": "pipelines.earthquake.result",
     "fender": "pipelines.fender.result",
     "line": "pipelines.lines.line_result",

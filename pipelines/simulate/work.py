@@ -48,10 +48,11 @@ class Task:
     moving: tuple[str, ...] | None = None
 
 
-def prepared(task, db=None):
+def prepared(task, db=None, waves=None):
     """`Moored` body, Plan and findings of a Task; kept for the next seed of the same
 
     db : its open database, which other processes open for themselves
+    waves : `mooring.motion.wave_loads.WaveForces` of the same body in another sea, where they are the same
     """
     key = msgspec.json.encode(task.study), task.folder, task.database, task.duration
     if key not in _prepared:
@@ -83,7 +84,7 @@ def prepared(task, db=None):
             body = moored(
                 reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
                 spring=spring(study),
-                waves=no_wave_forces(reader) if calm else None, linearised_in=plan.weather.waves,
+                waves=no_wave_forces(reader) if calm else waves, linearised_in=plan.weather.waves,
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
                 body = _remembering(body, db, plan.settings.memory)
@@ -94,7 +95,8 @@ def prepared(task, db=None):
         plan = replace(plan, settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told))
         _prepared.clear()
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
-        reader.between.forget()
+        if waves is None:
+            reader.between.forget()
         _prepared[key] = body, plan, (*first, *of_quay, *caught)
     return _prepared[key]
 

@@ -251,6 +251,18 @@ def turned_inside_out():
 
 
 # of each command: words that end with 0, words that end with 1, and the line; a function makes what they need
+def hours_of(allowed):
+    """A downtime study of two rough days"""
+    rows = [f"2020-01-0{1 + h // 24}T{h % 24:02},3,8,270" for h in range(48)]
+    written("hours.csv", "\n".join(["time,hs,tp,dir", *rows]))
+    return written(f"downtime_{allowed}.toml", tomli_w.dumps({
+        "hindcast": {"file": "hours.csv", "x_axis_compass_deg": 0.0, "waves": [
+            {"height": "hs", "peak_period": "tp", "direction_from": "dir"}]},
+        "operations": [{"name": "cranes", "allowed_hours": allowed, "limits": [
+            {"quantity": "significant height", "at_most": 2.0}]}],
+    }))  # fmt: skip
+
+
 CASES = {
     "box": (BOX, lambda: checks("reciprocity", 0.87), r"checks failed: reciprocity is broken by 0.87 at ω = 0.2344"),
     "check": ("check box.h5", "check partial.h5", r"16 of 17 frequencies are stored; run its command again"),
@@ -335,6 +347,11 @@ CASES = {
         lambda: f"sweep {swept(0.06)}",
         lambda: f"sweep {swept(0.128)}",
         r"case 1: status 1; energy of the berthing: 120.8 kJ are 107.9 %",
+    ),
+    "downtime": (
+        lambda: f"downtime {hours_of(9000)} --database box.h5",
+        lambda: f"downtime {hours_of(100)} --database box.h5",
+        r"cranes stops 8766 h a year, limit 100 h",
     ),
     "look": (
         "look box.h5 --plot box.png",

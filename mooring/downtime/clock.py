@@ -1,0 +1,119 @@
+"""Times of a record in UTC: ISO 8601 with or without an offset, in a zone with or without summer time.
+
+In autumn an hour of local time comes twice: the first is that of summer, the second that of winter.  In spring an hour
+does not come at all.  A record that says UTC and has both is one of local time.
+"""
+
+from __future__ import annotations
+
+import datetime
+import re
+import zoneinfo
+
+import numpy as np
+
+from ..environment.tables import TableError
+
+OFFSET = re.compile(r"(?:Z|([+-])(\d\d):?(\d\d))$")
+HOUR, DAY = np.timedelta64(3600, "s"), 86400
+ALLOWED = "UTC, an offset such as +09:00, or a name such as Europe/Berlin"
+
+
+def times(texts, zone, where):
+    """(n,) datetime64[s] in UTC of ISO texts; zone : of those that have no offset of their own.
+
+    where : name of the file, for messages.  Raises TableError.
+    """
+    texts = np.char.strip(np.asarray(texts, str))
+    found = OFFSET.search(texts[0][10:])
+    if found:
+        lengths = len(found[0])
+        texts, ends = np.array([t[:-lengths] for t in texts]), [t[-lengths:] for t in texts]
+        return _parsed(texts, where) - _offsets(ends, where)
+    local = _parsed(texts, where)
+    if zone == "UTC":
+        return local
+    if re.fullmatch(r"[+-]\d\d:?\d\d", zone):
+        return local - _offsets([zone], where)
+    return _of_place(local, zone, where)
+
+
+def _parsed(texts, where):
+    try:
+        return texts.astype("datetime64[s]")
+    except ValueError:
+        wrong = next(str(t) for t in texts if not re.match(r"\d{4}-\d\d-\d\d([T ]\d\d(:\d\d(:\d\d(\.0*)?)?)?)?$", t))
+        raise TableError(f"{where}: time is {wrong!r}; allowed: ISO 8601, as 2015-01-31T06:00") from None
+
+
+def _offsets(ends, where):
+    """(n,) timedelta64[s] of "Z", "+09:00", …"""
+    known = {}
+    for end in set(ends):
+        found = OFFSET.fullmatch(end)
+        if not found:
+            raise TableError(
+                f"{where}: the times have different endings, one is {end!r}; allowed: Z or an offset of all"
+            )
+        size = 0 if end == "Z" else (3600 * int(found[2]) + 60 * int(found[3])) * (-1 if found[1] == "-" else 1)
+        known[end] = size
+    return np.array([known[end] for end in ends]).astype("timedelta64[s]")
+
+
+def _of_place(local, zone, where):
+    try:
+        place = zoneinfo.ZoneInfo(zone)
+    except (ValueError, OSError, zoneinfo.ZoneInfoNotFoundError):
+        raise TableError(f"{where}: zone is {zone!r}; allowed: {ALLOWED}") from None
+    changes = list(_changes(place, local.min() - np.timedelta64(DAY, "s"), local.max() + np.timedelta64(DAY, "s")))
+    first, *later = changes
+    offset = np.full(len(local), first[2])
+    for at, before, after in later:
+        begin, end = at + min(before, after), at + max(before, after)
+        offset[local >= end] = after
+        between = np.flatnonzero((local >= begin) & (local < end))
+        if after > before and len(between):
+            raise TableError(
+                f'{where}: {local[between[0]]} does not come in {zone}, where clocks go forward; is zone = "UTC"?'
+            )
+        _, once = np.unique(local[between], return_index=True)
+        offset[between] = after
+        offset[between[once]] = before
+    return local - offset
+
+
+def _changes(place, begin, end):
+    """(time in UTC, offset before, offset after), that of the begin first; datetime64[s], timedelta64[s]"""
+
+    def offset(at):
+        moment = datetime.datetime.fromtimestamp(int(at.astype(int)), datetime.UTC)
+        return np.timedelta64(int(moment.astimezone(place).utcoffset().total_seconds()), "s")
+
+    before = offset(begin)
+    yield begin, before, before
+    for at in np.arange(begin, end, np.timedelta64(DAY, "s")):
+        day_after = offset(at + np.timedelta64(DAY, "s"))
+        while day_after != before:
+            while offset(at) == before:
+                at += HOUR
+            after = offset(at)
+            yield at, before, after
+            before = after
+
+
+def check_rising(time, where):
+    """Raise TableError where times do not rise; the hours of summer time are named as such"""
+    rise = np.diff(time)
+    back = np.flatnonzero(rise <= np.timedelta64(0, "s"))
+    if not len(back):
+        return
+    months = set((time[back].astype("datetime64[M]").astype(int) % 12 + 1).tolist())
+    same = np.abs(rise[back]) <= HOUR
+    if same.all() and months <= {3, 4, 9, 10, 11}:
+        raise TableError(
+            f"{where}: {len(back)} hours come twice, the first {time[back[0]]}, all in spring or autumn: local time "
+            f"with summer time; give hindcast.zone: {ALLOWED}"
+        )
+    raise TableError(
+        f"{where}: time does not rise after {time[back[0]]}, at {len(back)} places; allowed: rising, each once"
+    )

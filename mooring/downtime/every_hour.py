@@ -1,0 +1,146 @@
+"""Moments of linear responses in every hour of a record, without a call for each.
+
+    m_n(hour) = ∫ ωⁿ S(ω; H, T) P(ω, β) dω,    P(ω, β) = ∫ D(θ − β) |X(ω, θ)|² dθ
+
+P is made once on a ring of headings and is interpolated over β by the six nearest (Lagrange), which is exact to 1e-6 of
+the largest m_n; hours are grouped by those six, and each group is one product of matrices.  S of a family of one shape
+scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that nothing is tabulated over periods.
+
+The frequencies are those of `response.linear.frequencies` for all waves alike, and between as many as the peak of a
+spectrum asks for; the same for every hour.  Systems of waves add.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.bem.waves import wavenumber
+
+from ..environment.spectra import FAMILIES
+from ..response.linear import frequencies
+from ..response.points import Point, relative_name, transfer_functions
+
+NODES = np.arange(-2, 4)  # of the six about a direction
+AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
+RING = 72, 720  # headings, fewest and most
+PER_HARMONIC = 13.4  # of them, for each of the 2kR harmonics that |X|² has over β
+HEADINGS_AT_ONCE = 72  # whose complex transfer functions are in memory together
+REFERENCE = 10.0  # s
+FINE = 0.015  # of ω, between frequencies: a fifth of the narrow side of a JONSWAP peak
+
+
+class Shape(NamedTuple):
+    """A family of spectra of one shape, and its spreading
+
+    family : name in `environment.spectra.FAMILIES`; kind : of its period, as "peak_period"; gamma : None without
+    spreading : `environment.spreading.Spreading` that does not depend on frequency, None for long crests
+    """
+
+    family: str
+    kind: str
+    gamma: float | None = None
+    spreading: object = None
+
+    def density(self, omega, height, period):
+        """(h, q) m² s/rad at omega (q,) rad/s of hours with height (h,) m and period (h,) s"""
+        one = _unit(self.family, self.kind, self.gamma)
+        tau = (period / REFERENCE)[:, None]
+        return (height**2)[:, None] * tau * one.density(omega * tau)
+
+
+@cache
+def _unit(family, kind, gamma):
+    """The Spectrum of a sea of 1 m and REFERENCE s"""
+    return FAMILIES[family](1.0, **{kind: REFERENCE}, **({} if gamma is None else {"gamma": gamma}))
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """Responses (c,) of a body to waves of unit amplitude on a ring of headings.
+
+    names, units : (c,); omega : (q,) rad/s; power : (q, p, c) |X|² at p equal steps of β from 0
+    """
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    omega: np.ndarray
+    power: np.ndarray
+
+    @property
+    def ring(self):
+        """(p,) rad"""
+        return ring_of(self.power.shape[1])
+
+    def spread(self, spreading):
+        """(q, p, c) P of mean directions on the ring"""
+        if spreading is None:
+            return self.power
+        away = np.mod(self.ring + np.pi, 2 * np.pi) - np.pi
+        weight = spreading.density(away)
+        weight = np.fft.rfft(weight / weight.sum())[:, None]  # D is even in nothing: Σ_θ D(θ − β) P(θ)
+        return np.stack(
+            [np.fft.irfft(np.conj(weight) * np.fft.rfft(row, axis=0), len(away), axis=0) for row in self.power]
+        )
+
+
+def response_of(body, points, wanted):
+    """The Response of a `bem.database.reader.Reader`, `floating`, of those of its names that are wanted.
+
+    points : as of `response.points.transfer_functions`.  Raises ValueError for a name that there is not.
+    """
+    low, high = body.omega[[0, -1]]
+    between = np.geomspace(low, high, 2 + int(np.log(high / low) / FINE))
+    omega = np.union1d(frequencies(body), between[1:-1])
+    water = any(relative_name(point) in wanted for point in points if isinstance(point, Point))
+    first = transfer_functions(body, omega[:1], np.zeros(1), points, water)
+    strange = [name for name in wanted if name not in first.names]
+    if strange:
+        raise ValueError(f"no response is called {strange[0]!r}; allowed: {', '.join(first.names)}")
+    chosen = [first.names.index(name) for name in wanted]
+    harmonics = 2 * body.radius * wavenumber(omega[-1:], body.depth, body.gravity)[0]
+    count = HEADINGS_AT_ONCE * int(np.ceil(np.clip(PER_HARMONIC * harmonics, *RING) / HEADINGS_AT_ONCE))
+    parts = np.split(ring_of(count), count // HEADINGS_AT_ONCE)
+    power = [np.abs(transfer_functions(body, omega, part, points, water).value[..., chosen]) ** 2 for part in parts]
+    return Response(tuple(wanted), tuple(first.units[i] for i in chosen), omega, np.concatenate(power, axis=1))
+
+
+def moments_of_hours(response, shape, waves, orders=(0, 2)):
+    """(len(orders), n, c) moments m_n in hours of a `hindcast.WaveHours`; nan where these are unknown"""
+    omega, count = response.omega, len(response.names)
+    out = np.zeros((len(orders), len(waves.height), count))
+    out[:, np.isnan(waves.height)] = np.nan
+    power = response.spread(shape.spreading)
+    rule = np.gradient(omega)  # of the trapezium rule, but for its ends
+    rule[[0, -1]] *= 0.5
+    column = np.stack([rule * omega**n for n in orders])  # (o, q)
+    ring = power.shape[1]
+    place = waves.direction * (ring / (2 * np.pi))
+    cell = np.floor(place).astype(int)
+    share = lagrange(place - cell)
+    some = np.flatnonzero(waves.height > 0)
+    order = some[np.argsort(cell[some] % ring, kind="stable")]
+    cells = cell[order] % ring
+    for group in np.split(order, np.flatnonzero(np.diff(cells)) + 1) if len(order) else ():
+        near = (cell[group[0]] + NODES) % ring
+        kernel = np.einsum("oq,qkc->qokc", column, power[:, near]).reshape(len(omega), -1)
+        for hours in np.array_split(group, -(-len(group) // AT_ONCE)):
+            density = shape.density(omega, waves.height[hours], waves.period[hours])
+            at_nodes = (density @ kernel).reshape(len(hours), len(orders), len(NODES), count)
+            out[:, hours] = np.einsum("hk,hokc->ohc", share[hours], at_nodes)
+    return np.maximum(out, 0.0)
+
+
+def ring_of(count):
+    """(count,) rad, equal steps from 0"""
+    return np.arange(count) * (2 * np.pi / count)
+
+
+def lagrange(t):
+    """(n, 6) weights of values at NODES for places t (n,) between 0 and 1"""
+    away = t[:, None] - NODES
+    weights = [np.prod(np.delete(away, j, axis=1) / np.delete(NODES[j] - NODES, j), axis=1) for j in range(len(NODES))]
+    return np.stack(weights, axis=1)

@@ -1,0 +1,156 @@
+"""A record of years of weather: waves of one or several systems, wind, current, level, ice, at equal steps with gaps.
+
+A value that is missing is nan.  Where the sea is frozen a hindcast has no waves: hours with ice and without waves are
+calm ones.  Hours that the record lacks altogether are in no share, and a window of weather ends where they begin.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from ..environment.tables import TableError
+from .clock import check_rising
+
+CODES = -9.0, -99.0, -999.0, -9999.0, -99.9, -99.99, 99.0, 99.9, 99.99, 999.0, 999.9, 9999.0, -32767.0, -32768.0
+RANGES = {  # of values in SI; beyond it they are codes for "missing", or of another unit
+    "height": (0.0, 30.0), "period": (0.0, 40.0), "direction": (-2 * np.pi, 4 * np.pi), "speed": (0.0, 100.0),
+    "level": (-25.0, 25.0), "share": (0.0, 1.0),
+}  # fmt: skip
+CALM = 0.005  # m, of height
+FEWEST = 24  # rows
+
+
+class WaveHours(NamedTuple):
+    """A system of waves, (n,) each: significant height m, period s, direction rad travelled to in axes of the body"""
+
+    height: np.ndarray
+    period: np.ndarray
+    direction: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Hindcast:
+    """time : (n,) datetime64[s], UTC, rising; step : s; waves : WaveHours of each system; columns : {name: (n,)} in SI
+
+    said : lines on gaps, codes, calms, ice
+    """
+
+    time: np.ndarray
+    step: float
+    waves: tuple[WaveHours, ...]
+    columns: dict = field(default_factory=dict)
+    said: tuple[str, ...] = ()
+
+    def __repr__(self):
+        return f"<Hindcast {len(self.time)} rows of {self.step / 3600:g} h, {self.time[0]} to {self.time[-1]}>"
+
+    @property
+    def hours(self):
+        """h, of a row"""
+        return self.step / 3600
+
+    @property
+    def year(self):
+        """(n,)"""
+        return self.time.astype("datetime64[Y]").astype(int) + 1970
+
+    @property
+    def month(self):
+        """(n,) 1 to 12"""
+        return self.time.astype("datetime64[M]").astype(int) % 12 + 1
+
+    @property
+    def height(self):
+        """(n,) m, of all systems together: root of the sum of squares; nan where one is missing"""
+        return np.sqrt(sum(one.height**2 for one in self.waves))
+
+    @property
+    def main(self):
+        """WaveHours of the system of the largest height in each row"""
+        highest = np.argmax([np.nan_to_num(one.height) for one in self.waves], axis=0)[None]
+        return WaveHours(*(np.take_along_axis(np.array(part), highest, 0)[0] for part in zip(*self.waves, strict=True)))
+
+    @property
+    def slot(self):
+        """(n,) number of each row among equal steps from the first: a gap leaves numbers out"""
+        return np.round((self.time - self.time[0]).astype(float) / self.step).astype(int)
+
+
+def made(time, waves, columns, where):
+    """The Hindcast of columns as they are read, in SI: gaps, codes of what is missing, calms and ice found and said.
+
+    where : name of the file.  Raises TableError for times that do not rise or have no common step, and values that
+    nothing has.
+    """
+    if len(time) < FEWEST:
+        raise TableError(f"{where} has {len(time)} rows; allowed: at least {FEWEST}, better all hours of years")
+    check_rising(time, where)
+    steps = np.diff(time).astype(float)
+    step = float(np.median(steps))
+    count = steps / step
+    if np.any(np.abs(count - np.round(count)) > 1e-6) or np.any(count < 1):
+        at = int(np.argmax(np.abs(count - np.round(count))))
+        raise TableError(f"{where}: step after {time[at]} is {steps[at] / 3600:.4g} h, the others are {step / 3600:g} "
+                         "h; allowed: equal steps, with gaps of whole steps")  # fmt: skip
+    said = [*_gaps(time, np.round(count).astype(int), step)]
+    waves = [WaveHours(*(_cleaned(f"{kind} of waves", part, kind, where, said) for kind, part in
+                         zip(("height", "period", "direction"), one, strict=True))) for one in waves]  # fmt: skip
+    columns = {name: _cleaned(name, values, kind, where, said) for name, (values, kind) in columns.items()}
+    waves = _calms(waves, columns.get("ice"), said)
+    lost = np.mean(np.any([~np.isfinite(one.height) for one in waves], axis=0)) if waves else 0.0
+    if lost > 0:
+        said.append(f"{100 * lost:.2g} % of the rows have no waves; they are in no share")
+    return Hindcast(time, step, tuple(waves), columns, tuple(said))
+
+
+def _gaps(time, count, step):
+    missing = int((count - 1).sum())
+    if missing:
+        at, places = int(np.argmax(count)), int(np.sum(count > 1))
+        yield (
+            f"{missing} of {missing + len(time)} steps are missing, in {places} gaps, the longest of "
+            f"{(count[at] - 1) * step / 3600:.4g} h after {time[at]}: they are in no share, and windows end there"
+        )
+
+
+def _cleaned(name, values, kind, where, said):
+    """Values with codes of what is missing as nan.  Raises TableError for others beyond the range of their kind."""
+    values, (low, high) = np.array(values, float), RANGES.get(kind, (-np.inf, np.inf))
+    beyond = np.flatnonzero((values < low) | (values > high))
+    if not len(beyond):
+        return values
+    codes = {c for code in CODES for c in ((np.radians(code),) if kind == "direction" else (code,))}
+    strange = [v for v in np.unique(values[beyond]) if not np.any(np.isclose(v, list(codes), rtol=1e-6))]
+    if strange:
+        worst = strange[-1] if abs(strange[-1]) >= abs(strange[0]) else strange[0]
+        raise TableError(
+            f"{where}: {name} is {worst:.6g} in {int(np.sum(values == worst))} rows; allowed: {low:.4g} to {high:.4g} "
+            'in SI, or a code of what is missing such as -999; is its unit another? name it in the head, as "hs [cm]"'
+        )
+    said.append(f"{len(beyond)} values of {name} are codes of what is missing, as {values[beyond[0]]:g}")
+    values[beyond] = np.nan
+    return values
+
+
+def _calms(waves, ice, said):
+    """The waves with calms, whose period and direction do not matter, and hours of ice without waves, as nil"""
+    out, calm_rows, ice_rows = [], 0, 0
+    for one in waves:
+        height = one.height.copy()
+        frozen = np.isnan(height) & (np.nan_to_num(ice) > 0) if ice is not None else np.zeros(len(height), bool)
+        height[frozen] = 0.0
+        calm = height < CALM
+        wrong = (height >= CALM) & ~((one.period > 0) & np.isfinite(one.direction))
+        height[wrong] = np.nan
+        calm_rows, ice_rows = calm_rows + int((calm & ~frozen).sum()), ice_rows + int(frozen.sum())
+        height[calm] = 0.0
+        quiet = ~(height > 0)
+        out.append(WaveHours(height, np.where(quiet, np.nan, one.period), np.where(quiet, 0.0, one.direction)))
+    if ice_rows:
+        said.append(f"{ice_rows} rows have ice and no waves; they count as calm")
+    if calm_rows:
+        said.append(f"{calm_rows} rows are calms, lower than {CALM:g} m")
+    return out

@@ -1,0 +1,70 @@
+"""Largest values of a linear response: in every hour, in every year, and once in so many years.
+
+    hour    x̄ = σ (s + γ_E/s),  s = √(2 ln n),  n = duration / T_zero                     (`response.extremes`)
+    year    P(x_y < x) = exp(−Σ_h n_h exp(−x²/2σ_h²)),  h over the hours of the year
+
+One largest value is drawn of each year's law, as a measurement would have given it: the chance of the sea is in the
+yearly maxima, and so in the interval of the return value that follows from them (`site.extremes`).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..response.extremes import EULER
+from ..site.extremes import fit_extremes
+
+SEED = 1982
+LOW = 0.5  # of the largest σ of a year: an hour below it gives exp(−4 · 16) of the crossings at its largest value
+WHOLE = 0.9  # of the hours of a year, below which its largest value is not that of a year
+
+
+def largest_of_hours(m0, m2, duration):
+    """(…,) mean largest amplitude in `duration` s from moments (…,); 0 where there is no motion, nan where unknown"""
+    sigma = np.sqrt(m0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        count = duration / (2 * np.pi) * np.sqrt(m2 / m0)
+    s = np.sqrt(2 * np.log(np.maximum(count, np.e)))
+    return np.where(m0 > 0, sigma * (s + EULER / s), sigma)
+
+
+def drawn_of_years(m0, m2, year, step):
+    """Years (Y,) that are whole, and one largest value of each (Y, c); m0, m2 : (n, c); year : (n,); step : s"""
+    rng, years, out = np.random.default_rng(SEED), np.unique(year), []
+    share = rng.uniform(size=(len(years), m0.shape[1]))
+    kept = []
+    for one, u in zip(years, share, strict=True):
+        rows = year == one
+        if np.isfinite(m0[rows, 0]).sum() * step < WHOLE * 365.25 * 86400:
+            continue
+        kept.append(one)
+        out.append([_drawn(a, b, step, p) for a, b, p in zip(m0[rows].T, m2[rows].T, u, strict=True)])
+    return np.array(kept), np.array(out).reshape(len(kept), m0.shape[1])
+
+
+def _drawn(m0, m2, step, share):
+    """x with exp(−N(x)) = share"""
+    from scipy.optimize import brentq
+
+    m2, m0 = m2[m0 > 0], m0[m0 > 0]
+    if not len(m0):
+        return 0.0
+    chosen = m0 >= LOW**2 * m0.max()
+    count = step / (2 * np.pi) * np.sqrt(m2[chosen] / m0[chosen])
+    m0 = m0[chosen]
+
+    def over(x):
+        return np.log(np.sum(count * np.exp(-0.5 * x * x / m0))) - np.log(-np.log(share))
+
+    sigma = np.sqrt(m0.max())
+    return brentq(over, 0.0, 12 * sigma) if over(0.0) > 0 else 0.0
+
+
+def return_values(maxima, period):
+    """value, low, high, each (c,), of yearly maxima (Y, c) by Gumbel's law; nan of fewer than 5 years, or no motion"""
+    out = np.full((3, maxima.shape[1]), np.nan)
+    for i, column in enumerate(maxima.T):
+        if len(column) >= 5 and np.ptp(column) > 1e-9 * np.abs(column).max():
+            fit = fit_extremes(column)
+            out[:, i] = fit.value(period), *fit.interval(period)
+    return out

@@ -1,0 +1,35 @@
+"""States that stand for all hours: maximum dissimilarity (Camus et al. 2011, Coastal Engineering 58, 453-462).
+
+    next = argmax over hours of min over chosen states of ‖x − x_s‖
+
+in features that are scaled to 0 to 1; a direction is a point of a circle whose diameter is 1.  The first is the highest
+sea.  The states lie at the edges of the cloud of hours first, and ever closer inside.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def features(numbers, directions=()):
+    """(n, d) of numbers [(n,), …] scaled by their ranges, and directions [(n,) rad, …] as points of a circle"""
+    columns = []
+    for values in numbers:
+        least, width = np.min(values), np.ptp(values)
+        columns.append((values - least) / width if width > 0 else np.zeros_like(values))
+    for angle in directions:
+        columns += [0.5 * np.cos(angle), 0.5 * np.sin(angle)]
+    return np.stack(columns, axis=1)
+
+
+def most_dissimilar(x, count, first):
+    """Numbers (count,) of rows of x (n, d), fewer where no others differ; first : the number of one"""
+    chosen = [int(first)]
+    nearest = np.sum((x - x[first]) ** 2, axis=1)
+    while len(chosen) < count:
+        further = int(np.argmax(nearest))
+        if not nearest[further] > 0:
+            break
+        chosen.append(further)
+        nearest = np.minimum(nearest, np.sum((x - x[further]) ** 2, axis=1))
+    return np.array(chosen)

@@ -1,0 +1,61 @@
+"""Windows of weather: runs of hours that can be used, how long they are, and how long one waits for one.
+
+A ship that comes at any hour waits until the next hour from which on a window of n hours is left.  Gaps of the record
+and hours that are not known end a window, and nobody waits across them: such arrivals are left out.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Windows(NamedTuple):
+    """first : (w,) number of the row a window begins with; steps : (w,) rows of it
+
+    whole : (w,) whether rows that are known, and no gap, stand before and behind it: else it may have been longer
+    """
+
+    first: np.ndarray
+    steps: np.ndarray
+    whole: np.ndarray
+
+
+def windows(usable, known, slot):
+    """Windows of usable (n,), known (n,) rows with numbers slot (n,) of `hindcast.Hindcast.slot`"""
+    good = usable & known
+    follows = np.diff(slot, prepend=slot[0] - 2) == 1
+    begins = good & ~(np.roll(good, 1) & follows)
+    ends = good & ~(np.roll(good, -1) & np.roll(follows, -1))
+    first, last = np.flatnonzero(begins), np.flatnonzero(ends)
+    before = follows[first] & np.roll(known, 1)[first]
+    after = np.roll(follows, -1)[last] & np.roll(known, -1)[last]
+    return Windows(first, last - first + 1, before & after)
+
+
+def in_windows(found, count, steps):
+    """(n,) whether each of `count` rows is in a window of at least `steps` rows"""
+    long = found.steps >= steps
+    edge = np.zeros(count + 1, int)
+    edge[found.first[long]] += 1
+    edge[found.first[long] + found.steps[long]] -= 1
+    return np.cumsum(edge[:-1]) > 0
+
+
+def waiting(found, known, slot, steps):
+    """(n,) rows that one waits from each row for a window of `steps` rows; nan where the record does not say
+
+    The wait from a row inside a long enough window is 0 as long as `steps` rows of it are left.
+    """
+    count = len(slot)
+    start = np.zeros(count, bool)
+    for first, length in zip(found.first, found.steps, strict=True):
+        start[first : first + max(length - steps + 1, 0)] = True
+    rows = np.arange(count)
+    following = np.minimum.accumulate(np.where(start, rows, count)[::-1])[::-1]
+    broken = ~known | (np.diff(slot, prepend=slot[0] - 1) != 1)
+    breaks = np.cumsum(broken)
+    reached = np.minimum(following, count - 1)
+    sure = (following < count) & known & (breaks[reached] == breaks)
+    return np.where(sure, following - rows, np.nan)

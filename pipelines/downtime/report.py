@@ -1,0 +1,67 @@
+"""The page of a downtime study: its answers in words, tables and pictures; it needs no other file."""
+
+from __future__ import annotations
+
+import html
+from functools import partial
+from importlib.resources import files
+from pathlib import Path
+
+from hakobune.bem import __version__
+
+from ..common.picture import data_address
+from ..results.frames import as_html
+from . import pictures
+
+MARK = "<!-- hakobune downtime -->"
+
+
+def written_by_downtime(path):
+    """Whether a file is a page that this command wrote and may write again"""
+    return Path(path).read_text(encoding="utf-8", errors="replace").startswith(MARK)
+
+
+def page_of(result, text):
+    """The page (HTML) of a Result of downtime; text : of its study"""
+    from jinja2 import Environment, StrictUndefined
+
+    template = files(__package__).joinpath("page.html").read_text(encoding="utf-8")
+    environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    return MARK + "\n" + environment.from_string(template).render(
+        verdicts=list(map(partial(_verdict, result), range(len(result.labels["operation"].values)))),
+        pictures=list(_pictures(result)), notes=result.notes, findings=result.told, tables=as_html(result),
+        text=text, version=__version__, title=html.escape(result.detail.study.hindcast.file),
+    )  # fmt: skip
+
+
+def _verdict(result, number):
+    """A line on an operation: hours, share, interval, the cause that stops it most"""
+    name, at = result.labels["operation"].values[number], result["downtime.hours"][number]
+    low, high = result["downtime.hours_low"][number], result["downtime.hours_high"][number]
+    between = f", 90 % interval {low:.4g} to {high:.4g} h" if low == low else ""
+    own = [i for i, one in enumerate(result.detail.limits) if one.operation == number]
+    worst = max(own, key=lambda i: result["cause.hours"][i])
+    label = result.labels["limit"].values[worst].removeprefix(f"{name}: ")
+    share = 100 * result["downtime.share"][number]
+    cause = f"; most of it by {label}, {result['cause.hours'][worst]:.4g} h" if at > 0 else ""
+    return {"name": name, "text": f"stops {at:.4g} h a year, {share:.3g} % of the time{between}{cause}."}
+
+
+def _pictures(result):
+    for panel, words, polar in (
+        (pictures.months, "downtime by month", False), (pictures.years, "downtime by year", False),
+        (pictures.rose, "rose of downtime", True), (pictures.persistence, "windows of weather", False),
+        (pictures.waits, "waiting times", False),
+    ):  # fmt: skip
+        yield {"words": words, "data": data_address(partial(_drawn, panel, result, polar))}
+    for number in pictures.limited(result):
+        name = result.labels["operation"].values[number]
+
+        def panel(found, axes, number=number):
+            pictures.limiting(found, number, axes)
+
+        yield {"words": f"limiting sea of {name}", "data": data_address(partial(_drawn, panel, result, True))}
+
+
+def _drawn(panel, result, polar, path):
+    pictures.one_panel(panel, result, path, polar)

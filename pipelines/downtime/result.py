@@ -1,0 +1,298 @@
+"""`hakobune.downtime`: hours at a berth that cannot be used, windows of weather, limiting seas, return values."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.downtime.every_hour import Response, moments_of_hours, response_of
+from hakobune.mooring.downtime.hindcast import Hindcast, WaveHours
+from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
+from hakobune.mooring.downtime.years import FEWEST
+from hakobune.mooring.response.findings import MISSED
+from hakobune.mooring.response.points import transfer_functions
+from hakobune.mooring.response.seas import MOST_OUTSIDE
+
+from ..common.quantities import StudyError
+from ..executors.choice import executor_of
+from ..response.study import ResponseStudy
+from ..results.given import File, Tables, database_of, given
+from ..results.heard import heard
+from ..results.provenance import provenance
+from ..results.quantity import Quantity
+from ..results.result import Result, labels, records
+from .answers import NORMAL, YEAR, Verdicts, answers, judged
+from .limits import Hours, limits_of, used_of, value_of
+from .study import make_downtime, read_downtime, record_of
+from .tables import DowntimeStudy
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
+
+    from .simulated import Simulated
+
+KIND = "downtime"
+WAVES = "waves"  # a response of 1, whose m0 tells what of the waves is within the stored frequencies
+RETURN, TURNED = "largest responses", "the body turned clockwise"
+DIRECTIONS = np.arange(0.0, 360.0, 10.0)  # degrees of the compass, of limiting seas
+PERIODS = 24
+STATES = "hours of this record by simulated states"
+LINEAR = (
+    "largest: mean largest amplitude of an hour in linear waves about the mean place; a body that floats freely, "
+    "without lines, fenders and slow drift"
+)
+
+
+class Detail(NamedTuple):
+    """study; hindcast; limits; verdicts : `answers.Verdicts`; simulated : `simulated.Simulated`, None without"""
+
+    study: DowntimeStudy
+    hindcast: Hindcast
+    limits: list
+    verdicts: Verdicts
+    simulated: Simulated | None = None
+
+
+def downtime(
+    study: File | Tables | DowntimeStudy,
+    database: File | Database,
+    *,
+    states: File | None = None,
+    executor: str = "local",
+    say: Callable[[str], None] | None = None,
+) -> Result:
+    """Hours of downtime, windows of weather, limiting seas and return values of a body from a record of years.
+
+    study : path of a downtime study, its tables as a dictionary, or a `DowntimeStudy`; files lie beside it
+    database : path of the body's database, or an open one
+    states : path of the file of simulated states, which goes on where it stopped; None to keep none
+    executor : as of the command, for these; say : is told the progress, line by line
+    returns : Result, in SI; its `detail` is a Detail
+    raises : ValueError, one line; KeyboardInterrupt, states that were done are kept
+    """
+    read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
+    folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
+    db = database_of(database)
+    if read.simulation is None:
+        found = _linear(read, folder, db)
+    else:
+        found = _moored(read, folder, db, states, executor, say or (lambda line: None))
+    hindcast, limits, verdicts = found.detail.hindcast, found.detail.limits, found.detail.verdicts
+    made, axes = answers(read, hindcast, limits, verdicts)
+    made, axes = made | found.quantities, axes | found.axes
+    used = verdicts.used.astype(np.float32)
+    made |= records({"hour.used": (used, ("hour", "limit"), "", "share used of each limit")})
+    axes |= labels("hour", hindcast.time.astype("datetime64[s]").astype(np.int64), "seconds since 1970-01-01")
+    needed = {axis for one in made.values() for axis in one.axes}
+    told = tuple(dict.fromkeys([*found.findings, *_too_long(read, made)]))
+    axes = {axis: one for axis, one in axes.items() if axis in needed}
+    notes = (*_notes(hindcast), *found.notes)
+    return Result(KIND, made, axes, told, notes, (), provenance(text, db), found.detail)
+
+
+class Found(NamedTuple):
+    """detail; quantities, axes : beside those of `answers`; findings, notes : lines"""
+
+    detail: Detail
+    quantities: dict
+    axes: dict
+    findings: list
+    notes: list
+
+
+def _linear(read, folder, db):
+    """What linear responses say of every hour"""
+    of_body = ResponseStudy(body=read.body, points=read.points, keel=read.keel)
+    body, points = of_body.restrained(db.reader.floating()), of_body.places(db)
+    first = transfer_functions(body, body.omega[:1], body.headings[:1], points)
+    limits = limits_of(read, points, dict(zip(first.names, first.units, strict=True)))
+    with heard() as caught:
+        record = record_of(read.hindcast, folder)
+        wanted = tuple(dict.fromkeys(name for one in limits for name in one.names))
+        response = _with_waves(response_of(body, points, wanted))
+    hours = hours_of(response, record.shapes, record.hindcast)
+    verdicts = judged(used_of(limits, hours, record.hindcast), limits, len(read.operations))
+    made, axes = {}, {}
+    for found, more in (
+        _returned(read, record.hindcast, hours),
+        _limiting(read, record, response, limits),
+        _turned(read, record, response, limits),
+    ):
+        made, axes = made | found, axes | more
+    warned = [*caught, *record.hindcast.said, *_viscous(read, db), *_outside(body, record, hours)]
+    return Found(Detail(read, record.hindcast, limits, verdicts), made, axes, warned, [LINEAR])
+
+
+def _moored(read, folder, db, states, executor, say):
+    """What simulations of the moored body in representative states say of every hour"""
+    from .one_state import UNITS
+    from .simulated import prepared_of, simulated
+
+    for key in ("points", "keel", "turned_deg"):
+        if getattr(read, key):
+            raise StudyError(f"{key} is given with [simulation]; allowed: of linear responses, without it")
+    with heard() as caught:
+        record = record_of(read.hindcast, folder)
+        ready = prepared_of(read.simulation, folder, db)
+    limits = limits_of(read, [], {}, {name: UNITS[name] for name in ready.names})
+    workers = executor_of(executor)
+    with tempfile.TemporaryDirectory() as place:
+        path = Path(place) / "states.jsonl" if states is None else Path(states)
+        try:
+            found = simulated(read, record, limits, ready, path, workers, say)
+        finally:
+            workers.shutdown(wait=False, cancel_futures=True)
+    made = {
+        "simulated.hours": Quantity(found.hours, ("operation",), "h", "hours a year in this record", STATES),
+        "simulated.interpolant": Quantity(NORMAL * found.error, ("operation",), "h", "± interpolant, 90 %", STATES),
+        "simulated.sea": Quantity(NORMAL * found.sea, ("operation",), "h", "± chance of the sea, 90 %", STATES),
+    }
+    made |= records({
+        "state.hour": (found.rows, ("state",), "", "row of the hindcast"),
+        "state.used": (found.used, ("state", "seed", "limit"), "", "share used of each limit that is simulated"),
+    })  # fmt: skip
+    axes = labels("state", np.arange(len(found.rows))) | labels("seed", np.arange(found.used.shape[1]))
+    wind = {"wind speed", "wind from"} <= set(record.hindcast.columns)
+    notes = [
+        f"simulated: {len(found.rows)} states of {read.simulation.duration_hours:g} h, {read.simulation.seeds} seeds "
+        f"each, waves{' and wind' if wind else ''} of the hour, all else of {read.simulation.study}; windows are those "
+        "of one realisation of the chances"
+    ]
+    failed = [fails(f"hour {record.hindcast.time[row]}: {reason}") for row, reason in found.failed[:5]]
+    warned = [*caught, *record.hindcast.said, *found.said, *failed]
+    return Found(Detail(read, record.hindcast, limits, found.verdicts, found), made, axes, warned, notes)
+
+
+def _too_long(read, made):
+    """Operations that stop for more hours than they may"""
+    for number, one in enumerate(read.operations):
+        hours = made["downtime.hours"].values[number]
+        if one.allowed_hours is not None and hours > one.allowed_hours:
+            yield fails(
+                f"{one.name} stops {hours:.4g} h a year, limit {one.allowed_hours:g} h; another heading (turned_deg), "
+                "wider limits, or another mooring"
+            )
+
+
+def _with_waves(response):
+    one = np.ones((*response.power.shape[:2], 1))
+    return Response((*response.names, WAVES), (*response.units, "m"), response.omega,
+                    np.concatenate([response.power, one], axis=2))  # fmt: skip
+
+
+def hours_of(response, shapes, hindcast):
+    """`limits.Hours` of a Hindcast, systems of waves added"""
+    m0, m2 = sum(moments_of_hours(response, shape, waves) for shape, waves in zip(shapes, hindcast.waves, strict=True))
+    return Hours(response.names, response.units, m0, m2, min(hindcast.step, 3600.0))
+
+
+def _viscous(read, db):
+    if read.body.viscous is not None:
+        raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a record of years")
+    if db.has_viscous_motions:
+        yield (
+            "viscous damping of the database's scene is left out over years, whose hours would have one each: motions "
+            "near resonance are too large; give body.damping_ratio"
+        )
+
+
+def _outside(body, record, hours):
+    """What of the waves is beyond the stored frequencies.  Raises StudyError where most are, most of the time."""
+    whole = sum(waves.height**2 / 16 for waves in record.hindcast.waves)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        share = 1 - hours.m0[:, -1] / whole
+    share = share[whole > 0]
+    missed = np.nanmean(share > MISSED) if len(share) else 0.0
+    if missed > 0:
+        low, high = (2 * np.pi / body.omega[i] for i in (-1, 0))
+        text = (
+            f"in {100 * missed:.2g} % of the rows with waves more than {100 * MISSED:g} % of their energy is beyond "
+            f"the stored {low:.3g} to {high:.3g} s, at most {100 * np.nanmax(share):.0f} %; add periods to the scene "
+            "and solve again"
+        )
+        if np.nanmedian(share) > MOST_OUTSIDE:
+            raise StudyError(f"{text}; allowed: at most {100 * MOST_OUTSIDE:g} % in half of them; are periods in s?")
+        yield text
+
+
+def _notes(hindcast):
+    years = len(hindcast.time) * hindcast.hours / YEAR
+    yield (
+        f"record: {len(hindcast.time)} rows of {hindcast.hours:g} h, {years:.3g} years, {hindcast.time[0]} to "
+        f"{hindcast.time[-1]} UTC; years and months are those of UTC; intervals are those of years"
+    )
+    if len(np.unique(hindcast.year)) < FEWEST:
+        yield f"fewer than {FEWEST} years have no interval"
+
+
+def _returned(read, hindcast, hours):
+    """Yearly maxima and return values of the responses"""
+    some = [i for i, name in enumerate(hours.names) if name != WAVES]
+    if not some:
+        return {}, {}
+    years, maxima = drawn_of_years(hours.m0[:, some], hours.m2[:, some], hindcast.year, hindcast.step)
+    units = tuple(hours.units[i] for i in some)
+    value, low, high = return_values(maxima, read.return_years)
+    shown = RETURN if np.any(np.isfinite(value)) else ""
+    made = {
+        "return.value": Quantity(value, ("response",), units, f"once in {read.return_years:g} years", shown),
+        "return.low": Quantity(low, ("response",), units, "90 % from", shown),
+        "return.high": Quantity(high, ("response",), units, "90 % to", shown),
+        **records({"return.maxima": (maxima.T, ("response", "whole_year"), units, "largest of each year, drawn")}),
+    }
+    return made, labels("response", [hours.names[i] for i in some]) | labels("whole_year", years)
+
+
+def _limiting(read, record, response, limits):
+    """Significant height at which an operation stops, for each period and direction: of the limits on the body alone"""
+    own = [one for one in limits if one.kind != "weather"]
+    period = np.concatenate([waves.period[waves.height > 0] for waves in record.hindcast.waves])
+    if not own or not len(period):
+        return {}, {}
+    period = np.linspace(*np.quantile(period, (0.001, 0.999)), PERIODS)
+    beta = np.mod(np.radians(read.hindcast.x_axis_compass_deg - DIRECTIONS - 180.0), 2 * np.pi)
+    grid = np.repeat(period, len(beta)), np.tile(beta, len(period))
+    at_one = replace(record.hindcast, waves=(WaveHours(np.ones(len(grid[0])), *grid),), columns={})
+    hours = hours_of(response, record.shapes[:1], at_one)
+    height = np.full((len(grid[0]), len(read.operations)), np.inf)
+    for one in own:
+        height[:, one.operation] = np.minimum(height[:, one.operation], _height(one, hours, at_one))
+    height = np.where(np.isinf(height), np.nan, height).reshape(len(period), len(beta), -1)
+    made = records({"limiting.height": (height, ("period", "comes_from", "operation"), "m", "significant height")})
+    return made, labels("period", period, "s") | labels("comes_from", DIRECTIONS, "deg")
+
+
+def _height(limit, hours, at_one):
+    """(g,) m at which a limit on the body is reached: all responses grow with the height"""
+    if limit.kind == "response":
+        room, moved = limit.criterion.limit, value_of(limit, hours, at_one)[:, None]
+    else:
+        columns = [hours.names.index(name) for name in limit.names]
+        room = np.maximum(np.array(limit.rest) - limit.criterion.limit, 0.0)
+        moved = largest_of_hours(hours.m0[:, columns], hours.m2[:, columns], hours.duration)
+    return np.divide(room, moved, out=np.full_like(moved, np.inf), where=moved > 0).min(axis=1)
+
+
+def _turned(read, record, response, limits):
+    """Downtime with the body turned in plan, all else as it is"""
+    if not read.turned_deg:
+        return {}, {}
+    rows = []
+    for degrees in read.turned_deg:
+        waves = tuple(
+            one._replace(direction=np.mod(one.direction + np.radians(degrees), 2 * np.pi))
+            for one in record.hindcast.waves
+        )
+        hindcast = replace(record.hindcast, waves=waves)
+        used = used_of(limits, hours_of(response, record.shapes, hindcast), hindcast)
+        one = judged(used, limits, len(read.operations))
+        rows.append(one.down.sum(axis=0) / np.maximum(one.known.sum(axis=0), 1))
+    made = {"turned.hours": Quantity(YEAR * np.array(rows), ("turned", "operation"), "h", "hours a year", TURNED)}
+    return made, labels("turned", np.array(read.turned_deg), "deg")

@@ -1,0 +1,259 @@
+"""Limits on a moored body: states that are simulated, more of them until the hours are known, and chances of hours."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import tomllib
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.meshing.text_files import read_text
+from hakobune.mooring.downtime.interpolant import fitted, where_it_may_change
+from hakobune.mooring.downtime.representative import features, most_dissimilar
+
+from ..common.interrupt import ctrl_c
+from ..common.quantities import StudyError
+from ..executors.choice import in_order_until
+from ..moor.study import make_study
+from ..simulate.work import Task, prepared
+from . import states_file
+from .answers import NORMAL, YEAR, Verdicts, judged
+from .limits import SIMULATED, used_of
+from .one_state import names_of, state
+
+QUIET = 0.05  # m, height of a calm hour in a simulation
+REALISED = 19  # seed of the course of stopped hours whose windows are counted
+
+
+class Simulated(NamedTuple):
+    """rows : (s,) numbers of those that were simulated; hours : (o,) h a year in this record
+
+    used : (s, seeds, l) of the simulated limits, nan of others
+    verdicts : `answers.Verdicts`; error, sea : (o,) h a year, standard deviation by the interpolant, and of the sea
+    failed : ((row, reason), …); said : lines
+    """
+
+    rows: np.ndarray
+    hours: np.ndarray
+    used: np.ndarray
+    verdicts: Verdicts
+    error: np.ndarray
+    sea: np.ndarray
+    failed: tuple
+    said: tuple
+
+
+class Prepared(NamedTuple):
+    """task : `simulate.work.Task`; raw : tables of its study; names : of the quantities that it gives"""
+
+    task: Task
+    raw: dict
+    names: list
+
+
+def prepared_of(table, folder, db):
+    """Prepared of the mooring study of a StatesTable.  Raises StudyError."""
+    path = folder / table.study
+    raw = tomllib.loads(read_text(path, StudyError, largest=8))
+    if "simulation" not in raw:
+        raise StudyError(f"{table.study} has no [simulation]; allowed: a study that hakobune simulate runs")
+    duration = 3600 * table.duration_hours
+    task = Task(make_study(raw), str(db.path), duration, None, str(path.parent))
+    body, plan, _ = prepared(task, db)
+    moving = plan.settings.dynamic_lines
+    task = Task(
+        task.study, task.database, duration, body.memory, task.folder, moving if isinstance(moving, tuple) else None
+    )
+    return Prepared(task, raw, names_of(body))
+
+
+def simulated(read, record, limits, ready, path, executor, say):
+    """The Simulated of a DowntimeStudy with [simulation]: states are run and kept in the file of states as they come.
+
+    ready : Prepared; path : of the file of states; executor : as of `executors`; say : takes a line
+    raises : StudyError; KeyboardInterrupt, states that were done are kept
+    """
+    table, hindcast = read.simulation, record.hindcast
+    rows = np.flatnonzero(np.all([np.isfinite(one.height) for one in hindcast.waves], axis=0))
+    x, height = _features(hindcast, rows)
+    there = states_file.read(path, _identity(table, hindcast, ready))
+    exact = np.stack([_weather_used(one, hindcast) for one in limits], axis=1)
+    chosen = list(most_dissimilar(x, table.states, np.argmax(height)))
+    while True:
+        _run(read, record, ready, path, executor, say, there, rows[chosen])
+        used = _used(limits, there, rows[chosen], table.seeds)
+        sound = np.isfinite(used).any(axis=(1, 2))
+        if sound.sum() < 8:
+            raise StudyError(f"{sound.sum()} of {len(chosen)} states have an answer, limit 8: "
+                             f"{next(there[r]['failed'] for r in rows[chosen] if 'failed' in there[r])}")  # fmt: skip
+        at = np.array(chosen)[sound]
+        fits = _fits(read, limits, x, height, at, used[sound], exact[rows])
+        worst = max(fits, key=lambda one: one.error / table.tolerance_hours)
+        for one in fits:
+            say(f"{len(chosen)} states: {one.name} {one.hours:.4g} h a year, interpolant ± {NORMAL * one.error:.3g} h, "
+                f"chance of the sea ± {NORMAL * one.sea:.3g} h")  # fmt: skip
+        if NORMAL * worst.error <= table.tolerance_hours or len(chosen) >= table.most_states:
+            break
+        more = where_it_may_change(x, worst.mean, worst.spread, worst.fit.scatter, worst.free,
+                                   min(table.batch, table.most_states - len(chosen)), x[chosen])  # fmt: skip
+        more = [int(one) for one in more if one not in chosen]
+        if not more:
+            break
+        chosen += more
+    verdicts = _verdicts(limits, hindcast, rows, exact, fits, x, height, at, used[sound], read)
+    failed = tuple((int(r), there[r]["failed"]) for r in rows[chosen] if "failed" in there[r])
+    said = tuple(
+        f"{one.name}: interpolant of {len(at)} states ± {NORMAL * one.error:.3g} h a year, tolerance "
+        f"{table.tolerance_hours:g} h; add to most_states"
+        for one in fits if NORMAL * one.error > table.tolerance_hours
+    )  # fmt: skip
+    by_name = {one.name: one for one in fits}
+    error, sea = (
+        np.array([getattr(by_name[one.name], part) if one.name in by_name else 0.0 for one in read.operations])
+        for part in ("error", "sea")
+    )
+    hours = YEAR * verdicts.chance.sum(axis=0) / np.maximum(verdicts.known.sum(axis=0), 1)
+    return Simulated(rows[at], hours, used[sound], verdicts, error, sea, failed, said)
+
+
+def _features(hindcast, rows):
+    """(r, d) features of rows, and their height (r,) m, calms as very low seas"""
+    numbers, angles = [], []
+    for one in hindcast.waves:
+        calm = ~(one.height[rows] > 0)
+        numbers += [np.where(calm, QUIET, one.height[rows]), np.where(calm, np.nanmedian(one.period), one.period[rows])]
+        angles.append(one.direction[rows])
+    if {"wind speed", "wind from"} <= set(hindcast.columns):
+        numbers.append(np.nan_to_num(hindcast.columns["wind speed"][rows]))
+        angles.append(np.nan_to_num(hindcast.columns["wind from"][rows]))
+    return features(numbers, angles), np.maximum(hindcast.height[rows], QUIET)
+
+
+def _identity(table, hindcast, ready):
+    """Hash of what states depend on"""
+    digest = hashlib.sha256(json.dumps([ready.raw, table.seeds, table.duration_hours], sort_keys=True).encode())
+    for values in (*(part for one in hindcast.waves for part in one),
+                   *(hindcast.columns.get(name) for name in ("wind speed", "wind from"))):  # fmt: skip
+        digest.update(b"" if values is None else np.ascontiguousarray(values).tobytes())
+    with open(ready.task.database, "rb") as file:
+        digest.update(hashlib.file_digest(file, "sha256").digest())
+    return digest.hexdigest()
+
+
+def _weather(read, record, row):
+    """{"waves": table, "wind": table} of a row, of a mooring study"""
+    seas, hindcast = [], record.hindcast
+    for shape, columns, one in zip(record.shapes, read.hindcast.waves, hindcast.waves, strict=True):
+        calm = not one.height[row] > 0
+        sea = {
+            "height": QUIET if calm else float(one.height[row]), "spectrum": shape.family,
+            shape.kind: float(np.nanmedian(one.period) if calm else one.period[row]),
+            "direction_deg": float(np.degrees(one.direction[row])),
+        }  # fmt: skip
+        more = {"gamma": shape.gamma, "spreading": columns.spreading}
+        seas.append(sea | {key: value for key, value in more.items() if value is not None})
+    found = {"waves": seas[0] | ({"swell": seas[1:]} if len(seas) > 1 else {})}
+    if {"wind speed", "wind from"} <= set(hindcast.columns):
+        speed, comes_from = (float(np.nan_to_num(hindcast.columns[name][row])) for name in ("wind speed", "wind from"))
+        towards = read.hindcast.x_axis_compass_deg - np.degrees(comes_from) - 180.0
+        found["wind"] = {"speed": speed, "direction_deg": float(np.mod(towards, 360.0))}
+    return found
+
+
+def _run(read, record, ready, path, executor, say, there, rows):
+    """Run the rows that are not there yet, and keep each"""
+    todo, seeds = [int(row) for row in rows if int(row) not in there], read.simulation.seeds
+    calls = (
+        (state, ready.task, ready.raw, _weather(read, record, row), [row * seeds + k for k in range(seeds)])
+        for row in todo
+    )
+    with ctrl_c() as stop:
+        for place, result in in_order_until(stop, executor, calls):
+            row = {"hour": todo[place]}
+            if isinstance(result, Exception):
+                row["failed"] = " ".join(str(result).split())[:300] or type(result).__name__
+            else:
+                row["seeds"] = result
+            states_file.append(path, row)
+            there[todo[place]] = row
+            if (place + 1) % 10 == 0 or place + 1 == len(todo):
+                say(f"{place + 1} of {len(todo)} states")
+    if stop.asked:
+        raise KeyboardInterrupt
+
+
+def _used(limits, there, rows, seeds):
+    """(s, seeds, l) of simulated limits, nan of others and of states without an answer"""
+    out = np.full((len(rows), seeds, len(limits)), np.nan)
+    for s, row in enumerate(rows):
+        for k, values in enumerate(there[row].get("seeds", ())):
+            for i, one in enumerate(limits):
+                if one.kind == SIMULATED:
+                    value = values[one.criterion.quantity]
+                    statistic = {"amplitude": "largest", "": "largest"}.get(
+                        one.criterion.statistic, one.criterion.statistic
+                    )
+                    value = value[statistic] if isinstance(value, dict) else value
+                    out[s, k, i] = one.criterion.utilisation(value)
+    return out
+
+
+def _weather_used(limit, hindcast):
+    return np.full(len(hindcast.time), np.nan) if limit.kind == SIMULATED else used_of([limit], None, hindcast)[:, 0]
+
+
+class Fit(NamedTuple):
+    """The interpolant of what an operation uses of its simulated limits together, and what it says of all hours"""
+
+    name: str
+    fit: object
+    mean: np.ndarray
+    spread: np.ndarray
+    free: np.ndarray
+    hours: float
+    error: float
+    sea: float
+
+
+def _fits(read, limits, x, height, at, used, exact):
+    """[Fit] of each operation that has simulated limits"""
+    found = []
+    for number, operation in enumerate(read.operations):
+        own = [i for i, one in enumerate(limits) if one.operation == number]
+        moored = [i for i in own if limits[i].kind == SIMULATED]
+        if not moored:
+            continue
+        fit = fitted(x[at], height[at], used[..., moored].max(axis=2))
+        mean, spread = fit.predict(x, height)
+        free = ~(exact[:, own] > 1).any(axis=1)
+        error, sea = fit.spread_of_sum(x, height, mean, spread, free)
+        hours = YEAR / len(x)
+        total = hours * float(np.where(free, fit.chance(mean, spread), 1.0).sum())
+        found.append(Fit(operation.name, fit, mean, spread, free, total, hours * error, hours * sea))
+    return found
+
+
+def _verdicts(limits, hindcast, rows, exact, fits, x, height, at, used, read):
+    """Verdicts of all hours: sure ones by the weather, chances by the interpolants"""
+    count, by_name = len(hindcast.time), {one.name: one for one in fits}
+    shown, beyond = exact.copy(), (exact > 1).astype(float)
+    for i, one in enumerate(limits):
+        if one.kind == SIMULATED:
+            fit = fitted(x[at], height[at], used[..., i])
+            mean, spread = fit.predict(x, height)
+            shown[rows, i], beyond[rows, i] = np.exp(mean), fit.chance(mean, spread)
+    sure = judged(np.where(np.isnan(exact) & np.array([one.kind == SIMULATED for one in limits]), 0.0, exact), limits,
+                  len(read.operations))  # fmt: skip
+    known, chance, error = sure.known.copy(), sure.chance.copy(), np.zeros(len(read.operations))
+    for number, operation in enumerate(read.operations):
+        one = by_name.get(operation.name)
+        if one is not None:
+            of_sea = np.full(count, np.nan)
+            of_sea[rows] = one.fit.chance(one.mean, one.spread)
+            known[:, number] &= np.isfinite(of_sea)
+            chance[:, number] = np.where(sure.down[:, number], 1.0, np.nan_to_num(of_sea))
+            error[number] = np.hypot(one.error, one.sea) / YEAR
+    down = np.random.default_rng(REALISED).uniform(size=chance.shape) < chance
+    return Verdicts(known, down & known, chance, shown, beyond, error)

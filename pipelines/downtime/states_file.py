@@ -1,0 +1,65 @@
+"""The file of simulated states: a line for each, written when it is done; killed at any instant, whole lines are kept.
+
+The first line says of what the states are; each further one is JSON with a CRC-32 of itself.  A line that a kill cut in
+two is taken off; one that is damaged is refused.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import zlib
+from pathlib import Path
+
+from ..common.quantities import StudyError
+
+MARK = "# hakobune downtime states "
+
+
+def is_states(path):
+    """Whether a file is one of states"""
+    with Path(path).open("rb") as file:
+        return file.read(len(MARK)) == MARK.encode()
+
+
+def read(path, identity):
+    """{number of the hour: what its seeds gave} of a file, whose cut end is taken off; {} where there is none.
+
+    Raises StudyError for a file of other states, or one that is damaged.
+    """
+    path = Path(path)
+    if not path.exists():
+        path.write_text(f"{MARK}{identity}\n", encoding="utf-8")
+        return {}
+    content = path.read_bytes()
+    whole = content[: content.rfind(b"\n") + 1]
+    first, *lines = whole.decode("utf-8", "replace").splitlines() or [""]
+    if not content.startswith(MARK.encode()[: len(content)]):
+        raise StudyError(f"{path} is no file of simulated states and is not replaced; give another name (--states)")
+    if first and first != f"{MARK}{identity}":
+        raise StudyError(
+            f"{path} is of another hindcast, mooring study, database, seeds or duration; give another name (--states), "
+            "or take it away"
+        )
+    if len(whole) < len(content) or not first:
+        with path.open("r+b") as file:
+            file.truncate(len(whole))
+        if not first:
+            path.write_text(f"{MARK}{identity}\n", encoding="utf-8")
+    found = {}
+    for number, line in enumerate(lines, 2):
+        text, _, mark = line.rpartition(" ")
+        if not mark.isdigit() or zlib.crc32(text.encode()) != int(mark):
+            raise StudyError(f"{path}, line {number}, is damaged: it does not match its checksum; take the line out")
+        row = json.loads(text)
+        found[row["hour"]] = row
+    return found
+
+
+def append(path, row):
+    """Add a row {"hour": number, …} to the file, whole and on the disk"""
+    text = json.dumps(row, sort_keys=True)
+    with Path(path).open("ab") as file:
+        file.write(f"{text} {zlib.crc32(text.encode())}\n".encode())
+        file.flush()
+        os.fsync(file.fileno())

@@ -1,0 +1,144 @@
+"""A downtime study from its file: tables that are checked, the hindcast in axes of the body, shapes of its spectra."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.mooring.downtime.every_hour import Shape
+from hakobune.mooring.downtime.files import read_columns
+from hakobune.mooring.downtime.hindcast import Hindcast, made
+from hakobune.mooring.environment.periods import KINDS
+from hakobune.mooring.environment.spectra import FAMILIES, LARGEST_GAMMA
+
+from ..common.quantities import StudyError, positive
+from ..common.typed import read_toml, typed
+from ..common.weather.seas import spreading
+from .tables import DowntimeStudy
+
+COLUMN_KINDS = {
+    "wind speed": "speed", "wind from": "direction", "current speed": "speed", "level": "level", "ice": "share",
+}  # fmt: skip
+MOST_STATES, MOST_SEEDS = 10_000, 1000
+MOST_WINDOWS, MOST_TURNS = 12, 36
+
+
+class Record(NamedTuple):
+    """hindcast : `mooring.downtime.hindcast.Hindcast`; shapes : `every_hour.Shape` of each of its systems"""
+
+    hindcast: Hindcast
+    shapes: tuple[Shape, ...]
+
+
+def read_downtime(path):
+    """The DowntimeStudy of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a downtime study", StudyError)
+    return make_downtime(raw), text
+
+
+def make_downtime(raw):
+    """The DowntimeStudy of nested dictionaries.  Raises StudyError."""
+    study = typed(raw, DowntimeStudy, StudyError)
+    if not study.operations:
+        raise StudyError("there are no [[operations]]; allowed: at least one, with limits or a rule")
+    twice = [name for name, count in Counter(one.name for one in study.operations).items() if count > 1]
+    if twice:
+        raise StudyError(f"two operations are called {twice[0]!r}; allowed: each its own name")
+    if not study.hindcast.waves:
+        raise StudyError("hindcast.waves is empty; allowed: at least one system of waves")
+    if not 1 <= len(study.windows_hours) <= MOST_WINDOWS or len(study.turned_deg) > MOST_TURNS:
+        raise StudyError(f"windows_hours has {len(study.windows_hours)} and turned_deg {len(study.turned_deg)} "
+                         f"numbers; allowed: 1 to {MOST_WINDOWS}, and 0 to {MOST_TURNS}")  # fmt: skip
+    for i, hours in enumerate(study.windows_hours):
+        positive(f"windows_hours[{i}]", hours)
+    for i, one in enumerate(study.operations):
+        positive(f"operations[{i}].window_hours", one.window_hours)
+        if one.allowed_hours is not None:
+            positive(f"operations[{i}].allowed_hours", one.allowed_hours)
+    if study.simulation is not None:
+        _check_states(study.simulation)
+    if not 1 < study.return_years < math.inf:
+        raise StudyError(f"return_years is {study.return_years:g}; allowed: above 1, finite")
+    for key, degrees in (("hindcast.x_axis_compass_deg", study.hindcast.x_axis_compass_deg),
+                         *(("turned_deg", one) for one in study.turned_deg)):  # fmt: skip
+        if not -360 <= degrees <= 360:
+            raise StudyError(f"{key} is {degrees:g}; allowed: −360 to 360")
+    return study
+
+
+def _check_states(table):
+    for key, least, most in (("states", 8, MOST_STATES), ("most_states", table.states, MOST_STATES), ("batch", 1, 1000),
+                             ("seeds", 2, MOST_SEEDS)):  # fmt: skip
+        if not least <= getattr(table, key) <= most:
+            raise StudyError(f"simulation.{key} is {getattr(table, key)}; allowed: {least} to {most}")
+    positive("simulation.duration_hours", table.duration_hours)
+    positive("simulation.tolerance_hours", table.tolerance_hours)
+
+
+def record_of(table, folder):
+    """The Record of a HindcastTable whose file lies in a folder.  Raises StudyError or TableError."""
+    systems = [_system(f"hindcast.waves[{i}]", one) for i, one in enumerate(table.waves)]
+    if "level" in table.columns and table.level_at_rest is None:
+        raise StudyError(
+            "hindcast.columns has a level, which is above some datum, and level_at_rest is not given; give what that "
+            "column has at the water level of the database, m"
+        )
+    wanted = {}
+    for one, (_, kind, angle, _) in zip(table.waves, systems, strict=True):
+        wanted |= {one.height: "height", getattr(one, kind): "period", angle: "direction"}
+    wanted |= {column: COLUMN_KINDS.get(name, name) for name, column in table.columns.items()}
+    path = folder / table.file
+    time, found, said = read_columns(path, table.time, table.zone, wanted)
+    x_axis, waves = math.radians(table.x_axis_compass_deg), []
+    for one, (_, kind, angle, comes_from) in zip(table.waves, systems, strict=True):
+        _check_direction(path.name, angle, found[angle])
+        towards = x_axis - found[angle] - (np.pi if comes_from else 0.0)
+        waves.append((found[one.height], found[getattr(one, kind)], np.mod(towards, 2 * np.pi)))
+    columns = {name: (found[column], COLUMN_KINDS.get(name, "")) for name, column in table.columns.items()}
+    hindcast = made(time, waves, columns, path.name)
+    if "level" in hindcast.columns:
+        hindcast.columns["level"] = hindcast.columns["level"] - table.level_at_rest
+    return Record(
+        Hindcast(hindcast.time, hindcast.step, hindcast.waves, hindcast.columns, (*said, *hindcast.said)),
+        tuple(shape for shape, *_ in systems),
+    )
+
+
+def _check_direction(where, name, angle):
+    """Make codes of what is missing nan, in place.  Raises StudyError for other angles beyond a turn."""
+    degrees = np.degrees(angle)
+    code = np.isclose(np.abs(degrees), 999, atol=0.5) | np.isclose(np.abs(degrees), 9999, atol=0.5) | (degrees == -99)
+    angle[code] = np.nan
+    beyond = np.abs(degrees[~code]) > 361
+    if beyond.any():
+        worst = degrees[~code][beyond][0]
+        raise StudyError(f"{where}: {name} is {worst:g}°; allowed: −360 to 360, or -99, 999, -999 for what is missing")
+
+
+def _system(where, table):
+    """Shape, kind of period, column of the direction and whether it says where waves come from"""
+    kinds = [kind for kind in KINDS if getattr(table, kind) is not None]
+    if len(kinds) != 1:
+        state = " and ".join(kinds) + " are given" if kinds else "no period is given"
+        raise StudyError(f"{where}: {state}; allowed: one of {', '.join(KINDS)}")
+    if (table.direction_from is None) == (table.direction_to is None):
+        state = "neither is given" if table.direction_from is None else "both are given"
+        raise StudyError(f"{where}: {state}; allowed: one of direction_from, direction_to")
+    if table.spectrum not in FAMILIES:
+        raise StudyError(f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}")
+    if table.gamma is not None and (table.spectrum != "jonswap" or not 1 <= table.gamma <= LARGEST_GAMMA):
+        raise StudyError(f"{where}.gamma is {table.gamma:g} of {table.spectrum}; allowed: 1 to 10 of jonswap")
+    try:
+        if (table.spreading or "").startswith("mitsuyasu"):
+            raise ValueError(
+                "--spreading is 'mitsuyasu', which changes over the frequencies; allowed: cosine:N, half_cosine:S, "
+                "wrapped_normal:DEGREES"
+            )
+        spread = spreading(table.spreading, None)
+    except ValueError as error:
+        raise StudyError(str(error).replace("--spreading", f"{where}.spreading")) from None
+    shape = Shape(table.spectrum, kinds[0], table.gamma, spread)
+    return shape, kinds[0], table.direction_from or table.direction_to, table.direction_from is not None

@@ -1,0 +1,86 @@
+"""Every hour's integral against closed forms: a body whose |X|² over directions is a short Fourier sum."""
+
+import numpy as np
+import pytest
+
+from hakobune.mooring.downtime.every_hour import Response, Shape, lagrange, moments_of_hours, ring_of
+from hakobune.mooring.downtime.hindcast import WaveHours
+from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower
+
+RING = ring_of(72)
+OMEGA = np.linspace(0.05, 12.0, 3000)  # of waves of 6 s and more all but 1e-5
+
+
+def of_harmonics():
+    """P = 2 + cos 2β and 3 + cos(β − 0.4), the same at all frequencies"""
+    power = np.stack([2 + np.cos(2 * RING), 3 + np.cos(RING - 0.4)], axis=1)
+    return Response(("two", "one"), ("m", "m"), OMEGA, np.broadcast_to(power, (len(OMEGA), *power.shape)))
+
+
+def hours():
+    rng = np.random.default_rng(3)
+    return WaveHours(rng.uniform(0.5, 6, 40), rng.uniform(6, 15, 40), rng.uniform(0, 2 * np.pi, 40))
+
+
+def test_long_crested_hours_at_any_direction_have_the_exact_energy():
+    waves = hours()
+    m0, m2 = moments_of_hours(of_harmonics(), Shape("jonswap", "peak_period"), waves)
+    exact = (
+        waves.height[:, None] ** 2
+        / 16
+        * np.stack([2 + np.cos(2 * waves.direction), 3 + np.cos(waves.direction - 0.4)], axis=1)
+    )
+    np.testing.assert_allclose(m0, exact, rtol=2e-4)  # of the tail beyond the last frequency
+    one = jonswap(waves.height[0], peak_period=waves.period[0])
+    np.testing.assert_allclose(m2[0] / m0[0], one.moment(2, 0, OMEGA[-1]) / one.moment(0), rtol=2e-3)
+
+
+def test_spread_hours_have_each_harmonic_by_that_of_the_spreading():
+    """∫ (2/π) cos²θ cos 2(β + θ) dθ = ½ cos 2β;  of cos(β + θ): 8/3π"""
+    waves = hours()
+    m0, _ = moments_of_hours(of_harmonics(), Shape("jonswap", "peak_period", None, CosinePower(2.0)), waves)
+    exact = (
+        waves.height[:, None] ** 2
+        / 16
+        * np.stack([2 + 0.5 * np.cos(2 * waves.direction), 3 + 8 / (3 * np.pi) * np.cos(waves.direction - 0.4)], axis=1)
+    )
+    np.testing.assert_allclose(m0, exact, rtol=3e-4)
+
+
+def test_calm_hours_are_nil_and_unknown_hours_unknown():
+    waves = WaveHours(np.array([0.0, np.nan, 1.0]), np.array([np.nan, 8.0, 8.0]), np.zeros(3))
+    m0, _ = moments_of_hours(of_harmonics(), Shape("issc", "mean_period"), waves)
+    assert np.all(m0[0] == 0) and np.all(np.isnan(m0[1])) and np.all(m0[2] > 0)
+
+
+def test_six_nodes_are_exact_for_polynomials_of_degree_five():
+    t = np.array([0.0, 0.3, 0.99])
+    for degree in range(6):
+        np.testing.assert_allclose(lagrange(t) @ np.arange(-2.0, 4.0) ** degree, t**degree, atol=1e-12)
+
+
+def test_the_largest_of_an_hour_is_that_of_a_narrow_gaussian_record():
+    """σ = 1 m, T_zero = 7.2 s: n = 500, s = √(2 ln 500) = 3.5255, s + 0.5772/s = 3.6892"""
+    largest = largest_of_hours(np.array([1.0, 0.0]), np.array([(2 * np.pi / 7.2) ** 2, 0.0]), 3600.0)
+    np.testing.assert_allclose(largest, [3.6892, 0.0], atol=1e-4)
+
+
+def test_maxima_of_equal_years_have_the_law_of_their_hours():
+    """All hours alike: P(x_y < x) = exp(−N exp(−x²/2)), of which the median is √(2 ln(N/ln 2)), N = a year over 10 s"""
+    year = np.repeat(np.arange(100), 8766)
+    m0 = np.ones((len(year), 1))
+    years, maxima = drawn_of_years(m0, m0 * (2 * np.pi / 10) ** 2, year, 3600.0)
+    N = 8766 * 360
+    assert len(years) == 100
+    assert np.median(maxima) == pytest.approx(np.sqrt(2 * np.log(N / np.log(2))), rel=0.015)
+    value, low, high = return_values(maxima, 50.0)
+    exact = np.sqrt(2 * np.log(N / -np.log(1 - 1 / 50)))
+    assert low[0] < exact < high[0] and value[0] == pytest.approx(exact, rel=0.02)
+
+
+def test_years_of_which_hours_are_missing_have_no_maximum():
+    year = np.repeat([0, 1], [8766, 5000])
+    m0 = np.ones((len(year), 1))
+    assert list(drawn_of_years(m0, m0, year, 3600.0)[0]) == [0]
