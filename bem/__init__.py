@@ -13,4 +13,5 @@ Conventions, the same everywhere in this package and written as attributes into 
 
 __version__ = "0.1.0"  # of the distribution, too, whose metadata take 0.04 s to read
 DOFS = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
+POWER = "damping_lid_power"  # that lids on the water take of waves of 1 m
 ESTIMATE, INTERPOLATED = "error estimate", "interpolated error estimate"  # steps of a frequency, with their time

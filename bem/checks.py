@@ -65,9 +65,9 @@ def radiated_energy(run):
 
 
 def scattered_energy(run):
-    """(1/2π) ∫ |H|² dθ = −Re H(β) of the fixed body"""
+    """(1/2π) ∫ |H|² dθ = −Re H(β) of the fixed body, less what damping lids take"""
     H, t, m = run.kochin[1][0], len(run.theta), np.arange(len(run.headings))
-    return float(np.abs(energy_defect(H[:, :t], H[m, t + m])).max())
+    return float(np.abs(energy_defect(H[:, :t], H[m, t + m] + run.taken_at_rest)).max())
 
 
 def estimate(run, rough, refinement):

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from . import ESTIMATE, INTERPOLATED
+from . import ESTIMATE, INTERPOLATED, POWER
 from .checks import at_least_haskind, check, damping_error, largest_error
 from .drift import OF_EACH, about, drift_of_two, mean_drift
 from .free_body import motions
@@ -15,7 +15,14 @@ from .kochin import angles
 from .waves import group_factor, wavenumber
 
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
-DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed", "pressure"}
+DIFFRACTION = {
+    "damping_lid_power",
+    "diffraction_force",
+    "excitation_force",
+    "kochin_diffraction",
+    "drift_force_fixed",
+    "pressure",
+}
 FREE = {"rao", "drift_force", "body_drift_force"}
 DRIFT = {"drift_force_fixed", "drift_force"}
 TRUSTED = 0.6  # of the tolerance: estimates of damping near it were two thirds of the error at least, 92 random bodies
@@ -54,6 +61,7 @@ class FrequencyRun:
 
     most_sharper = 0  # times in a row that a run is answered by a `sharper` one
     interpolated = False  # whether `differences` are those of other frequencies
+    taken_at_rest = 0.0  # (m,) of the balance of energy of bodies at rest, what damping lids take of it
     margin = 1.0  # times what follows from `differences`
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
@@ -67,7 +75,7 @@ class FrequencyRun:
         self.theta = theta if theta is not None else angles(self.k, prepared.radius)
         names = self.problem.dofs
         self.count, self.asked = len(names), [names.index(d) for d in (names if dofs is None else dofs)]
-        self.free = bool(want & FREE | want & {"pressure"}) and self.problem.inertia_matrix is not None
+        self.free = bool(want & (FREE | {"pressure", POWER})) and self.problem.inertia_matrix is not None
         # motions couple; a moment about another point than the origin needs forces too
         needed = np.any(self.problem.transform[self.asked], axis=0) | self.free
         self.forced = np.flatnonzero(needed).tolist()
@@ -266,6 +274,8 @@ class FrequencyRun:
         for name, moving in OF_EACH.items():
             if name in want and (self.free or not moving):
                 out[name] = self.drift_of_each(moving)
+        if POWER in want:
+            out[POWER] = self.damping_lid_power()
         if "pressure" in want:
             out["pressure"] = self.pressure()
         if self.free and "rao" in want:

@@ -71,6 +71,19 @@ def polar_lid(mesh, size):
     return replace(cover, symmetry=mesh.symmetry, name=f"lid of {mesh.name}".strip())
 
 
+def rings_of(mesh):
+    """[(ring (k, 3) m, its area m²)] of the waterlines of a hull; of moonpools the area is negative
+
+    Raises ValueError as `lid`.
+    """
+    return [(ring, _area(ring)) for ring in _closed(waterline(mesh), mesh)]
+
+
+def panelled(ring, size, symmetry):
+    """Panels with edges of about `size` m inside a closed polygon (k, 3) m in z = 0, counter-clockwise"""
+    return _filled(ring, [], size, symmetry)
+
+
 def waterline(mesh):
     """Where the hull cuts the water surface: a list of (k, 3) m polylines, the body on their left.
 

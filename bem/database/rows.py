@@ -211,6 +211,11 @@ class Database:
         return "viscous" in self._scene
 
     @property
+    def has_damping_lids(self) -> bool:
+        """Whether lids on the water take energy: damping is then more than the waves far away carry"""
+        return bool(self._scene.get("damping_lids"))
+
+    @property
     def wall(self) -> float | None:
         """m, y of the vertical wall along x beside the body, or None"""
         return self._scene.get("wall")

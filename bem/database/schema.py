@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .. import DOFS
+from .. import DOFS, POWER
 from ..drift import OF_EACH
 from ..modes import moving, names_of
 
@@ -49,6 +49,7 @@ QUANTITIES = {
     "drift_force_fixed": (_DRIFT, "N/m2, N m/m2", float),
     "drift_force": (_DRIFT, "N/m2, N m/m2", float),
     **dict.fromkeys(OF_EACH, (_BODY_DRIFT, "N/m2, N m/m2", float)),
+    POWER: (("omega", "wave_direction"), "W/m2", float),  # that damping lids take of waves of 1 m
     "pressure": (("omega", "wave_direction", "panel"), "Pa/m", complex),
     "added_mass_zero": (_SQUARE, "kg, kg m, kg m2", float),
     "added_mass_infinity": (_SQUARE, "kg, kg m, kg m2", float),

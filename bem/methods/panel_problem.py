@@ -35,6 +35,7 @@ class PanelProblem(Problem):
     nodes_per_panel : 4 (bilinear) or 1 (constant)
     wall : y in m of a vertical wall along x that reflects all waves; None for open water
     zero_draft : the flat bottom of the hull laid into the water surface, `bem.panels.zero_draft`
+    damping_lids : `bem.panels.damping_lid.DampingLid` of each piece of water that takes energy; each frequency alone
     band : (low, high) rad/s, where many frequencies will be asked for: they then share the work of
         `bem.panels.band.equations`
     """
@@ -46,6 +47,7 @@ class PanelProblem(Problem):
     nodes_per_panel: int = 4
     wall: float | None = None
     zero_draft: bool = False
+    damping_lids: tuple = ()
     band: tuple | None = None
 
     def prepared(self):
@@ -103,6 +105,13 @@ class PreparedPanelProblem:
 
         lid = polar_lid(problem.mesh, float(np.sqrt(problem.lid.areas.mean())))
         return g if lid is None else Geometry(problem.mesh, lid, problem.depth, problem.nodes_per_panel)
+
+    @cached_property
+    def with_damping_lids(self):
+        """`bem.panels.damping_lid.with_damping_lids` of the problem"""
+        from ..panels.damping_lid import with_damping_lids
+
+        return with_damping_lids(self.problem)
 
     @cached_property
     def band_equations(self):
@@ -163,6 +172,10 @@ class PreparedPanelProblem:
             from ..panels.zero_draft import ZeroDraftRun
 
             return ZeroDraftRun
+        if self.problem.damping_lids:
+            from ..panels.damping_lid import DampedRun
+
+            return DampedRun
         if self.in_band(omega):
             from ..panels.band.one_frequency import BandRun
 

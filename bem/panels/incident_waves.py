@@ -13,13 +13,13 @@ import numpy as np
 from ..waves import depth_values, real_part
 
 
-def class_waves(geometry, beta, omega, k, gravity=9.80665):
+def class_waves(geometry, beta, omega, k, gravity=9.80665, nodes=None):
     """φ_I (m²/s) and ∂φ_I/∂n (m/s) per m of amplitude, two (classes, n), towards `beta` at the nodes of the hull.
 
-    geometry : `bem.panels.influence.Geometry`; phases are about the origin of the body
+    geometry : `bem.panels.influence.Geometry`; phases are about the origin of the body; nodes : a slice, of others
     """
-    g, n = geometry, geometry.hull
-    (x, y, z), (nx, ny, nz) = g.elements.nodes[:n].T, g.elements.normals[:n].T
+    g, nodes = geometry, slice(geometry.hull) if nodes is None else nodes
+    (x, y, z), (nx, ny, nz) = g.elements.nodes[nodes].T, g.elements.normals[nodes].T
     kx, ky = k * np.cos(beta), k * np.sin(beta)
     there_and_back = len(g.images) // g.copies
     start = there_and_back * -1j * gravity / omega * np.exp(-1j * (kx * g.origin[0] + ky * g.origin[1]))
@@ -28,7 +28,7 @@ def class_waves(geometry, beta, omega, k, gravity=9.80665):
     along = {sign: real_part(sign if "x" in g.mesh.symmetry else 0, kx * x) for sign in {c[0] for c in g.classes}}
     across = {sign: real_part(sign if "y" in g.mesh.symmetry else 0, ky * y) for sign in {c[1] for c in g.classes}}
     along_normal, across_normal = kx * Z * nx, ky * Z * ny
-    phi, flux = np.empty((2, len(g.classes), n), complex)
+    phi, flux = np.empty((2, len(g.classes), len(x)), complex)
     for i, cls in enumerate(g.classes):
         (of_x, X, dX), (of_y, Y, dY) = along[cls[0]], across[cls[1]]
         factor, both = start * of_x * of_y, X * Y

@@ -7,6 +7,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
+from .. import POWER
 from ..checks import estimate, share_left
 from ..drift import OF_EACH
 from ..frequency import FrequencyRun
@@ -35,7 +36,7 @@ class PanelRun(FrequencyRun):
         if self.far_field and prepared.problem.wall is not None:
             raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
         self.geometry = prepared.geometry.at(self.omega**2 / prepared.problem.gravity)
-        self.whole_field = bool(self.want & {"pressure", *OF_EACH})
+        self.whole_field = bool(self.want & {"pressure", POWER, *OF_EACH})
 
     @property
     def solves(self):
@@ -99,6 +100,11 @@ class PanelRun(FrequencyRun):
     def depth_values(self):
         """`bem.waves.depth_values` of this frequency"""
         return depth_values(self.k, self.problem.depth)
+
+    @property
+    def reach(self):
+        """m, largest horizontal distance between two points that see each other"""
+        return self.geometry.reach
 
     @cached_property
     def hull(self):
@@ -174,23 +180,28 @@ class PanelRun(FrequencyRun):
         self._timed("rankine", start)
         start = time.perf_counter()
         g = self.geometry
-        table = wave_table(self.omega, self.problem.depth, self.problem.gravity, g.reach, g.draft)
+        table = wave_table(self.omega, self.problem.depth, self.problem.gravity, self.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
         with blas_threads(1):  # its products are small, and its kernels have threads of their own
             equations = self.equations(classes, table, [velocities[c] for c in classes])
         self._timed("assemble", start)
         start = time.perf_counter()
-        solutions, self._residual = solved_beside_few(equations, [len(velocities[c]) for c in classes])
+        solutions, self._residual = self.solved(equations, [len(velocities[c]) for c in classes])
         if not all(np.all(np.isfinite(x)) for x in solutions):
             raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
-        out = {cls: self.on_hull(x, velocities[cls]) for cls, x in zip(classes, solutions, strict=True)}
+        self.solutions = dict(zip(classes, solutions, strict=True))
+        out = {cls: self.on_hull(x, velocities[cls]) for cls, x in self.solutions.items()}
         self._timed("solve", start)
         return out
 
     def equations(self, classes, table, velocities):
         """`bem.panels.influence.Equations` of the classes"""
         return assembled(self.geometry, classes, 1.0, table, self.depth_values, velocities)
+
+    def solved(self, equations, counts):
+        """Solutions (n, columns) of each class, and the largest residual"""
+        return solved_beside_few(equations, counts)
 
     def on_hull(self, solution, velocities):
         """Potentials (columns, hull nodes) of a solution (n, columns)"""
@@ -250,7 +261,7 @@ class PanelRun(FrequencyRun):
         """H and H′ at `theta` and at the headings: radiation (6, t+m), diffraction (m, t+m); about the origin"""
         start = time.perf_counter()
         g = self.geometry
-        nodes, weights, normals = self.hull
+        nodes, weights, normals = self.senders
         at = np.concatenate([self.theta, self.headings])
         radiation = np.zeros((2, self.count, len(at)), complex)
         diffraction = np.zeros((2, len(self.headings), len(at)), complex)
@@ -258,13 +269,22 @@ class PanelRun(FrequencyRun):
         for cls, (moving, waves) in self.columns.items():
             both = far_field_integrals(
                 at, self.k, nodes, weights, normals, self.depth_values(nodes[:, 2]),
-                g.images, g.signs(cls), self.potentials[cls], self.velocities(cls),
+                g.images, g.signs(cls), *self.sent(cls),
             )  # fmt: skip
             for i in range(2):
                 radiation[i, moving] = -1j * self.omega * factor * both[i][: len(moving)]
                 diffraction[i, waves] += factor * both[i][len(moving) :]
         self._timed("far field", start)
         return radiation, diffraction
+
+    @property
+    def senders(self):
+        """Nodes, weights and normals of all that sends waves"""
+        return self.hull
+
+    def sent(self, cls):
+        """Potentials and normal velocities (columns, senders) of a class"""
+        return self.potentials[cls], self.velocities(cls)
 
     def disturbance(self, heading, motion):
         """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity.

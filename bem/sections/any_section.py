@@ -7,6 +7,9 @@ modes of the depth leave,  ∂φ/∂n = Σ λₙ Zₙ ⟨φ, Zₙ⟩ / ⟨Zₙ, 
 body is eliminated once for a shape, and a frequency costs one small linear system.  The identity is that of the water
 itself, so there are no irregular frequencies.
 
+An edge at z = 0 between others is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ of the whole φ,
+ε its damping (`bem.panels.damping_lid`).
+
 Panels shrink four times each towards corners, where φ is like distance^(π/β), β the angle of water, and carry Gauss
 points (`product_integration`).  Conventions and `Section` are those of `coefficients`.
 """
@@ -91,7 +94,11 @@ class Shape:
         owner = np.repeat(np.arange(len(parts)), [NODES * len(part) for part in parts])
         self.points, self.weights = panels.points.reshape(-1), panels.weights.reshape(-1)
         self.normals = (-1j * panels.slopes / panels.speed[:, None]).reshape(-1)  # out of the body, into the water
-        self.body = (owner >= 2) & (owner < len(parts) - 2)
+        between = np.array([edge.bulge == 0 and edge.start.imag == 0 == edge.end.imag for edge in chain])
+        between[[1, -2]] = False
+        self.body = (owner >= 2) & (owner < len(parts) - 2) & ~between[owner]
+        rest = owner[~self.body]
+        self.gaps = [np.flatnonzero(rest == place) for place in np.flatnonzero(between)]
         self.surface = ((owner == 1) | (owner == len(parts) - 2))[~self.body]
         self.sides = [np.flatnonzero(owner[~self.body] == place) for place in (0, len(parts) - 1)]
         self.ends = left.real - depth, right.real + depth
@@ -123,30 +130,37 @@ class Shape:
 class AnyFlow:
     """The flows at one frequency: radiated by sway, heave and roll, and scattered from waves towards +y and −y.
 
+    damping : ε of the water in gaps; in_gaps : [(s, 2)] whole potential of the waves in each
     potentials : (n, 5) on the body; waves : (2, 5) potential at z = 0 of those that leave towards −y and +y, referred
     to y = 0
     """
 
-    def __init__(self, shape, omega, gravity):
+    def __init__(self, shape, omega, gravity, damping=0.0):
         self.shape, self.omega, self.gravity = shape, omega, gravity
         self.k = float(wavenumber(omega, shape.depth, gravity))
         A0, A1, A2 = shape.equations
         leaving, first = self._modes()
         along = [self._incident(sign) for sign in (1, -1)]
         self.incident = np.stack([value for value, _ in along], axis=1)
+        gaps = np.concatenate([np.empty(0, int), *shape.gaps])
+        taken = np.zeros((int((~shape.body).sum()), 5), complex)  # iεKφ_I, of waves alone
         flux = -np.hstack([shape.velocities, -np.stack([slope for _, slope in along], axis=1)])  # n out of the water
         K = omega**2 / gravity
+        taken[gaps, 3:] = 1j * damping * K * self._incident_on(gaps)
         matrix = A0.astype(complex)
         matrix[:, shape.surface] += K * A1[:, shape.surface]
+        matrix[:, gaps] += K * (1 + 1j * damping) * A1[:, gaps]
         for side, through in zip(shape.sides, leaving, strict=True):
             matrix[:, side] += A1[:, side] @ through
-        phi = np.linalg.solve(matrix, -(A2 @ flux))
-        normal = np.where(shape.surface[:, None], K * phi, 0)
+        phi = np.linalg.solve(matrix, -(A2 @ flux) - A1 @ taken)
+        normal = np.where(shape.surface[:, None], K * phi, taken)
+        normal[gaps] += K * (1 + 1j * damping) * phi[gaps]
         for side, through in zip(shape.sides, leaving, strict=True):
             normal[side] = through @ phi[side]
         B0, B1, B2 = shape.on_body
         self.potentials = B0 @ phi + B1 @ normal + B2 @ flux
         out = np.exp(-1j * self.k * np.array([-shape.ends[0], shape.ends[1]]))
+        self.in_gaps = [phi[gap, 3:] + self._incident_on(gap) for gap in shape.gaps]
         self.waves = np.stack([first[place] @ phi[side] for place, side in enumerate(shape.sides)]) * out[:, None]
 
     def _modes(self):
@@ -162,6 +176,11 @@ class AnyFlow:
             made.append((Z.T * np.append(1j * self.k, -kn)) @ projection)
             first.append(projection[0])
         return made, first
+
+    def _incident_on(self, nodes):
+        """φ_I of the unit waves towards +y and −y at nodes of the surface, (s, 2)"""
+        along = self.shape.points[~self.shape.body][nodes].real
+        return -1j * self.gravity / self.omega * np.exp(1j * self.k * along[:, None] * [1, -1])
 
     def _incident(self, sign):
         """φ_I of a unit wave towards ±y on the body, and its slope along the normal into the water, (n,)"""

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
+from hakobune.meshing.surface.patches import counter_clockwise
+
 from .methods import check_method
 from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, listed
 from .viscous_table import viscous_of
@@ -15,6 +17,7 @@ from .viscous_table import viscous_of
 CLOSEST = 2e-9  # relative in omega, rad in heading: twice of what is one and the same in a database
 EXTENT = 1e-3, 1e6  # m, sizes and places
 MOST_BODIES = 100
+DAMPING = 1e-6, 10.0  # epsilon of a damping lid
 RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "band": (1e-6, 1e4)}
 
 
@@ -23,6 +26,7 @@ def check(scene):
     _check_water(scene.water)
     _check_bodies(scene)
     _check_waves(scene)
+    _check_damping_lids(scene)
     _check_rest(scene)
 
 
@@ -146,6 +150,21 @@ def _check_arrangement(scene):
     files = [body.file for body in scene.bodies if body.shape == "mesh"]
     if scene.panels is not None and files:
         raise SceneError(f"panels is {scene.panels}, but {files[0]} has its own; leave panels out")
+
+
+def _check_damping_lids(scene):
+    for number, lid in enumerate(scene.damping_lids or ()):
+        key = f"damping_lids[{number}]"
+        _within(f"{key}.damping", lid.damping, DAMPING)
+        for corner in lid.corners or ():
+            _check_point(f"{key}.corners", (*corner, 0.0))
+        if lid.corners is not None:
+            try:
+                counter_clockwise(lid.corners)
+            except ValueError as error:
+                raise SceneError(f"{key}.corners {error}") from None
+    if scene.damping_lids and scene.wall is not None:
+        raise SceneError("damping_lids are there and a wall; allowed: one of them")
 
 
 def _check_ship(key, body):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from hakobune.bem import POWER
 from hakobune.bem.database.schema import LIMITS, QUANTITIES
 from hakobune.bem.drift import OF_EACH
 from hakobune.bem.problem import check_gap
@@ -55,6 +56,8 @@ def names_given(scene, names, named):
     if refused:
         if scene.wall is not None and refused[0] in FAR_FIELD:
             raise ValueError(f"want has {refused[0]}, which a body beside a wall does not have; leave it out")
+        if refused[0] == POWER and not scene.damping_lids:
+            raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
         if refused[0] in OF_EACH:
             raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
         others = [name for name, other in METHODS.items() if refused[0] not in _lacking(scene, other)]
@@ -89,7 +92,8 @@ def _lacking(scene, method):
     beside_wall = FAR_FIELD if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
     alone = () if scene.several else tuple(OF_EACH)
-    return method.without + beside_wall + deep + alone
+    lidless = () if scene.damping_lids else (POWER,)
+    return method.without + beside_wall + deep + alone + lidless
 
 
 def _relative_gap(scene):
@@ -114,6 +118,8 @@ def _obstacles(scene, method):
                 f"takes up to {method.highest_gap:g} times the draft or half width of water under the keel, "
                 f"not {_relative_gap(scene):.3g}"
             )
+    if scene.damping_lids and method is not METHODS["panel"]:
+        out.append("knows no damping lids")
     if scene.wall is not None and not method.wall:
         out.append("knows no wall")
     return out

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from hakobune.bem import POWER
 from hakobune.bem.database.schema import NEEDS_MOTION, ONLY_BY_NAME, QUANTITIES
 from hakobune.bem.drift import OF_EACH
 
@@ -11,6 +12,7 @@ GROUPS = {
     "diffraction": ("Froude_Krylov_force", "diffraction_force", "excitation_force"),
     "kochin": ("kochin_radiation", "kochin_diffraction"),
     "motions": ("rao",),
+    "lids": (POWER,),
     "drift": ("drift_force_fixed", "drift_force", *OF_EACH),
 }
 

@@ -20,7 +20,17 @@ from ..common.typed import of_another, read_toml, typed
 from . import products
 from .checks import check, check_depth_given
 from .methods import chosen_method, names_given
-from .tables import FREQUENCY_KEYS, SHAPES, BodyTable, SceneError, SceneTable, Water, Waves, listed
+from .tables import (
+    FREQUENCY_KEYS,
+    SHAPES,
+    BodyTable,
+    DampingLidTable,
+    SceneError,
+    SceneTable,
+    Water,
+    Waves,
+    listed,
+)
 
 
 class Scene(SceneTable, dict=True):  # where derived quantities are kept
@@ -33,6 +43,7 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
     rotation_center : m, x, y, z that rotations and moments are about
     lid : whether there is an interior lid against irregular frequencies
     wall : m, y of a vertical wall along x that reflects all waves
+    damping_lids : water between hulls or in moonpools that takes energy
     """
 
     water: Water
@@ -45,6 +56,7 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
     rotation_center: tuple[float, float, float] = (0.0, 0.0, 0.0)
     lid: bool = True
     wall: float | None = None
+    damping_lids: list[DampingLidTable] | None = None
     viscous: ViscousTable | None = None
 
     @property

@@ -102,6 +102,17 @@ class BodyTable(SceneTable):
     viscous: Laws | None = None
 
 
+class DampingLidTable(SceneTable):
+    """Water between hulls or in a moonpool that takes energy, in place of the eddies of the real flow
+
+    damping : epsilon of g phi_z = omega^2 (1 + i epsilon) phi; tests with gaps and moonpools give 0.02 to 0.07
+    corners : m, [[x, y], …] of a convex polygon on the water; left out: all moonpools of the bodies
+    """
+
+    damping: float
+    corners: list[tuple[float, float]] | None = None
+
+
 class Waves(SceneTable):
     """Frequencies, in one of four ways, and headings
 

@@ -12,6 +12,7 @@ from hakobune.meshing.panels import assembled, with_symmetry
 from hakobune.meshing.quality.overlap import winding
 
 from ..scene.scene import SceneError
+from .gaps.resonant_water import resonant_water
 
 TOUCHING = 1e-6  # of the size of the whole: bodies that are closer touch
 NEAR = 8  # panels of another body that are looked at from a corner
@@ -50,8 +51,11 @@ def in_scene(body, point):
 
 
 def check_apart(scene, mesh):
-    """Raise SceneError for two bodies that lie in each other or touch; lines on those closer than their panels allow"""
-    said = []
+    """Raise SceneError for two bodies that lie in each other or touch.
+
+    returns : lines on those closer than their panels allow, and on the water between those that are close
+    """
+    said, gaps = [], []
     hulls = [mesh.of_body(i).whole() for i in range(mesh.bodies)]
     reach = TOUCHING * float(np.ptp(mesh.whole().points, axis=0).max())
     for i, one in enumerate(hulls):
@@ -62,12 +66,14 @@ def check_apart(scene, mesh):
                 raise SceneError(f"{names} lie in each other; allowed: water between them; move one (place)")
             if gap <= reach:
                 raise SceneError(f"{names} touch; allowed: water between them, or one mesh of both (place)")
+            widths = [min(np.ptp(hull.points[:, :2], axis=0)) for hull in (one, hulls[j])]
+            gaps.append((names, gap, min(one.draft, hulls[j].draft), sum(widths) + gap))
             if gap < size / 2:
                 said.append(
                     f"{names} are {gap:.3g} m apart, their panels there up to {size:.3g} m long; good: at most twice "
                     "the gap; ask for more panels"
                 )
-    return tuple(said)
+    return (*said, *resonant_water(scene, mesh, gaps))
 
 
 def _overlap(one, other):

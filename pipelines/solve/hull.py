@@ -19,6 +19,8 @@ from ..common.typed import typed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
 from .arrangement import arranged, check_apart, own_hulls
+from .gaps.damping_lids import damping_lids_of, with_planes_of
+from .gaps.resonant_water import resonant_water
 from .large import shared_band
 from .panel_counts import FEWEST, coarse_counts, fine_counts, finer_counts, meshed
 
@@ -48,7 +50,7 @@ def make_hull(scene):
         return MeshedHull(_meshed(scene.body, FOR_SHOW), None)
     hulls = [_hull(scene, body) for body in scene.bodies]
     _check_count(scene, sum(hull.total for hull in hulls))
-    mesh = arranged(scene, hulls) if scene.several else hulls[0]
+    mesh = _in_place(scene, hulls)
     found = _usable(scene, mesh)  # a lid needs a waterline that closes
     made = make_lid(scene, mesh)
     return MeshedHull(mesh, made, (*found, *_without_errors(scene, lid_findings(mesh, made))))
@@ -150,7 +152,13 @@ def _remeshed(scene, mesh, counts):
     if any(one is None for one in found):
         return None
     made = [meshed(body, one) for body, one in zip(scene.bodies, found, strict=True)]
-    return arranged(scene, made) if scene.several else made[0]
+    return _in_place(scene, made)
+
+
+def _in_place(scene, hulls):
+    """One mesh of the hulls of a scene's bodies"""
+    mesh = arranged(scene, hulls) if scene.several else hulls[0]
+    return with_planes_of(mesh, damping_lids_of(scene, mesh))
 
 
 def coarse_hull_of(header, fewest, cover):
@@ -216,7 +224,7 @@ def _wetted_area(body):
 def _usable(scene, mesh):
     """What the check of a mesh finds.  Raises SceneError if it is an error, or panels are longer than the wave."""
     wave = scene.shortest_wave
-    apart = check_apart(scene, mesh) if scene.several else ()
+    apart = check_apart(scene, mesh) if scene.several else resonant_water(scene, mesh)
     found = (*apart, *_without_errors(scene, findings(mesh, scene.water.depth, wave)))
     if mesh.sizes.max() > wave:  # of two nodes along an edge, fewer than two a wave: nothing is left of it
         raise SceneError(

@@ -9,6 +9,7 @@ from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 from ..scene.methods import METHODS
 from ..scene.viscous_table import viscous_of
 from .arrangement import bodies_of
+from .gaps.damping_lids import damping_lids_of
 from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band
 
@@ -40,6 +41,10 @@ def _panel_problem(header, scene, body):
     if scene.omegas()[-1] ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
         lid = None
     coarse = coarse_hull(scene, header.mesh, lid)
-    band = None if draftless else shared_band(scene, header.mesh, lid)
+    damping_lids = damping_lids_of(scene, header.mesh)
+    band = None if draftless or damping_lids else shared_band(scene, header.mesh, lid)
     finer = finer_hull(scene)
-    return PanelProblem(header.mesh, lid, coarse, finer, wall=scene.wall, zero_draft=draftless, band=band, **body)
+    return PanelProblem(
+        header.mesh, lid, coarse, finer, wall=scene.wall, zero_draft=draftless, damping_lids=damping_lids, band=band,
+        **body,
+    )  # fmt: skip

@@ -41,7 +41,7 @@ def drift(order, series, beta, k, n):
 class Made(SimpleNamespace):
     density, gravity, water_depth, rotation_center = RHO, G, DEPTH, CENTER
     omega, wave_direction, has_viscous_motions, mesh = OMEGA, BETA, False, box(20, 10, 4, panels=40)
-    bodies = ()
+    bodies, has_damping_lids = (), False
 
     @property
     def names(self):
@@ -181,6 +181,20 @@ def test_motions_that_do_not_obey_their_equation_are_relative_to_the_largest_of_
         assert ("motions obey their equation" in found) == breaks
     one.has_viscous_motions = True  # these obey another one
     assert "motions obey their equation" not in laws(one)
+
+
+def test_beside_damping_lids_waves_may_carry_less_than_all_and_never_more(db):
+    """Half of B in roll taken by a lid breaks nothing; B a tenth below that of the waves does, by that tenth"""
+    db.has_damping_lids, B, db.stored[:] = True, db["radiation_damping"][1, 3, 3], 0.0
+    size = abs(db["added_mass"][1, 3, 3] + 0.9j * B / 0.9)
+    less, more = (laws(changed(db, "radiation_damping", (1, 3, 3), change), 1e-6) for change in (-0.1 * B, B))
+    law = "radiated energy, less than all"
+    assert law not in more
+    assert less[law].worst == pytest.approx(0.1 * B / 0.9 / size, rel=1e-6)
+    H = np.array(db["kochin_diffraction"])
+    for factor, breaks in ((0.9, False), (1.1, True)):
+        db.values["kochin_diffraction"] = factor * H
+        assert ("scattered energy, less than all" in laws(db)) == breaks
 
 
 def test_scattered_waves_that_are_too_strong_break_energy(db):

@@ -1,0 +1,1 @@
+"""Panels on the water outside hulls"""

@@ -1,0 +1,93 @@
+"""Panels on the water surface outside a hull: in a gap between bodies, in a moonpool."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..lid import AT_SURFACE, panelled, rings_of
+from ..panels import PanelMesh, joined
+
+SAME = 1e-6  # of the size of a polygon: corners that are closer are one
+
+
+def moonpools(mesh):
+    """[(k, 2) m] corners, counter-clockwise, of the closed pieces of water inside the waterline of a hull"""
+    return [ring[::-1, :2] for ring, area in rings_of(mesh.whole()) if area < 0]
+
+
+def patch(corners, size, symmetry=""):
+    """Panels inside a convex polygon, normals up; of the part in x > 0 and y > 0 where these are mirror planes.
+
+    corners : (k, 2) m, counter-clockwise; size : m, edge of the panels
+    returns : PanelMesh in z = 0, or None where no part of the polygon is there
+    """
+    part = _clipped(np.asarray(corners, float), symmetry)
+    if part is None:
+        return None
+    return panelled(np.column_stack([part, np.zeros(len(part))]), size, symmetry)
+
+
+def patches(polygons, size, symmetry=""):
+    """`patch` of several polygons as one mesh, and how many panels each of them has, (k,)"""
+    made = [patch(corners, size, symmetry) for corners in polygons]
+    counts = np.array([0 if one is None else len(one) for one in made])
+    whole = joined([one for one in made if one is not None])
+    return PanelMesh(whole.points, whole.corners, symmetry, "damping lids"), counts
+
+
+def counter_clockwise(corners):
+    """The corners (k, 2) in that order.  Raises ValueError for a polygon that is not convex or has no area."""
+    corners = np.asarray(corners, float)
+    ahead = np.roll(corners, -1, axis=0) - corners
+    turn = ahead[:, 0] * np.roll(ahead, -1, axis=0)[:, 1] - ahead[:, 1] * np.roll(ahead, -1, axis=0)[:, 0]
+    least = SAME * np.ptp(corners, axis=0).max() ** 2
+    if len(corners) < 3 or not (np.all(turn > -least) or np.all(turn < least)) or np.abs(turn).max() <= least:
+        raise ValueError("is no convex polygon; allowed: three corners and more in order, a bent gap in several parts")
+    return corners if turn.sum() > 0 else corners[::-1]
+
+
+def mirrored_in(polygons, symmetry):
+    """The planes of `symmetry` in which the polygons are mirror images of each other, or each of itself"""
+    return "".join(axis for axis in symmetry if all(_found(_image(p, axis), polygons) for p in polygons))
+
+
+def covered(points, mesh):
+    """(n,) whether points (n, 2) m lie in the waterplane of a hull"""
+    return sum(np.sign(area) * _inside(points, ring[:, :2]) for ring, area in rings_of(mesh.whole())) > 0
+
+
+def _clipped(corners, symmetry):
+    for axis in symmetry:
+        i = "xy".index(axis)
+        kept = []
+        for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+            if a[i] >= 0:
+                kept.append(a)
+            if a[i] * b[i] < 0:
+                kept.append(a + a[i] / (a[i] - b[i]) * (b - a))
+        corners = np.array(kept)
+        if len(corners) < 3 or np.ptp(corners[:, i]) <= AT_SURFACE:
+            return None
+    return corners
+
+
+def _image(corners, axis):
+    out = corners.copy()
+    out[:, "xy".index(axis)] *= -1
+    return out
+
+
+def _found(corners, polygons):
+    reach = SAME * np.ptp(corners, axis=0).max()
+    alike = (p for p in polygons if len(p) == len(corners))
+    return any(np.abs(corners[:, None] - p).max(axis=2).min(axis=1).max() <= reach for p in alike)
+
+
+def _inside(points, ring):
+    """By the number of crossings to the right"""
+    a, b = ring, np.roll(ring, -1, axis=0)
+    x, y = points[:, :1], points[:, 1:]
+    crosses = (a[:, 1] > y) != (b[:, 1] > y)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        at = a[:, 0] + (y - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
+    return np.count_nonzero(crosses & (at > x), axis=1) % 2

@@ -1,0 +1,1 @@
+"""Water between hulls and in moonpools"""

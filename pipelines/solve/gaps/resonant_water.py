@@ -1,0 +1,47 @@
+"""Water between hulls and in moonpools that rises and falls as one, named where no damping lid is on it.
+
+Its own frequency, from the mass of the water and of what moves with it below:
+
+    gap of width b between hulls of draft d and width B in all     ω² = g / (d + b/π (3/2 + ln(B/2b)))     Molin (2001)
+    moonpool of area S                                             ω² = g / (d + 0.41 √S)                 Fukuda (1977)
+
+The first is of two dimensions and deep water; in water twice as deep as the draft it is 5 % high.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hakobune.meshing.surface.patches import moonpools
+
+NARROW = 1.0  # of the draft: wider gaps do not trap their water
+SPREAD = 1.15  # between the frequency by the formulas and the true one
+
+
+def resonant_water(scene, mesh, gaps=()):
+    """Lines on the gaps and moonpools of a scene without damping lids whose resonance is among its waves.
+
+    gaps : [(names of two bodies, m between them, m of draft, m of width of both and of the gap)]
+    """
+    if scene.damping_lids:
+        return ()
+    g, said = scene.water.gravity, []
+    for names, gap, draft, width in gaps:
+        if gap <= NARROW * draft:
+            own = math.sqrt(g / (draft + gap / math.pi * (1.5 + math.log(width / (2 * gap)))))
+            said.append((f"the water between {names}, {gap:.3g} m wide,", own))
+    for corners in moonpools(mesh) if mesh.bodies == 1 else ():
+        x, y = corners[:, 0], corners[:, 1]
+        area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
+        said.append(
+            (f"the water of the moonpool of {area:.3g} m²", math.sqrt(g / (mesh.draft + 0.41 * math.sqrt(area))))
+        )
+    omegas = scene.omegas()
+    return tuple(
+        f"{water} resonates near T = {2 * math.pi / own:.3g} s; without losses its rise and the forces there come out "
+        "several times too large; [[damping_lids]] with damping 0.02 to 0.07 take what eddies take"
+        for water, own in said
+        if omegas[0] / SPREAD <= own <= omegas[-1] * SPREAD
+    )

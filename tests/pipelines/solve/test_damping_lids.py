@@ -1,0 +1,91 @@
+"""Damping lids of a scene: where they may lie, what a database says of them, and gaps that have none."""
+
+import numpy as np
+import pytest
+
+from hakobune.bem.stored_laws import broken_laws
+from hakobune.meshing.shapes import box
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.gaps.damping_lids import damping_lids_of
+from hakobune.pipelines.solve.hull import make_hull
+from hakobune.pipelines.solve.result import solve
+
+SIDE = {"shape": "box", "length": 12.0, "beam": 5.0, "draft": 1.5, "gyration": [1.6, 3.6, 3.6]}
+GAP = [[-6, -0.5], [6, -0.5], [6, 0.5], [-6, 0.5]]
+
+
+def tables(corners=GAP, damping=0.05, omegas=(1.8,), **more):
+    bodies = [{**SIDE, "name": "a", "place": [0, 3, 0]}, {**SIDE, "name": "b", "place": [0, -3, 0]}]
+    lids = [] if corners is None else [{"damping": damping, "corners": corners}]
+    waves = {"omegas": list(omegas), "headings_deg": [90.0]}
+    return {"water": {"depth": 9.0}, "bodies": bodies, "waves": waves, "panels": 200, "damping_lids": lids, **more}
+
+
+def test_a_database_with_a_lid_keeps_its_laws_and_says_what_the_lid_takes(tmp_path):
+    db = solve(tables(), tmp_path / "gap.h5")
+    assert not broken_laws(db, 0.01)
+    assert db.has_damping_lids and db.mesh.symmetry == "x"
+    assert db["damping_lid_power"].shape == (1, 1) and db["damping_lid_power"][0, 0] > 0
+
+
+def test_a_lid_off_the_middle_leaves_the_planes_that_it_has():
+    """Bodies side by side share the plane x = 0 alone, and a lid on a part of their gap not that one"""
+    hull = make_hull(make_scene(tables([[-6, -0.5], [2, -0.5], [2, 0.5], [-6, 0.5]])))
+    assert hull.mesh.symmetry == "" and make_hull(make_scene(tables())).mesh.symmetry == "x"
+
+
+@pytest.mark.parametrize(("change", "said"), [
+    ({"corners": [[-6, -0.5], [6, -0.5], [6, 1.5], [-6, 0.5]]}, r"damping_lids\[0\] lies on a hull at x = "),
+    ({"corners": [[-6, -0.5], [6, -0.5], [0, -0.2], [-6, 0.5]]}, r"damping_lids\[0\]\.corners is no convex polygon"),
+    ({"corners": [[0, 0], [1, 0]]}, r"damping_lids\[0\]\.corners is no convex polygon"),
+    ({"damping": 0.0}, r"damping_lids\[0\]\.damping is 0\.0"),
+    ({"wall": 9.0, "bodies": [{**SIDE}]}, "damping_lids are there and a wall"),
+    ({"method": "contour", "bodies": [{**SIDE}], "panels": None}, "knows no damping lids"),
+    ({"corners": None, "want": ["damping_lid_power"]}, "a scene with damping_lids has"),
+])  # fmt: skip
+def test_what_a_scene_may_not_say(change, said):
+    with pytest.raises(SceneError, match=said):
+        make_hull(make_scene(tables(**change)))
+
+
+def test_a_lid_without_corners_needs_a_moonpool():
+    scene = make_scene({**tables(), "damping_lids": [{"damping": 0.05}]})
+    with pytest.raises(SceneError, match="no body has a moonpool"):
+        damping_lids_of(scene, box(12, 5, 1.5, panels=40))
+
+
+def test_a_moonpool_is_found_and_named(tmp_path):
+    """4 × 3 m in a draft of 2 m: ω² = g/(2 + 0.41 √12), T = 3.71 s by Fukuda's formula"""
+    (tmp_path / "barge.toml").write_text(MOONPOOL)
+    body = {"shape": "mesh", "file": str(tmp_path / "barge.toml")}
+    alone = tables(None, omegas=(1.2, 2.0), bodies=[body], panels=None)
+    said = [line for line in make_hull(make_scene(alone)).findings if "resonates" in line]
+    assert len(said) == 1 and said[0].startswith("the water of the moonpool of 12 m² resonates near T = 3.71 s")
+    lidded = make_scene({**alone, "damping_lids": [{"damping": 0.05}]})
+    hull = make_hull(lidded)
+    assert not [line for line in hull.findings if "resonates" in line]
+    (lid,) = damping_lids_of(lidded, hull.mesh)
+    assert np.ptp(lid.corners, axis=0) == pytest.approx([4, 3]) and hull.mesh.symmetry == "xy"
+
+
+@pytest.mark.parametrize(("omegas", "named"), [((1.0, 2.5), True), ((0.3, 0.9), False)])
+def test_a_gap_without_a_lid_is_named_where_its_resonance_is_among_the_waves(omegas, named):
+    """b = 1, d = 1.5, B = 11 m: ω² = g/(1.5 + (1.5 + ln 5.5)/π) → T = 3.19 s"""
+    said = [line for line in make_hull(make_scene(tables(None, omegas=omegas))).findings if "resonates" in line]
+    assert bool(said) == named
+    assert not named or said[0].startswith("the water between a and b, 1 m wide, resonates near T = 3.19 s")
+
+
+MOONPOOL = """
+size = 1.0
+symmetry = "xy"
+[[parts]]
+shape = "box"
+center = [0, 0, 0]
+size = [12, 8, 4]
+[[parts]]
+shape = "box"
+center = [0, 0, 0]
+size = [4, 3, 8]
+cut = true
+"""
