@@ -26,8 +26,8 @@ import numpy as np
 
 from hakobune.meshing.panels import PanelMesh
 
-from ..bodies.hinges import forces_of, free_of, rows_of
 from ..drift import OF_EACH, harmonics
+from ..hinges import forces_of, free_of, rows_of
 from ..modes import moving, names_of, words_of
 from ..viscous import Viscous, linearised_response
 from ..waves import group_factor, wavenumber
@@ -51,7 +51,7 @@ class Reader:
     own : whether stored motions and drift are those of this body
     viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
     mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several, empty for one
-    links : `bem.bodies.hinges.Link` between them, exact
+    links : `bem.hinges.Link` between them, exact
     """
 
     between: Between
@@ -133,7 +133,7 @@ class Reader:
         )
 
     def linked(self, links):
-        """The same bodies with `bem.bodies.hinges.Link`s between them.  Raises ValueError for what is not possible."""
+        """The same bodies with `bem.hinges.Link`s between them.  Raises ValueError for what cannot be."""
         found = replace(self, links=(*self.links, *links), own=self.own and not links)
         if links:
             free_of(found._held)

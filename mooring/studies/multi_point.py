@@ -27,8 +27,7 @@ from ..lines.system.bodies import rotation
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.graph import LineForces, System
 from ..lines.system.parts import Anchor, Fairlead
-from .afloat import afloat, in_motions
-from .conditions import Conditions
+from .conditions import Conditions, afloat, in_motions
 from .multi_point_findings import HORIZONTAL, findings
 from .places import check_places, place_findings
 from .steady_loads import steady_loads, with_coefficients
@@ -47,7 +46,7 @@ class MultiPoint:
     waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
     amplitudes : (n,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
         the amplitudes
-    hulls : `afloat.Afloat` of every body
+    hulls : `conditions.Afloat` of every body
     warnings : what a reader has to know, a line each; of what fails as `criteria.failing.fails` marks it
     """
 

@@ -16,7 +16,7 @@ NEAR = 0.01  # of it: so far out a fairlead is remarked, and so much of a line i
 def check_places(system, hulls):
     """Raise ValueError for a fairlead off its hull, and for a line that no material stretches to its other end.
 
-    system : at rest; hulls : (`afloat.Afloat`, …)
+    system : at rest; hulls : (`conditions.Afloat`, …)
     """
     for line, anchor, fairlead, hull in _ends(system, hulls):
         out = _outside(fairlead, hull)

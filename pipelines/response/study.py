@@ -158,8 +158,8 @@ class HingeTable(Table):
     kind: str = "hinge"
 
     def link(self, where, db):
-        """`bem.bodies.hinges.Link`.  Raises StudyError."""
-        from hakobune.bem.bodies.hinges import KINDS, Link
+        """`bem.hinges.Link`.  Raises StudyError."""
+        from hakobune.bem.hinges import KINDS, Link
 
         known = [body.name for body in db.bodies]
         wrong = [name for name in self.bodies if name not in known]

@@ -18,7 +18,7 @@ import tomli_w
 from hakobune.bem import DOFS
 from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.lines.system.hawser import Hawser
-from hakobune.mooring.studies.afloat import alone
+from hakobune.mooring.studies.conditions import alone
 from hakobune.mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
 from hakobune.mooring.studies.places import check_places
 

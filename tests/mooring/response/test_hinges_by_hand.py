@@ -5,10 +5,10 @@ import pytest
 from made_up_body import HEADINGS, INERTIA, OMEGA, STIFFNESS, coefficients
 from two_bodies import ASTERN, BODIES, forces, twice, two_bodies
 
-from hakobune.bem.bodies.hinges import Link
 from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.database.natural_periods import natural_periods
 from hakobune.bem.database.resonances import resonances
+from hakobune.bem.hinges import Link
 from hakobune.mooring.response.points import Pair, Point, transfer_functions
 
 AT = (4.0, -30.0, 2.0)  # of the ship, whose origin is at y = 30: the point (4, 0, 2) of the scene
@@ -38,7 +38,7 @@ def test_two_bodies_that_are_one_move_as_one():
 
 def test_a_hinge_is_where_springs_grow_stiff_to_first_order():
     """Springs of k between the same points, and k ℓ² against turning about y and z"""
-    from hakobune.bem.bodies.hinges import rows_of
+    from hakobune.bem.hinges import rows_of
 
     bodies = two_bodies()
     G = rows_of(bodies, Link("joint", ("ship", "barge"), AT, (1.0, 0.0, 0.0)))

@@ -9,8 +9,7 @@ from hakobune.meshing.shapes import box
 from hakobune.mooring.lines.system.moored_body import Leg, moored_body
 from hakobune.mooring.lines.system.parts import LineType, UniformLine
 from hakobune.mooring.response.findings import some
-from hakobune.mooring.studies.afloat import afloat
-from hakobune.mooring.studies.conditions import ExposedBox
+from hakobune.mooring.studies.conditions import ExposedBox, afloat
 from hakobune.mooring.studies.places import check_places, off_the_mesh, place_findings
 
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
