@@ -66,9 +66,7 @@ def main():
     parser.add_argument("database")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--hours", type=int, default=2000)
-    parser.add_argument(
-        "--done", type=int, help="compare over so many of the hours, drawn by chance; all of them without"
-    )
+    parser.add_argument("--done", type=int, help="compare over so many of the hours, drawn by chance")
     parser.add_argument("--states", type=int, default=200)
     parser.add_argument("--seconds", type=float, default=300.0)
     asked = parser.parse_args()
