@@ -90,6 +90,7 @@ class LimitTable(Table):
 class OperationTable(Table):
     """A kind of operation, and its limits
 
+    name : for results
     rule : rule set of `mooring/criteria/tables` whose limits are taken too, as "PIANC"
     subject : of the rule set, as "freighter, coaster; quay cranes"
     window_hours : h, that it needs without a break
