@@ -87,4 +87,4 @@ def test_a_task_runs_as_printed_and_prints_what_it_shows(page, database, tmp_pat
 
 
 def test_the_list_of_tasks_has_every_page():
-    assert len(TASKS) == 14 and all((DOCS / f"{page}.md").is_file() for page in TASKS)
+    assert len(TASKS) == 15 and all((DOCS / f"{page}.md").is_file() for page in TASKS)

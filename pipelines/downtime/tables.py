@@ -34,6 +34,7 @@ class WavesColumns(Table):
     height : column, m, significant
     mean_period : column, s; or one of zero_crossing_period, energy_period, peak_period, significant_period
     direction_from : column, degrees of the compass that waves come from; or direction_to
+    direction_to : column, degrees of the compass that waves travel to
     """
 
     height: str
@@ -76,6 +77,7 @@ class LimitTable(Table):
         deflection" and "fender reaction"; without, a response of a point as "bow acceleration z", "air gap NAME" or
         "under-keel clearance"; or of the hindcast "significant height" or a column
     at_most : m, degrees, m/s2, or the unit of a column
+    at_least : likewise, of what is left: an air gap, water under the keel
     statistic : of a motion: largest, the mean largest amplitude of an hour; significant; peak to peak
     """
 
@@ -88,6 +90,7 @@ class LimitTable(Table):
 class OperationTable(Table):
     """A kind of operation, and its limits
 
+    name : for results
     rule : rule set of `mooring/criteria/tables` whose limits are taken too, as "PIANC"
     subject : of the rule set, as "freighter, coaster; quay cranes"
     window_hours : h, that it needs without a break
