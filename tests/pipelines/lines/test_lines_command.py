@@ -127,9 +127,9 @@ def test_the_characteristic_of_one_line_is_that_of_a_line_of_a_system(spread, ca
 def test_the_characteristic_over_a_slope_ends_where_the_bed_is_as_high_as_the_fairlead(tmp_path, place, capsys):
     slope, z, span = place
     flags = ["--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--slope-deg", slope, "--fairlead-z", z]
-    flags += ["--span", span, "--characteristic", "--output"]
-    assert main(["line", *flags, str(tmp_path / "line.png")]) == 0
-    assert main(["line", *flags, str(tmp_path / "line.h5")]) == 0
+    flags += ["--span", span, "--characteristic"]
+    assert main(["line", *flags, "--plot", str(tmp_path / "line.png")]) == 0
+    assert main(["line", *flags, "--output", str(tmp_path / "line.h5")]) == 0
     spans = read(tmp_path / "line.h5", "line").labels["at_span"].values
     assert spans.min() >= 0 and (60 + float(z) >= spans * np.tan(np.radians(float(slope)))).all()
     assert len(spans) == 24 and np.ptp(spans) > 60
@@ -149,7 +149,7 @@ def test_the_tension_of_a_line_that_lies_on_its_bed_is_its_pull_and_the_weight_o
 
 def test_line_of_a_rope_that_floats_hangs_upside_down_and_stays_in_the_sea(tmp_path, capsys):
     picture, rope = tmp_path / "rope.png", ["line", "--type", "HMPE 160 mm", "--length", "350", "--depth", "100"]
-    assert main([*rope, "--span", "300", "--output", str(picture)]) == 0
+    assert main([*rope, "--span", "300", "--plot", str(picture)]) == 0
     assert "partly in the sea surface" in capsys.readouterr().out
     found = line(type="HMPE 160 mm", length=350.0, depth=100.0, span=300.0)
     # the anchor holds what lifts the part under water

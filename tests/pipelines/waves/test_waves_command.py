@@ -37,7 +37,7 @@ def test_a_body_has_a_map_points_and_a_csv(database, tmp_path, capsys):
     assert x.min() == -100 and y.max() == 100 and not np.any((np.abs(x) < 20) & (np.abs(y) < 10))
     assert np.isfinite(real).all() and np.isfinite(imag).all()
     picture = tmp_path / "waves.png"
-    assert main([*words, "--fixed", "--output", str(picture)]) == 0 and picture.stat().st_size > 10_000
+    assert main([*words, "--fixed", "--plot", str(picture)]) == 0 and picture.stat().st_size > 10_000
 
 
 def test_the_places_of_a_result_are_points_of_its_map_and_a_far_point_has_the_height_of_the_waves_that_come(database):
