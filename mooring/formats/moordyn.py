@@ -63,7 +63,7 @@ class MoorDynFile:
 
 LARGEST = 8  # MB
 COUNT = re.compile(r"\s*\d+\s+N[A-Z][A-Za-z]+\b")  # version 1.01 gives the number of rows first: "2 NTypes"
-FORCES = ("fx", "fy", "fz")  # of points, version 1: only nought is understood
+IDLE = ("fx", "fy", "fz", "ctrlchan", "calcchans")  # forces on points, channels that pay out lines: only nought is read
 
 
 def read_moordyn(path) -> MoorDynFile:
@@ -142,13 +142,13 @@ def _rows(key, rows, path):
 
 
 def _columns(key, names, place):
-    """Fields in the order of a file's columns; None for the forces on points of version 1
+    """Fields in the order of a file's columns; None for those of IDLE
 
     place : path, line and section, for the fault of a name that is not known where others stand in another order
     """
     known = _fields(key)
     names = [name.lower() for name in names]
-    strange = [name for name in names if name not in known and name not in FORCES]
+    strange = [name for name in names if name not in known and name not in IDLE]
     if key == "bodies" or strange:
         usual = SECTIONS[key].row._fields
         moved = [name for name, field in zip(names, usual, strict=False) if known.get(name, field) != field]
@@ -169,7 +169,12 @@ def _row(key, fields, number, words, path):
     for name, word in zip(fields, words, strict=False):
         if name is None:
             if finite_number(word) != 0:
-                raise fault(path, number, section.title, f"a force of {word} kN on a point is not read; allowed: 0")
+                raise fault(
+                    path,
+                    number,
+                    section.title,
+                    f"{word} is no force on a point, or channel that pays out a line, that is read; allowed: 0",
+                )
             continue
         values[name] = _value(kinds[name], name, word, number, section, path)
     wanted = [*section.row._fields[: -len(section.row._field_defaults) or None], *filter(None, fields)]

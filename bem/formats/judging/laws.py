@@ -24,7 +24,7 @@ LONG = 0.35  # k times the size of the body, of a long wave
 SHORT = 6.0  # the same, of waves that are so short that damping has ended
 TRUE = 0.25  # by which a ratio of laws may differ from 1: sets of few headings and coarse panels
 CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
-PEAKED = 0.25  # of the range of added mass, a step between neighbours: a peak, or an irregular frequency
+PEAKED = 0.1  # of the range of added mass, off the median of five neighbours: a peak, or an irregular frequency
 STEEP = 0.85  # power of ω, from which a ratio goes with it
 DEPTH_FITS = 0.04  # of 1, by which ratios differ at the right depth
 FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness of what floats
@@ -315,6 +315,8 @@ def _causality(values):
             ratio, fall, least, most = _integral(w, b) / limits, limits, 1 - CAUSAL, 1 + CAUSAL
         elif np.ptp(a) > 0.3 * np.abs(a).max() and _even(a):
             ratio, fall, least, most = _follows(w, a, b), float(np.ptp(a)), 0.5, 2.0
+            if values.others and not least < ratio < most:  # waves between bodies have peaks that say nothing
+                continue
         else:
             continue
         tested = True
@@ -328,7 +330,8 @@ def _causality(values):
 
 def _even(a):
     """Whether added mass (n,) has no peak that its frequencies do not resolve"""
-    return np.abs(np.diff(a)).max() < PEAKED * np.ptp(np.quantile(a, [0.05, 0.95]))
+    around = np.median(np.lib.stride_tricks.sliding_window_view(a, 5), axis=1)
+    return np.abs(a[2:-2] - around).max() < PEAKED * np.ptp(a)
 
 
 def _integral(w, b):

@@ -138,7 +138,9 @@ def test_added_mass_follows_damping_without_its_limits():
     right = replace(one, omega=omega, quantities={"added_mass": A, "radiation_damping": B})
     found, tested = doubts(right)
     assert "causality" in tested and not [line for line in found if line.startswith("causality")]
-    assert "A_11 falls by" in said(changed(right, radiation_damping=lambda B: 2 * B))
+    assert "A_11 falls by" in said(changed(right, radiation_damping=lambda B: 3 * B))
+    peak = np.where(np.arange(1200) == 90, 5.0, 0.0)[:, None, None] * np.eye(6)
+    assert "causality" not in doubts(changed(right, added_mass=lambda A: A + peak))[1]
 
 
 def test_modes_that_agree_rule_out_a_wrong_unit():

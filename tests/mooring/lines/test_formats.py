@@ -526,3 +526,12 @@ def test_an_unknown_type_of_file_has_no_lines():
     with pytest.raises(FormatError, match="no section LINES"):
         parse_moordyn("hello\nworld")
     assert MoorDynFile().option("g") is None
+
+
+def test_a_column_of_control_channels_is_read_where_it_is_nought():
+    with_channels = VERSION_1.replace("Flags/Outputs\n", "Flags/Outputs  CtrlChan\n").replace(
+        "      p\n", "      p  0\n"
+    )
+    assert parse_moordyn(with_channels).lines == parse_moordyn(VERSION_1).lines
+    with pytest.raises(ValueError, match="2 is no force on a point, or channel that pays out a line"):
+        parse_moordyn(with_channels.replace("      p  0\n", "      p  2\n"))
