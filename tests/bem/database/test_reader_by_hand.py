@@ -99,6 +99,15 @@ def test_the_body_without_its_drift_keeps_its_motions():
     assert made().radius == pytest.approx(np.hypot(10, 4))
 
 
+def test_stored_drift_is_given_at_stored_headings_in_the_order_that_is_asked():
+    """Without Kochin functions, from which it would be rebuilt"""
+    D = np.arange(1, 31.0).reshape(5, 2, 3) * 1e3
+    for name, fixed in (("drift_force", False), ("drift_force_fixed", True)):
+        body = made(quantities={name: D})
+        assert body.drift(OMEGA[:2], fixed=fixed) == pytest.approx(D[:2])
+        assert body.drift(OMEGA[:2], HEADINGS[::-1], fixed=fixed) == pytest.approx(D[:2, ::-1])
+
+
 @pytest.mark.parametrize(
     "ask, words",
     [
