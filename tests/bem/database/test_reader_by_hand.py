@@ -99,6 +99,15 @@ def test_the_body_without_its_drift_keeps_its_motions():
     assert made().radius == pytest.approx(np.hypot(10, 4))
 
 
+def test_drift_that_does_not_change_with_frequency_is_the_same_between_in_the_order_that_is_asked():
+    """Without Kochin functions, from which it would be rebuilt"""
+    D = np.tile(np.arange(1, 7.0).reshape(2, 3) * 1e3, (5, 1, 1))
+    for name, fixed in (("drift_force", False), ("drift_force_fixed", True)):
+        body = made(quantities={name: D})
+        assert body.drift([0.5], fixed=fixed)[0] == pytest.approx(D[0], rel=1e-3)
+        assert body.drift([0.5], HEADINGS[::-1], fixed=fixed)[0] == pytest.approx(D[0, ::-1], rel=1e-3)
+
+
 @pytest.mark.parametrize(
     "ask, words",
     [

@@ -100,3 +100,21 @@ def test_the_least_tension_that_leaves_no_more_behind_than_wanted_is_told(wanted
     designs = np.array([[5.0, 8.0], [5.5, 10.0], [6.0, 12.0]])
     found = pareto.Front(("draft", "width"), designs, np.array([1e4, 2e4, 3e4]), np.array([0.9, 0.5, 0.3]), 9)
     assert list(findings.wanted(SimpleNamespace(behind=wanted), found)) == says
+
+
+def test_every_anchor_that_is_too_small_is_told_and_designs_that_all_leave_too_much():
+    """Provided over needed: 100 % is enough, by definition; behind, what is wanted itself is enough"""
+    ends = (("front", 1.2e5, 1e5), ("back", 1e5, 1e5), ("all", 1.1e5, 1e5), ("unknown", 5e3, None))
+    anchors = [
+        SimpleNamespace(name=name, needed=need, provided=got, unit="N", utilisation=None if got is None else need / got)
+        for name, need, got in ends
+    ]
+    front = SimpleNamespace(behind=np.array([0.9, 0.5]))
+    found = SimpleNamespace(pretension=None, sea=None, anchors=anchors, front=front)
+    for behind, worse in ((0.49, True), (0.5, False)):
+        said = list(findings.failures(SimpleNamespace(behind=behind), found))
+        assert said[:2] == [
+            "FAILS: anchor, front: 120 kN are needed, 100 provided, 120 % used; give a larger one",
+            "FAILS: anchor, all: 110 kN are needed, 100 provided, 110 % used; give a larger one",
+        ]
+        assert len(said) == 2 + worse and (not worse or "no design leaves 0.49 or less behind" in said[2])

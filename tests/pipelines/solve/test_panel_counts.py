@@ -71,6 +71,11 @@ def test_counts_are_read_back_from_the_mesh(body):
     assert min(counts) >= 3
 
 
+def test_counts_of_a_ship_are_read_back_from_its_mesh():
+    ship = scene_of({"shape": "ship", "length": 300.0, "beam": 50.0, "draft": 18.0, "block": 0.83}).body
+    assert counts_of(ship, meshed(ship, (20, 5, 6))) == (20, 5, 6)
+
+
 def test_no_edge_is_longer_than_waves_allow(body):
     longest = body.draft / 3
     mesh = meshed(body, fine_counts(body, 0.05, longest))
