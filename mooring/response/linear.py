@@ -18,6 +18,7 @@ from ..on_current.body import carrier_of_body
 
 COARSE = 64  # steps over the band to begin with, at least one between two stored frequencies and at most four
 CONVERGED = 1e-3  # of the largest integral of |X|² of its mode
+ROUNDING = 1e-16  # of the largest of all modes: |X|² of one that these waves do not move, which no step resolves
 NEAREST = 1e-4, 2e-3  # of the highest frequency, between places that show resonances, of one heading and of many
 FINEST = 2**20  # steps between two stored frequencies where a resonance is narrow: spars have damping ratios of 1e-5
 LEAST = 1e-9  # damping ratio that `resonances` has for none
@@ -65,7 +66,8 @@ def frequencies(body, density=None, headings=None):
         change = np.abs(0.5 * width * (found - 0.5 * (power[rough] + power[rough + 1])))
         first = steps.max() == coarse
         omega, power = np.insert(omega, rough + 1, middle), np.insert(power, rough + 1, found, axis=0)
-        largest = np.maximum(np.trapezoid(power, omega, axis=0).max(axis=0), 1e-300)
+        largest = np.trapezoid(power, omega, axis=0).max(axis=0)
+        largest = np.maximum(largest, max(ROUNDING * largest.max(), 1e-300))
         share = (change / largest).max(axis=1) / 3  # a quarter, of the error before, is left
         if np.all(share.sum(axis=0) <= CONVERGED):
             return omega

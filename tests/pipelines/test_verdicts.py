@@ -410,7 +410,7 @@ def parted_at_rest():
 
 @pytest.mark.parametrize("words, line", [
     (lambda: f"simulate {small_fenders()} --database box.h5 --output quay.h5",
-     r"seed 1: at \S+ s .*: fender \S+ is pressed by 0.33\d* m, beyond its table, which ends at 0.33 m"),
+     r"seed 1: at \S+ s .*: fender \S+ is pressed by 0.3\d+ m, beyond its table, which ends at 0.33 m"),
     (lambda: f"moor {parted_at_rest()} --database box.h5", r"12 of 12 lines .* beyond the breaking load, limit 100 %"),
 ], ids=["no seed has an answer", "parted at rest"])  # fmt: skip
 def test_further_failures_end_with_1_and_their_line(words, line, place, capsys):

@@ -1,6 +1,7 @@
 """Transfer functions between stored waves, response spectra and their moments."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -131,3 +132,13 @@ def test_databases_that_lack_something_are_refused(box_body):
         replace(box_body, inertia=None).floating()
     with pytest.raises(ValueError, match=r"damping matrix has shape \(3, 3\)"):
         box_body.restrained(damping=np.eye(3))
+
+
+def test_rounding_of_a_motion_that_the_waves_do_not_make_asks_for_no_frequencies():
+    """Heave 1/(1 + ω²) of waves on the beam, and surge of which rounding is left, another at every frequency"""
+    body = SimpleNamespace(
+        omega=np.linspace(0.3, 1.0, 15), headings=np.array([0.5 * np.pi]), words=("surge", "heave"), carrier=object(),
+        resonant=lambda headings: np.empty(0),
+        motions=lambda omega, headings: np.stack([1e-17 * np.sin(1e9 * omega), 1 / (1 + omega**2)], 1)[:, None],
+    )  # fmt: skip
+    assert len(frequencies(body)) < 1000
