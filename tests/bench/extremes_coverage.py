@@ -15,8 +15,8 @@ all runs than `share_beyond(20)` go beyond the largest of the trial, which is to
 
 Rows of `all` are the mean over the quantities of a kind, ± its standard error over the trials (in each the quantities
 are of the same 20 runs, so that twelve lines are not twelve trials).  Measured: mild tensions 94.2 ± 1.1, 1 000 other
-seeds 87.5 ± 1.8; snap 94.5 ± 1.4 and 92.3 ± 1.6; fenders 86.0 ± 5.0 and 92.0 ± 3.9.  The same runs in 1 000 other orders: 90.3, 90.4,
-90.6 with a scatter of 1.7, 2.2, 4.1, beyond 86 to 94 in 1, 6, 22 % of them without any bias.
+seeds 87.5 ± 1.8; snap 94.5 ± 1.4 and 92.3 ± 1.6; fenders 86.0 ± 5.0 and 92.0 ± 3.9.  The same runs in 1 000 other
+orders: 90.3, 90.4, 90.6 with a scatter of 1.7, 2.2, 4.1, beyond 86 to 94 in 1, 6, 22 % of them without any bias.
 
 Blocks of 20 seeds are kept in FOLDER and not made again; 1 000 seeds take 3 minutes (mild) to 8 (berth) on one core.
 The interval counts runs, so that shorter ones (--seconds) show as much of it.
