@@ -116,7 +116,8 @@ class PreparedPanelProblem:
     @cached_property
     def band_equations(self):
         """(`bem.panels.band.equations.BandEquations`, …) of the problem's band, of its lower part without lid first"""
-        from ..panels.band.equations import band_equations, sufficient_accuracy
+        from ..checks import sufficient_accuracy
+        from ..panels.band.equations import band_equations
 
         problem = self.problem
         with blas_threads(len(self.geometry.elements.nodes)):

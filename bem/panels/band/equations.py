@@ -21,7 +21,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...checks import ERROR_ORDER
 from ...kernels.progress import FACTORS, MATRICES, report_progress
 from ..wave_influence import Pairs
 from .low_rank_waves import low_rank_waves
@@ -75,11 +74,6 @@ class BandEquations(NamedTuple):
         self.integrals[i] = (low_rank.velocities[i] * areas).T @ unit_potentials
         self.at_sources[i] = low_rank.Y[:, :n] @ unit_potentials
         self.on_lid[i] = on_lid[:lid] @ unit_potentials + known[n:]
-
-
-def sufficient_accuracy(panels):
-    """A twentieth of the discretisation error of so many panels (`bem.checks.ERROR_ORDER`, one per cent at 250)"""
-    return float(np.clip(0.05 * 0.01 * (250 / panels) ** ERROR_ORDER, 2e-5, 1e-4))
 
 
 def band_equations(geometry, band, gravity, accuracy):

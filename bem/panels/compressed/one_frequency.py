@@ -7,9 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ...checks import enlarged
+from ...checks import enlarged, sufficient_accuracy
 from ...green.tables import wave_table
-from ..band.equations import sufficient_accuracy
 from ..frequency_limits import added_mass_of, given_at_limit, unit_depth_values
 from ..one_frequency import PanelRun
 from .equations import solved
