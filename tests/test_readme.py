@@ -69,6 +69,8 @@ def test_tables_shown_are_read(page, text):
             msgspec.convert(raw, struct_of(kind))
             return
         except msgspec.ValidationError as fault:
+            if str(fault).startswith("Object missing required field") and "at `$" not in str(fault):
+                return  # a part of a file, of which all that is shown is read
             faults.append(str(fault))
     raise AssertionError(faults)
 

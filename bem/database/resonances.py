@@ -180,8 +180,9 @@ def free_modes(free, inertia, stiffness):
 def _resonance(body, mode, omega, q):
     """The Resonance of a natural mode q (n,), or None where waves do not excite it"""
     low, high = body.between.span
-    damping = max(_ratio(body, omega, q, 0.0), 1e-9)
-    if damping >= SHARP:
+    ratio = _ratio(body, omega, q, 0.0)
+    damping = max(ratio, 1e-9)
+    if abs(ratio) >= SHARP:  # far below 0 where coefficients beyond what the panels carry give energy
         return None
     places = np.clip(_places(omega, damping), low, high)
     for _ in range(2):

@@ -17,7 +17,19 @@ from hakobune.bem.database import open_database
 from hakobune.bem.database.integrity import row_crcs
 from hakobune.pipelines.cli import app, main
 
-STUDIES = ("site", "sweep", "moor", "response", "line", "simulate", "design", "berth", "breakwater", "single_point")
+STUDIES = (
+    "site",
+    "sweep",
+    "moor",
+    "response",
+    "line",
+    "simulate",
+    "design",
+    "berth",
+    "breakwater",
+    "single_point",
+    "downtime",
+)
 STUDIES += ("earthquake", "members")
 SCENES = sorted(
     path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith(STUDIES)

@@ -60,7 +60,7 @@ WAVES = {
     f"{BODY} --omega 1 --heading 0,360": ("headings_deg", "twice"),
     f"{BOX} --depth 20 --omega 1e4": (
         "6.16e-07 m",
-        "allowed: at least 0.001 m",
+        "allowed: at least 0.5 m",
         "highest",
     ),
     f"{BOX} --depth 20 --omega 1e4 --method panel": (

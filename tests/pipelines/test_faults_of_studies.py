@@ -97,7 +97,7 @@ FAULTS = {
     "name of two points": ("response", ("points", 1, "name"), "bow", ("two points are called 'bow'", "of its own")),
     "duration of a response": ("response", ("sea", "duration_hours"), 0.0, ("sea.duration_hours is 0", "above 0")),
     "file of a sea": (
-        "response", ("sea", "systems"), [{"file": "x.sp2", "direction_deg": 0.0}], ("systems and a height",),
+        "response", ("sea", "swell"), [{"file": "x.sp2", "direction_deg": 0.0}], ("x.sp2",),
     ),
     "end of a line": ("lines", ("lines", 1, "to"), "port bov", ("port bov", "port bow")),
     "body of a fairlead": ("lines", ("fairleads", 0, "body"), "barg", ("barg", "barge")),

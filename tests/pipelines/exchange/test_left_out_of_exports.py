@@ -17,9 +17,9 @@ def left_out(monkeypatch):
 
     def call(to, names=(), rows=(True, True), about=(0, 0, 0), **values):
         db = type("Stored", (dict,), {})(values)
-        db.rows, db.names, db.path, db.complete = np.array(rows), tuple(names), "box.h5", all(rows)
+        db.rows, db.names, db.path, db.complete, db.bodies = np.array(rows), tuple(names), "box.h5", all(rows), ()
         known = dict.fromkeys(("added_mass_zero", "added_mass_infinity"), np.ones(1)) | values
-        exported = SimpleNamespace(rotation_center=np.array(about, float), get=known.get)
+        exported = SimpleNamespace(rotation_center=np.array(about, float), get=known.get, bodies=())
         return list(command._left_out(db, exported, to))
 
     return call

@@ -53,7 +53,7 @@ def values(sway=1.0, inertia=None):
     added = np.zeros((2, 6, 6))
     added[1] = np.diag([1, sway, 1, 1, 1, 1])
     held = {"added_mass": added, "inertia_matrix": inertia}
-    return SimpleNamespace(get=held.__getitem__, others=0)
+    return SimpleNamespace(get=held.__getitem__, others=0, left_out=())
 
 
 def test_motions_without_added_mass_and_missing_inertia_are_told():

@@ -11,6 +11,7 @@ from test_quay import FENDER
 from hakobune.mooring.environment.wave_records import Record, write_record
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.response.study import ONE_BODY
 from hakobune.pipelines.simulate import study as simulate_study
 from hakobune.pipelines.simulate.study import damping, plan_of, quadratic
 
@@ -20,7 +21,7 @@ SHIP = {"water": {"depth": 20}, "hull": {"freeboard": 10}, "fender": [FENDER]}
 
 def test_ratios_and_kilonewtons_of_damping_add_up():
     """b = ζ b_c + 1000 · what is given in kN s/m"""
-    body = SimpleNamespace(critical_damping=lambda mode: 1e5 * (mode + 1))
+    body = SimpleNamespace(critical_damping=lambda mode: 1e5 * (mode + 1), damping=np.zeros((6, 6)), words=ONE_BODY)
     table = {"duration": 9.0, "damping_ratio": {"roll": 0.05}, "linear_damping": {"roll": 3.0, "surge": 2.0},
              "quadratic_damping": {"yaw": 7.0}}  # fmt: skip
     made = make_study(SHIP | {"simulation": table})
@@ -32,7 +33,7 @@ def test_ratios_and_kilonewtons_of_damping_add_up():
 
 @pytest.mark.parametrize("key", ["linear_damping", "quadratic_damping"])
 def test_damping_below_nothing_is_refused(key):
-    body = SimpleNamespace(critical_damping=lambda mode: 1.0)
+    body = SimpleNamespace(critical_damping=lambda mode: 1.0, damping=np.zeros((6, 6)), words=ONE_BODY)
     find = (lambda made: damping(made, body)) if key[0] == "l" else quadratic
     for value in (-0.1, math.inf):
         made = make_study(SHIP | {"simulation": {"duration": 9.0, key: {"heave": value}}})

@@ -178,7 +178,7 @@ def test_an_impossible_berth_is_told_in_one_line(tables, says):
     with pytest.raises((StudyError, LineSystemError, ValueError)) as caught:
         study = make_study(raw)
         study.berth(HULL, np.zeros(3))
-        damping(study, None)
+        damping(study, SimpleNamespace(damping=np.zeros((6, 6)), words=("surge",)))
     assert says in str(caught.value) and "\n" not in str(caught.value)
 
 
