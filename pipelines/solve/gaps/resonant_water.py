@@ -32,7 +32,7 @@ def resonant_water(scene, mesh, gaps=()):
         if gap <= NARROW * draft:
             own = math.sqrt(g / (draft + gap / math.pi * (1.5 + math.log(width / (2 * gap)))))
             said.append((f"the water between {names}, {gap:.3g} m wide,", own))
-    for corners in moonpools(mesh) if mesh.bodies == 1 else ():
+    for corners in _moonpools(mesh) if mesh.bodies == 1 else ():
         x, y = corners[:, 0], corners[:, 1]
         area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
         said.append(
@@ -45,3 +45,11 @@ def resonant_water(scene, mesh, gaps=()):
         for water, own in said
         if omegas[0] / SPREAD <= own <= omegas[-1] * SPREAD
     )
+
+
+def _moonpools(mesh):
+    """None of a hull whose waterline does not close, which its own findings tell"""
+    try:
+        return moonpools(mesh)
+    except ValueError:
+        return []

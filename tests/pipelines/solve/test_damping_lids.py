@@ -1,12 +1,16 @@
 """Damping lids of a scene: where they may lie, what a database says of them, and gaps that have none."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from hakobune.bem.stored_laws import broken_laws
 from hakobune.meshing.shapes import box
+from hakobune.meshing.surface.patches import moonpools
 from hakobune.pipelines.scene.scene import SceneError, make_scene
 from hakobune.pipelines.solve.gaps.damping_lids import damping_lids_of
+from hakobune.pipelines.solve.gaps.resonant_water import resonant_water
 from hakobune.pipelines.solve.hull import make_hull
 from hakobune.pipelines.solve.result import solve
 
@@ -66,6 +70,15 @@ def test_a_moonpool_is_found_and_named(tmp_path):
     assert not [line for line in hull.findings if "resonates" in line]
     (lid,) = damping_lids_of(lidded, hull.mesh)
     assert np.ptp(lid.corners, axis=0) == pytest.approx([4, 3]) and hull.mesh.symmetry == "xy"
+
+
+def test_a_waterline_that_does_not_close_is_left_to_the_findings_of_the_mesh():
+    """Of the panels of a box on one side alone nothing is said of moonpools, and nothing is raised"""
+    whole = box(12, 5, 1.5, panels=200).whole()
+    open_hull = replace(whole, corners=whole.corners[whole.centroids[:, 1] > 0])
+    with pytest.raises(ValueError, match="waterline"):
+        moonpools(open_hull)
+    assert resonant_water(make_scene(tables(None)), open_hull) == ()
 
 
 @pytest.mark.parametrize(("omegas", "named"), [((1.0, 2.5), True), ((0.3, 0.9), False)])
