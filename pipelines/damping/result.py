@@ -48,7 +48,7 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
     except ValueError as error:
         raise ValueError(str(error) if isinstance(record, dict) else f"{record}: {error}") from None
     if turned:
-        found = {name: replace(one, unit=TURNED.get(one.unit, one.unit)) for name, one in found.items()}
+        found = {name: replace(one, unit=TURNED.get(str(one.unit), one.unit)) for name, one in found.items()}
     notes += _to_paste(found, "roll" if turned else "heave")
     source = {} if isinstance(record, dict) else {"record": str(record)}
     return Result("damping", found, labels("time", time, "s"), findings, notes, provenance=provenance(**source))

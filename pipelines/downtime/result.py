@@ -189,7 +189,8 @@ def _with_waves(response):
 
 def hours_of(response, shapes, hindcast):
     """`limits.Hours` of a Hindcast, systems of waves added"""
-    m0, m2 = sum(moments_of_hours(response, shape, waves) for shape, waves in zip(shapes, hindcast.waves, strict=True))
+    each = [moments_of_hours(response, shape, waves) for shape, waves in zip(shapes, hindcast.waves, strict=True)]
+    m0, m2 = np.sum(each, axis=0)
     return Hours(response.names, response.units, m0, m2, min(hindcast.step, 3600.0))
 
 
@@ -256,7 +257,8 @@ def _limiting(read, record, response, limits):
     period = np.concatenate([waves.period[waves.height > 0] for waves in record.hindcast.waves])
     if not own or not len(period):
         return {}, {}
-    period = np.linspace(*np.quantile(period, (0.001, 0.999)), PERIODS)
+    low, high = np.quantile(period, (0.001, 0.999))
+    period = np.linspace(float(low), float(high), PERIODS)
     beta = np.mod(np.radians(read.hindcast.x_axis_compass_deg - DIRECTIONS - 180.0), 2 * np.pi)
     grid = np.repeat(period, len(beta)), np.tile(beta, len(period))
     at_one = replace(record.hindcast, waves=(WaveHours(np.ones(len(grid[0])), *grid),), columns={})

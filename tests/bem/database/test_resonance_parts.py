@@ -110,3 +110,9 @@ def test_a_peak_below_a_thousandth_of_the_largest_motion_of_its_kind_is_none():
     height = 4 * 0.05 * np.sqrt(1 - 0.05**2)
     assert len(resonances(OneMotion(0.05, 1.05e-3 * height, 1.0))) == 1
     assert resonances(OneMotion(0.05, 0.95e-3 * height, 1.0)) == []
+
+
+@pytest.mark.parametrize(("ratio", "peaks"), [(0.2, 1), (0.3, 0), (-0.2, 1), (-0.3, 0)])
+def test_what_is_damped_or_driven_by_more_than_a_quarter_of_critical_is_no_resonance(ratio, peaks):
+    """C/(M + A) = 1 rad²/s², B = 2ζω(M + A): beyond ζ 0.25 no peak stands out, whichever its sign"""
+    assert len(resonances(OneMotion(ratio))) == peaks
