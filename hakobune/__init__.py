@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from hakobune.pipelines.lines.lines_result import lines as lines
     from hakobune.pipelines.members.result import members as members
     from hakobune.pipelines.moor.result import moor as moor
+    from hakobune.pipelines.passing.result import passing as passing
     from hakobune.pipelines.qtf.result import qtf as qtf
     from hakobune.pipelines.reading import read as read
     from hakobune.pipelines.response.result import response as response

@@ -29,6 +29,7 @@ from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
 from .members.flags import members
+from .passing.flags import passing
 from .printing import timing
 from .printing.console import new_console, tables_as, taken
 from .printing.verdict import tell
@@ -269,6 +270,7 @@ app.command(series)
 app.command(breakwater)
 app.command(fender)
 app.command(members)
+app.command(passing)
 app.command(berth)
 app.command(damping)
 app.command(earthquake)

@@ -117,6 +117,13 @@ KINDS = {
         "members_dolphin.toml",
         ("hakobune members FILE",),
     ),
+    "passing": Kind(
+        "a ship that passes a moored one",
+        "hakobune.pipelines.passing.study:PassingStudy",
+        "passing",
+        "passing_tanker.toml",
+        ("hakobune passing FILE --plot passing.png",),
+    ),
     "breakwater": Kind(
         "a taut-moored floating breakwater",
         "hakobune.pipelines.breakwater.tables:BreakwaterStudy",

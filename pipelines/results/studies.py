@@ -17,6 +17,7 @@ MODULES = {
     "lines": "pipelines.lines.lines_result",
     "members": "pipelines.members.result",
     "moor": "pipelines.moor.result",
+    "passing": "pipelines.passing.result",
     "qtf": "pipelines.qtf.result",
     "response": "pipelines.response.result",
     "sea": "pipelines.sea.result",

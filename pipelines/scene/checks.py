@@ -64,7 +64,7 @@ def _check_bodies(scene):
     if not 1 <= len(scene.bodies) <= MOST_BODIES:
         raise SceneError(f"bodies has {len(scene.bodies)} entries; allowed: 1 to {MOST_BODIES}")
     for number, body in enumerate(scene.bodies):
-        _check_body(f"bodies[{number}]", body, scene.water.depth)
+        check_body(f"bodies[{number}]", body, scene.water.depth)
         if scene.several:
             _check_among_others(f"bodies[{number}]", body)
     if scene.several:
@@ -73,7 +73,8 @@ def _check_bodies(scene):
         _check_one(scene.body)
 
 
-def _check_body(key, body, depth):
+def check_body(key, body, depth):
+    """Raise SceneError for a `tables.BodyTable` that is no body in water of a depth, m"""
     if body.shape not in SHAPES:
         raise SceneError(f"{key}.shape is {body.shape!r}; allowed: {', '.join(SHAPES)}")
     own = SHAPES[body.shape]

@@ -222,6 +222,15 @@ def swept(speed):
                                  f"values = [0.05, {speed}]\n")  # fmt: skip
 
 
+def passed(speed):
+    """The shipped passage by slender ships at a speed, m/s"""
+
+    def change(raw):
+        raw["method"], raw["track"] = "wang", raw["track"] | {"speed": speed}
+
+    return study("passing_tanker.toml", change)
+
+
 def exported():
     """The database as another program's, with a force that is no number"""
     assert main(["export", "box.h5", "--to", "wamit", "--output", "other.1", "--fresh"]) == 0
@@ -332,6 +341,11 @@ CASES = {
         lambda: f"members {one_pile(1.2)}",
         lambda: f"members {one_pile(20.0)}",
         r"fore port: 20.1 m wide, limit 0.2 of the wave's .* m; it scatters the wave",
+    ),
+    "passing": (
+        lambda: f"passing {passed(3.0)}",
+        lambda: f"passing {passed(12.0)}",
+        r"depth Froude number 0.86: water as shallow raises the pressure about 1.94 times",
     ),
     "damping": (
         lambda: f"damping {forced(1)}",

@@ -1,0 +1,106 @@
+"""A ship that passes a moored one on a parallel track, and the forces that this gives, as a table over time.
+
+Axes are those of the moored ship: x to the bow, y to port, moments about its origin.  ξ is how far the middle of the
+passing ship lies ahead of that of the moored one, η how far to port.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..motion.given_forces import GivenForce
+
+SQUEEZED = 1.1  # 1/√(1 − Fₕ²), by which subcritical shallow water raises the pressure of a slender ship (Tuck 1966)
+FAR = 0.02  # of the largest force, what may be left at the ends of a track
+
+
+@dataclass(frozen=True)
+class Track:
+    """Where the passing ship goes, and how fast.
+
+    distance : m, of its centre line to port of that of the moored ship, negative to starboard
+    speed : m/s over the ground, > 0; opposite : whether it goes towards the stern of the moored ship
+    current : m/s over the ground, positive towards the bow of the moored ship
+    """
+
+    distance: float
+    speed: float
+    opposite: bool = False
+    current: float = 0.0
+
+    def __post_init__(self):
+        if not (math.isfinite(self.distance) and self.distance != 0):
+            raise ValueError(f"distance is {self.distance} m; allowed: a finite one, other than 0")
+        if not 0 < self.speed < math.inf:
+            raise ValueError(f"speed is {self.speed} m/s; allowed: above 0")
+        if not abs(self.current) < self.speed:
+            raise ValueError(
+                f"current is {self.current} m/s; allowed: below the speed of {self.speed:g} m/s: the ship has to pass"
+            )
+
+    @property
+    def way(self):
+        """+1 towards the bow of the moored ship, −1 towards its stern"""
+        return -1.0 if self.opposite else 1.0
+
+    @property
+    def through_water(self):
+        """m/s of the passing ship through the water"""
+        return self.speed - self.way * self.current
+
+    def froude(self, depth):
+        """Fₕ = U/√(gh) of the speed through the water; 0 in deep water"""
+        return self.through_water / math.sqrt(9.80665 * depth) if math.isfinite(depth) else 0.0
+
+
+def along_track(track, moored, passing, lengths, fine=1):
+    """(n,) m: places ξ to `lengths` mean lengths before and behind.
+
+    moored, passing : m, lengths of the ships, of whose shorter one places are at most an eighth apart, and a quarter of
+    the distance; fine : how many times as many
+    """
+    reach = lengths * 0.5 * (moored + passing)
+    step = min(0.125 * min(moored, passing), 0.25 * abs(track.distance)) / fine
+    return np.linspace(-reach, reach, 2 * math.ceil(reach / step) + 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Passage:
+    """Forces of a passage.
+
+    track : Track; stagger : (n,) m, ξ, rising; changing : (n, 6) N, N m of the pressure that changes in time,
+    steady : (n, 6) of the squares of the flow, none by the slender methods
+    """
+
+    track: Track
+    stagger: np.ndarray
+    changing: np.ndarray
+    steady: np.ndarray
+
+    @property
+    def force(self):
+        """(n, 6) N, N m about the origin of the moored ship"""
+        return self.changing + self.steady
+
+    @cached_property
+    def in_time(self):
+        """`GivenForce` over time, from 0 where the ship comes"""
+        places, force = self.stagger, self.force
+        if self.track.opposite:
+            places, force = -places[::-1], force[::-1]
+        return GivenForce((places - places[0]) / self.track.speed, force)
+
+    @property
+    def impulse(self):
+        """(6,) N s, N m s of the changing part, by the trapezoidal rule"""
+        return np.trapezoid(self.changing, self.stagger, axis=0) / self.track.speed
+
+    @property
+    def left(self):
+        """What is left at the ends of the track: the largest share of a component's own largest value"""
+        peaks = np.abs(self.force[:, [0, 1, 5]]).max(axis=0)
+        return float(np.max(np.abs(self.force[[0, -1]][:, [0, 1, 5]]) / np.where(peaks > 0, peaks, 1.0)))

@@ -1,0 +1,89 @@
+"""Forces of a passing ship by slender bodies (Wang 1975, J. Waterways, Harbors and Coastal Eng. 101).
+
+The surface is a rigid lid.  The passing ship is a line of sources of the slope of its section area S₂, and each section
+of the moored ship feels the flow at its place: its own added mass is ρS₁, that of a circle, so that
+
+    φ = −U/(2π) ∫ S₂′ Σₙ 1/rₙ dx₂,   rₙ² = (x₂ + ξ − x₁)² + η² + (2nh)²
+    Fx = ρ ∫ S₁ dφₓ/dt dx₁,   Fy = 2ρ ∫ S₁ dφ_y/dt dx₁,   Mz = 2ρ ∫ x₁ S₁ dφ_y/dt dx₁,   d/dt = U d/dξ
+
+Images in the bed, n from −∞ to ∞, are summed in shallow water as 1/h [−ln R + 2 Σₘ K₀(mπR/h)] (Poisson), with
+R² = (x₂ + ξ − x₁)² + η².
+Section areas are parabolas as Wang took them, S (1 − 4x²/L²).  That S₁ blocks the flow under the keel is not in it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import k0, k1
+
+from .passage import Passage
+
+POINTS = 64  # of Gauss over each ship
+LAST = 36.0  # of mπR/h, beyond which K₀ is below 1e-16
+IMAGES = 20
+
+
+@dataclass(frozen=True)
+class Slender:
+    """A ship as its length, m, and the area of its largest section, m²"""
+
+    length: float
+    area: float
+
+    def __post_init__(self):
+        if not (0 < self.length < math.inf and 0 < self.area < math.inf):
+            raise ValueError(f"length {self.length} m, section {self.area} m²; allowed: positive, finite")
+
+
+def wang(moored, passing, track, stagger, depth=math.inf, density=1025.0):
+    """`Passage` by slender bodies.
+
+    moored, passing : Slender; track : Track; stagger : (n,) m; depth : m, may be inf; density : kg/m³
+    """
+    stagger = np.asarray(stagger, float)
+    unit = np.array([_unit(moored, passing, abs(track.distance), one, depth) for one in stagger])
+    surge, sway, yaw = density * track.through_water**2 * moored.area * passing.area * unit.T
+    side = np.sign(track.distance)
+    force = np.zeros((len(stagger), 6))
+    force[:, 0], force[:, 1], force[:, 5] = surge, side * sway, side * yaw
+    return Passage(track, stagger, force, np.zeros_like(force))
+
+
+def _unit(moored, passing, distance, stagger, depth):
+    """(3,) Fx, Fy, Mz over ρU²S₁S₂ of a stagger, with the ship on the positive side"""
+    x, weight = np.polynomial.legendre.leggauss(POINTS)
+    x1, x2 = 0.5 * moored.length * x, 0.5 * passing.length * x
+    first, last = 0.5 * moored.length * weight, 0.5 * passing.length * weight
+    along = x2[None, :] + stagger - x1[:, None]
+    source = -8 * x2 / passing.length**2 * last
+    slope, inverse = _slopes(np.hypot(along, distance), depth)
+    # G = Σ 1/r of R alone: G′ = dG/dR, and 1/R d/dR (G′/R) for the second derivative across ξ and η
+    area = first * (1 - 4 * x1**2 / moored.length**2)
+    surge = -((source * along * slope).sum(axis=1) * first * (-8 * x1 / moored.length**2)).sum() / (2 * math.pi)
+    across = (source * along * distance * inverse).sum(axis=1)
+    return np.array([surge, -(area * across).sum() / math.pi, -(area * x1 * across).sum() / math.pi])
+
+
+def _slopes(R, depth):
+    """G′/R and (G′/R)′/R of G = Σₙ (R² + 4n²h²)^(−1/2), at any R > 0"""
+    if math.isinf(depth):
+        return -1.0 / R**3, 3.0 / R**5
+    if math.pi * R.min() < depth:
+        return _by_images(R, depth)
+    wave = np.arange(1, math.ceil(LAST * depth / (math.pi * R.min())) + 1)[:, None, None] * math.pi / depth
+    zero, one = k0(wave * R), k1(wave * R)
+    slope = -(1.0 / R + 2 * (wave * one).sum(axis=0)) / depth
+    second = (1.0 / R**2 + 2 * (wave**2 * zero + wave * one / R).sum(axis=0)) / depth
+    return slope / R, (second - slope / R) / R**2
+
+
+def _by_images(R, depth):
+    """As `_slopes`, image by image, with what lies beyond the last as integrals from half a step behind it"""
+    high = 2 * depth * np.arange(1, IMAGES + 1)[:, None, None]
+    r = np.sqrt(R**2 + high**2)
+    end = 2 * depth * (IMAGES + 0.5)
+    slope = -1.0 / R**3 - 2 * (r**-3.0).sum(axis=0) - 1.0 / (2 * depth * end**2)
+    return slope, 3.0 / R**5 + 6 * (r**-5.0).sum(axis=0) + 3.0 / (4 * depth * end**4)

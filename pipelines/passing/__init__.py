@@ -1,0 +1,1 @@
+"""`hakobune passing`: forces on a moored ship while another ship passes."""

@@ -1,0 +1,151 @@
+"""`hakobune.passing`: the largest surge, sway and yaw of a passage, and the forces over time."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hakobune.meshing.files import read_mesh
+from hakobune.meshing.mirror import folded
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.passing import by_tests
+from hakobune.mooring.passing.passage import FAR, SQUEEZED, along_track
+from hakobune.mooring.passing.slender import Slender, wang
+
+from ..common.bounds import Pace
+from ..common.quantities import StudyError
+from ..printing.number import significant
+from ..results.given import File, Tables, given
+from ..results.provenance import provenance
+from ..results.quantity import quantities
+from ..results.result import Result, labels
+from ..solve.panel_counts import meshed
+from .study import PassingStudy, check_apart, make_study, read_study, size, track_of
+
+BROKEN = 1.5  # of 1/√(1 − Fₕ²), from which linear theory of any kind is no estimate
+SHIPS = "moored", "passing"
+LARGEST = {"surge": 0, "sway": 1, "yaw": 5}
+DOFS = ["surge", "sway", "heave", "roll", "pitch", "yaw"]
+UNITS = ("N", "N", "N m")
+FINE = 6  # times as many places where they cost little
+
+
+def passing(study: File | Tables | PassingStudy) -> Result:
+    """Forces on a moored ship while another ship passes it on a parallel track.
+
+    study : path of a study, its tables as a dictionary, or a `study.PassingStudy`
+    returns : Result, in SI; its `detail` is the `mooring.passing.passage.Passage`
+    raises : ValueError, one line
+    """
+    from hakobune.mooring.passing.double_body import double_body, largest_section
+
+    study, text = given(study, PassingStudy, read_study, make_study)
+    track, water = track_of(study), study.water
+    hulls = [_hull(study, name) for name in SHIPS]
+    sizes = np.array([size(getattr(study, name), hull) for name, hull in zip(SHIPS, hulls, strict=True)])
+    lengths, beams = sizes[:, 0], sizes[:, 1]
+    gap = check_apart(study, beams)
+    if not track.froude(water.depth) < 1:
+        raise StudyError(
+            f"the passing ship makes {track.through_water:.3g} m/s through water of {water.depth:g} m, faster than "
+            f"waves there, {math.sqrt(9.80665 * water.depth):.3g} m/s; allowed: less"
+        )
+    places = along_track(track, *lengths, study.track.lengths, 1 if study.method == "panels" else FINE)
+    slender = [Slender(length, largest_section(hull)) for length, hull in zip(lengths, hulls, strict=True)]
+    if study.method == "panels":
+        found = double_body(
+            hulls, track, places, water.depth, wall=study.wall, density=water.density, each=_with_progress
+        )
+    elif study.method == "wang":
+        found = wang(*slender, track, places, water.depth, water.density)
+    else:
+        factors = by_tests.depth_factors(sizes[0, 2], water.depth, gap, beams.mean())
+        found = by_tests.kriebel(
+            *slender, track, places, factors, quay=study.quay, peaks=study.peaks, density=water.density
+        )
+    axes = labels("motion", list(LARGEST)) | labels("time", found.in_time.times, "s") | labels("of_force", DOFS)
+    return Result(
+        "passing",
+        {**_largest(found), **_course(found)},
+        axes,
+        tuple(_findings(study, track, found, slender)),
+        tuple(_notes(study, track, gap)),
+        provenance=provenance(text),
+        detail=found,
+    )
+
+
+def _hull(study, name):
+    """A whole hull in coordinates of its own, its middle at the origin of x"""
+    body = getattr(study, name)
+    if body.shape == "mesh":
+        hull = folded(read_mesh(body.file)).whole()
+        if len(hull) > 4 * study.panels:
+            raise StudyError(f"{body.file} has {len(hull)} panels; allowed: {4 * study.panels}, four times panels")
+        return hull
+    return meshed(body, None, panels=study.panels).whole()
+
+
+def _with_progress(at, places):
+    pace = Pace(f"{len(places)} places of two hulls take", len(places), "give fewer panels, or a shorter track")
+    for place in places:
+        yield at(place)
+        pace.step()
+
+
+def _largest(found):
+    columns = list(LARGEST.values())
+    force = found.force[:, columns]
+    place, each = np.abs(force).argmax(axis=0), np.arange(3)
+    steady = np.abs(found.steady[:, columns]).max(axis=0) / np.abs(force).max(axis=0)
+    return quantities("largest while the ship passes", {
+        "largest.force": (force[place, each], UNITS, "force"),
+        "largest.stagger": (found.stagger[place], "m", "passing ship ahead by"),
+        "largest.lowest": (force.min(axis=0), UNITS, "lowest"),
+        "largest.highest": (force.max(axis=0), UNITS, "highest"),
+        "largest.steady": (steady, "%", "of it by squares of the flow"),
+    }, "motion")  # fmt: skip
+
+
+def _course(found):
+    table = found.in_time
+    way = slice(None, None, -1) if found.track.opposite else slice(None)
+    force = {"course.force": (table.force, "", "force in N and N m, surge to yaw")}
+    return quantities("", {"course.stagger": (found.stagger[way], "m", "stagger")}, "time", record=True) | quantities(
+        "", force, "time", "of_force", record=True
+    )
+
+
+def _findings(study, track, found, slender):
+    froude = track.froude(study.water.depth)
+    squeezed = 1 / math.sqrt(1 - froude**2)
+    if study.method != "kriebel" and squeezed > SQUEEZED:
+        line = (
+            f"depth Froude number {froude:.2f}: water as shallow raises the pressure about {squeezed:.2f} times, which "
+            f"a surface taken as a lid leaves out, limit {SQUEEZED:g}; the ship's own waves are left out too"
+        )
+        yield fails(line) if squeezed > BROKEN else line
+    if found.left > FAR:
+        yield (
+            f"{100 * found.left:.2g} % of the largest force is left at the ends of the track, limit {100 * FAR:g} %; "
+            "give more track.lengths"
+        )
+    if study.method == "kriebel":
+        yield from by_tests.beyond(*slender, track)
+    if study.method == "wang" and study.moored.shape != "mesh" and study.moored.draft > 0.5 * study.water.depth:
+        yield (
+            f"the moored ship blocks {100 * study.moored.draft / study.water.depth:.0f} % of the depth, which slender "
+            'ships leave out; method = "panels" has it'
+        )
+
+
+def _notes(study, track, gap):
+    if study.method == "panels":
+        yield f"both hulls under a rigid surface, about {study.panels} panels each; forces have all six components"
+    else:
+        yield "ships with parabolic section areas; surge, sway and yaw alone"
+    yield (
+        f"{significant(track.through_water)} m/s through the water, {significant(gap)} m between the sides, depth "
+        f"Froude number {track.froude(study.water.depth):.2f}; x to the bow, y to port of the moored ship"
+    )

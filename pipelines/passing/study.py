@@ -1,0 +1,148 @@
+"""A ship that passes a moored one, as typed TOML.
+
+[water]                [moored]               [passing]              [track]
+depth = 20.0           shape = "ship"         shape = "ship"         distance = 110.0
+                       length = 243.5         length = 185.4         speed = 5.144
+                       beam = 39.0            beam = 25.8
+                       draft = 15.3           draft = 6.8
+                       block = 0.8            block = 0.75
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hakobune.mooring.passing.passage import Track
+
+from ..common.quantities import StudyError, Table, positive
+from ..common.typed import read_toml, typed
+from ..common.weather.water import DepthTable
+from ..scene.checks import check_body
+from ..scene.tables import BodyTable
+
+METHODS = ("panels", "wang", "kriebel")
+PANELS = 12, 2000  # on each hull
+LENGTHS = 0.5, 20.0  # mean lengths of track
+FASTEST = 40.0  # m/s
+
+
+class WaterTable(DepthTable):
+    """Water of the place"""
+
+    density: float = 1025.0
+
+
+class TrackTable(Table):
+    """Track of the passing ship, parallel to the moored one
+
+    distance : m between the centre lines, positive to port of the moored ship
+    speed : m/s over the ground
+    opposite : whether it goes towards the stern of the moored ship
+    current : m/s, positive towards the bow of the moored ship
+    lengths : of the mean ship, of track before and behind the moored ship
+    """
+
+    distance: float
+    speed: float
+    opposite: bool = False
+    current: float = 0.0
+    lengths: float = 4.0
+
+
+class PassingStudy(Table):
+    """A ship that passes a moored one
+
+    method : panels, wang (slender ships, 1975) or kriebel (tests in tanks, 2005)
+    panels : on each hull
+    wall : m, y of a vertical quay wall along the moored ship, for panels
+    quay : whether a vertical quay is beside the moored ship, for kriebel
+    peaks : coefficients of surge, sway and yaw in deep water, for kriebel, in place of those of Wang's theory
+    """
+
+    water: WaterTable
+    moored: BodyTable
+    passing: BodyTable
+    track: TrackTable
+    method: str = "panels"
+    panels: int = 300
+    wall: float | None = None
+    quay: bool = False
+    peaks: tuple[float, float, float] | None = None
+
+
+def read_study(path):
+    """The PassingStudy of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a study of a passing ship", StudyError)
+    return make_study(raw), text
+
+
+def make_study(raw):
+    """The PassingStudy of nested dictionaries.  Raises StudyError."""
+    study = typed(raw, PassingStudy, StudyError)
+    if not study.water.depth > 0:
+        raise StudyError(f"water.depth is {study.water.depth:g} m; allowed: above 0, or inf")
+    positive("water.density", study.water.density)
+    for name in ("moored", "passing"):
+        check_body(name, getattr(study, name), study.water.depth)
+    if study.method not in METHODS:
+        raise StudyError(f"method is {study.method!r}; allowed: {', '.join(METHODS)}")
+    if not PANELS[0] <= study.panels <= PANELS[1]:
+        raise StudyError(f"panels is {study.panels}; allowed: {PANELS[0]} to {PANELS[1]}, on each hull")
+    if not LENGTHS[0] <= study.track.lengths <= LENGTHS[1]:
+        raise StudyError(f"track.lengths is {study.track.lengths:g}; allowed: {LENGTHS[0]:g} to {LENGTHS[1]:g}")
+    _check_fits(study)
+    return study
+
+
+def _check_fits(study):
+    """Raise StudyError for keys of another method"""
+    own = {"wall": "panels", "quay": "kriebel", "peaks": "kriebel"}
+    for key, method in own.items():
+        if getattr(study, key) not in (None, False) and study.method != method:
+            raise StudyError(f"{key} is given with method = {study.method!r}; it is read with {method!r}")
+    if study.wall is not None and not math.isfinite(study.wall):
+        raise StudyError(f"wall is {study.wall} m; allowed: finite; leave it out for open water")
+    if study.peaks is not None and not all(0 < value < 100 for value in study.peaks):
+        raise StudyError(f"peaks are {list(study.peaks)}; allowed: above 0, below 100")
+    if study.method == "kriebel" and not math.isfinite(study.water.depth):
+        raise StudyError('the tests of method = "kriebel" are in shallow water; give a depth, or method = "wang"')
+
+
+def track_of(study):
+    """`Track` of a study.  Raises StudyError."""
+    table = study.track
+    if not table.speed <= FASTEST:
+        raise StudyError(f"track.speed is {table.speed:g} m/s; allowed: up to {FASTEST:g}")
+    try:
+        return Track(table.distance, table.speed, table.opposite, table.current)
+    except ValueError as error:
+        raise StudyError(f"track: {error}") from None
+
+
+def size(body, hull):
+    """(3,) m, length, beam and draft: as given, or of a mesh file, whose hull is whole"""
+    if body.shape == "mesh":
+        length, beam = np.ptp(hull.points[:, :2], axis=0)
+        return np.array([length, beam, hull.draft])
+    wide = 2 * body.radius if body.shape == "buoy" else None
+    return np.array([wide or body.length, wide or body.beam, body.draft])
+
+
+def check_apart(study, beams):
+    """m between the sides.  Raises StudyError where the ships touch, or one lies in the wall; beams : (2,) m"""
+    half = 0.5 * np.asarray(beams)
+    distance, wall = study.track.distance, study.wall
+    gap = abs(distance) - half.sum()
+    if gap <= 0:
+        raise StudyError(
+            f"track.distance is {distance:g} m, {-gap:.3g} m less than half of both beams; allowed: more than "
+            f"{half.sum():.3g} m between the centre lines"
+        )
+    if wall is None:
+        return gap
+    beside = [abs(wall) - half[0], abs(wall - distance) - half[1]]
+    if min(beside) <= 0 or (wall - distance) * wall < 0:
+        raise StudyError(f"wall is at y = {wall:g} m; allowed: beyond the moored ship or beyond the track")
+    return gap

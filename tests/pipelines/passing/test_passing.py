@@ -1,0 +1,89 @@
+"""`hakobune passing` through the file that users write."""
+
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tomli_w
+
+import hakobune
+from hakobune import pipelines
+from hakobune.mooring.motion.given_forces import read_force
+from hakobune.pipelines.cli import main
+
+SCENE = tomllib.loads((Path(pipelines.__file__).parent / "scenes" / "passing_tanker.toml").read_text(encoding="utf-8"))
+BOX = {"shape": "box", "length": 60.0, "beam": 12.0, "draft": 4.0}
+
+
+def boxes(**more):
+    """Two boxes 40 m apart in 10 m, by panels"""
+    track = {"distance": 40.0, "speed": 2.0, "lengths": 1.0}
+    return {"panels": 24, "water": {"depth": 10.0}, "moored": BOX, "passing": BOX, "track": track} | more
+
+
+def test_forces_of_tests_in_tanks_are_those_of_the_worked_example():
+    """389.3 kN, 1274.4 kN, 40 010 kN m of Kriebel (2005), for sections of 0.98 beam times draft; those of the hull's own
+    bilge are 0.9905 and 0.9878 of it (1 − (1 − π/4) 2r²/(B T), r a quarter of the draft)"""
+    found = hakobune.passing(SCENE | {"method": "kriebel", "peaks": [0.299, 1.064, 0.204]})
+    of_section = [
+        1 - (1 - np.pi / 4) * 2 * (0.25 * draft) ** 2 / (beam * draft) for beam, draft in ((39.0, 15.3), (25.8, 6.8))
+    ]
+    wanted = np.array([389294.43, 1274400.94, 40010302.24]) * np.prod(of_section) / 0.98**2
+    assert np.abs(found["largest.force"]) == pytest.approx(wanted, rel=0.01)  # panels round the bilge off
+    assert found.status == 0
+
+
+def test_panels_tell_the_same_in_file_picture_and_table(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("study.toml").write_text(tomli_w.dumps(boxes()), encoding="utf-8")
+    words = ["passing", "study.toml", "--forces", "forces.csv", "--output", "passing.h5", "--plot", "passing.png"]
+    assert main(words) == 0
+    found, table = hakobune.read("passing.h5"), read_force("forces.csv")
+    assert table.force == pytest.approx(found["course.force"], rel=1e-9, abs=1e-6)
+    assert table.force[:, 1].max() == pytest.approx(found["largest.highest"][1], rel=1e-9)
+    assert found["largest.stagger"][1] == pytest.approx(0.0, abs=1e-6)  # equal ships: sway is largest abeam
+    assert Path("passing.png").stat().st_size > 5000
+
+
+def test_a_wall_behind_the_moored_ship_is_an_image():
+    """Flow along the wall is faster, flow towards it is held up: more surge, less sway"""
+    open_water, quay = (hakobune.passing(boxes(**more)) for more in ({}, {"wall": -8.0}))
+    assert abs(quay["largest.force"][1]) < 0.7 * abs(open_water["largest.force"][1])
+    assert abs(quay["largest.force"][0]) > abs(open_water["largest.force"][0])
+
+
+@pytest.mark.parametrize(
+    ("change", "line"),
+    [
+        ({"track": {"distance": 11.0, "speed": 2.0}}, "1 m less than half of both beams"),
+        ({"track": {"distance": 40.0, "speed": 10.0}}, "faster than waves there, 9.9 m/s"),
+        ({"track": {"distance": 40.0, "speed": 50.0}}, "track.speed is 50 m/s"),
+        ({"wall": 20.0}, "wall is at y = 20 m"),
+        ({"wall": -5.0}, "wall is at y = -5 m"),
+        ({"method": "wang", "wall": -8.0}, "wall is given with method = 'wang'"),
+        ({"quay": True}, "quay is given with method = 'panels'"),
+        ({"method": "slender"}, "allowed: panels, wang, kriebel"),
+        ({"method": "kriebel", "water": {"depth": float("inf")}}, "in shallow water"),
+        ({"moored": BOX | {"draft": 10.0}}, "moored.draft is 10.0 in water 10.0 m deep"),
+        ({"passing": {"shape": "box", "length": 60.0, "beam": 12.0}}, "passing.draft is missing"),
+        ({"panels": 4}, "panels is 4; allowed: 12 to 2000"),
+    ],
+)
+def test_faults_are_one_line(change, line):
+    with pytest.raises(ValueError, match=r"^[^\n]*$") as caught:
+        hakobune.passing(boxes(**change))
+    assert line in str(caught.value)
+
+
+@pytest.mark.parametrize(("speed", "told", "status"), [(3.9, "", 0), (4.5, "1.12 times", 0), (8.0, "1.70 times", 1)])
+def test_speed_near_that_of_waves_is_told_and_fails(speed, told, status):
+    """1/√(1 − Fₕ²) in 10 m, where waves make 9.903 m/s: 1.088, 1.123 and 1.697; limits 1.1 and 1.5"""
+    found = hakobune.passing(boxes(method="wang", track={"distance": 40.0, "speed": speed}))
+    assert found.status == status
+    assert (told in " ".join(found.findings)) if told else not any("Froude" in line for line in found.findings)
+
+
+def test_a_short_track_is_told():
+    found = hakobune.passing(boxes(method="wang", track={"distance": 40.0, "speed": 2.0, "lengths": 0.5}))
+    assert any("left at the ends of the track" in line for line in found.findings)
