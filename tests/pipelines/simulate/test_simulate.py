@@ -581,7 +581,10 @@ def test_a_line_beyond_what_it_may_carry_is_told(folder, share, told):
         said = list(over_runs.overloads(file, allowable))
     assert bool(said) is told
     line = names[int(used.argmax())].removeprefix("tension ")
-    assert not told or (f"{line} {100 * used.max():.4g} % in 1 of 1 runs" in said[0] and f"the allowable {100 * allowable:g} %" in said[0])
+    assert not told or (
+        f"{line} {100 * used.max():.4g} % in 1 of 1 runs" in said[0]
+        and f"the allowable {100 * allowable:g} %" in said[0]
+    )
 
 
 def test_the_table_of_statistics_has_degrees_kilonewtons_and_seconds(folder, capsys):
