@@ -17,7 +17,7 @@ def area(x, y, n):
     total = 0.0
     for i in range(n):
         total += x[0] * y[i] ** 2 - 0.5
-    print(f"{2 * total:.1f} – m²")
+    print(f"{2 * total:.1f} – m²", max(x, y))
     return -total
 '''
 
@@ -40,6 +40,7 @@ def test_each_kind_of_fault_is_found_where_it_stands():
     assert ("power", "y[i] ** 2", "(y[i] ** 3)") in found
     assert ("term dropped", "x[0] * y[i] ** 2 - 0.5", "(0.5)") in found
     assert ("sign", "-total", "(total)") in found
+    assert not any(name == "names swapped" for name, *_ in found)
     assert any(name == "early end" and after.endswith("\n        break") for name, _, after in found)
     assert any(name == "factor 2" and "2 * (2 * total)" in after for name, _, after in found)
 
