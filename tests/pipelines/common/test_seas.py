@@ -102,6 +102,9 @@ def test_a_spectrum_of_a_file_is_a_sea_of_any_study(tmp_path):
     again, later = read_study(tmp_path / "study.toml")
     assert text != later  # what was made of another file is made again
     assert again.conditions().waves.height == pytest.approx(11**0.5, rel=1e-3)
+    (tmp_path / "study.toml").write_text(f'{HEAD}period = 8.0\nswell = ["buoy.csv"]\n')
+    with pytest.raises(StudyError, match=r"waves.swell\[0\] is 'buoy.csv'; allowed: a table"):
+        read_study(tmp_path / "study.toml")
 
 
 @pytest.mark.parametrize(
