@@ -118,7 +118,7 @@ def expressions(node):
 
 
 def _calls(node):
-    places = [i for i, (a, b) in enumerate(zip(node.args, node.args[1:], strict=False)) if _plain(a) and _plain(b)]
+    places = [i for i, (a, b) in enumerate(zip(node.args, node.args[1:], strict=False)) if _plain(a, b)]
     for i in () if _symmetric(node) else places:
         swapped = [*node.args[:i], node.args[i + 1], node.args[i], *node.args[i + 2 :]]
         yield "names swapped", ast.Call(node.func, swapped, node.keywords)
@@ -134,8 +134,8 @@ def _symmetric(node):
     return getattr(node.func, "attr", getattr(node.func, "id", "")) in SYMMETRIC
 
 
-def _plain(node):
-    return isinstance(node, ast.Name)
+def _plain(a, b):
+    return isinstance(a, ast.Name) and isinstance(b, ast.Name) and a.id != b.id
 
 
 def faults(source):
@@ -242,7 +242,7 @@ def drawn(seed, count, package, root, equivalent):
     places = sorted(lines)
     draw.shuffle(places)
     rows = [draw.choice(lines[place]) for place in places]
-    known = {(row["file"], row["before"], row["after"]) for row in equivalent.get("mutant", ())}
+    known = {(row["file"], row["before"], row["after"].strip("()")) for row in equivalent.get("mutant", ())}
     return [row for row in rows if (row["file"], row["before"], row["after"].strip("()")) not in known][:count]
 
 
