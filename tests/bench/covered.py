@@ -49,13 +49,17 @@ class Covered:
                 found[line].add(PHASE.sub("", test))
         return found
 
+    def direct(self, name, line):
+        """Tests that execute a line of Python in a function"""
+        lines, _, inside = _statement(_tree(self.root / name), line)
+        return inside and set().union(*(self.of_file(name).get(i, ()) for i in lines)) & self.seconds.keys() or set()
+
     def tests(self, name, line, seen=None):
         """Tests that execute the statement at a line, or else what mentions what it is part of"""
         seen = set() if seen is None else seen
-        lines, symbols, inside = _statement(_tree(self.root / name), line)
-        if inside and (found := set().union(*(self.of_file(name).get(i, ()) for i in lines)) & self.seconds.keys()):
+        if found := self.direct(name, line):
             return found
-        found = set()
+        _, symbols, _ = _statement(_tree(self.root / name), line)
         for file in (self.root / name, *importers(self.root).get(self.root / name, ())):
             where = str(file.relative_to(self.root))
             if where.split("/")[0] in PACKAGES:

@@ -73,6 +73,7 @@ FLIPPED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.GtE, ast.GtE: ast.LtE, a
 SIGN = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 BUSIEST = 4.0  # times as long, on a machine that others use
 HANGS = 10  # times as long, to tell what hangs from what is slow
+MIRRORS = 2  # files of tests that are nearest to a kernel, of which coverage sees the calls alone
 NEAR, WIDER = 12, 60  # files of tests, all of which are collected before any runs: 150 take 20 s
 ROUNDING = 1e-5  # constants below are tolerances on rounding, of which a tenth more changes nothing
 LIBRARIES = "pytest numpy scipy.interpolate scipy.optimize scipy.signal scipy.spatial h5py msgspec rich.table numba"
@@ -351,6 +352,8 @@ def judged(clone, row, given, sound, covered=None):
     rounds = [(given.timeout, files[:NEAR]), (given.wider, files[:WIDER])]
     if covered:
         tests = covered.chosen(row["file"], row["line"], row["function"], given.timeout)
+        if not covered.direct(row["file"], row["line"]):
+            tests = files[:MIRRORS] + [test for test in tests if test.split("::")[0] not in files[:MIRRORS]]
         known = {test.split("::")[0] for test in tests}
         rounds[0] = given.timeout, tests + [file for file in files[:NEAR] if file not in known]
     spent = 0.0
