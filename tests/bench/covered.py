@@ -52,7 +52,7 @@ class Covered:
     def direct(self, name, line):
         """Tests that execute a line of Python in a function"""
         lines, _, inside = _statement(_tree(self.root / name), line)
-        return inside and set().union(*(self.of_file(name).get(i, ()) for i in lines)) & self.seconds.keys() or set()
+        return (inside and set().union(*(self.of_file(name).get(i, ()) for i in lines)) & self.seconds.keys()) or set()
 
     def tests(self, name, line, seen=None):
         """Tests that execute the statement at a line, or else what mentions what it is part of"""
