@@ -61,7 +61,8 @@ def test_a_change_is_judged_by_the_cases_that_governed_with_all_lines_and_withou
     judged = [SimpleNamespace(governing=u and SimpleNamespace(utilisation=u)) for u in (0.4, 0.9, None)]
     groups, numbers = [], ran([3, 4, 2], [10, 20, 5]).numbers
     for name, value in {
-        "base_of": lambda *_: None, "factors_of": lambda _: [1.0], "repeated": lambda *_: [], "fatigue": lambda *_: None,
+        "base_of": lambda *_: None, "factors_of": lambda _: [1.0], "repeated": lambda *_: [],
+        "fatigue": lambda *_: None,
         "intact_cases": lambda *_: [case(), case(factor=1.5), case(incidence=45.0)],
         "without_line": lambda _, one, name: case(factor=one.factor, lost=name),
         "judged_case": lambda _, group, others: [(factor, one.case.lost) for factor, one in group.items()],
