@@ -127,13 +127,14 @@ def meshed(drawing, name=""):
     """PanelMesh of a `Drawing`.  Raises ValueError where nothing lies below the surface, or panels do not suit it."""
     mesh, volume = _panels(drawing, name, 1.0)
     best, below, above = mesh, (1.0, mesh.volume), None  # panels change their number as radii grow, and volume jumps
+    lost = math.copysign(1.0, volume - mesh.volume)  # to the chords of parts; a round hole gains it
     for _ in range(MOST_TRIES if any(part["shape"] in ("cylinder", "sphere") for part, _ in drawing.parts) else 0):
         if abs(best.volume / volume - 1) <= SAME_VOLUME:
             break
-        reach = 1.5 * (volume - below[1]) / (2 * volume) if above is None else 0.5 * (above[0] - below[0])
+        reach = 1.5 * abs(volume - below[1]) / (2 * volume) if above is None else 0.5 * (above[0] - below[0])
         grown = below[0] + max(reach, 1e-4)
         mesh, _ = _panels(drawing, name, grown)
-        if mesh.volume < volume:
+        if lost * mesh.volume < lost * volume:
             below = grown, mesh.volume
         else:
             above = grown, mesh.volume

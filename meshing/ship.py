@@ -56,7 +56,7 @@ def ship(
     n_length, n_bottom, n_side = counts or ship_counts(length, beam, draft, panels, longest)
     u = np.arange(n_length + 1) / n_length
     x = 0.5 * (u - 0.5) - 0.25 * np.cos(np.pi * u)  # a pointed end is no edge: panels half as long as evenly spaced
-    t = np.clip((np.abs(x) - (0.5 - along)) / along, 0.0, 1.0)
+    t = np.maximum((np.abs(x) - (0.5 - along)) / along, 0.0)
     girth = _girth(n_bottom, n_side, 0.5 * beam, draft, radius)[::-1]
     at_depth = [np.interp(girth[:, 1], [-draft, 0.0], np.broadcast_to(end, 2)) for end in (bow, stern)]
     fullness = np.where(x[:, None] > 0, *at_depth)

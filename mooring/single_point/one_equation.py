@@ -136,7 +136,7 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
     wind = None if loads.wind is None else Wind(loads.wind.speed, loads.wind.direction)
     held = on_hull(steady.point, body.slow_added_mass, drift, body.reader.rotation_center[2])
     weather = Weather(wind=wind, gusts=gusts, on_hull=held, components=components, carrier=carrier)
-    kind = "none" if drift or components is None else "newman"
+    kind = "none" if drift else "newman"
     settings = Settings(duration, 0.0, step, tolerance, slow_drift=kind, wave_ramp=wave_ramp)
     try:
         return simulate(body, weather, settings, seed)

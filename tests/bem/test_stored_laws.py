@@ -181,6 +181,8 @@ def test_motions_that_do_not_obey_their_equation_are_relative_to_the_largest_of_
         assert ("motions obey their equation" in found) == breaks
     one.has_viscous_motions = True  # these obey another one
     assert "motions obey their equation" not in laws(one)
+    one.has_viscous_motions, one.inertia_matrix = False, None  # as of a program that writes motions and no mass
+    assert "motions obey their equation" not in laws(one)
 
 
 def test_beside_damping_lids_waves_may_carry_less_than_all_and_never_more(db):

@@ -5,8 +5,12 @@
 A fault (mutant) is a changed source file in a clone of the last commit, in a temporary folder with compiled kernels of
 its own; the checkout is not touched.  Tests nearest to the file run first (`tests/near.py`), up to the first that
 fails; none begins after --timeout seconds (more where others use the machine), and what has not ended after three
-times as long counts as noticed: it hangs.  Tests that failed are run once without any fault, so that none counts that
-fails anyway.  What lives through the near ones is tried again with --wider seconds.
+times as long of processor time is tried again for ten times as long, and counts as noticed, as one that hangs, where
+it ends without the fault.  Tests that failed are run once without any fault, so that none counts that fails anyway.
+What lives through the near ones is tried again with --wider seconds.
+
+--coverage MAP --times XML : tests that execute the line come first, by a map of the suite (`covered.py` tells how to
+make one).
 
 Results are lines of JSON, one a mutant; a second call with the same file goes on where the first stopped.  Mutants
 that change nothing a test could notice are in `mutants_equivalent.toml`, with the reason.
@@ -19,6 +23,8 @@ import copy
 import json
 import os
 import random
+import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -34,6 +40,7 @@ from types import ModuleType
 
 sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
+from bench.covered import Covered
 from near import PACKAGES, ROOT, nearest
 
 from hakobune.bem.kernels.jit import cache_folder
@@ -61,9 +68,12 @@ TWINS += (
     "any all",
 )
 TWIN = {a: b for pair in TWINS for a, b in (pair.split(), pair.split()[::-1])}
+SYMMETRIC = ("hypot", "max", "min", "maximum", "minimum", "isclose", "gcd")
 FLIPPED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.GtE, ast.GtE: ast.LtE, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
 SIGN = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 BUSIEST = 4.0  # times as long, on a machine that others use
+HANGS = 10  # times as long, to tell what hangs from what is slow
+MIRRORS = 2  # files of tests that are nearest to a kernel, of which coverage sees the calls alone
 NEAR, WIDER = 12, 60  # files of tests, all of which are collected before any runs: 150 take 20 s
 ROUNDING = 1e-5  # constants below are tolerances on rounding, of which a tenth more changes nothing
 LIBRARIES = "pytest numpy scipy.interpolate scipy.optimize scipy.signal scipy.spatial h5py msgspec rich.table numba"
@@ -109,8 +119,8 @@ def expressions(node):
 
 
 def _calls(node):
-    places = [i for i, (a, b) in enumerate(zip(node.args, node.args[1:], strict=False)) if _plain(a) and _plain(b)]
-    for i in places:
+    places = [i for i, (a, b) in enumerate(zip(node.args, node.args[1:], strict=False)) if _plain(a, b)]
+    for i in () if _symmetric(node) else places:
         swapped = [*node.args[:i], node.args[i + 1], node.args[i], *node.args[i + 2 :]]
         yield "names swapped", ast.Call(node.func, swapped, node.keywords)
     if isinstance(node.func, ast.Attribute) and node.func.attr in TWIN:
@@ -120,8 +130,13 @@ def _calls(node):
         yield "function dropped", node.args[0] if node.args else node.func.value
 
 
-def _plain(node):
-    return isinstance(node, ast.Name)
+def _symmetric(node):
+    """Whether a call has the same value whichever of its arguments is first"""
+    return getattr(node.func, "attr", getattr(node.func, "id", "")) in SYMMETRIC
+
+
+def _plain(a, b):
+    return isinstance(a, ast.Name) and isinstance(b, ast.Name) and a.id != b.id
 
 
 def faults(source):
@@ -228,7 +243,7 @@ def drawn(seed, count, package, root, equivalent):
     places = sorted(lines)
     draw.shuffle(places)
     rows = [draw.choice(lines[place]) for place in places]
-    known = {(row["file"], row["before"], row["after"]) for row in equivalent.get("mutant", ())}
+    known = {(row["file"], row["before"], row["after"].strip("()")) for row in equivalent.get("mutant", ())}
     return [row for row in rows if (row["file"], row["before"], row["after"].strip("()")) not in known][:count]
 
 
@@ -256,23 +271,27 @@ class Clone:
         if quick:
             os.environ["NUMBA_DISABLE_JIT"] = "1"
 
-    def tests(self, files, seconds):
-        """(status, last lines, seconds) of tests run up to the first that fails; status None if they hang.
+    def tests(self, files, seconds, limit=None):
+        """(status, output, seconds) of tests run up to the first that fails; status None if they hang: by `limit`
+
+        seconds of processor time (three times `seconds` and a minute without it).
 
         They run in a fork of this process, which has the libraries in memory: to load them takes as long as most tests.
         """
         seconds *= min(BUSIEST, max(1.0, os.getloadavg()[0] / os.cpu_count()))
-        words = ["-x", "-q", "--tb=no", "-rf", "--seconds", f"{seconds:g}", *map(str, files)]
+        limit = round(limit or 3 * seconds + 60)
+        words = ["-x", "-v", "--tb=no", "-rfE", "--seconds", f"{seconds:g}", *map(str, files)]
         for name in LIBRARIES.split():
             import_module(name)
         start = time.monotonic()
         with tempfile.TemporaryFile("w+") as output:
             child = os.fork()
             if not child:
+                resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
                 self._become(words, output)
-            status = _status(child, start + 3 * seconds + 60)
+            status = _status(child, start + BUSIEST * limit)
             output.seek(0)
-            tail = output.read().splitlines()[-6:]
+            tail = output.read().splitlines()
         return status, tail, time.monotonic() - start
 
     def _become(self, words, output):
@@ -293,13 +312,13 @@ class Clone:
         finally:
             os._exit(status)
 
-    def with_fault(self, row, files, seconds):
+    def with_fault(self, row, files, seconds, limit=None):
         path = self.root / row["file"]
         before, stamp = path.read_text(encoding="utf-8"), path.stat()
         self._forget(path)
         path.write_text(changed(before, row["first"], row["last"], row["after"]), encoding="utf-8")
         try:
-            return self.tests(files, seconds)
+            return self.tests(files, seconds, limit)
         finally:
             path.write_text(before, encoding="utf-8")
             os.utime(path, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))  # numba looks at it
@@ -310,7 +329,7 @@ class Clone:
         for file in path.parent.glob(f"__pycache__/{path.stem}.*"):
             file.unlink()
         for folder in self.kernels.glob("*"):
-            if folder.name not in self.sound:
+            if folder.is_dir() and folder.name not in self.sound:
                 shutil.rmtree(folder)
 
 
@@ -322,31 +341,58 @@ def _status(child, until):
             os.waitpid(child, 0)
             return None
         time.sleep(0.02)
-    return os.waitstatus_to_exitcode(ended[1])
+    status = os.waitstatus_to_exitcode(ended[1])
+    return None if status in (-signal.SIGXCPU, -signal.SIGKILL) else status
 
 
-def judged(clone, row, given, sound):
+def judged(clone, row, given, sound, covered=None):
     """A row with its verdict: `noticed` by a test that passes without the fault, or `lived`"""
     names = (row["function"], Path(row["file"]).stem)
-    files = [f.relative_to(clone.root) for f in nearest([clone.root / row["file"]], names, clone.root)]
+    files = [str(f.relative_to(clone.root)) for f in nearest([clone.root / row["file"]], names, clone.root)]
+    rounds = [(given.timeout, files[:NEAR]), (given.wider, files[:WIDER])]
+    if covered:
+        tests = covered.chosen(row["file"], row["line"], row["function"], given.timeout)
+        if not covered.direct(row["file"], row["line"]):
+            tests = files[:MIRRORS] + [test for test in tests if test.split("::")[0] not in files[:MIRRORS]]
+        known = {test.split("::")[0] for test in tests}
+        rounds[0] = given.timeout, tests + [file for file in files[:NEAR] if file not in known]
     spent = 0.0
-    for seconds, most in ((given.timeout, NEAR), (given.wider, WIDER)):
+    for seconds, tests in rounds:
         if not seconds:
             continue
-        status, tail, took = clone.with_fault(row, files[:most], seconds)
+        status, output, took = clone.with_fault(row, tests, seconds)
+        by = _stopped(status, output)
         spent += took
-        if status == 0 or status == 5:
+        if status is None and by:
+            status, output, took = clone.with_fault(row, [by], seconds, limit=HANGS * seconds)
+            spent += took
+        if status in (0, 5):
             continue
-        failed = [line.split(" ", 1)[1].split(" - ")[0] for line in tail if line.startswith(("FAILED ", "ERROR "))]
-        by = failed[0] if failed else ("it hangs" if status is None else "it does not import")
-        if failed and by not in sound:
-            status = clone.tests([by], given.timeout)[0]
-            if status not in (0, 1):  # a name that the command line does not find
-                status = clone.tests([by.split("::")[0]], given.timeout)[0]
-            sound[by] = status == 0
-        verdict = "noticed" if sound.get(by, True) else "unsound test"
-        return row | {"verdict": verdict, "by": by, "seconds": round(spent, 1)}
-    return row | {"verdict": "lived", "by": "", "seconds": round(spent, 1)}
+        by = f"it hangs in {by}" if status is None else _stopped(status, output) or "it does not import"
+        verdict = "noticed" if _is_sound(clone, by.removeprefix("it hangs in "), given, sound) else "unsound test"
+        return row | {"verdict": verdict, "by": by, "seconds": round(spent, 1), "tests": len(tests)}
+    return row | {"verdict": "lived", "by": "", "seconds": round(spent, 1), "tests": len(rounds[0][1])}
+
+
+def _stopped(status, output):
+    """The test that failed or was at work at the end of pytest's output, or None"""
+    failed = [line.split(" ", 1)[1].split(" - ")[0] for line in output if line.startswith(("FAILED ", "ERROR "))]
+    if failed or status is not None:
+        return failed[0] if failed else None
+    running = [line for line in output if "::" in line]
+    return re.sub(r"( [A-Z]+ .*)?\s*$", "", running[-1]) if running else None
+
+
+def _is_sound(clone, by, given, sound):
+    """Whether a test passes without any fault"""
+    if "tests/" not in by:
+        return True
+    if by not in sound:
+        status = clone.tests([by], given.timeout)[0]
+        if status not in (0, 1):  # a name that the command line does not find
+            status = clone.tests([by.split("::")[0]], given.timeout)[0]
+        sound[by] = status == 0
+    return sound[by]
 
 
 def told(row):
@@ -376,6 +422,8 @@ def main():
     parser.add_argument("--package", choices=PACKAGES, action="append", help="one or several; all without it")
     parser.add_argument("--timeout", type=float, default=40, help="seconds of near tests a mutant")
     parser.add_argument("--wider", type=float, default=0, help="seconds for another try of what lived; 0: none")
+    parser.add_argument("--coverage", type=Path, help="which tests execute which line: see covered.py")
+    parser.add_argument("--times", type=Path, default=Path("times.xml"), help="how long each of them takes")
     parser.add_argument("--quick", action="store_true", help="kernels as plain Python")
     parser.add_argument("--folder", type=Path, default=Path(tempfile.gettempdir()) / "hakobune_mutants")
     parser.add_argument("--results", type=Path, help="lines of JSON; in --folder without it")
@@ -405,8 +453,9 @@ def main():
         return
     if given.again:
         path.write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
+    covered = Covered(given.coverage, given.times, clone.root) if given.coverage else None
     for row in waiting:
-        row = judged(clone, row, given, sound)
+        row = judged(clone, row, given, sound, covered)
         rows.append(row)
         with path.open("a", encoding="utf-8") as file:
             file.write(json.dumps(row, ensure_ascii=False) + "\n")

@@ -2,8 +2,10 @@
 
 import ast
 import fnmatch
+import sqlite3
 import tomllib
 
+from bench.covered import Covered
 from bench.mutants import changed, drawn, faults
 from near import PACKAGES, ROOT, distances, nearest
 
@@ -15,7 +17,7 @@ def area(x, y, n):
     total = 0.0
     for i in range(n):
         total += x[0] * y[i] ** 2 - 0.5
-    print(f"{2 * total:.1f} – m²")
+    print(f"{2 * total:.1f} – m²", max(x, y))
     return -total
 '''
 
@@ -38,6 +40,7 @@ def test_each_kind_of_fault_is_found_where_it_stands():
     assert ("power", "y[i] ** 2", "(y[i] ** 3)") in found
     assert ("term dropped", "x[0] * y[i] ** 2 - 0.5", "(0.5)") in found
     assert ("sign", "-total", "(total)") in found
+    assert not any(name == "names swapped" for name, *_ in found)
     assert any(name == "early end" and after.endswith("\n        break") for name, _, after in found)
     assert any(name == "factor 2" and "2 * (2 * total)" in after for name, _, after in found)
 
@@ -77,3 +80,27 @@ def test_the_nearest_test_is_the_changed_one_and_then_the_one_that_imports_and_m
 def test_what_commands_import_is_reached_by_the_tests_of_commands():
     reached = nearest([ROOT / "mooring" / "fenders" / "curves.py"])
     assert ROOT / "tests" / "pipelines" / "fender" / "test_fender_command.py" in reached
+
+
+def test_a_line_is_judged_by_the_tests_that_execute_it_and_a_constant_by_those_of_the_lines_that_mention_it(tmp_path):
+    (tmp_path / "mooring").mkdir()
+    (tmp_path / "tests" / "mooring").mkdir(parents=True)
+    source = "K = 2.0\n\n\ndef double(x):\n    return K * x\n\n\ndef other():\n    return 1\n"
+    (tmp_path / "mooring" / "a.py").write_text(source)
+    (tmp_path / "tests" / "mooring" / "test_a.py").write_text("def test_1():\n    pass\n\n\ndef test_2():\n    pass\n")
+    data = sqlite3.connect(tmp_path / "map")
+    data.executescript("create table file (id, path); create table context (id, context);")
+    data.execute("create table line_bits (file_id, context_id, numbits)")
+    data.execute("insert into file values (1, '/elsewhere/mooring/a.py')")
+    data.execute("insert into context values (1, 'tests/mooring/test_a.py::test_1|run')")
+    data.execute("insert into context values (2, 'tests/mooring/test_a.py::test_2|setup')")
+    data.execute("insert into line_bits values (1, 1, ?), (1, 2, ?)", (bytes([1 << 5]), bytes([1 << 1, 1 << 1])))
+    data.commit()
+    case = '<testcase classname="tests.mooring.test_a" name="test_{}" time="{}"/>'
+    (tmp_path / "times").write_text(f"<s>{case.format(1, 3.0)}{case.format(2, 0.1)}</s>")
+    covered = Covered(tmp_path / "map", tmp_path / "times", tmp_path)
+    first, second = "tests/mooring/test_a.py::test_1", "tests/mooring/test_a.py::test_2"
+    assert covered.tests("mooring/a.py", 5) == {first} == covered.tests("mooring/a.py", 1)
+    assert covered.tests("mooring/a.py", 9) == {second}
+    assert covered.chosen("mooring/a.py", 5, "double", 10.0) == [first, second]
+    assert covered.chosen("mooring/a.py", 5, "double", 3.05) == [first]

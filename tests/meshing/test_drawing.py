@@ -10,22 +10,23 @@ from hakobune.meshing.quality import findings
 COLUMN = {"shape": "cylinder", "from": [10.0, 0.0, -8.0], "to": [10.0, 0.0, 5.0], "radius": 3.0, "turns": 3}
 BASE = COLUMN | {"to": [10.0, 0.0, -6.0], "radius": 5.0}
 BOX = {"shape": "box", "center": [0.0, 0.0, 0.0], "size": [40.0, 20.0, 6.0]}
-POOL = BOX | {"size": [8.0, 6.0, 10.0], "cut": True}
+POOL = {"shape": "cylinder", "from": [0, 0, -5], "to": [0, 0, 5], "radius": 9.0, "cut": True}
+BALL = {"shape": "sphere", "center": [0, 10, 0], "radius": 5.0}
 RAKED = {"shape": "outline", "points": [[-20, 1], [-17, -3], [17, -3], [20, 1]], "breadth": 10.0}
 
 
 @pytest.mark.parametrize(
     "parts, symmetry, size, volume",
     [
-        ([{"shape": "sphere", "center": [0, 0, 0], "radius": 5.0}], "xy", 2.0, 2 / 3 * np.pi * 125),
+        ([BALL, BOX | {"center": [0, -10, 0], "size": [10, 6, 4]}], "x", 2.0, 2 / 3 * np.pi * 125 + 10 * 6 * 2),
         ([COLUMN, BASE], "y", 4.0, 3 * np.pi * (9 * 6 + 25 * 2)),
         ([COLUMN | {"end_radius": 1.5, "to": [10, 0, 0], "turns": 1}], "", 2.0, np.pi * 8 / 3 * (9 + 4.5 + 2.25)),
         ([COLUMN | {"from": [-8, 0, -4], "to": [8, 0, -4], "radius": 2.0, "turns": 1}], "xy", 2.0, np.pi * 4 * 16),
-        ([BOX, POOL], "xy", 3.0, 3.0 * (40 * 20 - 8 * 6)),
+        ([BOX | {"size": [24, 20, 6]}, POOL], "xy", 3.0, 3.0 * (24 * 20 - np.pi * 81)),
         ([RAKED], "y", 3.0, 10 * 3 * (34 + 38.5) / 2),
         ([BOX | {"center": [0, y, 0], "size": [30, 6, 4]} for y in (-10, 10)], "", 3.0, 2 * 30 * 6 * 2.0),
     ],
-    ids=["sphere", "semi-submersible", "cone", "lying cylinder", "moonpool", "raked barge", "catamaran"],
+    ids=["sphere beside a box", "semi-submersible", "cone", "lying cylinder", "moonpool", "raked barge", "catamaran"],
 )  # fmt: skip
 def test_a_drawing_has_the_volume_of_its_parts_in_panels_without_a_finding(parts, symmetry, size, volume):
     mesh = meshed(drawing_of({"size": size, "symmetry": symmetry, "around": 16, "parts": parts}))

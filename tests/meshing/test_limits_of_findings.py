@@ -212,3 +212,12 @@ def test_a_slit_and_a_hole_in_one_hull_are_told_apart_with_their_own_lengths_and
     (slit,), (hole,) = said("without sharing corners", made), said("the hull is open", made)
     assert "along 4 edges, 2.1 m in all, up to 0.095 m apart" in slit  # half of 4.2 m; 0.4 m² over 4.2 m
     assert hole.startswith("error: the hull is open along 4 edges, 5 m in all, the first near")
+
+
+@pytest.mark.parametrize("off, told", [(0.0039, True), (0.0041, False)])
+def test_a_half_is_known_by_edges_within_four_thousandths_of_a_plane(off, told):
+    """Panels of 2 by 2 m along y = 0, drawn off it by a share of that"""
+    half = replace(box(8.0, 8.0, 4.0, counts=(2, 2, 2), grading=False, symmetry="y"), symmetry="")
+    points = half.points.copy()
+    points[np.flatnonzero((points[:, 1] == 0) & (points[:, 2] < 0))[0], 1] = 2.0 * off
+    assert bool(said("all of them in y = 0: it is a half", replace(half, points=points))) is told

@@ -158,6 +158,13 @@ def test_two_rings_on_a_border_are_rings_of_their_own():
     assert closed == pytest.approx([6.0, 6.0])
 
 
+def test_a_ring_that_an_image_closes_has_half_of_its_length_and_area():
+    """A rhombus of 3 and 4 m about y = 0: four sides of 5 m and 24 m², two of them and 12 m² on either side"""
+    points = np.array([[-3, 0, 0], [0, 4, 0], [3, 0, 0.0]])
+    found = rings(points, np.array([0, 1]), np.array([1, 2]), "y")
+    assert found.length == pytest.approx([10.0]) and found.area == pytest.approx([12.0])
+
+
 def test_an_inward_hull_of_plates_beside_an_outward_one_is_found():
     """Parts hang together by their own seams alone"""
     one = five_faces(COUNTS)

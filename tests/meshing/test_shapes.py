@@ -5,7 +5,7 @@ import pytest
 
 from hakobune.meshing.panels import SYMMETRIES
 from hakobune.meshing.quality import findings
-from hakobune.meshing.shapes import box, box_counts, buoy, buoy_counts
+from hakobune.meshing.shapes import box, box_counts, buoy, buoy_counts, fitted_counts
 
 
 def shapes():
@@ -143,3 +143,10 @@ def test_counts_are_the_largest_in_proportion_by_hand():
     """Edges 100, 20 and 20 m: roots 10 to 4.47.  (22, 9, 9) has 1908 panels, (22, 10, 10) 2160; one more along makes
     1980, below 2000, and one more across 2032"""
     assert box_counts(200, 40, 10, 2000) == (23, 9, 9)
+
+
+def test_what_rounding_leaves_goes_to_the_direction_that_is_farthest_below_its_wish():
+    """Roots 3, 2 and 1, as many panels as the sum of the counts: below t = 2 are (5, 3, 2), ten, of whose wishes 3/5,
+    2/3 and 1/2 the second is the largest: (5, 4, 2), eleven"""
+    assert fitted_counts((9.0, 4.0, 1.0), sum, 10, (1, 1, 1)) == (5, 3, 2)
+    assert fitted_counts((9.0, 4.0, 1.0), sum, 11, (1, 1, 1)) == (5, 4, 2)

@@ -26,6 +26,19 @@ def test_solution_is_that_of_the_complex_system(singular):
         assert np.abs(x - exact).max() < 1e-10 * np.abs(exact).max()
 
 
+def test_only_where_the_real_matrix_is_singular_a_complex_one_of_its_size_is_solved(monkeypatch):
+    for singular, wanted in ((False, 0), (True, 1)):
+        factored = []
+
+        def solve(matrix, side, _factored=factored):
+            _factored.append(len(matrix) if np.iscomplexobj(matrix) else 0)
+            return np.linalg.solve(matrix, side)
+
+        monkeypatch.setattr("hakobune.bem.kernels.systems._solved", solve)
+        solved_beside_few(systems(singular), (4, 4, 4))
+        assert factored.count(40) == wanted and factored.count(5) == 3
+
+
 def test_singular_system_has_no_finite_solution():
     A, U, V, b = systems(False)
     A[2, 0] = U[2, 0] = 0.0

@@ -15,6 +15,7 @@ from hakobune.bem.time_domain.moving_poles import (
     storage,
     transfer,
 )
+from hakobune.bem.time_domain.passive_fit import _Modes, _Problem
 
 S = 1j * np.linspace(0.05, 4.0, 60)
 
@@ -46,6 +47,20 @@ def test_derivatives_are_those_of_differences(motions):
         assert np.abs(slopes[k] - by_difference).max() <= 1e-6 * (1 + np.abs(by_difference).max())
         by_difference = (steady_output(up) - steady_output(down)).ravel() / (2 * h)
         assert np.abs(held[k] - by_difference).max() <= 1e-6 * (1 + np.abs(by_difference).max())
+
+
+@pytest.mark.parametrize("motions", [1, 2])
+def test_derivatives_of_a_fit_with_the_same_poles_are_those_of_differences(motions):
+    """Misses are of second degree in Z: central differences are exact"""
+    one, rng = system(motions), np.random.default_rng(2)
+    weight = rng.uniform(0.5, 2.0, (len(S), motions, motions))
+    problem = _Problem(_Modes(one.rate, one.input, real_basis(3, 4), 4), S, transfer(one, S), weight)
+    Z = rng.standard_normal((len(one.rate) - motions, motions))
+    slopes = problem.slopes(Z)
+    assert len(slopes) == Z.size
+    for k, step in enumerate(np.eye(Z.size).reshape(-1, *Z.shape)):
+        by_difference = (problem.misses(Z + step) - problem.misses(Z - step)) / 2
+        assert np.abs(slopes[k] - by_difference).max() <= 1e-10 * np.abs(by_difference).max()
 
 
 @pytest.mark.parametrize("motions", [1, 2])

@@ -151,6 +151,8 @@ def test_a_line_lighter_than_water_is_the_mirror_image_of_a_heavy_one():
     heavy = solved(80.0, 10.0, 40.0, 100.0, 300.0, 1e6, bed=False)[0]
     light = solved(80.0, -10.0, -40.0, 100.0, -300.0, 1e6)[0]
     assert np.allclose(light[[1, 2]], heavy[[1, 2]]) and np.allclose(light[[3, 4]], -heavy[[3, 4]])
+    turned = np.outer([1, 1, -1, -1], [1, -1, -1])  # horizontal pulls keep their sign, vertical ones and heights do not
+    assert np.allclose(light[6:].reshape(4, 3), turned * heavy[6:].reshape(4, 3)) and np.abs(heavy[6:]).min() > 0
 
 
 def test_an_end_below_the_bed_is_marked():

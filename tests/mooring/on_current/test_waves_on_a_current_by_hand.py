@@ -6,6 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.bem.database.reader import Reader
 from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import tabulated
 from hakobune.mooring.on_current.body import OnCurrent
@@ -154,3 +156,10 @@ def test_forces_are_those_of_waves_as_long_in_still_water(absolute):
         found = OnCurrent.waves_of(body, "forces", met[:, p], None, scale=2.0)
         assert found.shape == (2, 3, 6)
         assert found[:, p] == pytest.approx(expected[:, p], rel=1e-9)
+
+
+def test_motions_on_a_current_are_refused_without_the_inertia_that_they_follow_from():
+    body = SimpleNamespace(lacks_motions=False, inertia=None, stiffness=np.eye(6))
+    body._check_inertia = lambda: Reader._check_inertia(body)
+    with pytest.raises(BetweenError, match="no inertia of the body; give --gyration"):
+        OnCurrent.motions(body, [0.5])

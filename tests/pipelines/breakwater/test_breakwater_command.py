@@ -150,6 +150,7 @@ FAULTS = {
     ("[lines]\nangle_deg = 44.0", f"{SINKER}\nangle_deg = 90.0"): "give lifted = true",
     ("axial_stiffness_kN = 1e5", ""): "lines.axial_stiffness_kN is missing",
     ("axial_stiffness_kN = 1e5", "axial_stiffness_kN = 100"): "more than half of its length would be stretch",
+    ("axial_stiffness_kN = 1e5", "axial_stiffness_kN = -1e5"): "lines.axial_stiffness_kN is -100000; allowed: above 0",
     ("free_draft = 3.4", "mass_t_per_m = 60"): "the pretension is negative",
 }
 OUTLINE = 'shape = "outline"\npoints = {}\ndraft = 2.0'

@@ -9,7 +9,7 @@ from scipy.special import gamma
 from hakobune.mooring.seas.systems import Systems
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.typed import typed
-from hakobune.pipelines.common.weather.seas import PERIODS, SeaTable
+from hakobune.pipelines.common.weather.seas import PERIODS, SeaTable, seas_at
 from hakobune.pipelines.common.weather.water import check_solved_depth
 from hakobune.pipelines.design.tables import StateTable
 from hakobune.pipelines.line_dynamics.study import LineSeaTable
@@ -102,6 +102,20 @@ def test_a_spectrum_of_a_file_is_a_sea_of_any_study(tmp_path):
     again, later = read_study(tmp_path / "study.toml")
     assert text != later  # what was made of another file is made again
     assert again.conditions().waves.height == pytest.approx(11**0.5, rel=1e-3)
+    (tmp_path / "study.toml").write_text(f'{HEAD}period = 8.0\nswell = ["buoy.csv"]\n')
+    with pytest.raises(StudyError, match=r"waves.swell\[0\] is 'buoy.csv'; allowed: a table"):
+        read_study(tmp_path / "study.toml")
+
+
+def test_files_of_all_seas_of_a_simulation_lie_beside_its_study(tmp_path):
+    swell = {"height": 1.0, "swell": [{"file": "swell.csv"}]}
+    raw = {"sea": {"file": "buoy.csv"}, "simulation": {"seeds": 3, "sea": [{"file": "later.csv"}, swell, "none"]}}
+    found, files = seas_at(raw, tmp_path)
+    assert files == [tmp_path / "buoy.csv", tmp_path / "later.csv", tmp_path / "swell.csv"]
+    first, second, third = found["simulation"]["sea"]
+    assert found["simulation"]["seeds"] == 3 and third == "none" and first == {"file": str(tmp_path / "later.csv")}
+    assert second == {"height": 1.0, "swell": [{"file": str(tmp_path / "swell.csv")}]}
+    assert raw["sea"]["file"] == "buoy.csv" and seas_at({"waves": {}}, tmp_path) == ({"waves": {}}, [])
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import pytest
 
 from hakobune.mooring.fenders.dolphin import bilinear, in_series
 from hakobune.mooring.fenders.fender import fender_of_points
-from hakobune.pipelines.design.kinds import berth, in_time, mooring
+from hakobune.pipelines.design.kinds import berth, breakwater, in_time, mooring
 from hakobune.pipelines.design.kinds.needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
 from hakobune.pipelines.design.running import Ran, factors_of, given_parts, repeated
 from hakobune.pipelines.simulate.file import SUMMARY
@@ -143,3 +143,12 @@ def test_the_largest_of_a_case_is_that_of_its_runs_where_there_are_some():
     runs = {"largest": {1.0: np.array([7.0, 8.0]), 1.5: np.array([9.0, 9.0])}, "horizontal": [1, 1], "uplift": [2, 2]}
     moving = Ran(None, None, numbers, runs)
     assert list(moving.largest) == [7.0, 8.0] and moving.at_anchors.tolist() == [[1, 1], [2, 2]]
+
+
+def test_tensions_of_a_breakwater_are_of_the_curve_with_its_holding_and_theory():
+    """Alone where one theory was computed; the first of all where neither is among them"""
+    both = ["elastic (linear)", "elastic (exact)", "taut (linear)", "taut (exact)"]
+    assert breakwater._curve(("taut", "exact"), both) == "taut (exact)"
+    assert breakwater._curve(("elastic", "exact"), both) == "elastic (exact)"
+    assert breakwater._curve(("taut", "exact"), ["elastic (exact)", "taut"]) == "taut"
+    assert breakwater._curve(("taut", "linear"), ["free"]) == "free"

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.design import running
+from hakobune.pipelines.design import advice, running
 from hakobune.pipelines.design.cases import LoadCase
 from hakobune.pipelines.design.kinds import berth_plan
 from hakobune.pipelines.design.kinds.needs import OF_ALLOWABLE
@@ -54,6 +54,25 @@ def test_the_worst_line_is_lost_or_every_one_and_none_where_no_state_asks(monkey
     assert every == [(factor, name) for name in names for factor in (1.0, 1.5)]
     assert list(running._lost(read(lines=("intact",)), group, names)) == []
     assert list(running._lost(read(), {1.0: Ran(case(), Path("x"), None)}, names)) == []
+
+
+def test_a_change_is_judged_by_the_cases_that_governed_with_all_lines_and_without_the_worst(monkeypatch, tmp_path):
+    """At both multiples of the motions; no other direction is run, and a criterion without a case does not count"""
+    judged = [SimpleNamespace(governing=u and SimpleNamespace(utilisation=u)) for u in (0.4, 0.9, None)]
+    groups, numbers = [], ran([3, 4, 2], [10, 20, 5]).numbers
+    for name, value in {
+        "base_of": lambda *_: None, "factors_of": lambda _: [1.0], "repeated": lambda *_: [],
+        "fatigue": lambda *_: None,
+        "intact_cases": lambda *_: [case(), case(factor=1.5), case(incidence=45.0)],
+        "without_line": lambda _, one, name: case(factor=one.factor, lost=name),
+        "judged_case": lambda _, group, others: [(factor, one.case.lost) for factor, one in group.items()],
+        "judge": lambda _, cases: groups.extend(cases) or judged,
+    }.items():  # fmt: skip
+        monkeypatch.setattr(advice, name, value)
+    kind = SimpleNamespace(lost=lambda _: ("a", "b", "c"), run=lambda *_: (numbers, None))
+    keys = {running.key_of(case(lost="a"))}
+    worst = advice._governing(SimpleNamespace(kind=kind), [], keys, {}, {"mean": None}, tmp_path / "advice")
+    assert groups == [[(1.0, ""), (1.5, "")], [(1.0, "c"), (1.5, "c")]] and worst is judged[1]
 
 
 class Executor:

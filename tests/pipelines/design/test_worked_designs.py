@@ -192,6 +192,11 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, 
     # waves without their slow drift, for which the report (3.6) adds a fifth
     pulled = read(intact.path, "single-point")["run.line_tension"].max(axis=0)
     np.testing.assert_allclose(intact.numbers.largest[1:], 1.2 * pulled, rtol=1e-9)
+    # what an anchor bears grows with the tension of its line, from what it bears at rest
+    at_rest = np.stack([best.lines.lines.horizontal_a, -best.lines.lines.vertical_a])
+    borne = np.stack([intact.numbers.horizontal, intact.numbers.uplift])
+    np.testing.assert_allclose(borne[:, 1:], at_rest * (1.2 * pulled / best.lines.tension), rtol=1e-9)
+    assert not borne[:, 0].any()
     monkeypatch.setattr(
         "hakobune.pipelines.design.kinds.single_point._found", None
     )  # again: taken from the file, the same

@@ -134,3 +134,18 @@ def test_a_file_of_other_states_or_a_damaged_one_is_refused(made, tmp_path, monk
     path.write_text("something else\n")
     with pytest.raises(StudyError, match="is no file of simulated states and is not replaced"):
         states_file.read(path, "")
+
+
+def test_states_are_taken_up_for_the_same_weather_study_and_database_alone(tmp_path):
+    """One number of any of them is another case"""
+
+    def identity(height=1.5, wind=12.0, seeds=2, mass=1.0, data=b"a"):
+        (tmp_path / "box.h5").write_bytes(data)
+        ready = SimpleNamespace(raw={"mass": mass}, task=SimpleNamespace(database=tmp_path / "box.h5"))
+        waves = [(np.array([1.0, height]), np.array([8.0, 9.0]), np.zeros(2))]
+        hindcast = SimpleNamespace(waves=waves, columns={"wind speed": np.array([3.0, wind])})
+        return room._identity(SimpleNamespace(seeds=seeds, duration_hours=1.0), hindcast, ready)
+
+    assert identity() == identity()
+    others = identity(height=1.6), identity(wind=12.5), identity(seeds=3), identity(mass=2.0), identity(data=b"b")
+    assert len({identity(), *others}) == 6

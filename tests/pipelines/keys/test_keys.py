@@ -28,6 +28,12 @@ def test_every_key_has_a_text(kind):
     assert [t.places for t in reference(kind) if not t.meaning] == []
 
 
+@pytest.mark.parametrize("ending, unit", [("_kN", "kN"), ("_kg_per_m", "kg/m"), ("_tonf", "tonf")])
+def test_a_key_that_ends_with_a_unit_is_shown_in_it(ending, unit):
+    found = {key.unit for kind in KINDS for t in reference(kind) for key in t.keys if key.name.endswith(ending)}
+    assert found == {unit}
+
+
 @pytest.mark.parametrize("table", TABLES, ids=lambda table: f"{table.__module__}.{table.__name__}")
 def test_every_text_has_a_key(table):
     assert summary(table)

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.qtf.question import Question
+from hakobune.pipelines.qtf.question import Question, waves_of
 
 
 def held(floats=True, name=""):
@@ -54,3 +54,13 @@ def test_without_waves_of_ones_own_any_that_are_stored_do_and_a_method_or_a_moor
     assert Question(**ASKED | {"method": "panel"}).answered_by(stored())
     moored = Question(**ASKED | {"held": held(name="moor.toml")})
     assert not moored.answered_by(stored()) and moored.answered_by(stored(held=held(name="moor.toml")))
+
+
+@pytest.mark.parametrize("difference, allowed", [(0.1, True), (0.09, False)])
+def test_the_largest_difference_is_one_step_of_the_frequencies_or_more(difference, allowed):
+    db = SimpleNamespace(omega=np.array([0.3, 1.2]), wave_direction=np.array([0.0]), path="a.h5")
+    if allowed:
+        assert waves_of(db, [0.4, 0.5, 0.6], None, difference)[2] == pytest.approx(difference)
+    else:
+        with pytest.raises(ValueError, match=r"--difference is 0.09; allowed: 0.1 rad/s, the step"):
+            waves_of(db, [0.4, 0.5, 0.6], None, difference)

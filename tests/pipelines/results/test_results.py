@@ -11,7 +11,7 @@ from hakobune.bem.database.integrity import DatabaseError, VersionError
 from hakobune.pipelines.results.file import read
 from hakobune.pipelines.results.quantity import Quantity, quantities, read_in
 from hakobune.pipelines.results.result import Result, labels
-from hakobune.pipelines.results.tables import printed
+from hakobune.pipelines.results.tables import printed, tables
 
 ODD = np.nextafter(0.1, 1) * np.array([1.0, 3e4, 7e-5])  # no number of few digits
 
@@ -90,6 +90,8 @@ def test_a_print_has_significant_digits_in_the_unit_that_suits_the_numbers(capsy
     out = capsys.readouterr().out
     assert "largest, N" in out and "13.25" in out and "0.007" in out and "75" in out
     assert out.index("left out: c") < out.index("motions") < out.index("a note") < out.index("FAILS: a parts")
+    headings = [column.heading for one in tables(example(), True) for column in one.columns]
+    assert [one for one in headings if one.startswith("place")] == ["place x", "place y", "place z"]
     assert read_in("N", np.array([999.0])) == ("N", 1.0) and read_in("N", np.array([1e3])) == ("kN", 1e3)
     assert read_in("rad", np.array([np.pi])) == ("°", np.pi / 180)
 

@@ -74,6 +74,10 @@ def test_counts_are_read_back_from_the_mesh(body):
 def test_counts_of_a_ship_are_read_back_from_its_mesh():
     ship = scene_of({"shape": "ship", "length": 300.0, "beam": 50.0, "draft": 18.0, "block": 0.83}).body
     assert counts_of(ship, meshed(ship, (20, 5, 6))) == (20, 5, 6)
+    assert coarse_counts(ship, meshed(ship, (20, 5, 6))) == (14, 4, 4)
+    for counts in ((2, 3, 2), (2, 2, 3)):  # 2 · (2 + 2) of 2 · (3 + 2) panels are the 80 % that are still coarser
+        assert coarse_counts(ship, meshed(ship, counts)) == (2, 2, 2)
+    assert coarse_counts(ship, meshed(ship, (2, 2, 2))) is None
 
 
 def test_no_edge_is_longer_than_waves_allow(body):
