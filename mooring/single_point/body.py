@@ -259,3 +259,19 @@ def _turned(heading):
 def _with_moment(force, arm):
     """(3,) of a force (2,) in axes of the body that acts at (2,) m"""
     return np.array([force[0], force[1], arm[0] * force[1] - arm[1] * force[0]])
+
+
+def planar_mass(own, length, beam, added, gyration=None):
+    """(3, 3) kg, kg m² of slow surge, sway and yaw about the centre of mass.
+
+    own : kg; length, beam : m; added : (3,) masses of the water, over the mass and over the moment of inertia
+    gyration : m, in yaw, of a uniform box if not given
+    """
+    squared = (length**2 + beam**2) / 12 if gyration is None else gyration**2
+    return np.diag(own * (1 + np.asarray(added, float)) * np.array([1, 1, squared]))
+
+
+def planar_mass_stored(reader):
+    """(3, 3) kg, kg m, kg m² of slow surge, sway and yaw of a `bem.database.reader.Reader`, with its added mass"""
+    body, plane = reader.floating(), [0, 1, 5]
+    return (body.inertia + body.held_added_mass(0.0)[0])[np.ix_(plane, plane)]

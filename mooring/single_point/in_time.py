@@ -75,3 +75,33 @@ def largest_of(run: Run, waves):
     """Largest tensions of hawsers (k,) and lines (n,), N, with the report's fifth where `waves` lack slow drift"""
     more = SLOW_DRIFT if waves and not run.drifts else 1.0
     return more * run.record.hawser.max(axis=0), more * run.record.lines.max(axis=0)
+
+
+def pulls(best, cycle=None, run=None, waves=False):
+    """{where: (hawsers (k,), lines (n,)) N}, the largest: at rest, in the limit cycle and in the run, where they are
+
+    best : Equilibrium; cycle : LimitCycle; run : Run; waves : whether waves act
+    """
+    found = {"at rest": (best.hawser, best.lines.tension)}
+    if cycle is not None:
+        found["in the limit cycle"] = cycle.hawser.max(axis=0), cycle.lines.max(axis=0)
+    if run is not None:
+        found["in the run in time"] = largest_of(run, waves)
+    return found
+
+
+def used_in(pulled, best, hawser=None):
+    """{where: (k + n,) shares of the breaking load of hawsers and lines}, nan where it is not known
+
+    pulled : of `pulls`; best : Equilibrium; hawser : N, breaking load, nan if unknown, None for a buoy without hawsers
+    """
+    count = 0 if hawser is None else len(best.hawser)
+    breaking = np.array([*np.full(count, np.nan if hawser is None else hawser), *best.point.system.breaking_load])
+    breaking[~np.isfinite(breaking)] = np.nan
+    found = {where: np.array([*own[:count], *lines]) / breaking for where, (own, lines) in pulled.items()}
+    at_rest = best.lines.lines.utilisation  # of the segment that is nearest to it
+    below_buoys = np.fmax(at_rest - found["at rest"][count:], 0.0)  # where a line pulls more than at the body
+    for used in found.values():
+        used[count:] += np.nan_to_num(below_buoys)
+    found["at rest"][count:] = at_rest
+    return found

@@ -26,6 +26,20 @@ def length_without_uplift(tension, weight, height):
     return np.sqrt(square)
 
 
+def horizontal_at_rest(top, weight, stiffness, height):
+    """N, horizontal, of a line of which a part lies and that pulls with `top` N; to first order in the strain.
+
+    weight : N/m in water; stiffness : N, EA; height : m of the upper end.  Raises ValueError for a line too heavy.
+    """
+    carried = weight * height
+    if not top > carried:
+        raise ValueError(
+            f"{top / 1e3:.4g} kN; allowed: above {carried / 1e3:.4g} kN, the line's weight from the bed to the buoy"
+        )
+    stretch = carried**2 / (2 * stiffness)  # T = H + wV/(1 + …)
+    return top - carried + stretch * (top - 0.5 * carried) / max(top, 1.0)
+
+
 def significant(values, steady):
     """Significant value of a record in the report's sense: steady + ⅔ of the largest amplitude above it.
 

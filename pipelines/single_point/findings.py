@@ -7,7 +7,7 @@ import numpy as np
 from hakobune.mooring.criteria.overuse import overused
 from hakobune.mooring.loads.turning import FITTED
 from hakobune.mooring.single_point.equilibria import bow
-from hakobune.mooring.single_point.in_time import largest_of
+from hakobune.mooring.single_point.in_time import pulls, used_in
 
 from ..common.quantities import force
 
@@ -36,38 +36,14 @@ def overloads(study, best, cycle, run):
     """What fails of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run, either None"""
     count = 0 if study.hawser is None else len(best.hawser)
     names = [*(f"hawser {i + 1}" for i in range(count)), *best.point.system.line_names]
-    for where, used in used_in(study, best, cycle, run).items():
-        yield from overused(names, used, study.allowable, where, HELP)
+    for where, shares in used(study, best, cycle, run).items():
+        yield from overused(names, shares, study.allowable, where, HELP)
 
 
-def used_in(study, best, cycle, run):
+def used(study, best, cycle, run):
     """{where: (k + n,) shares of the breaking load of hawsers, none without their table, and lines}, nan if unknown"""
-    load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
-    count = 0 if study.hawser is None else len(best.hawser)
-    breaking = np.array([*np.full(count, np.nan if load is None else load), *best.point.system.breaking_load])
-    breaking[~np.isfinite(breaking)] = np.nan
-    found = {
-        where: np.array([*hawser[:count], *lines]) / breaking
-        for where, (hawser, lines) in pulls(study, best, cycle, run).items()
-    }
-    at_rest = best.lines.lines.utilisation  # of the segment that is nearest to it
-    below_buoys = np.fmax(at_rest - found["at rest"][count:], 0.0)  # where a line pulls more than at the body
-    for used in found.values():
-        used[count:] += np.nan_to_num(below_buoys)
-    found["at rest"][count:] = at_rest
-    return found
-
-
-def pulls(study, best, cycle, run):
-    """{where: (hawsers (k,), lines (n,)) N}, the largest: at rest, in the LimitCycle and in the Run, where they are"""
-    found = {"at rest": (best.hawser, best.lines.tension)}
-    if cycle is not None:
-        found["in the limit cycle"] = cycle.hawser.max(axis=0), cycle.lines.max(axis=0)
-    if run is not None:
-        found["in the run in time"] = largest_of(run, study.waves is not None)
-    return found
-
-
-def largest_pulls(study, best, cycle, run):
-    """Hawsers (k,) and lines (n,) N: the largest of `pulls`, wherever it is"""
-    return tuple(np.max(part, axis=0) for part in zip(*pulls(study, best, cycle, run).values(), strict=True))
+    load = None
+    if study.hawser is not None:
+        given = force("hawser", study.hawser, "breaking_load")
+        load = np.nan if given is None else given
+    return used_in(pulls(best, cycle, run, study.waves is not None), best, load)

@@ -25,7 +25,7 @@ from hakobune.mooring.single_point.loads import (
     turning_table,
 )
 from hakobune.mooring.single_point.rings import angles
-from hakobune.mooring.single_point.stored import mean_drift
+from hakobune.mooring.single_point.waves import mean_drift
 from hakobune.mooring.studies.conditions import ExposedBox
 
 from ..common.quantities import StudyError, direction, positive, speed
@@ -90,19 +90,19 @@ def _water(study, hull, density, center, mass, findings):
     return WaterLoad(table, h.length, False, *stream, drag, linear, water.height[1])
 
 
-def _own_mass(h, density):
+def own_mass(h, density):
     """kg, of a box where no displacement is given"""
     return density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
 
 
 def _block(h, density):
-    return _own_mass(h, density) / (density * h.length * h.beam * h.draft)
+    return own_mass(h, density) / (density * h.length * h.beam * h.draft)
 
 
 def _by_yaw_rate(study, given, density, mass):
     """(count, 3) of a WaterLoad over V (rL), of derivatives that are given or those of Clarke et al. (1983)"""
     h = study.hull
-    own, block = _own_mass(h, density), _block(h, density)
+    own, block = own_mass(h, density), _block(h, density)
     if not block <= 1 + 1e-9:
         raise StudyError(f"hull.displacement fills {block:.3g} of length, beam and draft; allowed: at most 1")
     found = clarke(h.length, h.beam, h.draft, min(block, 1.0))

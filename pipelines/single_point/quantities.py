@@ -15,7 +15,7 @@ from hakobune.mooring.single_point.yaw_criteria import yaw_stability
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
 from . import running
-from .findings import used_in
+from .findings import used
 
 REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
 ROUNDING = 1e-7  # rad, of a heading of rest
@@ -123,7 +123,7 @@ def lines_at(found):
     """Lines at the heading it comes to, and what they use of their breaking load where that is most"""
     one = found.best
     lines = one.lines.lines
-    shares = used_in(found.study, one, found.cycle, found.run)
+    shares = used(found.study, one, found.cycle, found.run)
     most = np.max(list(shares.values()), axis=0)[-len(one.lines.tension) :]
     where = "used" if len(shares) == 1 else f"used at most ({', '.join(shares)})"
     made = quantities(f"lines at {bow(one):.4g}°", {

@@ -65,7 +65,7 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
         check_buoy(made, one)
     best = preferred(rest)
     cycle, none = _cycle_of(best)
-    run = None if read.slewing is None else running.run(read, made.point, best, db)
+    run = None if read.slewing is None else running.run(read, best, db)
     maps = tuple(computed(raw, i, db) for i, _ in enumerate(read.maps))
     found = Found(read, made.point, rest, best, cycle, run, maps)
     lost = () if none is None else (none,)

@@ -1,33 +1,20 @@
-"""A single-point study in time: the slow motion alone, with the waves by the report's two scales, or in one equation.
+"""A single-point study in time, by the scheme that it names (`mooring.single_point.runs`).
 
-Waves need a database, a period and a scheme that is not "slow"; gusts are those of [wind].  Tensions of the lines are
-those of static forms at the place where all motion together brings their ends.  Significant values are the report's:
-steady + ⅔ of the largest amplitude.
+Waves need a database, a period and a scheme that is not "slow"; gusts are those of [wind].
 """
 
 from __future__ import annotations
-
-import warnings
 
 import numpy as np
 
 from hakobune.mooring.lines.ropes import RopePart
 from hakobune.mooring.motion.buoy import BuoyBody
-from hakobune.mooring.on_current.waves import in_water
 from hakobune.mooring.response.viscous import in_sea
-from hakobune.mooring.single_point.history import (
-    Record,
-    cycle,
-    line_tensions,
-    settled_after,
-    watch_circle,
-    wave_deviations,
-)
-from hakobune.mooring.single_point.in_time import Run, gusty, of_contact
-from hakobune.mooring.single_point.one_equation import body_at, run_in_one
-from hakobune.mooring.single_point.slewing import slew, turned_state
-from hakobune.mooring.single_point.two_scale import Steps, two_scale, wave_body
-from hakobune.mooring.single_point.waves import GROWS, mean_frequency, slow_part, split_frequency
+from hakobune.mooring.single_point.history import wave_deviations
+from hakobune.mooring.single_point.in_time import Run
+from hakobune.mooring.single_point.one_equation import body_at
+from hakobune.mooring.single_point.runs import Times, full_run, sea_components, slow_run, two_scale_run
+from hakobune.mooring.single_point.two_scale import wave_body
 
 from ..common.quantities import StudyError, force, positive
 from ..common.units import KN
@@ -37,8 +24,6 @@ from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
 MOST_SAMPLES = 1_000_000
-FULL_STEP = 0.5  # s, of the record in one equation
-MISSED = 0.05  # share of the energy of the waves
 
 
 def check(study, db=None):
@@ -51,78 +36,41 @@ def check(study, db=None):
         _buoy_and_rope(study)
 
 
-def run(study, point, steady, db=None) -> Run:
+def run(study, steady, db=None) -> Run:
     """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
     check(study, db)
-    s, waves, extra, full = study.slewing, _with_waves(study, db), (False, ()), np.inf
+    s, waves = study.slewing, _with_waves(study, db)
+    times = Times(s.duration, s.step, s.slow_step, s.waves_after, np.radians(s.offset_deg), s.tolerance, s.seed)
     if s.scheme == "full":
-        record, extra, full = _in_one(study, point, steady, db, waves)
-    elif waves:
-        start, body = turned_state(point, steady.state, np.radians(s.offset_deg)), _wave_body(study, db)
-        fast = 2 * np.pi / body.mean_omega / 30 if s.step is None else s.step
-        record = two_scale(
-            point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, gusty(point, s.duration, s.seed)
-        )
-        full = s.waves_after + GROWS * 2 * np.pi / body.mean_omega
-    else:
-        slow = _slow(study, point, steady, 1.0 if s.step is None else s.step)
-        lines = line_tensions(point, slow.buoy)
-        still = np.zeros((len(slow.time), 6))
-        record = Record(slow.time, slow.place, slow.heading, still, slow.buoy, slow.hawser, lines, slow.wind_speed)
-    settled = settled_after(record.time, record.heading, steady.heading)
-    radius = watch_circle(record.place, point.origin)
-    return Run(record, steady, cycle(record.time, record.heading), settled, radius, *extra, full)
+        return _in_one(study, times, steady, db, waves)
+    return two_scale_run(steady, times, _wave_body(study, db)) if waves else slow_run(steady, times)
 
 
 def _with_waves(study, db):
     return study.waves is not None and db is not None and study.slewing.scheme != "slow"
 
 
-def _slow(study, point, steady, step):
-    s = study.slewing
-    start = turned_state(point, steady.state, np.radians(s.offset_deg))
-    return slew(point, start, s.duration, step, tolerance=s.tolerance, wind_speed=gusty(point, s.duration, s.seed))
-
-
 def _wave_body(study, db):
     lever = study.attachment.z - float(db.rotation_center[2])
     body, _ = in_sea(db.reader, _sea(study, db))
-    return wave_body(body, _components(study, db, study.slewing), lever, waves_carrier(study))
+    return wave_body(body, _components(study, db), lever, waves_carrier(study))
 
 
-def _in_one(study, point, steady, db, waves):
-    """Record of body, waves and buoy in one equation, (whether slow drift is in it, findings), s of full waves"""
-    s = study.slewing
-    contact = point.lengths[0] == 0.0
-    body, rope = (None, None) if contact else _buoy_and_rope(study)
-    state = turned_state(point, steady.state, np.radians(s.offset_deg))
+def _in_one(study, times, steady, db, waves):
+    body, rope = (None, None) if steady.point.lengths[0] == 0.0 else _buoy_and_rope(study)
     with heard() as said:
         sea = _sea(study, db) if waves else None
-        moved = body_at(steady, state, db, buoy=body, rope=rope, end_z=study.attachment.z, sea=sea)
-    components = _components(study, db, s) if waves else None
-    mean = waves and study.waves.drift_tonf_per_m2 is None
-    grown = None
-    if waves:
-        grown = s.waves_after, GROWS * 2 * np.pi / mean_frequency(components.omega, components.amplitude)
-    wind = point.loads.wind
-    found = run_in_one(steady, moved, s.duration, FULL_STEP if s.step is None else s.step, components=components,
-                       wave_ramp=grown, gusts=None if wind is None else wind.gusts, tolerance=s.tolerance, seed=s.seed,
-                       drift=not mean, carrier=waves_carrier(study))  # fmt: skip
-    center = np.asarray(moved.reader.rotation_center, float)[:2]
-    slow = found.motion[:, [0, 1, 5]]
-    if waves:
-        split = split_frequency(components.omega, components.amplitude)
-        slow = slow_part(slow, FULL_STEP if s.step is None else s.step, split)
-    wave = found.motion.copy()
-    wave[:, [0, 1, 5]] -= slow
-    buoy, hawser, lines = of_contact(point, found, center) if contact else (
-        found.buoy[:, :2] + point.system.bodies[0].position[:2], found.hawser, found.buoy_lines)  # fmt: skip
+        moved = body_at(
+            steady, times.begin(steady), db, buoy=body, rope=rope, end_z=study.attachment.z, sea=sea
+        )  # fmt: skip
+    drift = waves and study.waves.drift_tonf_per_m2 is None
+    found = full_run(
+        steady, times, moved, _components(study, db) if waves else None, bool(drift), waves_carrier(study)
+    )  # fmt: skip
     left = ()
     if study.waves is not None and not waves:
         left = ("waves push with their mean drift alone; give --database for the motion that they make",)
-    told = dict.fromkeys((*said, *moved.findings, *left, *found.findings))
-    record = Record(found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed)
-    return record, (bool(mean), tuple(told)), sum(grown) if waves else np.inf
+    return found._replace(findings=tuple(dict.fromkeys((*said, *left, *found.findings))))
 
 
 def _buoy_and_rope(study):
@@ -221,17 +169,9 @@ def _sea(study, db):
     return sea_with_swell("waves", study.waves, db.water_depth)
 
 
-def _components(study, db, s):
-    sea = _sea(study, db)
-    ends = sea.spectrum.quantile((1e-4, 1 - 1e-3))
-    low, high = np.clip(ends, db.reader.omega[0], db.reader.omega[-1])
-    missed = 1 - sea.spectrum.moment(0, low, high) / sea.spectrum.moment(0)
-    if missed > MISSED:
-        raise StudyError(
-            f"{100 * missed:.0f} % of the waves' energy lies outside the stored frequencies; allowed: "
-            f"{100 * MISSED:g} %; solve {ends[0]:.3g} to {ends[1]:.3g} rad/s too"
-        )
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # said above where it is more than the report's own spectrum leaves out
-        found = sea.components(s.components, s.seed, low=float(low), high=float(high))
-    return in_water(found, waves_carrier(study), db.water_depth, 9.80665)
+def _components(study, db):
+    s = study.slewing
+    try:
+        return sea_components(_sea(study, db), s.components, s.seed, db.reader, waves_carrier(study))
+    except ValueError as error:
+        raise StudyError(str(error)) from None

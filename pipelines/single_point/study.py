@@ -11,13 +11,14 @@ import numpy as np
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.moored_body import leg_at_tension, moored_body
 from hakobune.mooring.lines.system.parts import MooredBody, UniformLine
-from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
+from hakobune.mooring.single_point.body import SinglePoint, SinglePointError, planar_mass, planar_mass_stored
+from hakobune.mooring.single_point.scope import horizontal_at_rest
 
 from ..common.line_tables import line_of
 from ..common.quantities import StudyError, force, positive, water_depth
 from ..common.weather.seas import mean_wave, sea_with_swell
 from ..common.weather.water import check_solved_depth
-from .loads import loads_of
+from .loads import loads_of, own_mass
 
 DENSITY, GRAVITY = 1025.0, 9.80665
 MOST_LINES = 60
@@ -85,18 +86,14 @@ def _mass(study, db, density):
     if table is None and db is None:
         raise StudyError("mass is missing; give [mass] with added_surge, added_sway and added_yaw, or --database")
     if db is not None and table is None:
-        reader = db.reader.floating()
-        total = reader.inertia + reader.held_added_mass(0.0)[0]
-        plane = [0, 1, 5]
-        return total[np.ix_(plane, plane)], np.asarray(db.rotation_center, float)[:2]
-    own = density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
-    positive("hull.displacement", own)
-    gyration = math.sqrt((h.length**2 + h.beam**2) / 12) if table.gyration is None else table.gyration
-    positive("mass.gyration", gyration)
+        return planar_mass_stored(db.reader), np.asarray(db.rotation_center, float)[:2]
+    own = positive("hull.displacement", own_mass(h, density))
+    if table.gyration is not None:
+        positive("mass.gyration", table.gyration)
     shares = np.array([table.added_surge, table.added_sway, table.added_yaw])
     if not np.all((shares >= 0) & np.isfinite(shares)):
         raise StudyError(f"mass: added mass is {shares.min():g} of the body's own; allowed: at least 0")
-    return np.diag(own * (1 + shares) * np.array([1, 1, gyration**2])), np.array([h.center, 0.0])
+    return planar_mass(own, h.length, h.beam, shares, table.gyration), np.array([h.center, 0.0])
 
 
 def _hawsers(study, center):
@@ -170,14 +167,10 @@ def _pretension(m, line, height):
         return horizontal
     if not isinstance(line, UniformLine):
         raise StudyError("mooring.top_tension is of a uniform line; give a line of segments its pretension")
-    carried = line.type.weight * height
-    if not top > carried:
-        raise StudyError(
-            f"mooring.top_tension is {top / 1e3:.4g} kN; allowed: above {carried / 1e3:.4g} kN, the line's weight from "
-            "the bed to the buoy"
-        )
-    stretch = carried**2 / (2 * line.type.axial_stiffness)  # T = H + wV/(1 + …): to first order in the strain
-    return top - carried + stretch * (top - 0.5 * carried) / max(top, 1.0)
+    try:
+        return horizontal_at_rest(top, line.type.weight, line.type.axial_stiffness, height)
+    except ValueError as error:
+        raise StudyError(f"mooring.top_tension is {error}") from None
 
 
 def _buoy(study, density):

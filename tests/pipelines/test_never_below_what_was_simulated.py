@@ -16,11 +16,11 @@ import pytest
 import hakobune
 from hakobune import pipelines
 from hakobune.mooring.lines.system.equilibrium import held_at, rest
+from hakobune.mooring.single_point.in_time import pulls, used_in
 from hakobune.pipelines.design.kinds.berth import _steady_of_few
 from hakobune.pipelines.design.kinds.numbers import strength
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import largest_use
-from hakobune.pipelines.single_point.findings import largest_pulls, used_in
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 BREAKING = 4e6  # N
@@ -197,11 +197,11 @@ def test_a_single_point_takes_the_largest_wherever_it_is(place):
     best = SimpleNamespace(hawser=rest, lines=lines, point=SimpleNamespace(system=system))
     records = [SimpleNamespace(hawser=np.array([[0.0], one]), lines=np.array([[0.0, 0.0], [one[0]] * 2]))
                for one in (cycle, run)]  # fmt: skip
-    hawser = SimpleNamespace(breaking_load_tonf=None, breaking_load_kN=3e3)
-    study = SimpleNamespace(hawser=hawser, waves=None)
-    given = study, best, records[0], SimpleNamespace(record=records[1], drifts=False)
-    assert [part.tolist() for part in largest_pulls(*given)] == [[2e6], [2e6, 2e6]]
-    assert np.max(list(used_in(*given).values()), axis=0) == pytest.approx([2 / 3, 0.5, 0.5])
+    places = pulls(best, records[0], SimpleNamespace(record=records[1], drifts=False))
+    largest = [np.max(part, axis=0).tolist() for part in zip(*places.values(), strict=True)]
+    assert largest == [[2e6], [2e6, 2e6]]
+    used = used_in(places, best, 3e6)
+    assert np.max(list(used.values()), axis=0) == pytest.approx([2 / 3, 0.5, 0.5])
 
 
 @pytest.mark.parametrize("kept, told", [(3, False), (2, True)])

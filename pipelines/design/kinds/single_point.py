@@ -163,13 +163,13 @@ def _found(raw, database, path):
 
 
 def _numbers(study, best, stable, cycle, ran, hawsers, line_names, warnings):
-    from ...single_point.findings import largest_pulls
+    from hakobune.mooring.single_point.in_time import pulls
 
     lines, system = best.lines, best.lines.system
     anchors, tops = lines.points[system.arrays.ends].swapaxes(0, 1)
     count, own = len(hawsers), ("hawser",) if hawsers else ()
-    pulls, largest = largest_pulls(study, best, cycle, ran)
-    pulls = pulls[:count]
+    places = pulls(best, cycle, ran, study.waves is not None).values()
+    hawser, largest = (np.max(part, axis=0) for part in zip(*places, strict=True))
     share = largest / np.maximum(lines.tension, 1e-300)
     load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
     none = np.zeros(count)
@@ -182,7 +182,7 @@ def _numbers(study, best, stable, cycle, ran, hawsers, line_names, warnings):
         length=np.array([*np.full(count, best.point.lengths[0]), *(line.length for line in system.lines)]),
         pretension=np.concatenate([none, _alone(best)]),
         static=np.concatenate([best.hawser[:count], lines.tension]),
-        largest=np.concatenate([pulls, largest]),
+        largest=np.concatenate([hawser[:count], largest]),
         breaking=np.concatenate([np.full(count, np.inf if load is None else load), system.breaking_load]),
         horizontal=np.concatenate([none, share * lines.lines.horizontal_a]),
         uplift=np.concatenate([none, share * -lines.lines.vertical_a]),

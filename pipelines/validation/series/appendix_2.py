@@ -124,7 +124,7 @@ def computed(row, db, seed=1):
     waves, contact = study.waves is not None, row["buoy"] == "contact"
     pitch = hawser = both = massless = np.nan
     with warnings.catch_warnings(action="ignore"):
-        made = run(study, point, best, db)
+        made = run(study, best, db)
         record = made.record
         late = record.time > record.time[-1] / 3  # in the first third the heading settles
         if waves and contact:
@@ -133,7 +133,7 @@ def computed(row, db, seed=1):
             pitch = 2 * float(np.degrees(record.wave[late, 4].std()))
             hawser = float(np.mean([highest_third(one) for one in record.hawser[late].T])) / KGF
             both = highest_third(record.hawser[late].sum(axis=1)) / KGF
-            light = run(make_study(study_of(row, "two_scale", seed)), point, best, db).record
+            light = run(make_study(study_of(row, "two_scale", seed)), best, db).record
             massless = highest_third(light.hawser[light.time > light.time[-1] / 3].sum(axis=1)) / KGF
     outside = np.flatnonzero(np.degrees(np.abs(record.heading - best.heading)) > 1.0)
     last = int(outside[-1]) + 1 if len(outside) else 0

@@ -73,7 +73,7 @@ def _computed(case, db, seeds):
         study["slewing"]["seed"] = seed
         try:
             with warnings.catch_warnings(action="ignore"):
-                one = run(make_study(study), point, best, db)
+                one = run(make_study(study), best, db)
         except ValueError as error:
             return ours | {"note": " ".join(str(error).split())}
         ours["settled_s"] = one.settled

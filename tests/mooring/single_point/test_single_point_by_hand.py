@@ -26,11 +26,11 @@ from hakobune.mooring.single_point.loads import (
 from hakobune.mooring.single_point.rings import Ring, angles
 from hakobune.mooring.single_point.scope import highest_third, length_without_uplift, peak, significant
 from hakobune.mooring.single_point.slewing import accelerations, at_rest_state, turned_state
-from hakobune.mooring.single_point.stored import mean_drift
 from hakobune.mooring.single_point.waves import (
     RING,
     at_heading,
     headings,
+    mean_drift,
     mean_frequency,
     share_of_height,
     split_frequency,
