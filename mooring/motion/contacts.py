@@ -63,7 +63,8 @@ def berth_of(fenders, ropes, center):
     ]
     numbers += [(*(one.bollard - center), *(one.fairlead - center), one.length, 0.0, 0.0, 1.0) for one in ropes]
     table = contact_table([*(one.fender for one in fenders), *(one.pull for one in ropes)])
-    arrays = Contacts(table, np.array(numbers, float).reshape(-1, 10))
+    alone, apart = np.zeros(len(numbers), np.int64), np.full(len(numbers), -1)
+    arrays = Contacts(table, np.array(numbers, float).reshape(-1, 10), alone, apart, center[None])
     return Berth(fenders, ropes, arrays)
 
 
@@ -73,16 +74,20 @@ def no_berth():
 
 
 def berth_force(berth, position):
-    """(6,) generalized forces, in heading axes, of fenders that are pressed for the first time and ropes"""
-    work = contact_work(berth.arrays)
-    contact_loads(berth.arrays, work, np.asarray(position, float), np.zeros((3, 3)), np.zeros(3), np.zeros(3))
-    return work.parts.sum(axis=0)
+    """(n,) generalized forces, in heading axes, of fenders that are pressed for the first time and ropes
+
+    position : (n,) of the bodies, six for each
+    """
+    work, poses = contact_work(berth.arrays), np.array(position, float).reshape(-1, 6)
+    contact_loads(berth.arrays, work, poses, np.zeros((len(poses), 3, 3)), np.zeros(3), np.zeros(3))
+    return work.parts.sum(axis=0).ravel()
 
 
 def berth_stiffness(berth, position):
-    """(6, 6) −∂force/∂position at a position (6,)"""
-    out = np.empty((6, 6))
-    for j, h in enumerate(STEP):
+    """(n, n) −∂force/∂position at a position (n,)"""
+    count = len(position)
+    out = np.empty((count, count))
+    for j, h in enumerate(np.tile(STEP, count // 6)):
         ahead, behind = (np.array(position, float) for _ in range(2))
         ahead[j], behind[j] = ahead[j] + h, behind[j] - h
         out[:, j] = (berth_force(berth, behind) - berth_force(berth, ahead)) / (2 * h)
@@ -90,7 +95,7 @@ def berth_stiffness(berth, position):
 
 
 def at_rest(berth, others, start, unit):
-    """(6,) place where fenders, ropes and `others` (function of the place, (6,) N) balance; unit : (6,) m, rad
+    """(n,) place where fenders, ropes and `others` (function of the place, (n,) N) balance; unit : (n,) m, rad
 
     raises : ValueError where they do not
     """
@@ -111,14 +116,14 @@ def at_rest(berth, others, start, unit):
 
 
 def contact_forces(berth, position):
-    """(m,) N of fenders and ropes with the body at a place (6,) that it is put to"""
-    return courses(berth, np.asarray(position, float)[None])[1][0]
+    """(m,) N of fenders and ropes with the bodies at a place (n,) that they are put to"""
+    return courses(berth, np.asarray(position, float).reshape(1, -1, 6))[1][0]
 
 
 def courses(berth, positions):
-    """Deflection or elongation (n, m) m and force (n, m) N along positions (n, 6 or more) of the body"""
+    """Deflection or elongation (n, m) m and force (n, m) N along positions (n, N, 6) of the bodies"""
     positions = np.ascontiguousarray(positions)
     depth, force = (np.zeros((len(positions), len(berth.names))) for _ in range(2))
-    room = np.zeros((3, 3)), np.zeros(3), np.zeros(3)
+    room = np.zeros((positions.shape[1], 3, 3)), np.zeros(3), np.zeros(3)
     contacts_along(berth.arrays, contact_work(berth.arrays), positions, *room, depth, force)
     return depth, force

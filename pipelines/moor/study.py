@@ -166,6 +166,19 @@ class Study(Table):
         """`mooring.motion.contacts.Berth` of fenders and ropes, for a body with its axes at `center` (3,) m"""
         return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
 
+    def berth_of(self, db, hulls):
+        """The same of the bodies of a database, `hulls_of` it.  Raises StudyError for what it is not known of."""
+        if not db.bodies:
+            return self.berth(hulls, db.rotation_center)
+        if self.quay is not None or self.harbour is not None:
+            key = "quay" if self.quay is not None else "harbour"
+            raise StudyError(f"[{key}] is given, and the database is of several bodies; allowed: with one body")
+        if self.at_berth:
+            raise StudyError(
+                "[[fender]], [[dolphin]] and [[rope]] are not known between bodies; allowed: with one body"
+            )
+        return self.berth((), ())
+
     def without_berth(self, command):
         """Itself.  Raises StudyError where fenders, ropes or a quay would be left out by a command."""
         if self.at_berth:
@@ -189,11 +202,13 @@ class Study(Table):
         legs = self._legs({"": hull}, density, gravity, in_time)
         return None if legs is None else moored_body(legs, self.water.depth, center, density, gravity)
 
-    def system_of(self, db, hulls):
-        """System of the bodies of a database, `hulls_of` it"""
+    def system_of(self, db, hulls, in_time=False):
+        """System of the bodies of a database, `hulls_of` it, None as of `system`"""
         if not db.bodies:
-            return self.system(hulls, db.rotation_center, db.density, db.gravity)
-        legs = self._legs(hulls, db.density, db.gravity, False, {body.name: body for body in db.bodies})
+            return self.system(hulls, db.rotation_center, db.density, db.gravity, in_time)
+        legs = self._legs(hulls, db.density, db.gravity, in_time, {body.name: body for body in db.bodies})
+        if legs is None:
+            return None
         moving = {body.name: (body.rotation_center, body.heading) for body in db.bodies if not body.fixed}
         return moored_bodies(legs, moving, self.water.depth, db.density, db.gravity)
 

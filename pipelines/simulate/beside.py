@@ -54,13 +54,15 @@ def simplified(study, db):
     ):  # fmt: skip
         if there:
             return Beside(none, none, unknown, unknown, (f"the simplified method knows no {words} and is left out",))
-    hull = study.hull_of(db.sizes)
-    system = study.system(hull, db.rotation_center, db.density, db.gravity)
+    hull = study.hulls_of(db)
+    system = study.system_of(db, hull)
     try:
         found = multi_point(db, system, hull, study.conditions(), study.allowable)
     except ValueError as error:
         reason = f"the simplified method has no answer here: {' '.join(str(error).split())}"
         return Beside(none, none, unknown, unknown, (reason,))
+    if db.bodies:
+        return Beside(found.tension, found.utilisation, unknown, unknown)
     state = found.at_equilibrium
     period = dict(zip(state.names, state.period, strict=True))
     slow = _slow(study, db, hull, found)

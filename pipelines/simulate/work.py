@@ -9,21 +9,18 @@ from functools import partial
 import msgspec
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError
 from ..moor.quay import body_of
 from ..moor.study import Study
+from ..response.study import ONE_BODY
 from ..results.given import database_of
 from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
 from .study import check_names, damping, level_of_pairs, plan_of, quadratic, spring
 
-QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
-    "wave": "m",
-    "wind speed": "m/s",
-}
+MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 STATIC = (
     'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" moves them '
     "where a trial asks for it"
@@ -63,27 +60,28 @@ def prepared(task, db=None, waves=None):
         from hakobune.mooring.response.viscous import in_time
 
         study, db = task.study, database_of(task.database if db is None else db)
-        plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
-        hull = study.hull_of(db.sizes)
+        words = db.bodies_reader.words
+        plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words)
+        hull = study.hulls_of(db)
         first = study.remarks(hull, db)
-        system = study.system(hull, db.rotation_center, db.density, db.gravity, in_time=True)
+        system = study.system_of(db, hull, in_time=True)
         weather = plan.weather
         calm = not weather.seas and weather.waves is None and weather.components is None
-        exposed = None if study.hull is None and not (weather.wind or weather.current) else hull
+        exposed = None if not (study.hull or study.hulls or weather.wind or weather.current) else hull
         check_names(plan.settings, () if system is None else system.line_names)
-        berth = study.berth(hull, db.rotation_center)
+        berth = study.berth_of(db, hull)
         reader, of_quay = body_of(study, db)
         memory = task.memory
         if memory is None and (of_quay or plan.settings.memory == "constant"):
             memory = no_memory(reader)
-        extra, drag = damping(study, reader.floating()), quadratic(study)
+        extra, drag = damping(study, reader.floating()), quadratic(study, words)
         if of_quay and reader.viscous is None:  # made of the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
         with heard() as caught:
             body = moored(
                 reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
-                spring=spring(study),
+                spring=spring(study, words),
                 waves=no_wave_forces(reader) if calm else waves, linearised_in=plan.weather.waves,
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
@@ -140,6 +138,10 @@ def _with_pairs(plan, study, db, reader):
 
     weather, drift = plan.weather, plan.settings.slow_drift
     level = level_of_pairs(study, bool(weather.seas), drift)
+    if db.bodies and level not in ("newman", "auto"):
+        raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "auto"')
+    if db.bodies:
+        return plan, ()
     try:
         found, notes = [], []
         for sea in weather.seas:
@@ -178,7 +180,8 @@ def simulate_seed(task, seed, kept, progress=None):
         raise ValueError("the run has numbers that are not finite")
     found = [statistics(column) for column in columns.T]
     names = run.tension.shape[1], run.deflection.shape[1]
-    units, reader = quantities_of(*(("",) * n for n in names))[1], body.reader
+    reader = body.reader
+    units = quantities_of(*(("",) * n for n in names), reader.words)[1]
     still = stillness([one.sigma for one in found], units, 2 * reader.radius, reader.inertia[0, 0] * reader.gravity)
     row = {
         "statistics": np.array([without_rounding(*pair) for pair in zip(found, still, strict=True)]),
@@ -193,20 +196,21 @@ def simulate_seed(task, seed, kept, progress=None):
 
 
 def largest_use(body, motion, tension):
-    """(lines,) largest share of the breaking load in motion (t, 6), m, rad, and tension (t, lines), N, at the body
+    """(lines,) largest share of the breaking load in motion (t, n), m, rad, and tension (t, lines), N, at the body
 
     Of a line of segments also that of each of them, where the pull on the body is largest: below a buoy that is under
     water the line pulls more than at the body.
     """
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.motion.simulation.realisation import poses_of
 
     system = body.system
     load = [*(() if system is None else system.breaking_load), *(one.breaking_load for one in body.berth.ropes)]
     used = tension.max(axis=0) / np.where(np.isfinite(load), load, np.nan)
     for i in () if system is None else (one.number for one in system.composites):
-        (hull,) = system.bodies
-        pose = np.add(hull.position, motion[tension[:, i].argmax()])
-        at = rest(held_at(system, {hull.name: tuple(map(float, pose))}))
+        poses = poses_of(motion[tension[:, i].argmax()], body.reader.axes_at_rest)
+        held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(system.bodies, poses, strict=True)}
+        at = rest(held_at(system, held))
         used[i] = np.fmax(used[i], at.lines.utilisation[i])
     return used
 
@@ -218,8 +222,9 @@ def sample_times(settings):
     return time[time >= -1e-9]
 
 
-def quantities_of(lines, fenders=()):
-    """Names and units of the columns of statistics"""
-    names = [*QUANTITY_UNITS, *(f"tension {line}" for line in lines)]
+def quantities_of(lines, fenders=(), words=ONE_BODY):
+    """Names and units of the columns of statistics; words : of the motions"""
+    names = [*words, "wave", "wind speed", *(f"tension {line}" for line in lines)]
     names += [f"{what} {fender}" for fender in fenders for what in ("deflection", "reaction")]
-    return tuple(names), tuple([*QUANTITY_UNITS.values()] + ["N"] * len(lines) + ["m", "N"] * len(fenders))
+    units = [*MOTION_UNITS * (len(words) // 6), "m", "m/s", *["N"] * len(lines), *["m", "N"] * len(fenders)]
+    return tuple(names), tuple(units)
