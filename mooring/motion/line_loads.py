@@ -94,15 +94,15 @@ def hold(lines, work, t):
         work.whole[i] = lines.lost[i] > t
 
 
-def body_lines(system, lost=(), tables=((), ()), moving=()):
-    """`Lines` of a System, that run from anchors to fairleads, or between bodies; of None, none of one body.
+def body_lines(system, lost=(), tables=((), ()), moving=(), bodies=1):
+    """`Lines` of a System, that run from anchors to fairleads, or between bodies; of None, none of so many bodies.
 
     tables : ForceTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
     lost : (name, s) of lines that break; moving : numbers of lines with a motion of their own
     raises : ValueError for other systems, and names that are unknown
     """
     if system is None:
-        return _arrays([], [], [], [], [], [], -1.0, np.zeros((1, 3)), tables, [], [], [])
+        return _arrays([], [], [], [], [], [], -1.0, np.zeros((bodies, 3)), tables, [], [], [])
     points = {point.name: point for point in system.points}
     unknown = {name for name, _ in lost} - set(system.line_names)
     if unknown:

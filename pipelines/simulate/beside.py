@@ -81,12 +81,16 @@ def _slow(study, db, hull, found):
 def of_berth(study, db, body):
     """Attributes of the file: natural periods at the berth, of the harbour, fenders, design spectrum method"""
     fenders = body.berth.fenders
-    return {
-        "natural_period": periods_at_berth(body),
-        "harbour_period": [] if study.harbour is None else check_harbour(study.harbour.periods),
+    own = {
         "fender_height": [one.fender.height for one in fenders],
         "fender_allowable": [one.fender.own_allowable for one in fenders],
         "fender_strains": json.dumps([_strains(one.fender) for one in fenders]),
+    }
+    if db.bodies:
+        return own
+    return own | {
+        "natural_period": periods_at_berth(body),
+        "harbour_period": [] if study.harbour is None else check_harbour(study.harbour.periods),
         "design_spectrum": by_design_spectrum(study, db, body_of(study, db)[0], body.hull, fenders),
     }
 

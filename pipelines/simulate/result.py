@@ -40,7 +40,7 @@ MOTIONS, LINES, FENDERS = (
     "tension of the lines in all runs",
     "fenders in all runs",
 )
-RUNS, BERTH = "runs", "berth"
+RUNS, BERTH, GAPS = "runs", "berth", "clear water between hulls in all runs"
 WORDS = {  # of a statistic: (heading, unit or None for that of the record, whether it is printed)
     "mean": ("mean", None, True),
     "sigma": ("σ", None, True),
@@ -123,6 +123,7 @@ def result_of(file, window=None, more=()):
     records = [*words_of(file), "wave", "wind speed"]  # statistics of a file before lines
     quantities = {
         **_statistics("record", MOTIONS, "record", [values[name] for name in records], units_of(file)[: len(records)]),
+        **_of_gaps(names, values),
         **_of_lines(file, [values[f"tension {name}"] for name in lines]),
         **_of_fenders(file, fenders, values),
         **_of_berth(file),
@@ -130,6 +131,7 @@ def result_of(file, window=None, more=()):
     }
     axes = {
         **labels("record", records), **labels("line", lines), **labels("fender", fenders), **labels("plane", PLANE),
+        **labels("gap", [name.removeprefix("gap ") for name in names if name.startswith("gap ")]),
         **labels("seed", file["seed"][()][whole_rows(file)]), **labels("harbour", file.attrs.get("harbour_period", [])),
     }  # fmt: skip
     if window is not None:
@@ -189,6 +191,16 @@ def _of_lines(file, rows):
     largest = largest_in_runs(file, "tension")[0]
     made["tension.largest_of_seed"] = Quantity(largest, ("seed", "line"), "N", "largest in each run")
     return made
+
+
+def _of_gaps(names, values):
+    """Of the water between several hulls, {} for one"""
+    found = [values[name] for name in names if name.startswith("gap ")]
+    return {
+        f"gap.{key}": Quantity([row[key] for row in found], ("gap",), "m", words, GAPS)
+        for key, words in (("mean", "mean"), ("smallest", "smallest"), ("largest", "largest"))
+        if found
+    }
 
 
 def _of_fenders(file, names, values):

@@ -277,7 +277,7 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
         np.array(load, float),
         *ends,
         sample_times(plan.settings),
-        *quantities_of(names, fenders, body.reader.words),
+        *quantities_of(names, fenders, body.reader.words, ready.sides),
         attributes,
         fenders,
         body.reader.names,

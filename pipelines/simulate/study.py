@@ -45,6 +45,7 @@ class Plan:
     """weather, settings : of `mooring.motion.weather`; seeds : of all runs; split : rad/s, of slow and wave part
 
     mean_period : s, of the waves, None without; findings : one line each
+    sides : `mooring.motion.gaps.Side` of several bodies
     told : what was chosen and what is left out, one line each; pace : s of computing a simulated second, on static and
         on moving lines, nan where it is not known: both once a body is prepared
     """
@@ -57,6 +58,7 @@ class Plan:
     mean_period: float | None
     findings: tuple[str, ...]
     told: tuple[str, ...] = ()
+    sides: tuple = ()
     pace: tuple[float, float] = (math.nan, math.nan)
 
 

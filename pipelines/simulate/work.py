@@ -9,11 +9,13 @@ from functools import partial
 import msgspec
 import numpy as np
 
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.motion.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError
 from ..moor.quay import body_of
-from ..moor.study import Study
+from ..moor.study import Study, sides_of
 from ..response.study import ONE_BODY
 from ..results.given import database_of
 from ..results.heard import heard
@@ -25,6 +27,7 @@ STATIC = (
     'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" moves them '
     "where a trial asks for it"
 )
+FARTHER = 0.5  # of the gap at rest, by which it may change without a word, and a half of the lesser hull's beam
 _prepared = {}
 
 
@@ -89,8 +92,11 @@ def prepared(task, db=None, waves=None):
             plan, left = _with_pairs(plan, study, db, reader)
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before there is a file
+        _check_start(sides_of(db), body, plan.settings)
         told = *choice.left_out, *left, *choice.words
-        plan = replace(plan, settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told))
+        plan = replace(
+            plan, sides=sides_of(db), settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told)
+        )
         _prepared.clear()
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         if waves is None:
@@ -175,20 +181,26 @@ def simulate_seed(task, seed, kept, progress=None):
     statistics = partial(record_statistics, step=plan.settings.step, split=plan.split, duration=extreme)
     run = run._replace(tension=np.column_stack([run.tension, run.pull]))
     met = [column for pair in zip(run.deflection.T, run.reaction.T, strict=True) for column in pair]
-    columns = np.column_stack([run.motion, run.wave, run.wind_speed, run.tension, *met])[late]
+    apart = gaps(plan.sides, run.poses)
+    columns = np.column_stack([run.motion, run.wave, run.wind_speed, apart, run.tension, *met])[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has numbers that are not finite")
     found = [statistics(column) for column in columns.T]
     names = run.tension.shape[1], run.deflection.shape[1]
     reader = body.reader
-    units = quantities_of(*(("",) * n for n in names), reader.words)[1]
+    units = quantities_of(*(("",) * n for n in names), reader.words, plan.sides)[1]
     still = stillness([one.sigma for one in found], units, 2 * reader.radius, reader.inertia[0, 0] * reader.gravity)
     row = {
         "statistics": np.array([without_rounding(*pair) for pair in zip(found, still, strict=True)]),
         "estimated_error": run.estimated_error,
         "steps": float(run.steps),
         "used": largest_use(body, run.motion[late], run.tension[late]),
-        "findings": np.bytes_("\n".join(run.findings).encode()[:LONGEST].decode(errors="ignore").encode()),
+        "findings": np.bytes_(
+            "\n".join((*run.findings, *_of_gaps(plan.sides, apart[late])))
+            .encode()[:LONGEST]
+            .decode(errors="ignore")
+            .encode()
+        ),
     }
     if kept:
         row |= {name: getattr(run, name)[late] for name in SERIES}
@@ -222,9 +234,51 @@ def sample_times(settings):
     return time[time >= -1e-9]
 
 
-def quantities_of(lines, fenders=(), words=ONE_BODY):
-    """Names and units of the columns of statistics; words : of the motions"""
-    names = [*words, "wave", "wind speed", *(f"tension {line}" for line in lines)]
+def _of_gaps(sides, apart):
+    """Findings on hulls that meet, or go farther from each other than the water between them is known for"""
+    for (one, other), gap in zip(pairs_of(sides), apart.T, strict=True):
+        names, least = f"{one.name} and {other.name}", gap.min()
+        at_rest = gaps((one, other), at_rest_of(sides))[0, 0]
+        size = min(one.half.min(), other.half.min())
+        if least < 0:
+            yield fails(
+                f"{names} meet: their hulls overlap by {-least:.3g} m, limit 0; hold them apart by fenders or lines"
+            )
+        elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
+            yield (
+                f"{names} come to {least:.3g} to {gap.max():.3g} m from each other, {at_rest:.3g} m at rest: forces of "
+                "the water between them are those at rest"
+            )
+
+
+def _check_start(sides, body, settings):
+    """Raise StudyError for hulls that overlap where a run begins."""
+    from hakobune.mooring.motion.simulation.run import begin
+
+    for (one, other), gap in zip(pairs_of(sides), gaps(sides, begin(body, settings.offset)[None])[0], strict=True):
+        if gap < 0:
+            raise StudyError(
+                f"{one.name} and {other.name} overlap by {-gap:.3g} m where a run begins; allowed: apart; give less "
+                "offset, or less pull between them"
+            )
+
+
+def at_rest_of(sides):
+    """(1, N, 6) poses at rest of the bodies that move"""
+    return np.array([[[0, 0, 0, 0, 0, one.place[2]] for one in sides if one.moves >= 0]], float)
+
+
+def quantities_of(lines, fenders=(), words=ONE_BODY, sides=()):
+    """Names and units of the columns of statistics; words : of the motions; sides : of several bodies"""
+    between = [f"gap {one.name} {other.name}" for one, other in pairs_of(sides)]
+    names = [*words, "wave", "wind speed", *between, *(f"tension {line}" for line in lines)]
     names += [f"{what} {fender}" for fender in fenders for what in ("deflection", "reaction")]
-    units = [*MOTION_UNITS * (len(words) // 6), "m", "m/s", *["N"] * len(lines), *["m", "N"] * len(fenders)]
+    units = [
+        *MOTION_UNITS * (len(words) // 6),
+        "m",
+        "m/s",
+        *["m"] * len(between),
+        *["N"] * len(lines),
+        *["m", "N"] * len(fenders),
+    ]
     return tuple(names), tuple(units)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem.modes import turned
 from hakobune.bem.time_domain.fast_states import slow_memory
 from hakobune.bem.time_domain.memory import MemoryArrays
 
+from ...lines.system.bodies import axes_in_space
 from .. import slow_damping
 from ..equation import Body
 from ..given_forces import sampled
@@ -51,7 +51,7 @@ def body_of(moored, weather, settings, components, drag, munk):
         of_each(in_space(moored.spring, reader.axes_at_rest[:, 5])),
         damping,
         quadratic,
-        reader.axes_at_rest[:, 5],
+        np.ascontiguousarray(reader.axes_at_rest[:, 5]),
         FILTER * (UNKNOWN if components is None else mean_frequency(components)),
         float(settings.ramp),
         np.array((0.0, settings.ramp) if settings.wave_ramp is None else settings.wave_ramp, float),
@@ -69,9 +69,7 @@ def of_each(matrix):
 
 def in_space(matrix, headings):
     """A matrix (6N, 6N) along the axes of bodies of headings (N,) rad, along those of space"""
-    turn = np.zeros_like(matrix)
-    for i, heading in enumerate(headings):
-        turn[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = turned(-heading)
+    turn = axes_in_space(headings)
     return turn @ matrix @ turn.T
 
 

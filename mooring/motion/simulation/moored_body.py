@@ -11,6 +11,7 @@ from hakobune.bem import DOFS
 from hakobune.bem.database.reader import Reader
 from hakobune.bem.viscous import Quadratic
 
+from ...lines.system.bodies import axes_in_space
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
@@ -164,13 +165,19 @@ def _rest(system, body, spring):
 
 def _rest_at_berth(berth, system, tables, body, spring, start):
     """(n,) places at rest with fenders and ropes beside lines and water"""
-    lines = body_lines(system, (), tables)
-    work, count = line_work(lines), len(start) // 6
+    count = len(start) // 6
+    lines = body_lines(system, (), tables, bodies=count)
+    work = line_work(lines)
     R, out = np.zeros((count, 3, 3)), np.zeros((count, 6))
 
+    headings = body.axes_at_rest[:, 5]
+    turn = axes_in_space(headings)
+
     def others(place):
-        line_loads(lines, work, place.reshape(-1, 6), R, out)
-        return out.ravel() - (body.stiffness + spring) @ place
+        poses = place.reshape(-1, 6).copy()
+        poses[:, 5] += headings
+        line_loads(lines, work, poses, R, out)
+        return out.ravel() - (body.stiffness + spring) @ (turn.T @ place)
 
     inertia = np.diag(body.inertia).reshape(-1, 6)
     radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])

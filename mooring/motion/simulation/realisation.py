@@ -29,6 +29,7 @@ class Realisation(NamedTuple):
     deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
     work : {name: J} done on the bodies from the start of the ramp to the end; findings : one line each
     buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
+    poses : (n, N, 6) m, rad, displacements in space and headings of the bodies
     hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
     """
 
@@ -47,6 +48,7 @@ class Realisation(NamedTuple):
     deflection: np.ndarray
     reaction: np.ndarray
     pull: np.ndarray
+    poses: np.ndarray
     buoy: np.ndarray | None = None
     hawser: np.ndarray | None = None
     buoy_lines: np.ndarray | None = None
@@ -88,7 +90,7 @@ def realisation_of(moored, settings, seed, begun, course):
         _elevation(begun.waves.table, clocked, moored.reader), np.hypot(*wind.velocity) + gust_at(wind, clocked),
         tension, seed, np.full(6 * len(at_rest), np.nan), int(clock.counts[integrator.STEPS]),
         dict(zip(WORKS, works.tolist(), strict=True)), findings,
-        depth[:, :count], force[:, :count], force[:, count:], *_of_buoy(moored.buoy, course),
+        depth[:, :count], force[:, :count], force[:, count:], poses, *_of_buoy(moored.buoy, course),
     )  # fmt: skip
 
 

@@ -115,7 +115,8 @@ def _begun(moored, weather, settings, seed):
     moving = moving_of(moored, settings, sea)
     findings += (*_coarse(moored, weather, settings, moving), *_of_lost(settings))
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
-    lines = body_lines(moored.system, lost, moored.tables, () if moving is None else moving[0].number)
+    own = () if moving is None else moving[0].number
+    lines = body_lines(moored.system, lost, moored.tables, own, len(at_rest))
     body = body_of(moored, weather, settings, components, drag, current is not None)
     if components is not None:
         mean, constant = frequency_of_coefficients(settings, components), settings.memory == "constant"
