@@ -87,6 +87,12 @@ class Reader:
         return tuple(names[d] for d in moving(self.bodies))
 
     @property
+    def axes_at_rest(self):
+        """(N, 6) m, rad of what moves: the origin of the axes of each, at its rotation centre, and their turn"""
+        centers = [(body.rotation_center, body.heading) for body in self.bodies if not body.fixed]
+        return np.array([[*center, 0, 0, turn] for center, turn in centers or [(self.rotation_center, 0)]], float)
+
+    @property
     def omega(self):
         """(n,) rad/s stored, rising"""
         return self.between.omega
@@ -120,6 +126,11 @@ class Reader:
     def rebuilds_drift(self):
         """Whether Kochin functions are stored, so that drift between stored waves follows the motions"""
         return set(KOCHIN) <= set(self.between.quantities)
+
+    @property
+    def knows_drift_of_each(self):
+        """Whether the mean drift of each of several bodies is stored"""
+        return any(moves and name in self.between.quantities for name, moves in OF_EACH.items())
 
     def restrained(self, damping=None, stiffness=None):
         """The same body with linear matrices (n, n) added: viscous damping, mooring stiffness."""

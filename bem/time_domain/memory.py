@@ -2,7 +2,8 @@
 
     (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
 
-with velocities ν (6,) about the rotation centre, in axes of the body.  The n states x are r that decay and p pairs that
+with velocities ν (6,) about the rotation centre, in axes of the body; of several bodies (6N,), one after another, about
+the centre of each in its own axes, and passive as a whole.  The n states x are r that decay and p pairs that
 turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
 
     ẋ_k = −decay_k x_k + Σ_j input_jk ν_j                                            k < r
@@ -26,8 +27,8 @@ from warnings import warn
 
 import numpy as np
 
-from .. import DOFS
 from ..database.reader import Reader, reader, without_rows
+from ..modes import words_of
 from .passive_fit import MOVED, passive_fit
 from .rational import balanced, fitted
 from .sensitivity import sensitivity
@@ -49,7 +50,7 @@ LESS = (1.0, 0.5, 0.0)  # powers of that factor that are tried one after the oth
 
 
 class MemoryArrays(NamedTuple):
-    """What kernels take: decay (n,) 1/s, turn (p,) rad/s, input (6, n), output (6, n) of the module, all contiguous"""
+    """What kernels take: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the module, all contiguous"""
 
     decay: np.ndarray
     turn: np.ndarray
@@ -67,7 +68,7 @@ class Memory(Causal):
     error : (6, 6) largest difference of the transform from what is fitted, from ω = 0 to beyond the band, couplings
     and their motions by √(ii · jj) of the largest transform
     deviation : (6, 6) of what is fitted from the database in its band, likewise; error + deviation bound the rest
-    band : rad/s, first and last stored frequency; groups : motions that are coupled, numbers 0 to 5
+    band : rad/s, first and last stored frequency; groups : numbers of motions that are coupled; words : of the motions
     """
 
     arrays: MemoryArrays
@@ -78,9 +79,10 @@ class Memory(Causal):
     deviation: np.ndarray
     band: tuple
     groups: tuple
+    words: tuple = words_of(())
 
     def __repr__(self):
-        names = "; ".join(", ".join(DOFS[i].lower() for i in group) for group in self.groups)
+        names = "; ".join(", ".join(self.words[i] for i in group) for group in self.groups)
         return f"<Memory {self.states} states ({names}), error {self.error.max():.1e}>"
 
     @property
@@ -139,17 +141,18 @@ class _Goal(NamedTuple):
     damping: np.ndarray
 
 
-def memory_of_database(db, tolerance=1e-3, motions=range(6)):
+def memory_of_database(db, tolerance=1e-3, motions=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
     tolerance : of the transform, relative to the largest of each motion, 1e-5 to 0.1
-    motions : numbers 0 to 5 of those that a study has; the others are neither asked for nor fitted
+    motions : numbers of those that a study has, None for all; the others are neither asked for nor fitted
     raises : ValueError where damping or added mass are not known for these, at too few frequencies, or contradict
     each other because the band is too short; and where the tolerance is not reached
     """
     if not 1e-5 <= tolerance <= 0.1:
         raise ValueError(f"tolerance of the memory is {tolerance:g}; allowed: 1e-5 to 0.1")
     body = db if isinstance(db, Reader) else reader(db)
+    motions = range(len(body.words)) if motions is None else motions
     if len(body.omega) < FEWEST:
         raise ValueError(
             f"memory needs radiation at {FEWEST} frequencies at least, {len(body.omega)} are stored; solve a band, "
@@ -159,17 +162,18 @@ def memory_of_database(db, tolerance=1e-3, motions=range(6)):
     if goal.deviation.max() > CLOSE[0]:
         goal = _shorter(body, goal, motions)
     band, axis, at, wanted, size, scale, deviation, damping = goal
-    _check_deviation(deviation, band, damping, size)
+    _check_deviation(deviation, band, damping, size, body.words)
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # where damping is a power that is supposed
     parts = [
-        _fitted(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g]) for g in groups
+        _fitted(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
+        for g in groups
     ]
     arrays, storage, loss = _joined(parts, groups, size)
     made = _transfer(arrays, at).conj()
     error = _relative(np.abs(made - wanted).max(axis=0), scale)
-    return Memory(arrays, storage, loss, axis.added_mass_infinity, error, deviation, band, groups)
+    return Memory(arrays, storage, loss, axis.added_mass_infinity, error, deviation, band, groups, body.words)
 
 
 def no_memory(body):
@@ -179,10 +183,11 @@ def no_memory(body):
     for that of infinite frequency.
     """
     band = body.between.span
-    none, square = np.zeros((6, 0)), np.zeros((6, 6))
+    count = len(body.words)
+    none, square = np.zeros((count, 0)), np.zeros((count, count))
     arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
     A = body.coefficients(np.array([band[1]]))[0][0]
-    return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, band, ())
+    return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, band, (), body.words)
 
 
 def _goal(body, band, motions):
@@ -200,9 +205,10 @@ def _goal(body, band, motions):
     at = _frequencies(axis, band)
     wanted = axis.transform(at)
     size = np.sqrt(np.abs(np.einsum("qii->qi", wanted)).max(axis=0))
-    size[still | (size <= STILL * np.repeat([size[:3].max(), size[3:].max()], 3))] = 0.0
+    turns = np.arange(len(size)) % 6 > 2
+    size[still | (size <= STILL * np.where(turns, size[turns].max(), size[~turns].max()))] = 0.0
     scale = np.outer(size, size)
-    inertia = np.zeros((6, 6)) if body.inertia is None else body.inertia
+    inertia = np.zeros_like(scale) if body.inertia is None else body.inertia
     return _Goal(
         band, axis, at, wanted, size, scale, _deviation(axis, omega, added_mass, damping, scale, inertia), damping
     )
@@ -239,9 +245,9 @@ def _frequencies(axis, band):
 
 
 def _still(body, omega, added_mass, damping):
-    """(6,) whether added mass and damping (n, 6, 6) of motions are nothing beside the body's own inertia"""
+    """(6N,) whether added mass and damping (n, 6, 6) of motions are nothing beside the body's own inertia"""
     if body.inertia is None:
-        return np.zeros(6, bool)
+        return np.zeros(added_mass.shape[-1], bool)
     A, B = (np.einsum("nii->in", x) for x in (added_mass, damping))
     own = np.diag(body.inertia) + A.mean(axis=1)  # NaN of a mass that is not known compares as false
     return (np.ptp(A, axis=1) <= FACETS[0] * own) & (B / omega <= FACETS[1] * own[:, None]).all(axis=1)
@@ -263,7 +269,7 @@ def _deviation(axis, omega, added_mass, damping, scale, inertia):
     return _relative(np.abs(made - given), np.maximum(scale, np.nan_to_num(felt))).max(axis=0)
 
 
-def _check_deviation(deviation, band, damping, size):
+def _check_deviation(deviation, band, damping, size, words):
     worst = deviation.max()
     if worst <= CLOSE[0]:
         return
@@ -271,8 +277,8 @@ def _check_deviation(deviation, band, damping, size):
     ends = [x[i, i] / size[i] ** 2 if size[i] > 0 else 0.0 for x in (damping[0], damping[-1])]
     line = (
         f"added mass and damping from {band[0]:.3g} to {band[1]:.3g} rad/s contradict each other by {worst:.2g} of the "
-        f"largest ({DOFS[i].lower()}–{DOFS[j].lower()}); allowed: {CLOSE[1]:g}, good: {CLOSE[0]:g}; damping of "
-        f"{DOFS[i].lower()} is {ends[0]:.2g} of the largest at the lower end and {ends[1]:.2g} at the upper: extend "
+        f"largest ({words[i]}–{words[j]}); allowed: {CLOSE[1]:g}, good: {CLOSE[0]:g}; damping of "
+        f"{words[i]} is {ends[0]:.2g} of the largest at the lower end and {ends[1]:.2g} at the upper: extend "
         "the band there, or solve to a smaller tolerance"
     )
     if worst > CLOSE[1]:
@@ -295,7 +301,7 @@ def _groups(coupled):
     return tuple(found)
 
 
-def _fitted(omega, wanted, size, group, tolerance, answered):
+def _fitted(omega, wanted, size, group, tolerance, answered, words):
     """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance
 
     answered : (q, m) `sensitivity` of the motions
@@ -318,7 +324,7 @@ def _fitted(omega, wanted, size, group, tolerance, answered):
                 if error <= tolerance:
                     return made
     raise ValueError(
-        f"memory of {', '.join(DOFS[i].lower() for i in group)} is {best:.2g} off with the best of the systems tried; "
+        f"memory of {', '.join(words[i] for i in group)} is {best:.2g} off with the best of the systems tried; "
         f"the tolerance is {tolerance:g}: ask for less, or solve the database to a smaller tolerance"
     )
 
@@ -328,7 +334,7 @@ def _joined(parts, groups, size):
     alone = [len(part.decay) - 2 * len(part.turn) for part in parts]
     n, pairs = sum(len(part.decay) for part in parts), sum(len(part.turn) for part in parts)
     decay, turn = np.zeros(n), np.concatenate([part.turn for part in parts] or [np.zeros(0)])
-    into, out = np.zeros((6, n)), np.zeros((6, n))
+    into, out = np.zeros((2, len(size), n))
     storage, loss = np.zeros((n, n)), np.zeros((n, sum(len(group) for group in groups)))
     r, p, q = 0, 0, 0
     for part, group, real in zip(parts, groups, alone, strict=True):

@@ -14,28 +14,30 @@ from __future__ import annotations
 
 import numpy as np
 
-HELD = (0, 1, 5)
+HELD = (0, 1, 5)  # of each body
 SHARES = np.array([0.05, 0.05, 0.01, 0.01, 0.01, 0.05])  # ζ of critical damping
 NEAR = 0.05  # of a frequency, by which a mooring moves the natural ones of heave, roll and pitch
 
 
 def sensitivity(body, omega, transform, added_mass_infinity, size):
-    """(q, 6) diagonal of Y times size² at omega (q,) rad/s, 0 of a body without mass or restoring forces
+    """(q, n) diagonal of Y times size² at omega (q,) rad/s, 0 of bodies without mass or restoring forces
 
-    transform : (q, 6, 6) kg/s … H; size : (6,) square root of the largest of each motion
+    transform : (q, n, n) kg/s … H; size : (n,) square root of the largest of each motion
     """
-    out = np.zeros((len(omega), 6))
+    count = len(size)
+    out = np.zeros((len(omega), count))
     M, C = body.inertia, body.stiffness
     if M is None or C is None or not (np.all(np.isfinite(M)) and np.all(np.isfinite(C))):
         return out
     w = omega[:, None, None]
     total = M + added_mass_infinity - transform.imag / w  # M + A
     own = np.einsum("qii->qi", total)
-    damped = transform.real + np.eye(6) * (2 * SHARES * own * omega[:, None])[:, None]
-    free = omega**2 * own[:, 2] < C[2, 2]
+    damped = transform.real + np.eye(count) * (2 * np.tile(SHARES, count // 6) * own * omega[:, None])[:, None]
     held = C + np.zeros_like(total)
-    for i in HELD:
-        held[free, i, i] = (omega**2 * own[:, i])[free]
+    for first in range(0, count, 6):
+        free = omega**2 * own[:, first + 2] < C[first + 2, first + 2]
+        for i in HELD:
+            held[free, first + i, first + i] = (omega**2 * own[:, first + i])[free]
     for springs in (C, held):
         Y = np.linalg.inv(damped + 1j * (springs / w - w * total))
         out = np.maximum(out, np.abs(np.einsum("qii->qi", Y)) * size**2)

@@ -94,12 +94,13 @@ def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=No
     return WholeAxis(axis, np.concatenate([low, damping, high]), limit)
 
 
-def ends_of(body, motions=range(6)):
+def ends_of(body, motions=None):
     """A(∞) (6, 6) and M of a `bem.database.reader.Reader` for `whole_axis`, each None where it is not known
 
-    motions : numbers 0 to 5 of those that are asked for, A(∞) and M being 0 of the others
+    motions : numbers of those that are asked for, None for all, A(∞) and M being 0 of the others
     """
-    out = [i for i in range(6) if i not in motions]
+    count = len(body.words)
+    out = [] if motions is None else [i for i in range(count) if i not in motions]
     limit = body.between.limits.get("added_mass_infinity")
     if limit is not None:
         limit = without_rows(limit, out)
@@ -107,8 +108,10 @@ def ends_of(body, motions=range(6)):
         limit = None
     if body.stiffness is None:
         return limit, None
-    flux = np.zeros(6)
-    flux[2:5] = body.stiffness[2, 2:5] / (body.density * body.gravity)
+    flux = np.zeros(count)
+    for first in range(0, count, 6):
+        own = slice(first + 2, first + 5)
+        flux[own] = body.stiffness[first + 2, own] / (body.density * body.gravity)
     flux[out] = 0.0
     return limit, monopole_damping(flux, body.density, body.depth, body.gravity)
 
@@ -116,7 +119,7 @@ def ends_of(body, motions=range(6)):
 def monopole_damping(flux, density, depth, gravity):
     """M of the module as a function of omega (q,) rad/s.
 
-    flux : (6,) m² (m³ a radian) of volume that a unit of each motion displaces: the waterplane and its moments
+    flux : (6N,) m² (m³ a radian) of volume that a unit of each motion displaces: the waterplane and its moments
     """
     square = density * np.outer(flux, flux)
 

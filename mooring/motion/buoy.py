@@ -263,7 +263,7 @@ def hawsers(buoy, work, y, place, R):
     wx = cos * across * y[9] - sin * y[10]
     wy = sin * across * y[9] + cos * y[10]
     wz = y[11] - down * y[9]
-    at = buoy.lines.place
+    at = buoy.lines.place[0]
     work.part[:] = 0.0
     for i in range(buoy.ropes.shape[0]):
         ax, ay, az = turned(R, buoy.ends[i])
@@ -323,7 +323,8 @@ def buoy_rates(buoy, work, y, place, R, at, share, waves, rate):
     if work.window.shape[1] > 1:
         between_samples(work.window, at, work.weights, work.water)
     work.pose[:3] = place[:3]
-    good = line_loads(buoy.lines, work.lines, work.pose, work.R, work.force)
+    alone = work.pose.reshape(1, 6), work.R.reshape(1, 3, 3), work.force.reshape(1, 6)
+    good = line_loads(buoy.lines, work.lines, alone[0], alone[1], alone[2])
     hawsers(buoy, work, y, place, R)
     floats(buoy, work, place, share, waves)
     for j in range(3):
@@ -360,7 +361,7 @@ def open_water(table, buoy, work, place, number, start):
     if work.window.shape[1] <= 1:
         return
     for j in range(2):  # in the axes of the waves, in which the body at rest lies at the centre of their table
-        work.place[j] = buoy.lines.place[j] + place[j] - buoy.origin[j] + table.center[j]
+        work.place[j] = buoy.lines.place[0, j] + place[j] - buoy.origin[j] + table.center[0, j]
     if number == 0:
         water_rows(table, buoy, work.place, start, work.rows[0])
     water_rows(table, buoy, work.place, start + table.window, work.rows[(number + 1) % 2])

@@ -1,4 +1,4 @@
-"""Fenders that a body leans on and ropes that hold it to what stands still, compiled.
+"""Fenders that a body leans on and ropes that hold it to what stands still or to another body, compiled.
 
 A fender's face stands at a in space, met by a flat side of the body with outward normal m (unit, axes of the body) at
 the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
@@ -10,6 +10,7 @@ is the derivative of ∫N dδ, so that an elastic fender keeps energy.  A rope r
 
     e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
 
+On another body a moves with it, which takes the opposite force there; u then turns with the body that is met.
 What has a history (`mooring.fenders.hysteresis`, u) keeps it from the start of a step; `settle` takes its end.
 """
 
@@ -35,23 +36,30 @@ DEPTH, STATE, SLIP, AT, FORCE = 0, 1, 2, 5, 8  # places in a row of `ContactWork
 class Contacts(NamedTuple):
     """m fenders and ropes as the kernels read them.
 
-    table : their curves; numbers : (m, 10) a − x₀ m; m of a fender's side, or p, m; offset s − c, or L₀, m; μ; k_t N/m;
-    1 for a rope, or 0
+    table : their curves; numbers : (m, 10) a − x₀ m, or a in the axes of the `other` body; m of a fender's side, or
+    p, m; offset s − c, or L₀, m; μ; k_t N/m; 1 for a rope, or 0
+    body, other : (m,) number of the body that leans or is held, and of the one that a is on, below 0 for none
+    place : (N, 3) m, origins of the axes of the bodies at rest
     """
 
     table: ContactTable
     numbers: np.ndarray
+    body: np.ndarray
+    other: np.ndarray
+    place: np.ndarray
 
 
 class ContactWork(NamedTuple):
     """start, now : (m, 9) at the start of a step and now: δ or e, state of `hysteresis`, u (3) in space, q (3), force N
 
-    parts : (2, 6) of fenders and of ropes; beyond : (1,) number of one that is beyond its table and refused, or −1
+    parts : (2, N, 6) of fenders and of ropes; arm : (3,) m, of a on the other body
+    beyond : (1,) number of one that is beyond its table and refused, or −1
     """
 
     start: np.ndarray
     now: np.ndarray
     parts: np.ndarray
+    arm: np.ndarray
     beyond: np.ndarray
 
 
@@ -59,7 +67,8 @@ def contact_work(contacts):
     """`ContactWork` of what is not met yet"""
     start = np.zeros((len(contacts.numbers), 9))
     start[:, DEPTH], start[:, STATE] = -np.inf, 1.0
-    return ContactWork(start, start.copy(), np.zeros((2, 6)), np.full(1, -1))
+    parts = np.zeros((2, len(contacts.place), 6))
+    return ContactWork(start, start.copy(), parts, np.zeros(3), np.full(1, -1))
 
 
 @kernel(inline=True)
@@ -72,20 +81,37 @@ def pressed(contacts, work, i, depth):
 
 
 @kernel(inline=True)
-def fender_force(contacts, work, i, position, R, v, f):
-    """f (3,) N in space of fender i on the body, at the arm v (3,) m from the origin of its axes"""
+def from_the_body(contacts, work, i, positions, R, v):
+    """v (3,) m, from the origin of the axes of its body to a of contact i; work.arm is that from the other body's"""
+    c, b, other = contacts.numbers, contacts.body[i], contacts.other[i]
+    for j in range(3):
+        v[j] = c[i, j] - positions[b, j]
+    if other >= 0:
+        turn = R[other]
+        for j in range(3):
+            work.arm[j] = turn[j, 0] * c[i, 0] + turn[j, 1] * c[i, 1] + turn[j, 2] * c[i, 2]
+            apart = contacts.place[other, j] - contacts.place[b, j]
+            v[j] = apart + positions[other, j] + work.arm[j] - positions[b, j]
+
+
+@kernel(inline=True)
+def fender_force(contacts, work, i, R, v, f):
+    """f (3,) N in space of fender i on its body, at the arm v (3,) m from the origin of the body's axes"""
     c, start, now = contacts.numbers, work.start, work.now
     s = along = size = 0.0
     for j in range(3):
-        v[j] = c[i, j] - position[j]
         f[j] = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
         s += v[j] * f[j]
     N = pressed(contacts, work, i, c[i, OFFSET] - s)
+    turns = contacts.other[i] >= 0
     for j in range(3):
         now[i, AT + j] = R[0, j] * v[0] + R[1, j] * v[1] + R[2, j] * v[2]
         # the body's point that was at the fender, from it, and what it had moved before
         moved = R[j, 0] * start[i, AT] + R[j, 1] * start[i, AT + 1] + R[j, 2] * start[i, AT + 2] - v[j]
-        now[i, SLIP + j] = start[i, SLIP + j] + (moved if start[i, DEPTH] > 0.0 else 0.0)
+        before = start[i, SLIP + j]
+        if turns:
+            before = R[j, 0] * start[i, SLIP] + R[j, 1] * start[i, SLIP + 1] + R[j, 2] * start[i, SLIP + 2]
+        now[i, SLIP + j] = before + (moved if start[i, DEPTH] > 0.0 else 0.0)
         along += f[j] * now[i, SLIP + j]
     for j in range(3):
         now[i, SLIP + j] -= along * f[j]
@@ -95,15 +121,20 @@ def fender_force(contacts, work, i, position, R, v, f):
     for j in range(3):
         now[i, SLIP + j] *= held
         f[j] = -N * f[j] - c[i, SHEAR] * now[i, SLIP + j]
+    if turns:
+        x, y, z = now[i, SLIP], now[i, SLIP + 1], now[i, SLIP + 2]
+        for j in range(3):
+            now[i, SLIP + j] = R[0, j] * x + R[1, j] * y + R[2, j] * z
 
 
 @kernel(inline=True)
-def rope_force(contacts, work, i, position, R, v, f):
-    """f (3,) N in space of rope i on the body, at the arm v (3,) m"""
+def rope_force(contacts, work, i, R, v, f):
+    """f (3,) N in space of rope i on its body, at the arm v (3,) m, where it was that to the other end"""
     c, span = contacts.numbers, 0.0
     for j in range(3):
-        v[j] = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
-        f[j] = c[i, j] - position[j] - v[j]
+        arm = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
+        f[j] = v[j] - arm
+        v[j] = arm
         span += f[j] * f[j]
     span = np.sqrt(span)
     T = pressed(contacts, work, i, span - c[i, OFFSET])
@@ -112,19 +143,28 @@ def rope_force(contacts, work, i, position, R, v, f):
 
 
 @kernel(inline=True)
-def contact_loads(contacts, work, position, R, v, f):
-    """Generalized forces (2, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)"""
-    rotation_of(position[3:6], R)
+def contact_loads(contacts, work, positions, R, v, f):
+    """Generalized forces (2, N, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)
+
+    positions : (N, 6) of the bodies; R : (N, 3, 3), filled
+    """
+    for b in range(len(positions)):
+        rotation_of(positions[b, 3:6], R[b])
     work.parts[:] = 0.0
     work.beyond[0] = -1
     for i in range(len(contacts.numbers)):
-        kind = 0
+        kind, b, other = 0, contacts.body[i], contacts.other[i]
+        from_the_body(contacts, work, i, positions, R, v)
         if contacts.numbers[i, ROPE] > 0.0:
             kind = 1
-            rope_force(contacts, work, i, position, R, v, f)
+            rope_force(contacts, work, i, R[b], v, f)
         else:
-            fender_force(contacts, work, i, position, R, v, f)
-        give_generalized(position, v, f, work.parts[kind])
+            fender_force(contacts, work, i, R[b], v, f)
+        give_generalized(positions[b], v, f, work.parts[kind, b])
+        if other >= 0:
+            for j in range(3):
+                f[j] = -f[j]
+            give_generalized(positions[other], work.arm, f, work.parts[kind, other])
         if contacts.table.marks[i, 2] > 0.0 and work.now[i, DEPTH] > contacts.table.marks[i, 1]:
             work.beyond[0] = i
 
@@ -139,9 +179,9 @@ def settle(work):
 
 @kernel()
 def contacts_along(contacts, work, positions, R, v, f, depth, force):
-    """depth, force (n, m) m, N with the body at positions (n, 6 or more), one after the other"""
+    """depth, force (n, m) m, N with the bodies at positions (n, N, 6), one after the other"""
     for t in range(len(positions)):
-        contact_loads(contacts, work, positions[t, :6], R, v, f)
+        contact_loads(contacts, work, positions[t], R, v, f)
         settle(work)
         for i in range(len(contacts.numbers)):
             depth[t, i], force[t, i] = work.now[i, DEPTH], work.now[i, FORCE]

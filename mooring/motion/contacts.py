@@ -1,4 +1,4 @@
-"""Fenders and ropes of a body at a berth, as values, and where the body rests between them."""
+"""Fenders and ropes of bodies at a berth or side by side, as values, and where the bodies rest between them."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from ..fenders.fender import Fender, FenderError
 from ..fenders.hysteresis import contact_table
+from ..lines.system.bodies import axes_in_space, rotation
 from .contact_loads import Contacts, contact_loads, contact_work, contacts_along
 
 SIDES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0)}
@@ -18,7 +19,10 @@ RESTS = 1e-6  # residual over the largest force of a fender or rope
 @dataclass(frozen=True, eq=False)
 class QuayFender:
     """fender : with its dolphin; face : (3,) m in space; normal : (3,) outward of the body's flat side that meets it,
-    at `side` m from the origin of space with the body at rest; friction : μ; shear : N/m along the face"""
+    at `side` m from the origin of the hull's coordinates; friction : μ; shear : N/m along the face
+
+    face : with the bodies at rest; normal : in the body's axes
+    """
 
     name: str
     fender: Fender
@@ -38,11 +42,15 @@ class QuayFender:
 
 @dataclass(frozen=True, eq=False)
 class Berth:
-    """fenders : tuple of QuayFender; ropes : tuple of `mooring.lines.ropes.Rope`; arrays : Contacts, fenders first"""
+    """fenders : tuple of QuayFender; ropes : tuple of `mooring.lines.ropes.Rope`; arrays : Contacts, fenders first
+
+    heading : (N,) rad of the bodies' axes at rest
+    """
 
     fenders: tuple
     ropes: tuple
     arrays: Contacts
+    heading: np.ndarray
 
     @property
     def names(self):
@@ -50,21 +58,41 @@ class Berth:
         return tuple(one.name for one in (*self.fenders, *self.ropes))
 
 
-def berth_of(fenders, ropes, center):
-    """`Berth` of a body with its axes at `center` (3,) m.  Raises FenderError where names are not each its own."""
-    fenders, ropes, center = tuple(fenders), tuple(ropes), np.asarray(center, float)
+def berth_of(fenders, ropes, center, hulls=None, ends=None):
+    """`Berth` of a body with its axes at `center` (3,) m.  Raises FenderError where names are not each its own.
+
+    hulls : sequence of `studies.conditions.Afloat` of several bodies that move, in place of the center
+    ends : (body, other) of each fender and rope, numbers among these; other below 0 for what stands still
+    """
+    fenders, ropes = tuple(fenders), tuple(ropes)
+    at_rest = np.array([[*np.asarray(center, float), 0, 0, 0]] if hulls is None else [one.position for one in hulls])
+    own = at_rest[:, :3] if hulls is None else np.array([one.rotation_center for one in hulls])
+    ends = np.array([(0, -1)] * len(fenders + ropes) if ends is None else ends, np.int64).reshape(-1, 2)
+    turns = [rotation(0.0, 0.0, heading) for heading in at_rest[:, 5]]
+
+    def arm(number, point):
+        return turns[number].T @ (np.asarray(point, float) - at_rest[number, :3])
+
+    def far(point, body, other):
+        return arm(other, point) if other >= 0 else point - at_rest[body, :3]
+
     names = [one.name for one in (*fenders, *ropes)]
     twice = [name for name in names if names.count(name) > 1]
     if twice:
         raise FenderError(f"{twice[0]!r} is the name of two fenders or ropes; allowed: each its own")
     numbers = [
-        (*(one.face - center), *one.normal, one.side - float(np.dot(one.normal, center)), one.friction, one.shear, 0.0)
-        for one in fenders
+        (*far(one.face, b, o), *one.normal, one.side - float(np.dot(one.normal, own[b])), one.friction, one.shear, 0.0)
+        for one, (b, o) in zip(fenders, ends, strict=False)
     ]
-    numbers += [(*(one.bollard - center), *(one.fairlead - center), one.length, 0.0, 0.0, 1.0) for one in ropes]
+    numbers += [
+        (*far(one.bollard, b, o), *arm(b, one.fairlead), one.length, 0.0, 0.0, 1.0)
+        for one, (b, o) in zip(ropes, ends[len(fenders) :], strict=True)
+    ]
     table = contact_table([*(one.fender for one in fenders), *(one.pull for one in ropes)])
-    arrays = Contacts(table, np.array(numbers, float).reshape(-1, 10))
-    return Berth(fenders, ropes, arrays)
+    body, other = np.ascontiguousarray(ends.T)
+    places = np.ascontiguousarray(at_rest[:, :3])
+    arrays = Contacts(table, np.array(numbers, float).reshape(-1, 10), body, other, places)
+    return Berth(fenders, ropes, arrays, at_rest[:, 5])
 
 
 def no_berth():
@@ -73,24 +101,28 @@ def no_berth():
 
 
 def berth_force(berth, position):
-    """(6,) generalized forces, in heading axes, of fenders that are pressed for the first time and ropes"""
-    work = contact_work(berth.arrays)
-    contact_loads(berth.arrays, work, np.asarray(position, float), np.zeros((3, 3)), np.zeros(3), np.zeros(3))
-    return work.parts.sum(axis=0)
+    """(n,) generalized forces, in heading axes, of fenders that are pressed for the first time and ropes
+
+    position : (n,) displacements of the bodies in space, six for each
+    """
+    work, poses = contact_work(berth.arrays), np.array(position, float).reshape(-1, 6)
+    poses[:, 5] += berth.heading
+    contact_loads(berth.arrays, work, poses, np.zeros((len(poses), 3, 3)), np.zeros(3), np.zeros(3))
+    return work.parts.sum(axis=0).ravel()
 
 
 def berth_stiffness(berth, position):
-    """(6, 6) −∂force/∂position at a position (6,)"""
-    out = np.empty((6, 6))
-    for j, h in enumerate(STEP):
-        ahead, behind = (np.array(position, float) for _ in range(2))
-        ahead[j], behind[j] = ahead[j] + h, behind[j] - h
+    """(n, n) −∂force/∂position at a position (n,), along the axes of the bodies"""
+    count = len(position)
+    out, along = np.empty((count, count)), axes_in_space(berth.heading)
+    for j, h in enumerate(np.tile(STEP, count // 6)):
+        ahead, behind = position + h * along[:, j], position - h * along[:, j]
         out[:, j] = (berth_force(berth, behind) - berth_force(berth, ahead)) / (2 * h)
     return out
 
 
 def at_rest(berth, others, start, unit):
-    """(6,) place where fenders, ropes and `others` (function of the place, (6,) N) balance; unit : (6,) m, rad
+    """(n,) place where fenders, ropes and `others` (function of the place, (n,) N) balance; unit : (n,) m, rad
 
     raises : ValueError where they do not
     """
@@ -111,14 +143,16 @@ def at_rest(berth, others, start, unit):
 
 
 def contact_forces(berth, position):
-    """(m,) N of fenders and ropes with the body at a place (6,) that it is put to"""
-    return courses(berth, np.asarray(position, float)[None])[1][0]
+    """(m,) N of fenders and ropes with the bodies at a displacement (n,) that they are put to"""
+    poses = np.array(position, float).reshape(1, -1, 6)
+    poses[:, :, 5] += berth.heading
+    return courses(berth, poses)[1][0]
 
 
 def courses(berth, positions):
-    """Deflection or elongation (n, m) m and force (n, m) N along positions (n, 6 or more) of the body"""
-    positions = np.ascontiguousarray(positions)
+    """Deflection or elongation (n, m) m and force (n, m) N along positions (n, N, 6) or (n, 6 N) of the bodies"""
+    positions = np.ascontiguousarray(np.reshape(positions, (len(positions), -1, 6)))
     depth, force = (np.zeros((len(positions), len(berth.names))) for _ in range(2))
-    room = np.zeros((3, 3)), np.zeros(3), np.zeros(3)
+    room = np.zeros((positions.shape[1], 3, 3)), np.zeros(3), np.zeros(3)
     contacts_along(berth.arrays, contact_work(berth.arrays), positions, *room, depth, force)
     return depth, force

@@ -11,8 +11,10 @@ The memory is a linear system that is driven by ν (`bem.time_domain.memory`).  
 lines of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation.
 Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
 
-State: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J, displacement (3) and
-velocity (3) of a buoy in space, memory.
+State of a body: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J.  The state is
+that of every body, one after another, displacement (3) and velocity (3) of a buoy in space, and the memory of all.
+Several bodies, N, move in the same equation: M + A∞ and B′ are (6N, 6N), the memory is that of the whole, and lines,
+fenders and ropes give what they do to one of them back to the other.  ψ is the heading of each, not 0 at rest for all.
 """
 
 from __future__ import annotations
@@ -37,20 +39,22 @@ WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "giv
          "hawsers")  # fmt: skip
 BY_WAVES, BY_DRIFT, BY_WIND, BY_CURRENT, BY_LINES, BY_MEMORY, BY_DAMPING, BY_GIVEN, BY_FENDERS, BY_ROPES = range(10)
 BY_HAWSERS = 10
-SLOW, SLOW_RATE, FIRST_WORK, FLOAT = 12, 15, 18, 18 + len(WORKS)  # where the parts of the state begin
-MEMORY = FLOAT + 6
+SLOW, SLOW_RATE, FIRST_WORK = 12, 15, 18  # where the parts of the state of a body begin
+BLOCK = 18 + len(WORKS)  # numbers of it
+SAMPLED = 18  # of these, that are kept
 
 
 class Body(NamedTuple):
-    """Constants of the equation.
+    """Constants of the equation of N bodies.
 
-    mass_inverse : (6, 6) of M + A∞; rigid, slow : (6, 6) M, and the added mass of slow motion
-    stiffness : (6, 6) hydrostatic, on η in heading axes; spring : (6, 6) on η in space axes; damping : (6, 6) B′
-    quadratic : (6,) N₂; filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where its moment is in the current
+    mass_inverse : (6N, 6N) of M + A∞; rigid, slow : (N, 6, 6) M, and the added mass of slow motion, of each
+    stiffness : (N, 6, 6) hydrostatic, on η in heading axes; spring : (N, 6, 6) on η in space axes
+    damping : (6N, 6N) B′; quadratic : (6N,) N₂; heading : (N,) rad, ψ at rest
+    filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where its moment is in the current
     wave_ramp : (2,) s, begin of the waves and how long they grow
     memory : `bem.time_domain.memory.MemoryArrays`
-    drift_damping : (HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
-    given : (6, n) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
+    drift_damping : (N, HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
+    given : (6N, n) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
     """
 
     mass_inverse: np.ndarray
@@ -60,6 +64,7 @@ class Body(NamedTuple):
     spring: np.ndarray
     damping: np.ndarray
     quadratic: np.ndarray
+    heading: np.ndarray
     filter_rate: float
     ramp: float
     wave_ramp: np.ndarray
@@ -73,7 +78,8 @@ class Body(NamedTuple):
 class Work(NamedTuple):
     """Room for work of one evaluation, and the window of wave forces in use.
 
-    window : (ROWS, m); span : start s, step s; force, part : (6,); R : (3, 3)
+    window : (N, ROWS, m); span : start s, step s; force : (6N,); part : (6,); R : (N, 3, 3)
+    place, pull : (N, 6) displacements, forces of lines
     """
 
     window: np.ndarray
@@ -89,6 +95,8 @@ class Work(NamedTuple):
     arm: np.ndarray
     moving: np.ndarray
     powers: np.ndarray
+    place: np.ndarray
+    pull: np.ndarray
 
 
 class Scene(NamedTuple):
@@ -105,12 +113,28 @@ class Scene(NamedTuple):
     work: Work
 
 
-def room(columns):
+def room(columns, bodies=1):
     """`Work` for windows of so many columns"""
     return Work(
-        np.zeros((ROWS, columns)), np.zeros(2), np.zeros(6), np.zeros(6), np.zeros(3), np.zeros(ROWS), np.zeros(6),
-        np.zeros(1), np.zeros(6), np.zeros((3, 3)), np.zeros(3), np.zeros(4), np.zeros(15),
+        np.zeros((bodies, ROWS, columns)), np.zeros(2), np.zeros(6 * bodies), np.zeros(6), np.zeros(3), np.zeros(ROWS),
+        np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((bodies, 3, 3)), np.zeros(3), np.zeros(4), np.zeros(15),
+        np.zeros((bodies, 6)), np.zeros((bodies, 6)),
     )  # fmt: skip
+
+
+def buoy_at(bodies):
+    """Place in the state where a buoy begins"""
+    return BLOCK * bodies
+
+
+def memory_at(bodies):
+    """Place in the state where the memory begins"""
+    return BLOCK * bodies + 6
+
+
+def blocks(state, bodies):
+    """(N, BLOCK) of a state (n,)"""
+    return state[: BLOCK * bodies].reshape(bodies, BLOCK)
 
 
 @kernel(inline=True)
@@ -133,72 +157,93 @@ def give(force, y, rate, part, count, number):
 
 
 @kernel(inline=True)
-def add_horizontal(work, y, rate, x, y_force, moment, number):
+def add_horizontal(force, y, rate, x, y_force, moment, number):
     """Add a surge and sway force and a yaw moment"""
-    work.force[0] += x
-    work.force[1] += y_force
-    work.force[5] += moment
+    force[0] += x
+    force[1] += y_force
+    force[5] += moment
     rate[FIRST_WORK + number] += x * y[6] + y_force * y[7] + moment * y[11]
 
 
 @kernel(inline=True)
-def restore(body, y, rate, work):
-    """Hydrostatic and spring forces and those of the turning axes, whose work is that of the current, if any"""
+def restore(body, b, y, rate, force, work):
+    """Hydrostatic and spring forces on body b and those of the turning axes, whose work is that of the current, if any
+
+    y, rate : (BLOCK,), force : (6,) of it
+    """
     cos, sin = np.cos(y[5]), np.sin(y[5])
+    stiffness, spring, rigid, slow = body.stiffness[b], body.spring[b], body.rigid[b], body.slow[b]
     for i in range(6):
         total = 0.0
         for j in range(2, 5):
-            total += body.stiffness[i, j] * y[j]
-        work.force[i] -= total
+            total += stiffness[i, j] * y[j]
+        force[i] -= total
+    for j in range(6):
+        work.drag[j] = y[j]
+    work.drag[5] -= body.heading[b]
     for i in range(6):
         total = 0.0
         for j in range(6):
-            total += body.spring[i, j] * y[j]
+            total += spring[i, j] * work.drag[j]
         work.part[i] = -total
-    work.force[0] += cos * work.part[0] + sin * work.part[1]
-    work.force[1] += -sin * work.part[0] + cos * work.part[1]
+    force[0] += cos * work.part[0] + sin * work.part[1]
+    force[1] += -sin * work.part[0] + cos * work.part[1]
     for i in range(2, 6):
-        work.force[i] += work.part[i]
+        force[i] += work.part[i]
     u, v, r = cos * y[15] + sin * y[16], -sin * y[15] + cos * y[16], y[17]
-    along = body.rigid[0, 0] * u + body.rigid[0, 1] * v + body.rigid[0, 5] * r
-    across = body.rigid[1, 0] * u + body.rigid[1, 1] * v + body.rigid[1, 5] * r
-    water_along = body.slow[0, 0] * u + body.slow[0, 1] * v + body.slow[0, 5] * r
-    water_across = body.slow[1, 0] * u + body.slow[1, 1] * v + body.slow[1, 5] * r
+    along = rigid[0, 0] * u + rigid[0, 1] * v + rigid[0, 5] * r
+    across = rigid[1, 0] * u + rigid[1, 1] * v + rigid[1, 5] * r
+    water_along = slow[0, 0] * u + slow[0, 1] * v + slow[0, 5] * r
+    water_across = slow[1, 0] * u + slow[1, 1] * v + slow[1, 5] * r
     moment = (along + body.munk * water_along) * y[7] - (across + body.munk * water_across) * y[6]
-    add_horizontal(work, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
+    add_horizontal(force, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
 
 
 @kernel(inline=True)
-def dissipate(body, y, rate, work):
-    """Linear and quadratic damping, and the memory of the water with the rates of its states"""
+def dissipate(body, b, whole, changed, y, rate, force, work):
+    """Linear and quadratic damping of body b, and the memory of the water with the rates of its states
+
+    whole, changed : (n,) state of all bodies and its rates; y, rate, force : of this one
+    """
+    memory = BLOCK * body.heading.size + 6
     for i in range(6):
-        total = body.quadratic[i] * y[6 + i] * abs(y[6 + i])
+        total = body.quadratic[6 * b + i] * y[6 + i] * abs(y[6 + i])
         for j in range(6):
-            total += body.damping[i, j] * y[6 + j]
+            total += body.damping[6 * b + i, 6 * b + j] * y[6 + j]
         work.part[i] = -total
-    give(work.force, y, rate, work.part, 6, BY_DAMPING)
-    memory_rate(body.memory, y[MEMORY:], y[6:12], rate[MEMORY:])
-    memory_force(body.memory, y[MEMORY:], work.part)
+    for c in range(body.heading.size):
+        if c != b:
+            other = whole[BLOCK * c + 6 : BLOCK * c + 12]
+            for i in range(6):
+                for j in range(6):
+                    work.part[i] -= body.damping[6 * b + i, 6 * c + j] * other[j]
+    give(force, y, rate, work.part, 6, BY_DAMPING)
+    memory_rate(body.memory, whole[memory:], y[6:12], changed[memory:], b)
+    memory_force(body.memory, whole[memory:], work.part, b)
     for j in range(6):
         work.part[j] = -work.part[j]
-    give(work.force, y, rate, work.part, 6, BY_MEMORY)
+    give(force, y, rate, work.part, 6, BY_MEMORY)
 
 
 @kernel(inline=True)
-def load(body, wind, current, hull, t, y, rate, work):
-    """Waves, drift, what is given, wind and current, each grown by the ramp; hull : HullWater, or None"""
-    if work.window.shape[1] > 1:
-        between_samples(work.window, (t - work.span[0]) / work.span[1] + EDGE, work.weights, work.waves)
+def load(scene, hull, b, t, y, rate, force, work):
+    """Waves, drift, what is given, wind and current on body b of a `Scene`, each grown by the ramp
+
+    hull : HullWater of a single body that slews, or None; y, rate : (BLOCK,), force : (6,) of it
+    """
+    body = scene.body
+    if work.window.shape[2] > 1:
+        between_samples(work.window[b], (t - work.span[0]) / work.span[1] + EDGE, work.weights, work.waves)
         grown = ramp(t - body.wave_ramp[0], body.wave_ramp[1])
         for j in range(6):
             work.part[j] = grown * work.waves[j]
-        give(work.force, y, rate, work.part, 6, BY_WAVES)
-        on_ring(body.drift_damping, y[14], work.weights, work.drag)
+        give(force, y, rate, work.part, 6, BY_WAVES)
+        on_ring(body.drift_damping[b], y[14], work.weights, work.drag)
         cos, sin = np.cos(y[14]), np.sin(y[14])
         u, v = cos * y[15] + sin * y[16], -sin * y[15] + cos * y[16]
         grown, d, w = grown * grown, work.drag, work.waves
         add_horizontal(
-            work, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
+            force, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
             grown * (w[8] - d[4] * u - d[5] * v), BY_DRIFT,
         )  # fmt: skip
     if hull is not None:
@@ -207,58 +252,86 @@ def load(body, wind, current, hull, t, y, rate, work):
         x, across, lever = work.stream[0], work.stream[1], hull.lever
         work.part[0], work.part[1], work.part[2] = x, across, 0.0
         work.part[3], work.part[4], work.part[5] = lever * across, -lever * x, work.stream[2]
-        give(work.force, y, rate, work.part, 6, BY_CURRENT)
-        add_horizontal(work, y, rate, work.arm[0], work.arm[1], work.arm[2], BY_DRIFT)
+        give(force, y, rate, work.part, 6, BY_CURRENT)
+        add_horizontal(force, y, rate, work.arm[0], work.arm[1], work.arm[2], BY_DRIFT)
     if body.given.shape[1] > 1:
-        between_samples(body.given, t / body.given_step, work.weights, work.part)
+        between_samples(body.given[6 * b : 6 * b + 6], t / body.given_step, work.weights, work.part)
         share = ramp(t, body.ramp)
         for j in range(6):
             work.part[j] *= share
-        give(work.force, y, rate, work.part, 6, BY_GIVEN)
+        give(force, y, rate, work.part, 6, BY_GIVEN)
     share = ramp(t, body.ramp)
-    stream_force(wind, t, share, y[5:8], work.weights, work.part, work.value)
-    give(work.force, y, rate, work.part, 6, BY_WIND)
-    stream_force(current, t, share, y[5:8], work.weights, work.part, work.value)
-    give(work.force, y, rate, work.part, 6, BY_CURRENT)
+    stream_force(scene.wind, b, t, share, y[5:8], work.weights, work.part, work.value)
+    give(force, y, rate, work.part, 6, BY_WIND)
+    stream_force(scene.current, b, t, share, y[5:8], work.weights, work.part, work.value)
+    give(force, y, rate, work.part, 6, BY_CURRENT)
+
+
+@kernel(inline=True)
+def of_moorings(scene, y, rate):
+    """Lines, fenders and ropes of a `Scene` on its bodies, into the forces and the rates of their work (n,) of all
+
+    returns : whether every line has a force
+    """
+    work, count = scene.work, scene.body.heading.size
+    for b in range(count):
+        for j in range(6):
+            work.place[b, j] = y[BLOCK * b + j]
+    good = line_loads(scene.lines, scene.line_work, work.place, work.R, work.pull)
+    met = len(scene.contacts.numbers) > 0
+    if met:
+        contact_loads(scene.contacts, scene.contact_work, work.place, work.R, work.stream, work.arm)
+    for b in range(count):
+        own, changed = y[BLOCK * b : BLOCK * b + BLOCK], rate[BLOCK * b : BLOCK * b + BLOCK]
+        force = work.force[6 * b : 6 * b + 6]
+        give(force, own, changed, work.pull[b], 6, BY_LINES)
+        if met:
+            give(force, own, changed, scene.contact_work.parts[0, b], 6, BY_FENDERS)
+            give(force, own, changed, scene.contact_work.parts[1, b], 6, BY_ROPES)
+    return good
 
 
 @kernel()
 def rates(scene, buoy, t, y, rate):
     """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
 
-    buoy : (Buoy, BuoyWork), None where there is none, and then nothing of it is compiled
+    buoy : (Buoy, BuoyWork), None where there is none, and then nothing of it is compiled; it hangs on the first body
     """
-    work = scene.work
+    work, body, count = scene.work, scene.body, scene.body.heading.size
     rate[:] = 0.0
     work.force[:] = 0.0
-    restore(scene.body, y, rate, work)
-    dissipate(scene.body, y, rate, work)
-    load(scene.body, scene.wind, scene.current, scene.hull, t, y, rate, work)
+    for b in range(count):
+        own, changed = y[BLOCK * b : BLOCK * b + BLOCK], rate[BLOCK * b : BLOCK * b + BLOCK]
+        force = work.force[6 * b : 6 * b + 6]
+        restore(body, b, own, changed, force, work)
+        dissipate(body, b, y, rate, own, changed, force, work)
+        load(scene, scene.hull, b, t, own, changed, force, work)
     scene.line_work.span[0] = t
-    good = line_loads(scene.lines, scene.line_work, y[:6], work.R, work.part)
-    give(work.force, y, rate, work.part, 6, BY_LINES)
-    if len(scene.contacts.numbers):
-        contact_loads(scene.contacts, scene.contact_work, y[:6], work.R, work.stream, work.arm)
-        give(work.force, y, rate, scene.contact_work.parts[0], 6, BY_FENDERS)
-        give(work.force, y, rate, scene.contact_work.parts[1], 6, BY_ROPES)
+    good = of_moorings(scene, y, rate)
     if buoy is not None:
-        body, (floating, kept) = scene.body, buoy
+        floating, kept = buoy
         grown, share = ramp(t - body.wave_ramp[0], body.wave_ramp[1]), ramp(t, body.ramp)
-        at, place = (t - work.span[0]) / work.span[1] + EDGE, y[FLOAT : FLOAT + 6]
-        good = buoy_rates(floating, kept, y, place, work.R, at, share, grown, rate[FLOAT : FLOAT + 6]) and good
+        first = BLOCK * count
+        at, place = (t - work.span[0]) / work.span[1] + EDGE, y[first : first + 6]
+        good = buoy_rates(floating, kept, y, place, work.R[0], at, share, grown, rate[first : first + 6]) and good
         give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
-    cos, sin = np.cos(y[5]), np.sin(y[5])
-    rate[0], rate[1] = cos * y[6] - sin * y[7], sin * y[6] + cos * y[7]
-    for j in range(2, 6):
-        rate[j] = y[6 + j]
-    for i in range(6):
-        total = 0.0
-        for j in range(6):
-            total += scene.body.mass_inverse[i, j] * work.force[j]
-        rate[6 + i] = total
-    c = scene.body.filter_rate
-    for j in range(3):
-        at = 5 if j == 2 else j
-        rate[SLOW + j] = y[SLOW_RATE + j]
-        rate[SLOW_RATE + j] = c * c * (y[at] - y[SLOW + j]) - 2 * c * y[SLOW_RATE + j]
+    c = body.filter_rate
+    for b in range(count):
+        own, changed = y[BLOCK * b : BLOCK * b + BLOCK], rate[BLOCK * b : BLOCK * b + BLOCK]
+        cos, sin = np.cos(own[5]), np.sin(own[5])
+        changed[0], changed[1] = cos * own[6] - sin * own[7], sin * own[6] + cos * own[7]
+        for j in range(2, 6):
+            changed[j] = own[6 + j]
+        for i in range(6):
+            total = 0.0
+            for other in range(count):
+                inverse = body.mass_inverse[6 * b + i, 6 * other : 6 * other + 6]
+                force = work.force[6 * other : 6 * other + 6]
+                for j in range(6):
+                    total += inverse[j] * force[j]
+            changed[6 + i] = total
+        for j in range(3):
+            at = 5 if j == 2 else j
+            changed[SLOW + j] = own[SLOW_RATE + j]
+            changed[SLOW_RATE + j] = c * c * (own[at] - own[SLOW + j]) - 2 * c * own[SLOW_RATE + j]
     return good

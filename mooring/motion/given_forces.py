@@ -30,10 +30,14 @@ SURFACE_STEP, PASSING = 0.1, 0.2  # s, of the surface; in which the drift of a h
 
 @dataclass(frozen=True, eq=False)
 class GivenForce:
-    """times : (n,) s from the end of the ramp, rising; force : (n, 6) N, N m about the rotation centre"""
+    """times : (n,) s from the end of the ramp, rising; force : (n, 6) N, N m about the rotation centre
+
+    body : number of the one it acts on, of those that move
+    """
 
     times: np.ndarray
     force: np.ndarray
+    body: int = 0
 
     def __post_init__(self):
         t, force = np.asarray(self.times, float), np.asarray(self.force, float)
@@ -99,13 +103,13 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
     return GivenForce(np.concatenate([[0.0], times, t[-1:]]) - ramp, force[[0, *range(len(force)), -1]])
 
 
-def sampled(forces, ramp, duration):
-    """(6, m) sum of GivenForces at equal steps from −ramp to the duration, and the step, s; one column for none
+def sampled(forces, ramp, duration, bodies=1):
+    """(6N, m) sum of GivenForces at equal steps from −ramp to the duration, and the step, s; one column for none
 
     raises : ValueError for a table that does not last
     """
     if not forces:
-        return np.zeros((6, 1)), 1.0
+        return np.zeros((6 * bodies, 1)), 1.0
     from scipy.interpolate import PchipInterpolator
 
     for one in forces:
@@ -117,7 +121,9 @@ def sampled(forces, ramp, duration):
     step = min(float(np.diff(one.times).min()) for one in forces) / FINE
     step = max(min(step, (ramp + duration) / 8), (ramp + duration) / MOST)
     t = step * np.arange(int(np.ceil((ramp + duration) / step)) + 4) - ramp
-    total = np.zeros((6, len(t)))
+    total = np.zeros((6 * bodies, len(t)))
     for one in forces:
-        total += PchipInterpolator(one.times, one.force)(np.clip(t, one.times[0], one.times[-1])).T
+        total[6 * one.body : 6 * one.body + 6] += PchipInterpolator(one.times, one.force)(
+            np.clip(t, one.times[0], one.times[-1])
+        ).T
     return total, step

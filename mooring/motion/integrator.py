@@ -21,7 +21,7 @@ from hakobune.bem.kernels.jit import kernel
 
 from .buoy import keep_pulls, open_water
 from .contact_loads import settle
-from .equation import FLOAT, SLOW, SLOW_RATE, rates
+from .equation import BLOCK, SAMPLED, SLOW, SLOW_RATE, rates
 from .line_loads import fairlead_of, hold
 from .moving_lines.sea import sea_ahead
 from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions, sea_for_step
@@ -61,8 +61,8 @@ class Clock(NamedTuple):
     now : TIME, STEP, WINDOW (its begin), USUAL step, all s
     counts : STEPS, REFUSED, SAMPLES, WINDOWS, SHORT steps in a row
     end, sample_step : s; fixed_step : s, 0 where the error chooses the step
-    scale : (12,) allowed error a second of each position and velocity, float_scale : (6,) of those of a buoy
-    y, stages : state (n,), its rates (7, n); pose : (3,) slow pose foreseen for the end of the window
+    scale : (N, 12) allowed error a second of each position and velocity, float_scale : (6,) of those of a buoy
+    y, stages : state (n,), its rates (7, n); pose : (3,) slow pose of a body foreseen for the end of the window
     """
 
     now: np.ndarray
@@ -81,7 +81,8 @@ class Clock(NamedTuple):
 def clock_at_rest(y, end, sample_step, fixed_step, scale):
     """Clock of a run from a state y (n,) at 0 s"""
     first = fixed_step or FIRST_STEP
-    buoy = np.repeat([scale[:3].max(), scale[6:9].max()], 3)
+    scale = np.asarray(scale, float).reshape(-1, 12)
+    buoy = np.repeat([scale[0, :3].max(), scale[0, 6:9].max()], 3)
     return Clock(
         np.array([0.0, first, -np.inf, first]),
         np.zeros(5, np.int64),
@@ -118,17 +119,18 @@ def take_step(scene, buoy, clock, t, h):
     for s in range(1, 7):
         stage(trial, clock.y, k, h, s)
         good = rates(scene, buoy, t + C[s] * h, trial, k[s]) and good
-    worst = 0.0
-    for i in range(12):
-        total = 0.0
-        for j in range(7):
-            total += E[j] * k[j, i]
-        worst = max(worst, abs(total) / clock.scale[i])  # h·total over scale·h
+    worst, count = 0.0, clock.scale.shape[0]
+    for b in range(count):
+        for i in range(12):
+            total = 0.0
+            for j in range(7):
+                total += E[j] * k[j, BLOCK * b + i]
+            worst = max(worst, abs(total) / clock.scale[b, i])  # h·total over scale·h
     if buoy is not None:
         for i in range(6):
             total = 0.0
             for j in range(7):
-                total += E[j] * k[j, FLOAT + i]
+                total += E[j] * k[j, BLOCK * count + i]
             worst = max(worst, abs(total) / clock.float_scale[i])
     return worst, good
 
@@ -147,13 +149,15 @@ def take_step_with_lines(scene, buoy, clock, moving, t, h):
     error, held = take_step(scene, buoy, clock, t, h)
     if not (good and held and np.isfinite(error)):
         return error, good and held
-    for i in range(12):
-        kept.foreseen[i] = trial[i]
-    put_sample(clock, t, h, t + 0.5 * h, kept.pose)
+    for b in range(clock.scale.shape[0]):
+        for i in range(12):
+            kept.foreseen[b, i] = trial[BLOCK * b + i]
+        put_sample(clock, b, t, h, t + 0.5 * h, kept.pose[b])
     for i in range(lines.number.size):
         n, course = lines.number[i], kept.course[i]
-        fairlead_of(scene.lines, n, kept.pose, kept.room, course[1, 0], course[1, 1])
-        fairlead_of(scene.lines, n, trial, kept.room, course[2, 0], course[2, 1])
+        b = scene.lines.body[n]
+        fairlead_of(scene.lines, n, kept.pose[b], kept.room, course[1, 0], course[1, 1])
+        fairlead_of(scene.lines, n, trial[BLOCK * b : BLOCK * b + 12], kept.room, course[2, 0], course[2, 1])
     if not advance_lines(lines, kept, work.whole, t, h):
         return np.inf, True
     project(lines, kept, t, h, work.given)
@@ -172,37 +176,44 @@ def missed_course(scene, clock, moving, h):
     scene : `equation.Scene`; clock : `Clock`, its trial state that of the end; moving : (MovingLines, MovingWork)
     """
     lines, kept = moving
-    worst, push, inverse = 0.0, kept.room.push, scene.body.mass_inverse
+    worst, push, inverse, count = 0.0, kept.push, scene.body.mass_inverse, clock.scale.shape[0]
     for first, share in ((0, h / 12), (6, h / 6)):
         push[:] = 0.0
         for i in range(lines.number.size):
             n, pull = lines.number[i], 0.0
             if not scene.line_work.whole[n]:
                 continue
+            b = scene.lines.body[n]
+            trial, foreseen = clock.trial[BLOCK * b + first :], kept.foreseen[b, first:]
+            turn = scene.body.heading[b] if first == 0 else 0.0
+            cos, sin, x, y = np.cos(turn), np.sin(turn), trial[0] - foreseen[0], trial[1] - foreseen[1]
+            pull += lines.spring[i] * lines.stretch[i, 0] * (cos * x + sin * y)
+            pull += lines.spring[i] * lines.stretch[i, 1] * (cos * y - sin * x)
+            for j in range(2, 6):
+                pull += lines.spring[i] * lines.stretch[i, j] * (trial[j] - foreseen[j])
             for j in range(6):
-                pull += lines.spring[i] * lines.stretch[i, j] * (clock.trial[first + j] - kept.foreseen[first + j])
-            for j in range(6):
-                push[j] += pull * lines.stretch[i, j]
+                push[6 * b + j] += pull * lines.stretch[i, j]
             if first == 0:
                 x, y, z = scene.line_work.given[n, 0]
                 tension = max(lines.tension[i], np.sqrt(x * x + y * y + z * z))
                 worst = max(worst, abs(pull) / (lines.tolerance * tension))
-        for i in range(6):
-            total = 0.0
-            for j in range(6):
-                total += inverse[i, j] * push[j]
-            worst = max(worst, share * abs(total) / clock.scale[first + i])
+        for b in range(count):
+            for i in range(6):
+                total = 0.0
+                for j in range(6 * count):
+                    total += inverse[6 * b + i, j] * push[j]
+                worst = max(worst, share * abs(total) / clock.scale[b, first + i])
     return worst
 
 
 @kernel()
-def put_sample(clock, t, h, at, out):
-    """out (18 or 24,): position, velocity, slow pose and its rate, place and velocity of a buoy, at a time within
+def put_sample(clock, b, t, h, at, out):
+    """out (SAMPLED,): position, velocity, slow pose and its rate of body b at a time within the step
 
     by Hermite polynomials; at : s
     """
-    s = (at - t) / h
-    y, z, k = clock.y, clock.trial, clock.stages
+    s, n = (at - t) / h, BLOCK * b
+    y, z, k = clock.y[n : n + BLOCK], clock.trial[n : n + BLOCK], clock.stages[:, n : n + BLOCK]
     s2, s3 = s * s, s * s * s
     a, b = 1 - s3 * (10 - 15 * s + 6 * s2), s3 * (10 - 15 * s + 6 * s2)
     c, d = s - s3 * (6 - 8 * s + 3 * s2), -s3 * (4 - 7 * s + 3 * s2)
@@ -214,11 +225,17 @@ def put_sample(clock, t, h, at, out):
             out[i] = (
                 a * y[i] + b * z[i] + h * (c * y[6 + i] + d * z[6 + i]) + h * h * (e * k[0, 6 + i] + f * k[6, 6 + i])
             )
-    for i in range(6, 18):
+    for i in range(6, SAMPLED):
         out[i] = hermite(s, y[i], z[i], h * k[0, i], h * k[6, i])
-    for i in range(18, out.size):
-        n = FLOAT + i - 18
-        out[i] = hermite(s, y[n], z[n], h * k[0, n], h * k[6, n])
+
+
+@kernel()
+def put_buoy(clock, t, h, at, out):
+    """out (6,): place and velocity of a buoy at a time within the step, s"""
+    s, first = (at - t) / h, BLOCK * clock.scale.shape[0]
+    for i in range(out.size):
+        n = first + i
+        out[i] = hermite(s, clock.y[n], clock.trial[n], h * clock.stages[0, n], h * clock.stages[6, n])
 
 
 @kernel()
@@ -240,20 +257,22 @@ def next_break(lines, t):
 @kernel()
 def open_window(waves, clock, work):
     """Forces of the next window, whose slow pose passes from the one foreseen for now to that foreseen for its end."""
-    now, y, counts, length = clock.now, clock.y, clock.counts, waves.table.window
-    if counts[WINDOWS] == 0:
-        fill_rows(waves.table, waves.rows[0], y[SLOW : SLOW + 3], now[TIME])
-    for j in range(3):
-        clock.pose[j] = y[SLOW + j] + length * y[SLOW_RATE + j]
+    now, counts, length = clock.now, clock.counts, waves.table.window
+    for b in range(clock.scale.shape[0]):
+        y = clock.y[BLOCK * b : BLOCK * b + BLOCK]
+        if counts[WINDOWS] == 0:
+            fill_rows(waves.table, waves.rows[b, 0], y[SLOW : SLOW + 3], now[TIME], b)
+        for j in range(3):
+            clock.pose[j] = y[SLOW + j] + length * y[SLOW_RATE + j]
+        fill_window(waves, work.window[b], counts[WINDOWS], clock.pose, now[TIME], b)
     work.span[0], work.span[1] = now[TIME], waves.table.step
     now[WINDOW] = now[TIME]
-    fill_window(waves, work.window, counts[WINDOWS], clock.pose, now[TIME])
     counts[WINDOWS] += 1
 
 
 @kernel()
 def advance(scene, waves, clock, samples, most, buoy, moving):
-    """Integrate until the end, or for `most` steps; samples (n, 18 or 24) is filled.  Returns why it stopped.
+    """Integrate until the end, or for `most` steps; samples (n, SAMPLED N, or 6 more), filled.  Returns why it stopped.
 
     scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy : (Buoy, BuoyWork), None without a buoy, moving :
     (MovingLines, MovingWork), None where no line moves by itself, and then nothing of it is compiled
@@ -269,7 +288,8 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
         if t >= now[WINDOW] + length - AT_ONCE:
             open_window(waves, clock, scene.work)
             if buoy is not None:
-                open_water(waves.table, buoy[0], buoy[1], clock.y[FLOAT : FLOAT + 3], counts[WINDOWS] - 1, t)
+                first = BLOCK * clock.scale.shape[0]
+                open_water(waves.table, buoy[0], buoy[1], clock.y[first : first + 3], counts[WINDOWS] - 1, t)
             rates(scene, buoy, t, clock.y, k[0])
         limit = min(now[WINDOW] + length, clock.end, next_break(lines, t))
         h = fixed if fixed > 0.0 else now[STEP]
@@ -345,5 +365,8 @@ def put_samples(clock, t, h, later, samples):
         at = counts[SAMPLES] * clock.sample_step
         if at > later + ROUNDING * clock.sample_step:
             return
-        put_sample(clock, t, h, at, samples[counts[SAMPLES]])
+        row, bodies = samples[counts[SAMPLES]], clock.scale.shape[0]
+        for b in range(bodies):
+            put_sample(clock, b, t, h, at, row[SAMPLED * b : SAMPLED * b + SAMPLED])
+        put_buoy(clock, t, h, at, row[SAMPLED * bodies :])
         counts[SAMPLES] += 1

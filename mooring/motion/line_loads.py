@@ -1,8 +1,9 @@
-"""Pull of the lines of a system on a body in time, each in its exact static form for where the fairlead is.
+"""Pull of the lines of a system on bodies in time, each in its exact static form for where its ends are.
 
 A uniform line follows the closed forms, started from its last solution (`mooring.lines.catenary.moving_end`).  A line
 of segments, with sinkers and buoys or a bed of its own, is read from a table of its own solver over the span and
-height its fairlead visits (`force_tables`).  A hawser pulls straight, with T(e) of its elongation.
+height its fairlead visits (`force_tables`).  A hawser pulls straight, with T(e) of its elongation, and may run from one
+body to another, which it pulls with the opposite force.
 
 With R = Rz(ψ) Ry(θ) Rx(φ) the forces on the rates of x, y, z, φ, θ, ψ are those of virtual work,
 
@@ -19,6 +20,8 @@ from hakobune.bem.kernels.jit import kernel
 
 from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
 from ..lines.catenary.moving_end import pull_of_any, workspace
+from ..lines.system.bodies import rotation
+from ..lines.system.hawser import Hawser
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
 from .force_tables import Packed, packed, packed_pull, tabulate
 from .moving_lines.packed import Room
@@ -32,14 +35,17 @@ REACH = (1.5, 0.6)  # depths that a span may fall and a fairlead rise or sink in
 class Lines(NamedTuple):
     """Lines as the kernels read them.
 
-    anchor : (n, 3) m in space, fairlead : (n, 3) m in the body's axes; lines : (n, 4) length, weight, 1/EA, friction
+    anchor : (n, 3) m in space, or in the axes of the `other` body; fairlead : (n, 3) m in the axes of its `body`
+    body, other : (n,) numbers of bodies, `other` below 0 for an anchor; lines : (n, 4) length, weight, 1/EA, friction
     lost : (n,) s; bed : m, its height; table : (n,) number of its table, below 0 for a closed form
     tables : `Packed`; hawser : (n,) number of its curve in `curves`, below 0 for other lines
-    place : (3,) m, origin of the body's axes at rest; moves : (n,) whether a line has a motion of its own
+    place : (N, 3) m, origins of the axes of the bodies at rest; moves : (n,) whether a line has a motion of its own
     """
 
     anchor: np.ndarray
     fairlead: np.ndarray
+    body: np.ndarray
+    other: np.ndarray
     lines: np.ndarray
     lost: np.ndarray
     bed: float
@@ -58,6 +64,7 @@ class LineWork(NamedTuple):
     whole : (n,) whether a line has not broken yet
     given : (n, TERMS, 3) N in space, of lines that move, coefficients of Legendre's polynomials over a step of the body
     span : (3,) s, now, begin and length of that; terms : (TERMS,) room for work
+    sums : (N, 6) N, N m in space, on each body about the origin of its axes
     """
 
     kept: np.ndarray
@@ -67,13 +74,17 @@ class LineWork(NamedTuple):
     given: np.ndarray
     span: np.ndarray
     terms: np.ndarray
+    sums: np.ndarray
 
 
 def line_work(lines):
     """`LineWork` of lines at 0 s"""
     count = len(lines.lost)
     given, span = np.zeros((count, TERMS, 3)), np.array([0.0, 0.0, 1.0])
-    return LineWork(*workspace(count), np.zeros((count, 2)), lines.lost > 0.0, given, span, np.zeros(TERMS))
+    return LineWork(
+        *workspace(count), np.zeros((count, 2)), lines.lost > 0.0, given, span, np.zeros(TERMS),
+        np.zeros((len(lines.place), 6)),
+    )  # fmt: skip
 
 
 @kernel()
@@ -83,57 +94,87 @@ def hold(lines, work, t):
         work.whole[i] = lines.lost[i] > t
 
 
-def body_lines(system, lost=(), tables=((), ()), moving=()):
-    """`Lines` of a System of one body, whose lines run between anchors and fairleads; of None, none.
+def body_lines(system, lost=(), tables=((), ()), moving=(), bodies=1):
+    """`Lines` of a System, that run from anchors to fairleads, or between bodies; of None, none of so many bodies.
 
     tables : ForceTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
     lost : (name, s) of lines that break; moving : numbers of lines with a motion of their own
     raises : ValueError for other systems, and names that are unknown
     """
     if system is None:
-        return _arrays([], [], [], [], -1.0, np.zeros(3), tables, [], [], [])
+        return _arrays([], [], [], [], [], [], -1.0, np.zeros((bodies, 3)), tables, [], [], [])
     points = {point.name: point for point in system.points}
-    if len(system.bodies) != 1:
-        raise ValueError(f"the system has {len(system.bodies)} bodies; a body in time is one")
     unknown = {name for name, _ in lost} - set(system.line_names)
     if unknown:
         raise ValueError(f"line {min(unknown)!r} that breaks is unknown; allowed: {', '.join(system.line_names)}")
-    anchors, fairleads, given = [], [], []
+    names, anchors, fairleads, given, owners = [body.name for body in system.bodies], [], [], [], []
     for line in system.lines:
-        ends = points[line.a], points[line.b]
-        kinds = [isinstance(end, kind) for end, kind in zip(ends, (Anchor, Fairlead), strict=True)]
-        if not all(kinds) and isinstance(ends[1], Anchor) and isinstance(ends[0], Fairlead):
-            ends, kinds = ends[::-1], [True, True]
-        if not all(kinds):
-            raise ValueError(f"line {line.name} runs from {line.a} to {line.b}; allowed: from an anchor to the body")
+        ends = ends_in_time(line, points)
         anchors.append(ends[0].position)
         fairleads.append(ends[1].position)
+        owners.append([names.index(end.body) if isinstance(end, Fairlead) else -1 for end in ends])
         uniform = isinstance(line, UniformLine)
         kind = (line.type.weight, 1 / line.type.axial_stiffness) if uniform else (1.0, 1.0)  # tables stretch
         given.append((line.length, *kind, line.bed_friction))
-    anchors = np.array(anchors, float).reshape(-1, 3)
-    near = np.abs(anchors[:, 2] + system.depth) <= 1e-6 * system.depth
+    anchors, (other, body) = np.array(anchors, float).reshape(-1, 3), np.array(owners, np.int64).reshape(-1, 2).T
+    near = (other < 0) & (np.abs(anchors[:, 2] + system.depth) <= 1e-6 * system.depth)
     anchors[near, 2] = -system.depth
     times = np.full(len(given), NEVER)
     for name, when in lost:
         times[system.line_names.index(name)] = when
-    place = np.array(system.bodies[0].position[:3], float)
+    place = np.array([one.position[:3] for one in system.bodies], float)
     number = np.full(len(given), -1)
     number[list(system.hawsers)] = np.arange(len(system.hawsers))
     pulls = [system.lines[i].pull for i in system.hawsers]
     moves = np.isin(np.arange(len(given)), list(moving))
-    return _arrays(anchors, fairleads, given, times, -float(system.depth), place, tables, number, pulls, moves)
+    level = -float(system.depth)
+    return _arrays(anchors, fairleads, body, other, given, times, level, place, tables, number, pulls, moves)
+
+
+def ends_at_rest(lines, at_rest):
+    """(n, 3), (n, 3) m in space, both ends of `Lines` with the bodies' axes at (N, 6) m, rad"""
+    turns = [rotation(0.0, 0.0, heading) for heading in at_rest[:, 5]]
+
+    def placed(body, point):
+        if body < 0:
+            return point
+        return (point if at_rest[body, 5] == 0.0 else turns[body] @ point) + lines.place[body]
+
+    return tuple(
+        np.array([placed(*pair) for pair in zip(bodies, points, strict=True)]).reshape(-1, 3)
+        for bodies, points in ((lines.other, lines.anchor), (lines.body, lines.fairlead))
+    )
+
+
+def ends_in_time(line, points):
+    """The two ends of a line of a System: an anchor and a fairlead, or fairleads of two bodies that a hawser joins
+
+    points : {name: point}.  Raises ValueError for other lines.
+    """
+    a, b = points[line.a], points[line.b]
+    if isinstance(b, Anchor):
+        a, b = b, a
+    if not isinstance(b, Fairlead) or not isinstance(a, Anchor | Fairlead):
+        raise ValueError(f"line {line.name} runs from {line.a} to {line.b}; allowed: from an anchor to the body")
+    if isinstance(a, Fairlead):
+        if a.body == b.body:
+            raise ValueError(f"line {line.name} runs from {a.body} to itself; allowed: to an anchor or another body")
+        if not isinstance(line, Hawser):
+            raise ValueError(
+                f"line {line.name} hangs between {a.body} and {b.body}; allowed in time: a hawser, of a type with "
+                "elongation_percent and tension_kN, or spring_kN_per_m"
+            )
+    return a, b
 
 
 def tables_of(system, start):
-    """ForceTables of the lines with segments about the body's place at rest, and (n,) the number of each line's own.
+    """ForceTables of the lines with segments about the bodies' places at rest, and (n,) the number of each line's own.
 
-    start : (6,) of the body at rest, from the place given.  Lines that are alike share a table.
+    start : (6N,) of the bodies at rest, from the places given.  Lines that are alike share a table.
     raises : ValueError naming a line without equilibrium
     """
-    points = {point.name: np.asarray(point.position, float) for point in system.points}
-    place, R = np.asarray(system.bodies[0].position[:3]) + start[:3], np.zeros((3, 3))
-    rotation_of(start[3:], R)
+    points, R = {point.name: point for point in system.points}, np.zeros((3, 3))
+    poses = {one.name: one.position + start[6 * i : 6 * i + 6] for i, one in enumerate(system.bodies)}
     reach = REACH[0] * system.depth, REACH[1] * system.depth
     tables, known, number = [], {}, np.full(len(system.lines), -1)
     for one in system.composites:
@@ -141,7 +182,9 @@ def tables_of(system, start):
         if not one.anchored:
             raise ValueError(f"line {line.name} has segments and no end on the bed; allowed in time: an anchored one")
         a, b = (points[line.b], points[line.a]) if one.flipped else (points[line.a], points[line.b])
-        away = place + R @ b - a
+        pose = poses[b.body]
+        rotation_of(pose[3:], R)
+        away = pose[:3] + R @ np.asarray(b.position, float) - np.asarray(a.position, float)
         span, height = float(np.hypot(*away[:2])), float(away[2])
         alike = (line.segments, line.loads, line.bed_friction, line.bed, round(span, 6), round(height, 6))
         if alike not in known:
@@ -154,11 +197,13 @@ def tables_of(system, start):
     return tuple(tables), number
 
 
-def _arrays(anchors, fairleads, given, times, bed, place, tables, hawser, pulls, moves):
+def _arrays(anchors, fairleads, body, other, given, times, bed, place, tables, hawser, pulls, moves):
     """Lines as arrays"""
     return Lines(
         np.asarray(anchors, float).reshape(-1, 3),
         np.array(fairleads, float).reshape(-1, 3),
+        np.array(body, np.int64),
+        np.array(other, np.int64),
         np.array(given, float).reshape(-1, 4),
         np.array(times, float),
         float(bed),
@@ -204,7 +249,7 @@ def give_generalized(position, v, f, out):
 
 @kernel()
 def fairlead_of(lines, i, state, room, place, velocity):
-    """Place (3,) m and velocity (3,) m/s in space of the fairlead of line i on a body of a state (12 or more,)
+    """Place (3,) m and velocity (3,) m/s in space of the fairlead of line i on its body, of a state (12 or more,)
 
     room : `moving_lines.packed.Room`.  The velocity along a direction is the power of a unit force there.
     """
@@ -212,7 +257,7 @@ def fairlead_of(lines, i, state, room, place, velocity):
     rotation_of(state[3:6], room.R)
     for j in range(3):
         room.arm[j] = room.R[j, 0] * p[0] + room.R[j, 1] * p[1] + room.R[j, 2] * p[2]
-        place[j] = lines.place[j] + state[j] + room.arm[j]
+        place[j] = lines.place[lines.body[i], j] + state[j] + room.arm[j]
     for j in range(3):
         room.unit[:] = 0.0
         room.push[:] = 0.0
@@ -240,21 +285,47 @@ def straight_pull(curves, number, length, span, rise):
 
 
 @kernel(inline=True)
-def line_loads(lines, work, position, R, out):
-    """out (6,) generalized forces, in heading axes, of the lines on a body at `position` (6,); work.tension is filled.
+def add_moment(sums, ax, ay, az, x, y, z):
+    """Add a force in space at an arm, and its moment, to sums (6,)."""
+    sums[0] += x
+    sums[1] += y
+    sums[2] += z
+    sums[3] = sums[3] + ay * z - az * y
+    sums[4] = sums[4] + az * x - ax * z
+    sums[5] = sums[5] + ax * y - ay * x
 
-    returns : whether every line has a force
+
+@kernel(inline=True)
+def line_loads(lines, work, positions, R, out):
+    """out (N, 6) generalized forces, in heading axes, of the lines on bodies at `positions` (N, 6)
+
+    work.tension and R (N, 3, 3) are filled.  returns : whether every line has a force
     """
-    rotation_of(position[3:6], R)
+    for b in range(len(positions)):
+        rotation_of(positions[b, 3:6], R[b])
     out[:] = 0.0
-    fx = fy = fz = mx = my = mz = 0.0
+    work.sums[:] = 0.0
     good = True
     legendre(2 * (work.span[0] - work.span[1]) / work.span[2] - 1, work.terms)
     for i in range(lines.lost.size):
+        b, other = lines.body[i], lines.other[i]
+        turn, place, position = R[b], lines.place[b], positions[b]
         px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
-        ax = R[0, 0] * px + R[0, 1] * py + R[0, 2] * pz
-        ay = R[1, 0] * px + R[1, 1] * py + R[1, 2] * pz
-        az = R[2, 0] * px + R[2, 1] * py + R[2, 2] * pz
+        ax = turn[0, 0] * px + turn[0, 1] * py + turn[0, 2] * pz
+        ay = turn[1, 0] * px + turn[1, 1] * py + turn[1, 2] * pz
+        az = turn[2, 0] * px + turn[2, 1] * py + turn[2, 2] * pz
+        ox, oy, oz = lines.anchor[i, 0], lines.anchor[i, 1], lines.anchor[i, 2]
+        if other >= 0:
+            turn = R[other]
+            px, py, pz = ox, oy, oz
+            ox = turn[0, 0] * px + turn[0, 1] * py + turn[0, 2] * pz
+            oy = turn[1, 0] * px + turn[1, 1] * py + turn[1, 2] * pz
+            oz = turn[2, 0] * px + turn[2, 1] * py + turn[2, 2] * pz
+        bx, by, bz = ox, oy, oz
+        if other >= 0:
+            bx += lines.place[other, 0] + positions[other, 0]
+            by += lines.place[other, 1] + positions[other, 1]
+            bz += lines.place[other, 2] + positions[other, 2]
         x = y = z = H = V = 0.0
         if work.whole[i] and lines.moves[i]:
             for k in range(TERMS):
@@ -262,10 +333,10 @@ def line_loads(lines, work, position, R, out):
                 x, y, z = x + c * work.given[i, k, 0], y + c * work.given[i, k, 1], z + c * work.given[i, k, 2]
             H, V = np.sqrt(x * x + y * y), -z
         elif work.whole[i]:
-            x = lines.place[0] + position[0] + ax - lines.anchor[i, 0]
-            y = lines.place[1] + position[1] + ay - lines.anchor[i, 1]
+            x = place[0] + position[0] + ax - bx
+            y = place[1] + position[1] + ay - by
             span = np.sqrt(x * x + y * y)
-            low, high = lines.anchor[i, 2], lines.place[2] + position[2] + az
+            low, high = bz, place[2] + position[2] + az
             length, weight = lines.lines[i, 0], lines.lines[i, 1]
             flexibility, friction = lines.lines[i, 2], lines.lines[i, 3]
             # one after the other: of branches of one condition the compiler joins the ends, and counts references there
@@ -279,20 +350,24 @@ def line_loads(lines, work, position, R, out):
             x, y, z = (-H * x / span, -H * y / span, -V) if span > 0.0 else (0.0, 0.0, -V)
         if np.isfinite(H):
             work.tension[i, 0], work.tension[i, 1] = H, V
-            fx, fy, fz = fx + x, fy + y, fz + z
-            mx, my, mz = mx + ay * z - az * y, my + az * x - ax * z, mz + ax * y - ay * x
+            add_moment(work.sums[b], ax, ay, az, x, y, z)
+            if other >= 0:
+                add_moment(work.sums[other], ox, oy, oz, -x, -y, -z)
         else:
             good = False
-    generalized(position, fx, fy, fz, mx, my, mz, out)
+    for b in range(len(positions)):
+        f = work.sums[b]
+        generalized(positions[b], f[0], f[1], f[2], f[3], f[4], f[5], out[b])
     return good
 
 
 @kernel()
 def tensions_along(lines, work, times, positions, out):
-    """out (n, lines) N at the fairleads, at times (n,) s with the body at positions (n, 6 or more)"""
-    R, force = np.zeros((3, 3)), np.zeros(6)
+    """out (n, lines) N at the fairleads, at times (n,) s with the bodies at positions (n, N, 6)"""
+    count = lines.place.shape[0]
+    R, force = np.zeros((count, 3, 3)), np.zeros((count, 6))
     for i in range(times.size):
         hold(lines, work, times[i])
-        line_loads(lines, work, positions[i, :6], R, force)
+        line_loads(lines, work, positions[i], R, force)
         for j in range(lines.lost.size):
             out[i, j] = np.hypot(work.tension[j, 0], work.tension[j, 1])

@@ -13,7 +13,7 @@ import numpy as np
 from .tables.interpolation import ring_table
 from .wave_loads import HEADINGS, drift_damping
 
-PLANE = ((0, "surge"), (1, "sway"), (5, "yaw"))
+PLANE = (0, 1, 5)
 SLOW = 0.5  # of the mean frequency of the waves, below which a natural frequency is slow
 TOO_MUCH = 2.0  # times the damping at the natural frequency
 LIGHT = 0.02  # of critical
@@ -43,21 +43,23 @@ def drift_damping_ring(forces, weather, depth, gravity):
 
 
 def shares(moored, damping, drift_damping):
-    """{motion: (natural frequency rad/s, share by `damping` (6, 6), by the memory, by wave drift (3, 2))}, uncoupled"""
+    """{motion: (natural frequency rad/s, share by `damping` (n, n), the memory, wave drift (N, 3, 2))}, uncoupled"""
     out = {}
     mass = moored.reader.inertia + moored.slow_added_mass
-    for i, name in PLANE:
+    for i, name in enumerate(moored.reader.words):
+        if i % 6 not in PLANE:
+            continue
         stiffness = moored.stiffness[i, i]
         if stiffness > 0:
             omega, critical = np.sqrt(stiffness / mass[i, i]), 2 * np.sqrt(stiffness * mass[i, i])
             radiated = _radiated(moored, omega)[i, i]
-            drift = drift_damping[i, i] if i < 2 else 0.0
+            drift = drift_damping[i // 6, i % 6, i % 6] if i % 6 < 2 else 0.0
             out[name] = omega, damping[i, i] / critical, radiated / critical, drift / critical
     return out
 
 
 def _radiated(moored, omega):
-    """(6, 6) damping by radiation at omega, rad/s; without a memory that of the nearest frequency of the database"""
+    """(n, n) damping by radiation at omega, rad/s; without a memory that of the nearest frequency of the database"""
     if moored.memory.states:
         return moored.memory.transform(np.array([omega]))[0].real
     return moored.reader.coefficients(np.clip([omega], *moored.reader.between.span))[1][0]
@@ -69,7 +71,7 @@ def findings(moored, body, mean, constant, dragged):
     body : `equation.Body`; mean : rad/s, of the waves; constant : whether coefficients are those of `mean`
     dragged : whether the water drags at the hull, which damps beside these
     """
-    drift = body.drift_damping[1].reshape(3, 2)
+    drift = body.drift_damping[:, 1].reshape(-1, 3, 2)
     own = {name: v for name, v in shares(moored, moored.damping, drift).items() if v[0] < SLOW * mean}
     if constant:
         found = {name: part + by_drift for name, (_, part, _, by_drift) in shares(moored, body.damping, drift).items()}
@@ -85,7 +87,7 @@ def findings(moored, body, mean, constant, dragged):
                 f'{mean:.3g} rad/s do: {", ".join(much)}{beside}; its σ comes out too small, give memory = "states"'
             )
         return
-    still = dragged or np.any(body.quadratic[[i for i, _ in PLANE]] > 0)
+    still = dragged or np.any(body.quadratic.reshape(-1, 6)[:, PLANE] > 0)
     light = [
         f"{name} {100 * sum(parts):.2g} % of critical at {2 * np.pi / omega:.3g} s"
         for name, (omega, *parts) in own.items()

@@ -27,7 +27,7 @@ GUST_STEP, GUSTS = 0.2, 400  # s, number of components
 class Stream(NamedTuple):
     """Wind or current as the kernels read it.
 
-    table : (RING + 3, 6) N s²/m², N s² of unit speed at equal angles; velocity : (2,) m/s in space
+    table : (bodies, RING + 3, 6) N s²/m², N s² of unit speed at equal angles; velocity : (2,) m/s in space
     gusts : (1, n) m/s along the mean, from `first` s on in steps of GUST_STEP; one column where there are none
     """
 
@@ -37,9 +37,14 @@ class Stream(NamedTuple):
     first: float
 
 
-def calm():
+def calm(bodies=1):
     """A Stream that exerts no force"""
-    return Stream(np.zeros((RING + 3, 6)), np.zeros(2), np.zeros((1, 1)), 0.0)
+    return Stream(np.zeros((bodies, RING + 3, 6)), np.zeros(2), np.zeros((1, 1)), 0.0)
+
+
+def on_all(streams):
+    """The Stream of one wind or current on several bodies, of that on each"""
+    return streams[0]._replace(table=np.concatenate([one.table for one in streams]))
 
 
 def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
@@ -58,14 +63,14 @@ def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
             warnings.simplefilter("ignore", MissingVariance)
             omega, amplitude, phase = gust_components(gusts, seed, *GUST_BAND, GUSTS)
         record = real_sum(amplitude * np.exp(-1j * phase), omega, t)[None]
-    return Stream(ring_table(unit), _vector(speed, direction), record, float(first))
+    return Stream(ring_table(unit)[None], _vector(speed, direction), record, float(first))
 
 
 def current_stream(current, hull, center, density, depth):
     """The Stream of a `Current` (None: water at rest) on an `ExposedBox`; raises ValueError without coefficients."""
     unit = current_on(current, hull, density, depth).about(_around(), center)
     velocity = np.zeros(2) if current is None else _vector(current.speed, current.direction)
-    return Stream(ring_table(unit), velocity, np.zeros((1, 1)), 0.0)
+    return Stream(ring_table(unit)[None], velocity, np.zeros((1, 1)), 0.0)
 
 
 def _around():
@@ -74,8 +79,8 @@ def _around():
 
 
 @kernel(inline=True)
-def stream_force(stream, t, share, moving, weights, out, value):
-    """out (6,) N, N m in the body's axes of a stream that has grown to `share` of its speed.
+def stream_force(stream, body, t, share, moving, weights, out, value):
+    """out (6,) N, N m in its axes, on one of the bodies, of a stream that has grown to `share` of its speed.
 
     moving : (3,) heading, velocities along and across it, rad and m/s
     weights (6,), value (1,) : room for work
@@ -90,7 +95,7 @@ def stream_force(stream, t, share, moving, weights, out, value):
     x, y = share * stream.velocity[0] * grown, share * stream.velocity[1] * grown
     along, across = cos * x + sin * y - u, -sin * x + cos * y - v
     square = along * along + across * across
-    on_ring(stream.table, np.arctan2(across, along), weights, out)
+    on_ring(stream.table[body], np.arctan2(across, along), weights, out)
     for j in range(6):
         out[j] *= square
 

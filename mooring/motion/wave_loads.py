@@ -9,11 +9,14 @@ into windows. A slow pose is foreseen for the end of each window, and forces pas
 its begin to those of that at its end, so that they are continuous whatever the body does. Within a window exp(−iωt)
 at equal steps is always the same matrix: a window costs two products of small real matrices. Between the steps forces
 are polynomials of fifth degree through six of them.
+
+Of several bodies each has a slow pose of its own and carries the origin along: what the others do to the waves is that
+of the places at rest, which is right as long as they keep their distances.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -38,11 +41,13 @@ class WaveTable(NamedTuple):
 
     omega : (c,) rad/s at which a place at rest meets them; own : (c,) rad/s, in the water, which a current moves along
     amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
-    force : (c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift per square metre, of
-    which a window reads two megabytes.  Single precision takes 7 % less time of a run, but rounds the forces of every
-    pose anew: a lightly damped buoy at a tolerance of 1e-4 was four times that off, and no nearer at 1e-7
+    force : (N, c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift a square metre, of
+    each body, of which a window reads two megabytes.  Single precision takes 7 % less time of a run, but rounds the
+    forces of every pose anew: a lightly damped buoy at a tolerance of 1e-4 was four times that off, and no nearer at
+    1e-7
     factor : (2, 2c, m) cos ωt and sin ωt of the steps of a window, t counted from its begin and from its end
-    center : (2,) m, rotation centre; step, window : s, between forces and of a window
+    center : (N, 2) m, rotation centres; arm : (N, 2) m, from the origin of the database to these, in axes of the bodies
+    step, window : s, between forces and of a window
     """
 
     omega: np.ndarray
@@ -54,6 +59,7 @@ class WaveTable(NamedTuple):
     force: np.ndarray
     factor: np.ndarray
     center: np.ndarray
+    arm: np.ndarray
     step: float
     window: float
 
@@ -66,7 +72,7 @@ class WaveTable(NamedTuple):
 class Waves(NamedTuple):
     """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
 
-    rows : (2, 2c, 19) `fill_rows` of the begin of window n in place n % 2, that of its end in the other
+    rows : (N, 2, 2c, 19) `fill_rows` of the begin of window n in place n % 2, that of its end in the other
     sums : (19, m), room for work
     """
 
@@ -79,19 +85,26 @@ class Waves(NamedTuple):
 def waves_of(table, mean_drift=False):
     """`Waves` of a `WaveTable`"""
     c, m = table.factor.shape[1:]
-    return Waves(table, bool(mean_drift), np.zeros((2, c, 19)), np.zeros((19, m)))
+    return Waves(table, bool(mean_drift), np.zeros((len(table.force), 2, c, 19)), np.zeros((19, m)))
 
 
 @dataclass(frozen=True, eq=False)
 class WaveForces:
-    """Forces and drift of a body over frequencies and a ring of headings, for any sea.
+    """Forces and drift of a body over frequencies and a ring of headings relative to its axes, for any sea.
 
     omega : (q,) rad/s; force : (q, HEADINGS, 12) real and imaginary parts per metre; drift : (q, HEADINGS, 3) or None
+    others : those of further bodies that move, at the same frequencies
     """
 
     omega: np.ndarray
     force: np.ndarray
     drift: np.ndarray | None
+    others: tuple = ()
+
+    @property
+    def each(self):
+        """WaveForces of every body"""
+        return (self, *self.others)
 
     @cached_property
     def curves(self):
@@ -105,9 +118,12 @@ class WaveForces:
 def wave_forces(body):
     """`WaveForces` of a `bem.database.reader.Reader` at frequencies close enough for every resonance."""
     omega, ring = frequencies(body), np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
+    if body.bodies:
+        first, *others = (_of_one(body, one, omega, ring) for one in body.bodies if not one.fixed)
+        return replace(first, others=tuple(others))
     force = np.empty((len(omega), HEADINGS, 12))
     drift = np.empty((len(omega), HEADINGS, 3)) if body.knows_drift else None
-    for rows in np.array_split(np.arange(len(omega)), max(1, len(omega) // 64)):
+    for rows in _in_parts(omega):
         found = body.forces(omega[rows], ring)
         force[rows, :, :6], force[rows, :, 6:] = found.real, found.imag
         if drift is not None:
@@ -115,9 +131,26 @@ def wave_forces(body):
     return WaveForces(omega, force, drift)
 
 
+def _of_one(body, one, omega, ring):
+    """`WaveForces` of one of several bodies, a `bem.modes.Body`, with the drift of each that is stored"""
+    at = np.flatnonzero([other is one for other in body.bodies])[0]
+    turned, columns = ring + one.heading, body.columns_of(one)
+    parts = [body.forces(omega[rows], turned)[..., columns] for rows in _in_parts(omega)]
+    force = np.concatenate([np.concatenate([part.real, part.imag], axis=-1) for part in parts])
+    if not body.knows_drift_of_each:
+        return WaveForces(omega, force, None)
+    drift = [body.drift_of_each(omega[rows], turned)[:, :, at] for rows in _in_parts(omega)]
+    return WaveForces(omega, force, np.concatenate(drift))
+
+
+def _in_parts(omega):
+    return np.array_split(np.arange(len(omega)), max(1, len(omega) // 64))
+
+
 def no_wave_forces(body):
     """`WaveForces` of a `bem.database.reader.Reader` in a run without waves, whatever headings it is solved for"""
-    return WaveForces(body.omega, np.zeros((len(body.omega), HEADINGS, 12)), None)
+    none = WaveForces(body.omega, np.zeros((len(body.omega), HEADINGS, 12)), None)
+    return replace(none, others=(none,) * (len(body.words) // 6 - 1))
 
 
 def drift_of(forces, components, heading):
@@ -132,7 +165,7 @@ def drift_of(forces, components, heading):
 
 
 def forces_towards(forces, direction):
-    """(q, 6) complex first-order forces per metre on a body at rest, of waves towards `direction` rad"""
+    """(q, 6) complex first-order forces per metre on a body at rest, of waves towards `direction` rad from its axes"""
     place, weights = direction * (HEADINGS / (2 * np.pi)), np.empty(6)
     whole = np.floor(place)
     lagrange_weights(place - whole + 2.0, 6, weights)
@@ -162,24 +195,26 @@ def drift_on_current(forces, omega, direction, velocity, depth, gravity):
     )
 
 
-def wave_table(forces, components, depth, center, gravity, drift=True, carrier=None):
+def wave_table(forces, components, depth, center, gravity, drift=True, carrier=None, heading=(0.0,)):
     """`WaveTable` of `WaveForces` in wave components (`mooring.environment.sea.Components`).
 
     Components outside the stored frequencies exert no force, and the drift of the nearest stored one.
-    center : (3,) m, rotation centre; drift : whether it is wanted
+    center : (3,) m, rotation centre, of several bodies (N, 3); heading : (N,) rad, of their axes at rest
+    drift : whether it is wanted
     carrier : `mooring.on_current.waves.Carrier`, whatever it says the components have their intrinsic frequencies; None
         for still water
     """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     held = np.clip(omega, forces.omega[0], forces.omega[-1])
-    of_force, of_drift = forces.curves
-    force = np.zeros((len(omega), HEADINGS, 15))
-    force[:, :, :12] = of_force(held)
-    force[held != omega] = 0.0
-    if drift and of_drift is not None and carrier is None:
-        force[:, :, 12:] = of_drift(held)
-    elif drift and of_drift is not None:
-        force[:, :, 12:] = drift_on_current(forces, held, direction, carrier.velocity, depth, gravity)
+    force = np.zeros((len(forces.each), len(omega), HEADINGS, 15))
+    for one, own in zip(forces.each, force, strict=True):
+        of_force, of_drift = one.curves
+        own[:, :, :12] = of_force(held)
+        own[held != omega] = 0.0
+        if drift and of_drift is not None and carrier is None:
+            own[:, :, 12:] = of_drift(held)
+        elif drift and of_drift is not None:
+            own[:, :, 12:] = drift_on_current(one, held, direction, carrier.velocity, depth, gravity)
     number = wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
     own, omega = omega, omega if carrier is None else omega + np.asarray(carrier.velocity) @ number
     step = PHASE[len(omega) > FEW] / np.abs(omega).max()
@@ -188,30 +223,34 @@ def wave_table(forces, components, depth, center, gravity, drift=True, carrier=N
     turn = np.multiply.outer(omega, np.stack([times, times - step * count]))
     factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
     factor = np.ascontiguousarray(factor.swapaxes(0, 1))
-    middle = np.asarray(center, float)[:2]
+    middle, turn = np.asarray(center, float).reshape(-1, 3)[:, :2], np.asarray(heading, float)
+    arm = middle * np.cos(turn)[:, None] + middle[:, ::-1] * np.multiply.outer(np.sin(turn), [1.0, -1.0])
     return WaveTable(
-        omega, own, number, amplitude, phase, direction, force, factor, middle, step, step * count,
+        omega, own, number, amplitude, phase, direction, force, factor, middle, arm, step, step * count,
     )  # fmt: skip
 
 
-def no_waves(window=WINDOW):
+def no_waves(window=WINDOW, bodies=1):
     """A `WaveTable` without components"""
     none = np.zeros(0)
     count = max(2, int(window))
-    shape = np.zeros((0, HEADINGS, 15)), np.zeros((2, 0, count + 1 + 2 * EDGE))
-    return WaveTable(none, none, np.zeros((2, 0)), none, none, none, *shape, np.zeros(2), window / count, float(window))
+    shape = np.zeros((bodies, 0, HEADINGS, 15)), np.zeros((2, 0, count + 1 + 2 * EDGE))
+    place = np.zeros((bodies, 2))
+    return WaveTable(
+        none, none, np.zeros((2, 0)), none, none, none, *shape, place, place, window / count, float(window)
+    )
 
 
 @kernel()
-def fill_rows(table, rows, pose, start):
+def fill_rows(table, rows, pose, start, body=0):
     """rows (2c, 19): coefficients of `factor` for 6 forces, the elevation and real and imaginary roots of the drift.
 
-    pose : (3,) slow x, y (m from the place at rest) and heading; start : s of the window
+    pose : (3,) slow x, y (m from the place at rest) and heading of the body; start : s of the window
     """
     c = table.omega.size
     cos, sin = np.cos(pose[2]), np.sin(pose[2])
-    cx, cy = table.center
-    x, y = cx + pose[0] - cos * cx + sin * cy, cy + pose[1] - sin * cx - cos * cy
+    cx, cy, ax, ay = table.center[body, 0], table.center[body, 1], table.arm[body, 0], table.arm[body, 1]
+    x, y = cx + pose[0] - cos * ax + sin * ay, cy + pose[1] - sin * ax - cos * ay
     weights, parts, first, towards = np.empty(6), np.empty(15), 0, np.nan
     for i in range(c):
         turn = table.number[0, i] * x + table.number[1, i] * y + table.phase[i] - table.omega[i] * start
@@ -224,7 +263,7 @@ def fill_rows(table, rows, pose, start):
             first = int(whole) - 2
         parts[:] = 0.0
         for n in range(6):
-            w, near = weights[n], table.force[i, (first + n) % HEADINGS]
+            w, near = weights[n], table.force[body, i, (first + n) % HEADINGS]
             for j in range(15):
                 parts[j] += w * near[j]
         by_cos, by_sin = rows[i], rows[c + i]
@@ -243,20 +282,20 @@ def fill_rows(table, rows, pose, start):
 
 
 @kernel()
-def fill_window(waves, window, number, pose, start):
+def fill_window(waves, window, number, pose, start, body=0):
     """window (ROWS, m): forces of `Waves` at the steps of a window that begins at `start` s, and new rows of its end.
 
-    number : of the window; the rows of its begin are there.  pose : (3,) slow pose at its end
+    number : of the window; the rows of its begin are there.  pose : (3,) slow pose of the body at its end
     """
     table, mean_drift, sums = waves.table, waves.mean_drift, waves.sums
     window[:] = 0.0
     c, m = table.omega.size, window.shape[1]
     if c == 0:
         return
-    fill_rows(table, waves.rows[(number + 1) % 2], pose, start + table.window)
+    fill_rows(table, waves.rows[body, (number + 1) % 2], pose, start + table.window, body)
     steps = m - 1 - 2 * EDGE
     for side in range(2):
-        rows = waves.rows[(number + side) % 2]
+        rows = waves.rows[body, (number + side) % 2]
         np.dot(rows.T, table.factor[side], sums)
         for n in range(m):
             later = (n - EDGE) / steps

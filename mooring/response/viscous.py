@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.bem.viscous import EQUIVALENT_AMPLITUDE, Quadratic, Tabulated, Viscous, linearised_response
 
 from ..on_current.body import carrier_of_body
@@ -32,7 +31,7 @@ RESTORED = [2, 3, 4]  # heave, roll, pitch
 class InTime(NamedTuple):
     """A body's viscous damping in time, beside radiation
 
-    quadratic : (6,) N₂ of laws that are a drag; damping : (6, 6) of the other laws, linearised in the waves
+    quadratic : (n,) N₂ of laws that are a drag; damping : (n, n) of the other laws, linearised in the waves
     body : `bem.database.reader.Reader`, floating, that drifts as the body damped in these waves does
     """
 
@@ -75,20 +74,21 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
     """`InTime` of a `Reader` in waves: a Sea, `mooring.studies.conditions.Waves` that are regular, or None for none,
     in which only laws that are a drag damp.
 
-    damping : (6, 6), quadratic : (6,) of a study, beside the laws of its scene; of these heave, roll and pitch count
+    damping : (n, n), quadratic : (n,) of a study, beside the laws of its scene; of these heave, roll and pitch count
     for the drift, whose resonances waves reach, and not what damps slow motion
     """
-    linear = np.zeros((6, 6)) if damping is None else np.asarray(damping, float)
-    drag = np.zeros(6) if quadratic is None else np.array(quadratic, float)
+    names, count = reader.names, len(reader.names)
+    linear = np.zeros((count, count)) if damping is None else np.asarray(damping, float)
+    drag = np.zeros(count) if quadratic is None else np.array(quadratic, float)
     laws = dict(laws_of(reader))
-    for i, dof in enumerate(DOFS):
+    for i, dof in enumerate(names):
         if isinstance(laws.get(dof), Quadratic):
             drag[i] += laws[dof].drag
-        if drag[i] > 0 and i in RESTORED and not isinstance(laws.get(dof), Tabulated):
+        if drag[i] > 0 and i % 6 in RESTORED and not isinstance(laws.get(dof), Tabulated):
             laws[dof] = Quadratic(drag[i])
-    held = np.zeros((6, 6))
-    held[RESTORED, RESTORED] = linear[RESTORED, RESTORED]
-    body, added = reader.floating().restrained(damping=held), np.zeros((6, 6))
+    held, restored = np.zeros((count, count)), [i for i in range(count) if i % 6 in RESTORED]
+    held[restored, restored] = linear[restored, restored]
+    body, added = reader.floating().restrained(damping=held), np.zeros((count, count))
     if waves is not None and laws and hasattr(waves, "spectrum"):
         body, added = linearised(body, waves, laws)
     elif waves is not None and laws:
@@ -97,7 +97,7 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
     if not reader.rebuilds_drift:  # what is stored is all that is known of it, at the scene's own waves
         body = replace(reader, viscous=None)
     added = linear + added
-    for i, dof in enumerate(DOFS):
+    for i, dof in enumerate(names):
         if isinstance(laws.get(dof), Quadratic):
             added[i, i] = linear[i, i]
     return InTime(drag, added, body)

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from hakobune.bem.modes import words_of
 from hakobune.bem.time_domain.memory import Memory, MemoryArrays
 
 from ..lines.system.parts import Fairlead
@@ -44,10 +45,12 @@ class PlanarBody:
     stiffness: np.ndarray = None
     rotation_center: np.ndarray = None
     knows_drift: bool = False
+    words: tuple = words_of(())
 
     def __post_init__(self):
         object.__setattr__(self, "stiffness", np.zeros((6, 6)))
         object.__setattr__(self, "rotation_center", np.zeros(3))
+        object.__setattr__(self, "axes_at_rest", np.zeros((1, 6)))
 
 
 def planar(point: SinglePoint) -> Moored:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..environment.sea import Sea
-from ..lines.system.bodies import rotation
+from ..lines.system.bodies import axes_in_space, rotation
 from ..loads.box_drag import DragTable
 from ..loads.box_wind import AIR_DENSITY, BOX
 from ..loads.coefficients import HullCoefficients
@@ -158,8 +158,5 @@ def in_motions(stiffness, hulls):
     """(n, n) about the axes that motions are along, of one (n, n) about those of space, of hulls one after another"""
     if len(hulls) == 1 and not hulls[0].heading:
         return stiffness
-    turn = np.zeros_like(stiffness)
-    for i, one in enumerate(hulls):
-        own = slice(6 * i, 6 * i + 6)
-        turn[own, own] = np.kron(np.eye(2), one.axes)
+    turn = axes_in_space([one.heading for one in hulls])
     return turn.T @ stiffness @ turn

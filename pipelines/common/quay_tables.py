@@ -10,9 +10,13 @@ friction = 0.2                                            break_strain = 0.1
 shear = 2000.0                                            tail_length = 8.0 …
 
 A fender is met by the flat side of the hull that it stands before; x, y, z in m with the body at rest, forces in kN.
+Of several bodies `body` is the one that leans or has the fairlead; `to` has the fender or the bollard, in whose
+coordinates its place is given; without `to` it stands still, in coordinates of the scene.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import msgspec
 import numpy as np
@@ -31,6 +35,8 @@ class QuayFenderTable(FenderTable, kw_only=True):
     on : name of the dolphin that it stands on
     friction : coefficient μ of its face
     shear : kN/m, stiffness along the face, up to friction
+    body : name of the one that leans on it, of several
+    to : name of the one that carries it, in whose coordinates its position is
     """
 
     name: str
@@ -38,6 +44,8 @@ class QuayFenderTable(FenderTable, kw_only=True):
     on: str | None = None
     friction: float = 0.0
     shear: float = 0.0
+    body: str = ""
+    to: str = ""
 
 
 class DolphinTable(Table):
@@ -70,6 +78,8 @@ class RopeTable(Table):
     tail_breaking_load_kN : by default that of the rope
     tail_break_strain : at its breaking load
     tail_exponent : n of T ∝ εⁿ
+    body : name of the one that has the fairlead, of several, in its coordinates
+    to : name of the one that has the bollard, in whose coordinates it is
     """
 
     name: str
@@ -84,12 +94,82 @@ class RopeTable(Table):
     tail_breaking_load_kN: float | None = None
     tail_break_strain: float | None = None
     tail_exponent: float = 1.0
+    body: str = ""
+    to: str = ""
 
 
 def berth_of_tables(fenders, dolphins, ropes, hull, center):
     """`mooring.motion.contacts.Berth` of lists of tables; hull : ExposedBox; center : (3,) m.  Raises ValueError."""
     from hakobune.mooring.motion.contacts import berth_of
 
+    for where, one in (*(("fender", one) for one in fenders), *(("rope", one) for one in ropes)):
+        if one.body or one.to:
+            raise StudyError(
+                f"{where} {one.name}: body {one.body or one.to!r} is given, and the database is of one; leave body and "
+                "to out"
+            )
+    known = _dolphins(fenders, dolphins)
+    made = [_fender(f"fender[{i}] ({one.name})", one, known.get(one.on), hull) for i, one in enumerate(fenders)]
+    return berth_of(made, [_rope(one) for one in ropes], center)
+
+
+def berth_between(fenders, dolphins, ropes, hulls, bodies):
+    """`mooring.motion.contacts.Berth` of several bodies.  Raises ValueError.
+
+    hulls : `mooring.studies.conditions.Afloat` of those that move; bodies : `bem.modes.Body` of all
+    """
+    from hakobune.mooring.motion.contacts import berth_of
+
+    names, named, known = (
+        [one.name for one in hulls],
+        {body.name: body for body in bodies},
+        _dolphins(fenders, dolphins),
+    )
+    made, held, ends = [], [], []
+    for i, table in enumerate(fenders):
+        where = f"fender[{i}] ({table.name})"
+        body, to = _ends(where, table, names, named)
+        face = to.in_scene(table.position) if to else np.array(table.position)
+        own = hulls[names.index(body.name)]
+        if table.to in names and _inside(own.own(face), own.box):
+            other = hulls[names.index(table.to)]
+            if _inside(other.own(face), other.box):
+                x, y, z = face
+                raise StudyError(
+                    f"{where} lies inside both {body.name} and {table.to}, at {x:.4g}, {y:.4g}, {z:.4g} m of the "
+                    "scene; allowed: between their sides"
+                )
+        placed = msgspec.structs.replace(table, position=tuple(map(float, own.own(face))), body="", to="")
+        one = _fender(where, placed, known.get(table.on), own.box)
+        made.append(replace(one, face=face))
+        ends.append((names.index(body.name), names.index(table.to) if table.to in names else -1))
+    for table in ropes:
+        body, to = _ends(f"rope {table.name}", table, names, named)
+        bollard = to.in_scene(table.bollard) if to else np.array(table.bollard)
+        placed = {"bollard": tuple(map(float, bollard)), "fairlead": tuple(map(float, body.in_scene(table.fairlead)))}
+        held.append(_rope(msgspec.structs.replace(table, **placed)))
+        ends.append((names.index(body.name), names.index(table.to) if table.to in names else -1))
+    return berth_of(made, held, None, hulls, ends)
+
+
+def _ends(where, table, moving, bodies):
+    """`bem.modes.Body` of both ends, None for what stands still.  Raises StudyError."""
+    if table.body not in moving:
+        raise StudyError(f"{where}: body is {table.body!r}; allowed: one that moves, {', '.join(moving)}")
+    if table.to and (table.to == table.body or table.to not in bodies):
+        others = ", ".join(name for name in bodies if name != table.body)
+        raise StudyError(f"{where}: to is {table.to!r}; allowed: another body, {others}, or none")
+    return bodies[table.body], bodies.get(table.to)
+
+
+def _inside(point, box):
+    """Whether a point (3,) m in coordinates of a hull lies inside its box"""
+    x, y, z = point
+    return abs(x) < 0.5 * box.length and abs(y) < 0.5 * box.beam and -box.draft < z < box.freeboard
+
+
+def _dolphins(fenders, dolphins):
+    """{name: DolphinTable}.  Raises StudyError where dolphins and fenders do not belong together."""
     known = {one.name: one for one in dolphins}
     if len(known) < len(dolphins):
         raise StudyError("two [[dolphin]] have one name; allowed: each its own")
@@ -104,8 +184,7 @@ def berth_of_tables(fenders, dolphins, ropes, hull, center):
     for name in known:
         if name not in stands:
             raise StudyError(f"dolphin {name!r} carries no fender; allowed: one, by its key on")
-    made = [_fender(f"fender[{i}] ({one.name})", one, known.get(one.on), hull) for i, one in enumerate(fenders)]
-    return berth_of(made, [_rope(one) for one in ropes], center)
+    return known
 
 
 def _fender(where, table, dolphin, hull):

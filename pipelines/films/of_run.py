@@ -16,7 +16,7 @@ from hakobune.mooring.lines.system.bodies import rotation
 
 from ..moor.study import make_study
 from ..results.heard import heard
-from ..simulate.file import opened, whole_rows
+from ..simulate.file import bodies_of, opened, whole_rows
 from ..simulate.study import plan_of
 from .gif import check_count, check_film, write_film
 from .stage import POINTS, Stage, frames
@@ -31,6 +31,8 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     """
     check_film(output, (path,))
     with opened(path) as file:
+        if bodies_of(file):
+            raise ValueError(f"{path} is of {', '.join(bodies_of(file))}; allowed: a run of one body")
         row = _row(file, seed)
         time = file["time"][()]
         check_times(time, start, length, step)

@@ -43,6 +43,17 @@ KINDS = {
         "bodies_barge_at_pier.toml",
         ("hakobune solve FILE --output bodies.h5",),
     ),
+    "side_by_side": Kind(
+        "bodies moored to each other, in time",
+        "hakobune.pipelines.moor.study:Study",
+        "simulate",
+        "simulate_side_by_side.toml",
+        (
+            "hakobune solve bodies_side_by_side.toml --output side_by_side.h5",
+            "hakobune simulate FILE --database side_by_side.h5 --output run.h5",
+        ),
+        ("bodies_side_by_side.toml",),
+    ),
     "study": Kind(
         "a moored body: water, hull, lines, weather",
         "hakobune.pipelines.moor.study:Study",

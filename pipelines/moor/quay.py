@@ -19,7 +19,7 @@ def body_of(study, db):
     """
     quay, wall = study.quay, db.wall
     if quay is None:
-        return db.reader, () if wall is None else (f"{db.path} is of a wall at y = {wall:g} m: {NO_DRIFT}",)
+        return db.bodies_reader, () if wall is None else (f"{db.path} is of a wall at y = {wall:g} m: {NO_DRIFT}",)
     if method_of(quay, wall, db.path) == "panels":
         return db.reader, (f"quay at y = {quay.y:g} m: by panels with the wall; {NO_DRIFT}",)
     return by_far_field(db, quay.y)

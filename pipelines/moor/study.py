@@ -19,12 +19,12 @@ import numpy as np
 from hakobune.bem.bodies.one_of_several import body_named, each_body
 from hakobune.mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_bodies, moored_body
 from hakobune.mooring.loads.on_hull import current_on, wind_on
-from hakobune.mooring.studies.conditions import Conditions, ExposedBox, Waves
+from hakobune.mooring.studies.conditions import Conditions, ExposedBox, Waves, afloat
 from hakobune.mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import TypeTable, check_types, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, force, positive, water_depth
-from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
+from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_between, berth_of_tables
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
@@ -99,11 +99,8 @@ class Study(Table):
             raise StudyError(f"{wrong} is given; allowed with this database: {names}")
         found = {}
         for body in moving:
-            points = body_named(db, body.name).mesh.whole().points - (*body.place, 0.0)
-            (length, beam), draft = 2 * np.abs(points @ body.axes)[:, :2].max(axis=0), -points[:, 2].min()
-            sizes = {"length": float(length), "beam": float(beam), "draft": float(draft)}
             try:
-                found[body.name] = self.hull_of(sizes, self.hulls.get(body.name, HullTable()))
+                found[body.name] = self.hull_of(box_of(db, body), self.hulls.get(body.name, HullTable()))
             except StudyError as error:
                 raise StudyError(f"hulls.{body.name}: {error}") from None
         return found
@@ -166,6 +163,15 @@ class Study(Table):
         """`mooring.motion.contacts.Berth` of fenders and ropes, for a body with its axes at `center` (3,) m"""
         return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
 
+    def berth_of(self, db, hulls):
+        """The same of the bodies of a database, `hulls_of` it.  Raises StudyError for what it is not known of."""
+        if not db.bodies:
+            return self.berth(hulls, db.rotation_center)
+        if self.quay is not None or self.harbour is not None:
+            key = "quay" if self.quay is not None else "harbour"
+            raise StudyError(f"[{key}] is given, and the database is of several bodies; allowed: with one body")
+        return berth_between(self.fender, self.dolphin, self.rope, afloat(db, hulls), db.bodies)
+
     def without_berth(self, command):
         """Itself.  Raises StudyError where fenders, ropes or a quay would be left out by a command."""
         if self.at_berth:
@@ -189,11 +195,13 @@ class Study(Table):
         legs = self._legs({"": hull}, density, gravity, in_time)
         return None if legs is None else moored_body(legs, self.water.depth, center, density, gravity)
 
-    def system_of(self, db, hulls):
-        """System of the bodies of a database, `hulls_of` it"""
+    def system_of(self, db, hulls, in_time=False):
+        """System of the bodies of a database, `hulls_of` it, None as of `system`"""
         if not db.bodies:
-            return self.system(hulls, db.rotation_center, db.density, db.gravity)
-        legs = self._legs(hulls, db.density, db.gravity, False, {body.name: body for body in db.bodies})
+            return self.system(hulls, db.rotation_center, db.density, db.gravity, in_time)
+        legs = self._legs(hulls, db.density, db.gravity, in_time, {body.name: body for body in db.bodies})
+        if legs is None:
+            return None
         moving = {body.name: (body.rotation_center, body.heading) for body in db.bodies if not body.fixed}
         return moored_bodies(legs, moving, self.water.depth, db.density, db.gravity)
 
@@ -260,6 +268,26 @@ class Study(Table):
 
     def _straight(self, table):
         return table.type in self.types and self.types[table.type].straight
+
+
+def box_of(db, body):
+    """{"length", "beam", "draft"} m of the box about the origin that holds one of several bodies, a `bem.modes.Body`"""
+    points = body_named(db, body.name).mesh.whole().points - (*body.place, 0.0)
+    length, beam = 2 * np.abs(points @ body.axes)[:, :2].max(axis=0)
+    return {"length": float(length), "beam": float(beam), "draft": float(-points[:, 2].min())}
+
+
+def sides_of(db):
+    """`mooring.motion.gaps.Side` of every body of a database, () for one"""
+    from hakobune.mooring.motion.gaps import Side
+
+    found, count = [], 0
+    for body in db.bodies:
+        box, place = box_of(db, body), np.array([*body.rotation_center[:2], body.heading], float)
+        half = 0.5 * np.array([box["length"], box["beam"]])
+        found.append(Side(body.name, half, body.own_center[:2], -1 if body.fixed else count, place))
+        count += not body.fixed
+    return tuple(found)
 
 
 def _of_several(where, name, bodies, hulls):

@@ -80,9 +80,11 @@ class GivenForceTable(Table):
     """A given force on the body
 
     file : CSV beside the study, of t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m) on the body
+    body : name of the one it acts on, of several
     """
 
     file: str
+    body: str = ""
 
 
 class RecordTable(Table):

@@ -93,10 +93,12 @@ def check_harbour(periods):
     return [positive(f"harbour.periods[{i}]", T) for i, T in enumerate(periods)]
 
 
-def check_windows(length, plan):
-    """Raise StudyError for windows of `length` s that the records of a `study.Plan` do not have."""
+def check_windows(length, plan, bodies=()):
+    """Raise StudyError for windows of `length` s that the records of a `study.Plan` do not have"""
     from ..common.quantities import StudyError
 
+    if bodies:
+        raise StudyError("--windows is given, and the database is of several bodies; allowed: with one body")
     step, duration = plan.settings.step, plan.settings.duration
     if not FEWEST_IN_WINDOW * step <= length <= duration:
         raise StudyError(

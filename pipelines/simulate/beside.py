@@ -54,13 +54,15 @@ def simplified(study, db):
     ):  # fmt: skip
         if there:
             return Beside(none, none, unknown, unknown, (f"the simplified method knows no {words} and is left out",))
-    hull = study.hull_of(db.sizes)
-    system = study.system(hull, db.rotation_center, db.density, db.gravity)
+    hull = study.hulls_of(db)
+    system = study.system_of(db, hull)
     try:
         found = multi_point(db, system, hull, study.conditions(), study.allowable)
     except ValueError as error:
         reason = f"the simplified method has no answer here: {' '.join(str(error).split())}"
         return Beside(none, none, unknown, unknown, (reason,))
+    if db.bodies:
+        return Beside(found.tension, found.utilisation, unknown, unknown)
     state = found.at_equilibrium
     period = dict(zip(state.names, state.period, strict=True))
     slow = _slow(study, db, hull, found)
@@ -79,12 +81,16 @@ def _slow(study, db, hull, found):
 def of_berth(study, db, body):
     """Attributes of the file: natural periods at the berth, of the harbour, fenders, design spectrum method"""
     fenders = body.berth.fenders
-    return {
-        "natural_period": periods_at_berth(body),
-        "harbour_period": [] if study.harbour is None else check_harbour(study.harbour.periods),
+    own = {
         "fender_height": [one.fender.height for one in fenders],
         "fender_allowable": [one.fender.own_allowable for one in fenders],
         "fender_strains": json.dumps([_strains(one.fender) for one in fenders]),
+    }
+    if db.bodies:
+        return own
+    return own | {
+        "natural_period": periods_at_berth(body),
+        "harbour_period": [] if study.harbour is None else check_harbour(study.harbour.periods),
         "design_spectrum": by_design_spectrum(study, db, body_of(study, db)[0], body.hull, fenders),
     }
 

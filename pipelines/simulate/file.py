@@ -61,6 +61,7 @@ class Header:
     identity : hash of all that results depend on but the seeds; study : its text; attributes : further ones, numbers
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
+    motions : names, of several bodies barge__Surge and so on
     """
 
     identity: str
@@ -74,6 +75,12 @@ class Header:
     units: tuple[str, ...]
     attributes: dict = field(default_factory=dict)
     fenders: tuple[str, ...] = ()
+    motions: tuple[str, ...] = DOFS
+
+    @property
+    def slow(self):
+        """Names of slow motions"""
+        return tuple(name for name in self.motions if name.endswith(SLOW))
 
 
 def create(path, header, seeds, kept, old=None):
@@ -103,7 +110,7 @@ def _lay_out(file, header, seeds, kept):
         study=header.study, breaking_load=header.breaking_load, **header.attributes
     )  # fmt: skip
     axes = {
-        "seed": seeds, "kept_seed": seeds[:kept], "time": header.time, "dof": DOFS, "slow_dof": SLOW,
+        "seed": seeds, "kept_seed": seeds[:kept], "time": header.time, "dof": header.motions, "slow_dof": header.slow,
         "line": header.lines, "quantity": header.quantities, "statistic": STATISTICS, "summary_statistic": SUMMARY,
         "xyz": ("x", "y", "z"),
     }  # fmt: skip
@@ -220,6 +227,17 @@ def _decimals(line):
 def units_of(file):
     """Unit of each quantity"""
     return tuple(json.loads(file["quantity"].attrs["quantity_units"]))
+
+
+def bodies_of(file):
+    """Names of several bodies, () for one"""
+    names = file["dof"].asstr()[()][::6]
+    return tuple(name.split("__")[0] for name in names if "__" in name)
+
+
+def words_of(file):
+    """Names of the motions among the quantities"""
+    return tuple(file["quantity"].asstr()[()][: len(file["dof"])])
 
 
 def fender_names(file):

@@ -19,10 +19,12 @@ def slow_findings(file):
     """Findings on slow motion far beyond the linear answer, on springs as stiff as the lines under the mean loads"""
     hull, spectral = float(file.attrs["hull"][0]), np.asarray(file.attrs.get("spectral_slow", [np.nan] * 3))
     for mode, unit, expected in zip(PLANE, ("m", "m", "rad"), spectral, strict=True):
+        if not np.isfinite(expected):
+            continue
         length = 1.0 if unit == "rad" else hull
         value = summary_of(file, mode)
         slow = value["slow"]
-        if np.isfinite(expected) and slow > max(FAR * expected, NOTABLE * value["wave"], NOTHING * length):
+        if slow > max(FAR * expected, NOTABLE * value["wave"], NOTHING * length):
             factor, word = UNITS[unit]
             yield (
                 f"slow {mode} has σ {slow * factor:.3g} {word}, slow forces on springs as stiff as the lines under the "

@@ -40,6 +40,8 @@ def compared(result, study, database, duration=None, division=None):
     """
     asked, db = input_of(study), database_of(database)
     task = work.Task(asked.study, str(db.path), duration, None, asked.folder)
+    if db.bodies:
+        raise StudyError("--methods is given, and the database is of several bodies; allowed: with one body")
     body, plan, _ = work.prepared(task, db)
     if plan.mean_period is None:
         raise StudyError("--methods compares motions in waves, and there are none; allowed: with [waves] or a record")

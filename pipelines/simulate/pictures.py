@@ -10,7 +10,7 @@ from hakobune.mooring.motion.statistics import FEW, frequencies_in, slow_part
 
 from ..common.picture import save
 from ..common.units import KN
-from .file import STATISTICS, whole_rows
+from .file import STATISTICS, bodies_of, whole_rows
 
 SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
@@ -26,12 +26,31 @@ def draw(file, output):
     kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
     if not len(kept):
         return []
-    made = []
-    for name, picture in (("records", _records), ("spectra", _spectra), ("offsets", _offsets), ("extremes", _extremes)):
-        path = output.with_name(f"{output.stem}_{name}.png")
-        picture(file, kept, path)
-        made.append(path.name)
+    made, bodies = [], bodies_of(file) or ("",)
+    for i, body in enumerate(bodies):
+        for name, picture in (
+            ("records", _records), ("spectra", _spectra), ("offsets", _offsets), ("extremes", _extremes)
+        ):  # fmt: skip
+            path = output.with_name("_".join(filter(None, (output.stem, body, name))) + ".png")
+            picture(file, kept, path, Motions(i, f"{body} ".lstrip()))
+            made.append(path.name)
     return made
+
+
+class Motions(NamedTuple):
+    """Of one body: its number, and what is before the names of its motions"""
+
+    body: int
+    before: str
+
+    @property
+    def named(self):
+        """(name, factor to its unit, unit) of each"""
+        return tuple((self.before + name, factor, unit) for name, factor, unit in MOTIONS)
+
+    def of(self, file, kept):
+        """(…, n, 6) records of rows that are kept"""
+        return file["motion"][kept][..., 6 * self.body : 6 * self.body + 6]
 
 
 def _figure(rows, columns, size, between=0.12, **more):
@@ -70,15 +89,17 @@ def _worst(file):
     names = file["quantity"].asstr()[()]
     chosen = [i for i, name in enumerate(names) if name.startswith(f"{kind} ")]
     if not chosen:
-        ends = file["statistics"][()][whole_rows(file)][:, : len(MOTIONS), STATISTICS.index("largest")]
-        at = int(np.argmax(np.abs([factor for _, factor, _ in MOTIONS] * ends).max(axis=0)))
-        return Worst("motion", at, *MOTIONS[at])
+        bodies = bodies_of(file) or ("",)
+        motions = [one for i, name in enumerate(bodies) for one in Motions(i, f"{name} ".lstrip()).named]
+        ends = file["statistics"][()][whole_rows(file)][:, : len(motions), STATISTICS.index("largest")]
+        at = int(np.argmax(np.abs([factor for _, factor, _ in motions] * ends).max(axis=0)))
+        return Worst("motion", at, *motions[at])
     largest = file["statistics"][()][whole_rows(file)][:, chosen, STATISTICS.index("largest")]
     at = int(np.argmax(largest.max(axis=0)))
     return Worst(kind, at, names[chosen[at]].removeprefix(f"{kind} "), factor, unit)
 
 
-def _records(file, kept, path):
+def _records(file, kept, path, motions):
     """The minutes around the largest tension, of the run that has it"""
     worst, time = _worst(file), file["time"][()]
     row = max(kept, key=lambda i: file[worst.kind][i, :, worst.at].max())
@@ -91,8 +112,8 @@ def _records(file, kept, path):
     axes[0].plot(time[part], file["wave"][row][part], color="C0", lw=0.9)
     axes[0].set_ylabel("wave, m")
     step, split = float(np.diff(time[:2])[0]), float(file.attrs["split_frequency"])
-    for j, (name, factor, unit) in enumerate(MOTIONS):
-        motion = factor * (not _still(file, name)) * file["motion"][row, :, j].astype(float)
+    for j, (name, factor, unit) in enumerate(motions.named):
+        motion = factor * (not _still(file, name)) * motions.of(file, row)[:, j].astype(float)
         axes[j + 1].plot(time[part], motion[part], color="0.25", lw=0.9)
         if j in PLANE:
             slow = slow_part(motion, step, split)[part]
@@ -144,13 +165,14 @@ def _has_spectrum(file, name, records):
     return not _still(file, name) and max(map(frequencies_in, records.astype(float))) > FEW
 
 
-def _spectra(file, kept, path):
+def _spectra(file, kept, path, motions):
     step, worst = float(np.diff(file["time"][:2])[0]), _worst(file)
     split = float(file.attrs["split_frequency"])
     last = min(LAST, BEYOND * split)
     figure, axes = _figure(2, 4, (15, 7), 0.32)
     columns = [("wave", 1.0, "m", file["wave"][kept])]
-    columns += [(name, f, unit, file["motion"][kept, :, j]) for j, (name, f, unit) in enumerate(MOTIONS)]
+    own = motions.of(file, kept)
+    columns += [(name, f, unit, own[..., j]) for j, (name, f, unit) in enumerate(motions.named)]
     columns.append((worst.quantity, worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
     for one, (name, factor, unit, records) in zip(axes.flat, columns, strict=True):
         if not _has_spectrum(file, name, records):
@@ -168,9 +190,9 @@ def _spectra(file, kept, path):
     save(figure, path, 110)
 
 
-def _offsets(file, kept, path):
+def _offsets(file, kept, path, motions):
     """Watch circle, and the tension of the worst line against the offset along its pull"""
-    worst, motion = _worst(file), file["motion"][kept] * [not _still(file, name) for name, _, _ in MOTIONS]
+    worst, motion = _worst(file), motions.of(file, kept) * [not _still(file, name) for name, _, _ in motions.named]
     x, y = motion[..., 0].ravel(), motion[..., 1].ravel()
     step = max(1, len(x) // MOST_POINTS)
     figure, ((plan, curve),) = _figure(1, 2, (13, 6.2))
@@ -180,14 +202,20 @@ def _offsets(file, kept, path):
     plan.plot(centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle), color="C3", lw=1)
     plan.plot(0, 0, "k+", ms=10, label="at rest")
     plan.plot(*centre, "o", color="C3", ms=5, label="mean")
-    plan.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"watch circle, radius {radius:.3g} m about the mean")
+    along, across = ("surge", "sway") if motions.before else ("x", "y")
+    plan.set(
+        xlabel=f"{motions.before}{along}, m",
+        ylabel=f"{motions.before}{across}, m",
+        aspect="equal",
+        title=f"watch circle, radius {radius:.3g} m about the mean",
+    )
     plan.legend(frameon=False, fontsize=8)
-    if worst.kind == "tension":
+    if worst.kind == "tension" and not motions.before:
         _against_offset(curve, file, worst, motion, file["tension"][kept, :, worst.at].ravel(), step)
     else:
         pressed = file[worst.kind][kept, :, worst.at].ravel()
         curve.plot(y[::step], worst.factor * pressed[::step], ".", ms=1.5, color="C1", alpha=0.35)
-        curve.set(xlabel="sway, m", ylabel=f"{worst.kind}, {worst.unit}")
+        curve.set(xlabel=f"{motions.before}sway, m", ylabel=f"{worst.kind}, {worst.unit}")
     curve.set_title(f"{worst.name}, {_runs(kept)}")
     for one in (plan, curve):
         one.grid(alpha=0.3)
@@ -208,14 +236,14 @@ def _against_offset(curve, file, worst, motion, pull, step):
     curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, kN", ylim=(0, None))
 
 
-def _extremes(file, kept, path):
+def _extremes(file, kept, path, motions):
     """Share of maxima above a level, of motions in standard deviations and of tensions"""
     from hakobune.mooring.environment.crossings import local_maxima
 
     figure, ((left, right),) = _figure(1, 2, (13, 6))
     least = 1.0
-    for j, (name, _, _) in enumerate(MOTIONS):
-        records = file["motion"][kept, :, j].astype(float)
+    for j, (name, _, _) in enumerate(motions.named):
+        records = motions.of(file, kept)[..., j].astype(float)
         if _has_spectrum(file, name, records):
             tops = _maxima(records, local_maxima) / records.std(axis=1).mean()
             if not len(tops):  # pushed one way by a given force, or too short a run

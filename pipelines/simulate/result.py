@@ -19,7 +19,7 @@ from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .berth import fender_strains, findings_on_fenders, findings_on_periods
-from .file import LEFT_OUT, SUMMARY, fender_names, opened, stored_findings, units_of, whole_rows
+from .file import LEFT_OUT, SUMMARY, bodies_of, fender_names, opened, stored_findings, units_of, whole_rows, words_of
 from .file import told as file_told
 from .findings import findings
 from .over_runs import largest_in_runs, notes, overloads, used_in_runs
@@ -34,14 +34,13 @@ if TYPE_CHECKING:
     from ..moor.study import Study
 
 KIND = "simulate"
-RECORDS = ("surge", "sway", "heave", "roll", "pitch", "yaw", "wave", "wind speed")  # statistics of a file before lines
 PLANE = ("surge", "sway", "yaw")
 MOTIONS, LINES, FENDERS = (
     "motions and waves, amplitudes from the mean",
     "tension of the lines in all runs",
     "fenders in all runs",
 )
-RUNS, BERTH = "runs", "berth"
+RUNS, BERTH, GAPS = "runs", "berth", "clear water between hulls in all runs"
 WORDS = {  # of a statistic: (heading, unit or None for that of the record, whether it is printed)
     "mean": ("mean", None, True),
     "sigma": ("σ", None, True),
@@ -81,7 +80,7 @@ def simulate(
     window: float | None = None,
     console: Console | None = None,
 ) -> Result:
-    """A moored body in time, seed by seed.
+    """A moored body in time, or several moored to each other too, seed by seed.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
@@ -121,15 +120,18 @@ def result_of(file, window=None, more=()):
     names, rows = list(file["quantity"].asstr()[()]), np.asarray(file["summary"][()])
     values = {name: dict(zip(SUMMARY, row, strict=True)) for name, row in zip(names, rows, strict=True)}
     lines, fenders = list(file["line"].asstr()[()]), fender_names(file)
+    records = [*words_of(file), "wave", "wind speed"]  # statistics of a file before lines
     quantities = {
-        **_statistics("record", MOTIONS, "record", [values[name] for name in RECORDS], units_of(file)[: len(RECORDS)]),
+        **_statistics("record", MOTIONS, "record", [values[name] for name in records], units_of(file)[: len(records)]),
+        **_of_gaps(names, values),
         **_of_lines(file, [values[f"tension {name}"] for name in lines]),
         **_of_fenders(file, fenders, values),
         **_of_berth(file),
         **_scalars(file),
     }
     axes = {
-        **labels("record", RECORDS), **labels("line", lines), **labels("fender", fenders), **labels("plane", PLANE),
+        **labels("record", records), **labels("line", lines), **labels("fender", fenders), **labels("plane", PLANE),
+        **labels("gap", [name.removeprefix("gap ") for name in names if name.startswith("gap ")]),
         **labels("seed", file["seed"][()][whole_rows(file)]), **labels("harbour", file.attrs.get("harbour_period", [])),
     }  # fmt: skip
     if window is not None:
@@ -191,6 +193,16 @@ def _of_lines(file, rows):
     return made
 
 
+def _of_gaps(names, values):
+    """Of the water between several hulls, {} for one"""
+    found = [values[name] for name in names if name.startswith("gap ")]
+    return {
+        f"gap.{key}": Quantity([row[key] for row in found], ("gap",), "m", words, GAPS)
+        for key, words in (("mean", "mean"), ("smallest", "smallest"), ("largest", "largest"))
+        if found
+    }
+
+
 def _of_fenders(file, names, values):
     if not names:
         return {}
@@ -230,7 +242,7 @@ def _scalars(file):
         name: Quantity(value, (), unit, words, RUNS if name != "allowable" else "", name == "allowable")
         for name, (value, unit, words) in rows.items()
     }
-    if "spectral_slow" in file.attrs:
+    if "spectral_slow" in file.attrs and not bodies_of(file):
         spectral = np.asarray(file.attrs["spectral_slow"], float)
         made["slow_by_spectrum"] = Quantity(
             spectral, ("plane",), ("m", "m", "rad"), "σ of slow motion, linear, by spectra"

@@ -90,9 +90,9 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     files = force_files(study, folder)
     inputs = (db.path, *files)
     check_output(output, "a simulation", is_run, DATABASE, (*filter(None, (asked.path,)), *inputs))
-    plan = plan_of(study, db.reader.omega, seeds, duration, folder)
+    plan = plan_of(study, db.bodies_reader.omega, seeds, duration, folder, db.bodies_reader.words)
     if windows is not None:
-        check_windows(windows, plan)
+        check_windows(windows, plan, db.bodies)
     identity = _identity(study, inputs, plan.settings.duration)
     task = Task(study, str(db.path), plan.settings.duration, None, str(folder))
     shorter = None if fresh else _shorter(output, study, inputs, plan, identity)
@@ -102,7 +102,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
             console.print(_made_again(shorter, plan.settings.duration), highlight=False, soft_wrap=True)
     todo = _missing(output, identity, plan, fresh)
     if todo or not summary_is_of_today(output):
-        remarks = tuple(study.remarks(study.hull_of(db.sizes), db))  # refuses before anything is made
+        remarks = tuple(study.remarks(study.hulls_of(db), db))  # refuses before anything is made
         moving, before = (None, ()) if fresh else _of_lines(output)
         task, ready, more = _made_once(task, moving, db)
         ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
@@ -238,16 +238,19 @@ def _say_before(console, plan, seeds, executor):
 
 
 def _header(task, text, db, plan, identity, ready, beside, findings):
-    from hakobune.mooring.motion.line_loads import body_lines
+    from hakobune.mooring.motion.line_loads import body_lines, ends_at_rest
 
     body = prepared(task)[0]
-    ropes, hull = body.berth.ropes, task.study.hull_of(db.sizes)
+    ropes, hulls = body.berth.ropes, task.study.hulls_of(db)
+    hull = max(hulls.values(), key=lambda one: one.length) if db.bodies else hulls
+    at_rest = body.reader.axes_at_rest
+    center = at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float)
     names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
     fenders = tuple(one.name for one in body.berth.fenders)
     attributes = {
         "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": task.study.allowable,
-        "rotation_center": np.asarray(db.rotation_center, float), "density": db.density, "gravity": db.gravity,
+        "rotation_center": center, "density": db.density, "gravity": db.gravity,
         "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
         "memory_states": body.memory.states, "place_at_rest": body.start, "told": "\n".join(ready.told),
         "findings_of_all": "\n".join(dict.fromkeys(findings)), "seeds_differ": differ(task.study),
@@ -255,15 +258,16 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
     }  # fmt: skip
     if isinstance(ready.settings.dynamic_lines, tuple):
         attributes["moving_lines"] = "\n".join(ready.settings.dynamic_lines)
+    if db.bodies:
+        attributes["heading"] = at_rest[:, 5]
     if body.berth.names:
         attributes |= of_berth(task.study, db, body)
     lines = body_lines(body.system)
     load = [*(() if body.system is None else body.system.breaking_load), *(one.breaking_load for one in ropes)]
     ends = [
         np.array([*held, *others], float).reshape(-1, 3)
-        for held, others in (
-            (lines.anchor, (one.bollard for one in ropes)),
-            (lines.fairlead + lines.place, (one.fairlead for one in ropes)),
+        for held, others in zip(
+            ends_at_rest(lines, at_rest), ([one.bollard for one in ropes], [one.fairlead for one in ropes]), strict=True
         )
     ]
     return Header(
@@ -273,9 +277,10 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
         np.array(load, float),
         *ends,
         sample_times(plan.settings),
-        *quantities_of(names, fenders),
+        *quantities_of(names, fenders, body.reader.words, ready.sides),
         attributes,
         fenders,
+        body.reader.names,
     )
 
 

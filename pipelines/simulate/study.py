@@ -14,12 +14,11 @@ file = "tug.csv"                 # beside the study: t, Fx, Fy, Fz, Mx, My, Mz
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from hakobune.bem import DOFS
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.on_current.waves import carrier_of, check_blocked, in_water
 from hakobune.mooring.response.seas import energy_outside
@@ -28,7 +27,7 @@ from ..common.quantities import StudyError, direction, level_of, positive
 from ..common.weather.gusts import gusts_of
 from ..moor.checked import check_period
 from ..moor.tables import SimulationTable
-from ..response.study import checked_ratios, damping_of
+from ..response.study import ONE_BODY, checked_ratios, damping_of
 from ..results.heard import heard
 from .berth import check_harbour
 
@@ -46,6 +45,7 @@ class Plan:
     """weather, settings : of `mooring.motion.weather`; seeds : of all runs; split : rad/s, of slow and wave part
 
     mean_period : s, of the waves, None without; findings : one line each
+    sides : `mooring.motion.gaps.Side` of several bodies
     told : what was chosen and what is left out, one line each; pace : s of computing a simulated second, on static and
         on moving lines, nan where it is not known: both once a body is prepared
     """
@@ -58,11 +58,12 @@ class Plan:
     mean_period: float | None
     findings: tuple[str, ...]
     told: tuple[str, ...] = ()
+    sides: tuple = ()
     pace: tuple[float, float] = (math.nan, math.nan)
 
 
-def plan_of(study, omega, seeds=None, duration=None, folder=None):
-    """The Plan of a `Study` on a database with frequencies omega (n,) rad/s.
+def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY):
+    """The Plan of a `Study` on a database with frequencies omega (n,) rad/s and motions called `words`.
 
     seeds : how many, in place of those of the study; duration : s, in place of that of the study
     folder : that files of forces lie in, None to leave such forces out
@@ -72,8 +73,8 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
     if table is None and duration is None:
         raise StudyError("the study has no [simulation]; give it one with duration (s), or --duration")
     table = SimulationTable() if table is None else table
-    settings = _settings(table, _duration(table, duration))
-    _check_damping(table)
+    settings = _settings(table, _duration(table, duration), words)
+    _check_damping(table, words)
     if study.harbour is not None:
         check_harbour(study.harbour.periods)
     conditions = study.conditions()
@@ -102,7 +103,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
     if table.record is not None:
         components, found = _record(study, table, settings, omega, folder)
         findings += found
-    forces, found = _forces(table, folder)
+    forces, found = _forces(table, folder, words)
     findings += found
     weather = Weather(seas, waves, *streams, forces, components=components)
     split = 0.5 * waves.omega if waves else float(omega[0])
@@ -192,55 +193,61 @@ def _record(study, table, settings, omega, folder):
 
 
 def damping(study, body):
-    """(6, 6) SI of the damping ratios and the linear damping of a study, for a Body"""
+    """(n, n) SI of the damping ratios and the linear damping of a study, for a Body"""
     if study.simulation is None:
-        return np.zeros((6, 6))
+        return np.zeros_like(body.damping)
     ratios = damping_of("simulation", study.simulation.damping_ratio, body)
-    return ratios + np.diag(_by_motion("linear_damping", study.simulation.linear_damping))
+    return ratios + np.diag(_by_motion("linear_damping", study.simulation.linear_damping, body.words))
 
 
-def _check_damping(table):
+def _check_damping(table, words):
     """Raises StudyError for a motion that there is not"""
-    checked_ratios("simulation", table.damping_ratio)
+    checked_ratios("simulation", table.damping_ratio, words)
     for key in ("linear_damping", "quadratic_damping", "spring"):
-        _by_motion(key, getattr(table, key))
+        _by_motion(key, getattr(table, key), words)
 
 
-def quadratic(study):
-    """(6,) SI of the quadratic damping of a study"""
-    return _by_motion("quadratic_damping", study.simulation.quadratic_damping if study.simulation else {})
+def quadratic(study, words=ONE_BODY):
+    """(n,) SI of the quadratic damping of a study"""
+    return _by_motion("quadratic_damping", study.simulation.quadratic_damping if study.simulation else {}, words)
 
 
-def spring(study):
-    """(6, 6) SI of the springs of a study"""
-    return np.diag(_by_motion("spring", study.simulation.spring if study.simulation else {}))
+def spring(study, words=ONE_BODY):
+    """(n, n) SI of the springs of a study"""
+    return np.diag(_by_motion("spring", study.simulation.spring if study.simulation else {}, words))
 
 
-def _start(key, values):
-    """(6,) m, rad or per second, of numbers in m and degrees by motion.  Raises StudyError."""
-    found = _by_motion(key, values, -math.inf, 1.0)
-    return (*map(float, found[:3]), *map(float, np.radians(found[3:])))
+def _start(key, values, words):
+    """(n,) m, rad or per second, of numbers in m and degrees by motion.  Raises StudyError."""
+    found = _by_motion(key, values, words, -math.inf, 1.0)
+    return tuple(float(np.radians(value) if i % 6 > 2 else value) for i, value in enumerate(found))
 
 
-def _by_motion(key, values, least=0.0, unit=1e3):
-    """(6,) SI of numbers in kN by motion, at least `least`.  Raises StudyError."""
-    out = np.zeros(6)
+def _by_motion(key, values, words, least=0.0, unit=1e3):
+    """(n,) SI of numbers in kN by motion, at least `least`.  Raises StudyError."""
+    out, known = np.zeros(len(words)), [word.lower() for word in words]
     for name, value in values.items():
-        if name.capitalize() not in DOFS:
-            raise StudyError(f"simulation.{key}: there is no motion {name!r}; allowed: {', '.join(DOFS).lower()}")
+        if name.lower() not in known:
+            raise StudyError(f"simulation.{key}: there is no motion {name!r}; allowed: {', '.join(words)}")
         if not (least <= value < math.inf and math.isfinite(value)):
-            known = "0 or more, finite" if least == 0 else "finite"
-            raise StudyError(f"simulation.{key}.{name} is {value:g}; allowed: {known}")
-        out[DOFS.index(name.capitalize())] = unit * value
+            good = "0 or more, finite" if least == 0 else "finite"
+            raise StudyError(f"simulation.{key}.{name} is {value:g}; allowed: {good}")
+        out[known.index(name.lower())] = unit * value
     return out
 
 
-def _forces(table, folder):
-    """`GivenForce` of each file, and findings"""
+def _forces(table, folder, words):
+    """`GivenForce` of each file, and findings.  Raises StudyError for a body that there is not."""
     from hakobune.mooring.motion.given_forces import read_force
 
+    bodies = [word.removesuffix("surge").strip() for word in words[::6]]
+    for i, one in enumerate(table.force):
+        if one.body not in bodies:
+            raise StudyError(f"simulation.force[{i}].body is {one.body!r}; allowed: {', '.join(bodies) or 'none'}")
     with heard() as caught:
-        forces = () if folder is None else tuple(read_force(Path(folder) / one.file) for one in table.force)
+        forces = () if folder is None else tuple(
+            replace(read_force(Path(folder) / one.file), body=bodies.index(one.body)) for one in table.force
+        )  # fmt: skip
     return forces, tuple(caught)
 
 
@@ -255,7 +262,7 @@ def _duration(table, duration):
     return positive("simulation.duration", table.duration)
 
 
-def _settings(table, duration):
+def _settings(table, duration, words):
     names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory",
              "constant_period", "dynamic_elements", "dynamic_water", "estimate_error")  # fmt: skip
     dynamic = moving_lines(table)
@@ -274,8 +281,8 @@ def _settings(table, duration):
         raise StudyError(f"simulation.lines_lost: {wrong[0].line} breaks at {wrong[0].time:g} s; allowed: from 0 s on")
     try:
         settings = Settings(
-            duration, lines_lost=lost, dynamic_lines=dynamic, offset=_start("offset", table.offset),
-            velocity=_start("velocity", table.velocity), **{name: getattr(table, name) for name in names},
+            duration, lines_lost=lost, dynamic_lines=dynamic, offset=_start("offset", table.offset, words),
+            velocity=_start("velocity", table.velocity, words), **{name: getattr(table, name) for name in names},
         )  # fmt: skip
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None

@@ -9,25 +9,25 @@ from functools import partial
 import msgspec
 import numpy as np
 
-from hakobune.bem import DOFS
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.motion.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError
 from ..moor.quay import body_of
-from ..moor.study import Study
+from ..moor.study import Study, sides_of
+from ..response.study import ONE_BODY
 from ..results.given import database_of
 from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
 from .study import check_names, damping, level_of_pairs, plan_of, quadratic, spring
 
-QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
-    "wave": "m",
-    "wind speed": "m/s",
-}
+MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 STATIC = (
     'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" moves them '
     "where a trial asks for it"
 )
+FARTHER = 0.5  # of the gap at rest, by which it may change without a word, and a half of the lesser hull's beam
 _prepared = {}
 
 
@@ -63,27 +63,28 @@ def prepared(task, db=None, waves=None):
         from hakobune.mooring.response.viscous import in_time
 
         study, db = task.study, database_of(task.database if db is None else db)
-        plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
-        hull = study.hull_of(db.sizes)
+        words = db.bodies_reader.words
+        plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words)
+        hull = study.hulls_of(db)
         first = study.remarks(hull, db)
-        system = study.system(hull, db.rotation_center, db.density, db.gravity, in_time=True)
+        system = study.system_of(db, hull, in_time=True)
         weather = plan.weather
         calm = not weather.seas and weather.waves is None and weather.components is None
-        exposed = None if study.hull is None and not (weather.wind or weather.current) else hull
+        exposed = None if not (study.hull or study.hulls or weather.wind or weather.current) else hull
         check_names(plan.settings, () if system is None else system.line_names)
-        berth = study.berth(hull, db.rotation_center)
+        berth = study.berth_of(db, hull)
         reader, of_quay = body_of(study, db)
         memory = task.memory
         if memory is None and (of_quay or plan.settings.memory == "constant"):
             memory = no_memory(reader)
-        extra, drag = damping(study, reader.floating()), quadratic(study)
+        extra, drag = damping(study, reader.floating()), quadratic(study, words)
         if of_quay and reader.viscous is None:  # made of the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
         with heard() as caught:
             body = moored(
                 reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
-                spring=spring(study),
+                spring=spring(study, words),
                 waves=no_wave_forces(reader) if calm else waves, linearised_in=plan.weather.waves,
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
@@ -91,8 +92,11 @@ def prepared(task, db=None, waves=None):
             plan, left = _with_pairs(plan, study, db, reader)
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before there is a file
+        _check_start(sides_of(db), body, plan.settings)
         told = *choice.left_out, *left, *choice.words
-        plan = replace(plan, settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told))
+        plan = replace(
+            plan, sides=sides_of(db), settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told)
+        )
         _prepared.clear()
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         if waves is None:
@@ -140,6 +144,10 @@ def _with_pairs(plan, study, db, reader):
 
     weather, drift = plan.weather, plan.settings.slow_drift
     level = level_of_pairs(study, bool(weather.seas), drift)
+    if db.bodies and level not in ("newman", "auto"):
+        raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "auto"')
+    if db.bodies:
+        return plan, ()
     try:
         found, notes = [], []
         for sea in weather.seas:
@@ -173,19 +181,26 @@ def simulate_seed(task, seed, kept, progress=None):
     statistics = partial(record_statistics, step=plan.settings.step, split=plan.split, duration=extreme)
     run = run._replace(tension=np.column_stack([run.tension, run.pull]))
     met = [column for pair in zip(run.deflection.T, run.reaction.T, strict=True) for column in pair]
-    columns = np.column_stack([run.motion, run.wave, run.wind_speed, run.tension, *met])[late]
+    apart = gaps(plan.sides, run.poses)
+    columns = np.column_stack([run.motion, run.wave, run.wind_speed, apart, run.tension, *met])[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has numbers that are not finite")
     found = [statistics(column) for column in columns.T]
     names = run.tension.shape[1], run.deflection.shape[1]
-    units, reader = quantities_of(*(("",) * n for n in names))[1], body.reader
+    reader = body.reader
+    units = quantities_of(*(("",) * n for n in names), reader.words, plan.sides)[1]
     still = stillness([one.sigma for one in found], units, 2 * reader.radius, reader.inertia[0, 0] * reader.gravity)
     row = {
         "statistics": np.array([without_rounding(*pair) for pair in zip(found, still, strict=True)]),
         "estimated_error": run.estimated_error,
         "steps": float(run.steps),
         "used": largest_use(body, run.motion[late], run.tension[late]),
-        "findings": np.bytes_("\n".join(run.findings).encode()[:LONGEST].decode(errors="ignore").encode()),
+        "findings": np.bytes_(
+            "\n".join((*run.findings, *_of_gaps(plan.sides, apart[late])))
+            .encode()[:LONGEST]
+            .decode(errors="ignore")
+            .encode()
+        ),
     }
     if kept:
         row |= {name: getattr(run, name)[late] for name in SERIES}
@@ -193,20 +208,21 @@ def simulate_seed(task, seed, kept, progress=None):
 
 
 def largest_use(body, motion, tension):
-    """(lines,) largest share of the breaking load in motion (t, 6), m, rad, and tension (t, lines), N, at the body
+    """(lines,) largest share of the breaking load in motion (t, n), m, rad, and tension (t, lines), N, at the body
 
     Of a line of segments also that of each of them, where the pull on the body is largest: below a buoy that is under
     water the line pulls more than at the body.
     """
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.motion.simulation.realisation import poses_of
 
     system = body.system
     load = [*(() if system is None else system.breaking_load), *(one.breaking_load for one in body.berth.ropes)]
     used = tension.max(axis=0) / np.where(np.isfinite(load), load, np.nan)
     for i in () if system is None else (one.number for one in system.composites):
-        (hull,) = system.bodies
-        pose = np.add(hull.position, motion[tension[:, i].argmax()])
-        at = rest(held_at(system, {hull.name: tuple(map(float, pose))}))
+        poses = poses_of(motion[tension[:, i].argmax()], body.reader.axes_at_rest)
+        held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(system.bodies, poses, strict=True)}
+        at = rest(held_at(system, held))
         used[i] = np.fmax(used[i], at.lines.utilisation[i])
     return used
 
@@ -218,8 +234,51 @@ def sample_times(settings):
     return time[time >= -1e-9]
 
 
-def quantities_of(lines, fenders=()):
-    """Names and units of the columns of statistics"""
-    names = [*QUANTITY_UNITS, *(f"tension {line}" for line in lines)]
+def _of_gaps(sides, apart):
+    """Findings on hulls that meet, or go farther from each other than the water between them is known for"""
+    for (one, other), gap in zip(pairs_of(sides), apart.T, strict=True):
+        names, least = f"{one.name} and {other.name}", gap.min()
+        at_rest = gaps((one, other), at_rest_of(sides))[0, 0]
+        size = min(one.half.min(), other.half.min())
+        if least < 0:
+            yield fails(
+                f"{names} meet: their hulls overlap by {-least:.3g} m, limit 0; hold them apart by fenders or lines"
+            )
+        elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
+            yield (
+                f"{names} come to {least:.3g} to {gap.max():.3g} m from each other, {at_rest:.3g} m at rest: forces of "
+                "the water between them are those at rest"
+            )
+
+
+def _check_start(sides, body, settings):
+    """Raise StudyError for hulls that overlap where a run begins."""
+    from hakobune.mooring.motion.simulation.run import begin
+
+    for (one, other), gap in zip(pairs_of(sides), gaps(sides, begin(body, settings.offset)[None])[0], strict=True):
+        if gap < 0:
+            raise StudyError(
+                f"{one.name} and {other.name} overlap by {-gap:.3g} m where a run begins; allowed: apart; give less "
+                "offset, or less pull between them"
+            )
+
+
+def at_rest_of(sides):
+    """(1, N, 6) poses at rest of the bodies that move"""
+    return np.array([[[0, 0, 0, 0, 0, one.place[2]] for one in sides if one.moves >= 0]], float)
+
+
+def quantities_of(lines, fenders=(), words=ONE_BODY, sides=()):
+    """Names and units of the columns of statistics; words : of the motions; sides : of several bodies"""
+    between = [f"gap {one.name} {other.name}" for one, other in pairs_of(sides)]
+    names = [*words, "wave", "wind speed", *between, *(f"tension {line}" for line in lines)]
     names += [f"{what} {fender}" for fender in fenders for what in ("deflection", "reaction")]
-    return tuple(names), tuple([*QUANTITY_UNITS.values()] + ["N"] * len(lines) + ["m", "N"] * len(fenders))
+    units = [
+        *MOTION_UNITS * (len(words) // 6),
+        "m",
+        "m/s",
+        *["m"] * len(between),
+        *["N"] * len(lines),
+        *["m", "N"] * len(fenders),
+    ]
+    return tuple(names), tuple(units)

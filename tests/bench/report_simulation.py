@@ -58,7 +58,7 @@ def by_motions(file, kept):
     for record in file["motion"][()].astype(float):
         place, tension = np.zeros_like(record), np.zeros((len(record), len(lines.lost)))
         place[:, kept] = record[:, kept]
-        tensions_along(lines, line_work(lines), file["time"][()], place, tension)
+        tensions_along(lines, line_work(lines), file["time"][()], place[:, None], tension)
         given = step, float(file.attrs["split_frequency"]), 1000 * float(file.attrs["mean_period"])
         rows.append([[(one := record_statistics(x / TONF, *given)).mean, one.extreme] for x in tension.T])
     return np.mean(rows, axis=0)

@@ -47,3 +47,11 @@ def rotated(R, turn):
         [xz - one * y, yz + one * x, keep + two * z * z],
     ]
     return np.array(S) @ R
+
+
+def axes_in_space(headings):
+    """(6N, 6N) whose columns are the axes of motions of bodies of headings (N,) rad, along those of space"""
+    turn = np.zeros((6 * len(headings), 6 * len(headings)))
+    for i, heading in enumerate(headings):
+        turn[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = np.kron(np.eye(2), rotation(0.0, 0.0, heading))
+    return turn

@@ -11,11 +11,12 @@ from ...lines.dynamics.lumped.forces import node_forces
 from ...lines.dynamics.lumped.system import State
 from ...lines.dynamics.lumped.workspace import read, workspace
 from ...lines.dynamics.run import FIRST
+from ..equation import SAMPLED
 from .packed import ROWS, MovingWork, Room, line_system
 from .polynomial import TERMS
 
 
-def moving_work(moving, states, samples, lines):
+def moving_work(moving, states, samples, lines, bodies=1):
     """`MovingWork` of lines at rest in their `states`, with room for so many samples
 
     lines : how many there are in all, with those in their static shape
@@ -35,10 +36,11 @@ def moving_work(moving, states, samples, lines):
         np.zeros((count, ROWS, 3)),
         np.zeros(count, np.int64),
         before,
-        np.zeros(12),
+        np.zeros((bodies, 12)),
         last,
         np.ones(1),
-        np.zeros(18),
+        np.zeros((bodies, SAMPLED)),
+        np.zeros(6 * bodies),
         Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)),
         np.zeros((samples, count)),
         np.zeros(count, np.int64),

@@ -31,7 +31,7 @@ class MovingLines(NamedTuple):
     parts of each begin
     tension, distance : (m,) N, m, scales of their errors; tolerance : of a step
     water : `Water` at all nodes, with a table of `sea` that is filled again and again; room_of_sea : of its sums
-    stretch : (m, 6) m/m and m/rad, of each chord from anchor to fairlead by motions of the body about rest
+    stretch : (m, 6) m/m and m/rad, of each chord from anchor to fairlead by motions of its body along its axes at rest
     spring : (m,) N/m, EA/L
     """
 
@@ -67,9 +67,9 @@ class MovingWork(NamedTuple):
     step : (2, m) s, their next own steps; course : (m, 3, 2, 3) place and velocity of each fairlead at begin, middle
     and end of a step; time : (m, ROWS) s, pull, slope : (m, ROWS, 3) N, N/s at the ends of own steps, of which used
     (m,) are there
-    before : (m, 4) time and pull before the first of them; foreseen : (12,) pose and velocity by the pull foreseen
+    before : (m, 4) time and pull before the first of them; foreseen : (N, 12) poses and velocities by the pull foreseen
     last : (lines, TERMS, 3) N, of every line of the system, moving or not, by which it pulled in the last step of the
-    body, length : (1,) s of that; pose : (18,), room : `Room` for work
+    body, length : (1,) s of that; pose : (N, 18), push : (6N,), room : `Room` for work
     tension : (samples, m) N; steps : (m,) own steps; stuck : (1,) a line that stopped, or −1
     """
 
@@ -88,6 +88,7 @@ class MovingWork(NamedTuple):
     last: np.ndarray
     length: np.ndarray
     pose: np.ndarray
+    push: np.ndarray
     room: Room
     tension: np.ndarray
     steps: np.ndarray

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from hakobune.bem.modes import turned
+
 from ...lines.dynamics.line import DynamicLine, DynamicSegment, ElasticBed
 from ...lines.system.bodies import rotation
 from ...lines.system.parts import Anchor, UniformLine
@@ -43,18 +45,21 @@ def moving_of(moored, settings, sea=None, surface=True):
     if not numbers:
         raise ValueError("dynamic_lines: no line of the body is uniform; allowed: uniform lines")
     made, places, stretch, spring = {}, [], [], []
-    body, R = np.asarray(system.bodies[0].position[:3], float), rotation(*moored.start[3:])
+    headings = {one.name: one.position[5] for one in system.bodies}
+    poses = {one.name: one.position + moored.start[6 * i : 6 * i + 6] for i, one in enumerate(system.bodies)}
     for i in numbers:
         line = system.lines[i]
         if i not in whole:
             raise ValueError(f"dynamic_lines: line {line.name} has segments or is a hawser; allowed: uniform lines")
         anchor, fairlead = ends_of(line, system)
+        pose = poses[fairlead.body]
+        R = rotation(*pose[3:])
         made[i] = dynamic_line(line, anchor.position, system, settings.dynamic_elements, surface)
         arm = R @ np.asarray(fairlead.position, float)
-        places.append(body + moored.start[:3] + arm)
+        places.append(pose[:3] + arm)
         along = places[-1] - np.asarray(anchor.position, float)
         along /= np.linalg.norm(along)
-        stretch.append(np.concatenate([along, np.cross(arm, along)]))
+        stretch.append(turned(headings[fairlead.body]) @ np.concatenate([along, np.cross(arm, along)]))
         spring.append(line.type.axial_stiffness / line.length)
     as_spring = np.array(stretch), np.array(spring)
     return moving_lines(made, np.array(places), OF_LINE * settings.tolerance, as_spring, sea)

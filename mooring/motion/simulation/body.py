@@ -7,6 +7,7 @@ import numpy as np
 from hakobune.bem.time_domain.fast_states import slow_memory
 from hakobune.bem.time_domain.memory import MemoryArrays
 
+from ...lines.system.bodies import axes_in_space
 from .. import slow_damping
 from ..equation import Body
 from ..given_forces import sampled
@@ -22,32 +23,35 @@ UNKNOWN = 0.4  # rad/s, mean frequency of waves that there are not
 def body_of(moored, weather, settings, components, drag, munk):
     """`equation.Body` of a run.
 
-    components : of its waves, None for none; drag : N₂ of yaw; munk : whether the current has the moment that an ideal
-    fluid has on the drifting hull, which is then not taken a second time
+    components : of its waves, None for none; drag : N₂ of yaw of each
+    munk : whether the current has the moment that an ideal fluid has on the drifting hull, which is then not taken a
+    second time
     raises : SimulationError
     """
     reader, quadratic = moored.reader, moored.quadratic.copy()
-    quadratic[5] += drag
+    quadratic[5::6] += drag
     added, damping, memory = _coefficients(moored, settings, components)
     try:
         pushed = *pairs(moored, weather, settings, components), *half_waves(moored, weather, settings, components)
-        given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration)
+        given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration, len(quadratic) // 6)
     except ValueError as error:
         raise SimulationError(str(error)) from None
-    ring = np.zeros((4, 6))
-    if components is not None and settings.wave_drift_damping and settings.slow_drift != "none" and reader.knows_drift:
-        ring = slow_damping.drift_damping_ring(moored.waves, weather, reader.depth, reader.gravity)
-    inverse, free = np.zeros((6, 6)), np.ix_(moored.free, moored.free)
+    each, ring = moored.waves.each, np.zeros((len(quadratic) // 6, 4, 6))
+    drifts = all(one.drift is not None for one in each) and settings.slow_drift != "none"
+    if components is not None and settings.wave_drift_damping and drifts:
+        ring = np.array([slow_damping.drift_damping_ring(one, weather, reader.depth, reader.gravity) for one in each])
+    inverse, free = np.zeros_like(damping), np.ix_(moored.free, moored.free)
     inverse[free] = np.linalg.inv((reader.inertia + added)[free])
-    turned = weather.on_hull is None or not weather.on_hull.turning  # turning tests hold the inertia of the turn
+    turning = weather.on_hull is None or not weather.on_hull.turning  # turning tests hold the inertia of the turn
     return Body(
         inverse,
-        turned * reader.inertia,
-        turned * moored.slow_added_mass,
-        reader.stiffness,
-        moored.spring,
+        turning * of_each(reader.inertia),
+        turning * of_each(moored.slow_added_mass),
+        of_each(reader.stiffness),
+        of_each(in_space(moored.spring, reader.axes_at_rest[:, 5])),
         damping,
         quadratic,
+        np.ascontiguousarray(reader.axes_at_rest[:, 5]),
         FILTER * (UNKNOWN if components is None else mean_frequency(components)),
         float(settings.ramp),
         np.array((0.0, settings.ramp) if settings.wave_ramp is None else settings.wave_ramp, float),
@@ -58,8 +62,19 @@ def body_of(moored, weather, settings, components, drag, munk):
     )
 
 
+def of_each(matrix):
+    """(N, 6, 6) of a matrix (6N, 6N), without what is between bodies"""
+    return np.array([matrix[i : i + 6, i : i + 6] for i in range(0, len(matrix), 6)])
+
+
+def in_space(matrix, headings):
+    """A matrix (6N, 6N) along the axes of bodies of headings (N,) rad, along those of space"""
+    turn = axes_in_space(headings)
+    return turn @ matrix @ turn.T
+
+
 def _coefficients(moored, settings, components):
-    """Added mass and damping (6, 6), and `MemoryArrays` of what follows slower.  Raises SimulationError."""
+    """Added mass and damping (n, n), and `MemoryArrays` of what follows slower.  Raises SimulationError."""
     if settings.memory != "constant":
         memory = moored.memory
         slow = slow_memory(memory, max(FASTEST, BAND * memory.band[1]))
@@ -76,5 +91,5 @@ def _coefficients(moored, settings, components):
             f"mass and added mass at {omega:.3g} rad/s are not positive, as water that rings before a wall can make "
             "them; give another constant_period"
         )
-    none = np.zeros((6, 0))
+    none = np.zeros((len(added), 0))
     return added, moored.damping + radiated, MemoryArrays(np.zeros(0), np.zeros(0), none, none)

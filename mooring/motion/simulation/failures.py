@@ -6,7 +6,7 @@ import numpy as np
 
 from .. import integrator
 from ..contact_loads import DEPTH
-from ..equation import FLOAT
+from ..equation import blocks, buoy_at
 from ..line_loads import REACH
 
 
@@ -15,8 +15,13 @@ class SimulationError(ValueError):
 
 
 def failure(state, clock, settings, scene, moored, hung, stuck):
-    t, place = clock.now[integrator.TIME], clock.y[:6]
-    where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
+    t, names = clock.now[integrator.TIME], [one.name for one in getattr(moored.reader, "bodies", ()) if not one.fixed]
+    places = blocks(clock.y, len(clock.scale))
+    away = [
+        f"{name} {np.hypot(*place[:2]):.3g} m from its place"
+        for name, place in zip(names or ["the body"], places, strict=True)
+    ]
+    where = f"at {t - settings.ramp:.4g} s after the ramp, {', '.join(away)}"
     if state == integrator.BEYOND:
         i = int(scene.contact_work.beyond[0])
         depth, limit = scene.contact_work.now[i, DEPTH], scene.contacts.table.marks[i, 1]
@@ -52,7 +57,8 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
 
 def _of_buoy(state, clock, work):
     """Why a body with a buoy cannot be followed"""
-    away, pull = np.hypot(*clock.y[FLOAT : FLOAT + 2]), work.rope.max()
+    first = buoy_at(len(clock.scale))
+    away, pull = np.hypot(*clock.y[first : first + 2]), work.rope.max()
     if state == integrator.NO_LINE:
         return (
             f"the buoy is {away:.3g} m from its place without the body, a line cannot reach it; lengthen the lines or "

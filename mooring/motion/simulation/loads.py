@@ -10,7 +10,7 @@ from ...on_current.body import on_current
 from ...on_current.waves import Carrier, in_water, met_by_a_place
 from ...response.bound_wave_drift import record as pair_record
 from ..given_forces import GivenForce, drift_of_half_waves
-from ..streams import calm, current_stream, stream_of, wind_stream
+from ..streams import calm, current_stream, on_all, stream_of, wind_stream
 from ..wave_loads import drift_of
 from .failures import SimulationError
 
@@ -58,26 +58,32 @@ def frequency_of_coefficients(settings, components):
 
 
 def streams(moored, weather, seed, end):
-    """Wind and current `Stream` up to `end` s, None for no water drag, N₂ of yaw, and findings.
+    """Wind and current `Stream` up to `end` s, None for no water drag, (N,) N₂ of yaw, and findings.
 
     raises : SimulationError where they have no hull to act on, or drag of the water is not known
     """
-    reader, hull, own, wind = moored.reader, moored.hull, weather.on_hull, calm()
+    reader, own, hulls = moored.reader, weather.on_hull, moored.hulls
+    wind = calm(len(reader.axes_at_rest))
     if own is not None:
         if weather.wind is not None and own.wind is not None:
             speed, to = weather.wind.speed, weather.wind.direction
             wind = stream_of(own.wind, speed, to, weather.gusts, seed + GUSTS, 0.0, end)
         return wind, calm(), own.quadratic, ()
-    if hull is None:
+    if not hulls:
         if weather.wind or weather.current:
             raise SimulationError("wind and current need the hull they act on; give its length, beam and freeboard")
         return wind, None, 0.0, ()
     if weather.wind:
-        wind = wind_stream(weather.wind, hull, reader.rotation_center, weather.gusts, seed + GUSTS, 0.0, end)
+        blown = weather.gusts, seed + GUSTS, 0.0, end
+        wind = on_all([wind_stream(weather.wind, one.box, one.rotation_center, *blown) for one in hulls])
     try:
-        current = current_stream(weather.current, hull, reader.rotation_center, reader.density, reader.depth)
-        water = current_on(weather.current, hull, reader.density, reader.depth)
-        return wind, current, turning_drag(water, hull.length), water.notes if weather.current else ()
+        water = [current_on(weather.current, one.box, reader.density, reader.depth) for one in hulls]
+        current = [
+            current_stream(weather.current, one.box, one.rotation_center, reader.density, reader.depth) for one in hulls
+        ]
+        drag = np.array([turning_drag(part, one.box.length) for part, one in zip(water, hulls, strict=True)])
+        notes = tuple(dict.fromkeys(note for part in water for note in part.notes)) if weather.current else ()
+        return wind, on_all(current), drag, notes
     except ValueError as error:
         if weather.current:
             raise SimulationError(str(error)) from None
@@ -105,6 +111,8 @@ def half_waves(moored, weather, settings, components):
     """The drift by half waves of a run, as a GivenForce, or nothing"""
     if settings.slow_drift != "half-waves" or components is None or not moored.reader.knows_drift:
         return ()
+    if moored.reader.bodies:
+        raise ValueError('slow_drift is "half-waves" with several bodies; allowed: "newman", "mean", "none"')
     carrier, heading = weather.carrier, moored.start[5]
     if carrier is not None:
         cos, sin, (x, y) = np.cos(heading), np.sin(heading), carrier.velocity

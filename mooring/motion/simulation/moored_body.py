@@ -11,29 +11,35 @@ from hakobune.bem import DOFS
 from hakobune.bem.database.reader import Reader
 from hakobune.bem.viscous import Quadratic
 
+from ...lines.system.bodies import axes_in_space
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
+from ...studies.conditions import afloat, alone
 from ..contacts import at_rest, berth_stiffness, no_berth
 from ..force_tables import TOLERANCE
 from ..line_loads import body_lines, line_loads, line_work, tables_of
 from ..wave_loads import WaveForces, wave_forces
+from .body import in_space, of_each
 from .memory import fitted_memory
 
+FLOATS = [2, 3, 4]  # heave, roll, pitch
 CAPSIZED = 1e-6  # of the stiffest motion, below which a negative restoring is rounding
 
 
 @dataclass(frozen=True, eq=False)
 class Moored:
-    """A body on its lines, ready to be moved.
+    """A body on its lines, or several, ready to be moved; n motions, six for each.
 
-    reader : `bem.database.reader.Reader`; system : its `System`, None for a body without lines
-    hull : `ExposedBox` that wind and current act on, None for none; memory : `bem.time_domain.memory.Memory`
-    start : (6,) m, rad of the equilibrium at rest from the place given; spring, damping : (6, 6) linear, beside lines
-    quadratic : (6,) N₂ of drag on each motion; stiffness : (6, 6) of water, lines and springs at rest
-    slow_added_mass : (6, 6) of the lowest frequency known; waves : WaveForces
+    reader : `bem.database.reader.Reader`; system : its `System`, None for bodies without lines
+    hull : `ExposedBox` that wind and current act on, of several bodies {name: ExposedBox}, None for none
+    memory : `bem.time_domain.memory.Memory`
+    start : (n,) m, rad of the equilibrium at rest from the places given, in space
+    spring, damping : (n, n) linear, beside lines, along the axes of the bodies
+    quadratic : (n,) N₂ of drag on each motion; stiffness : (n, n) of water, lines and springs at rest, along these axes
+    slow_added_mass : (n, n) of the lowest frequency known; waves : WaveForces
     tables : of lines with segments (`line_loads.tables_of`); findings : what a reader has to know, one line each
     berth : `contacts.Berth`, fenders and ropes; buoy : `buoy.BuoyOnLines` on hawsers, None for none
-    free : motions that are not held, numbers 0 to 5
+    free : numbers of the motions that are not held, by default all
     """
 
     reader: object
@@ -51,11 +57,23 @@ class Moored:
     findings: tuple[str, ...] = ()
     berth: object = field(default_factory=no_berth)
     buoy: object = None
-    free: tuple[int, ...] = tuple(range(6))
+    free: tuple[int, ...] = ()
+
+    def __post_init__(self):
+        object.__setattr__(self, "free", self.free or tuple(range(len(self.start))))
+
+    @property
+    def hulls(self):
+        """`studies.conditions.Afloat` of every body, () for none"""
+        if self.hull is None:
+            return ()
+        if not self.reader.bodies:
+            return (alone(self.reader, self.hull),)
+        return afloat(self.reader, self.hull)
 
     @cached_property
     def dynamic_stiffness(self):
-        """(q, 6, 6) complex force per motion of the linear body on its lines, at the frequencies of `waves`"""
+        """(q, n, n) complex force per motion of the linear body on its lines, at the frequencies of `waves`"""
         K, omega = self.stiffness - self.reader.stiffness, self.waves.omega
         body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping)
         return body.dynamic_stiffness(omega, *body.coefficients(omega))
@@ -69,32 +87,33 @@ def moored(
     db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None,
     linearised_in=None,
 ):  # fmt: skip
-    """`Moored` of an opened database or `Reader`, a `System` of one body, its axes at the rotation centre, and its hull
+    """`Moored` of an opened database or `Reader`, a `System` of its bodies, axes at their rotation centres, and hulls
 
-    hull : ExposedBox; the drag of the water on it is that of the box tests where they reach
+    hull : ExposedBox, of several bodies {name: ExposedBox}; the drag of the water is that of the box tests where they
+    reach
     berth : `contacts.Berth`, fenders and ropes
     waves : WaveForces, memory : a Memory, by default those of the database
-    spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …; both beside the viscous damping of the database's scene
+    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; both beside the viscous damping of the database's scene
     linearised_in : waves as of `response.viscous.in_time`, for what of that is no drag, and for the drift
     raises : ValueError naming what is missing or does not fit
     """
-    reader, findings = db if isinstance(db, Reader) else db.reader, ()
+    reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()
     body, viscous = reader.floating(), in_time(reader, linearised_in, damping, quadratic)
     if memory is None:
         memory, findings = fitted_memory(body)
-    spring, damping = np.zeros((6, 6)) if spring is None else np.asarray(spring, float), viscous.damping
+    spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
     findings = (*findings, *_of_viscous(reader, linearised_in))
-    start, stiffness, tables = np.zeros(6), body.stiffness + spring, ((), ())
+    start, stiffness, tables = np.zeros(len(spring)), body.stiffness + spring, ((), ())
     if system is not None:
         _check_place(system, body)
-        start, stiffness = _rest(system, body.stiffness, spring)
+        start, stiffness = _rest(system, body, spring)
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
     berth = no_berth() if berth is None else berth
     if berth.names:
         start = _rest_at_berth(berth, system, tables, body, spring, start)
         stiffness = stiffness + berth_stiffness(berth, start)
-    _check_upright(stiffness, body.inertia)
+    _check_upright(stiffness, body)
     slow = body.held_added_mass(0.0)[0]
     rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
     return Moored(body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it)
@@ -103,8 +122,9 @@ def moored(
 def _of_viscous(reader, waves):
     """A finding on the viscous damping of the scene of a Reader"""
     laws = laws_of(reader)
-    drags = [dof.lower() for dof, law in laws.items() if isinstance(law, Quadratic)]
-    others = [dof.lower() for dof in laws if dof.lower() not in drags]
+    words = dict(zip(reader.names, reader.words, strict=True))
+    drags = [words[dof] for dof, law in laws.items() if isinstance(law, Quadratic)]
+    others = [words[dof] for dof in laws if words[dof] not in drags]
     how = [f"of {' and '.join(drags)} as drag"] if drags else []
     how += [f"of {' and '.join(others)} " + ("left out without waves" if waves is None else "linearised in these waves")
             ] if others else []  # fmt: skip
@@ -130,43 +150,61 @@ def _of_tables(system, tables):
             )
 
 
-def _rest(system, hydrostatic, spring):
-    """(6,) place at rest from that given, and (6, 6) stiffness there"""
-    body = replace(system.bodies[0], freedom=DOFS, hydrostatic_stiffness=hydrostatic + spring)
-    state = rest(replace(system, bodies=(body,)))
-    return (state.position - np.array([body.position]))[0], np.asarray(state.stiffness)[:6, :6]
+def _rest(system, body, spring):
+    """(n,) places at rest from those given, in space, and (n, n) stiffness there, along the axes of the bodies"""
+    floating = [
+        replace(one, freedom=DOFS, hydrostatic_stiffness=C)
+        for one, C in zip(system.bodies, of_each(body.stiffness + spring), strict=True)
+    ]
+    state = rest(replace(system, bodies=tuple(floating)))
+    start = (state.position - np.array([one.position for one in system.bodies])).ravel()
+    start[5::6] -= 2 * np.pi * np.round(start[5::6] / (2 * np.pi))
+    stiffness = np.asarray(state.stiffness)[: len(start), : len(start)]
+    return start, in_space(stiffness, -body.axes_at_rest[:, 5])
 
 
 def _rest_at_berth(berth, system, tables, body, spring, start):
-    """(6,) place at rest with fenders and ropes beside lines and water"""
-    lines, R, out = body_lines(system, (), tables), np.zeros((3, 3)), np.zeros(6)
+    """(n,) places at rest with fenders and ropes beside lines and water"""
+    count = len(start) // 6
+    lines = body_lines(system, (), tables, bodies=count)
     work = line_work(lines)
+    R, out = np.zeros((count, 3, 3)), np.zeros((count, 6))
+
+    headings = body.axes_at_rest[:, 5]
+    turn = axes_in_space(headings)
 
     def others(place):
-        line_loads(lines, work, place, R, out)
-        return out - (body.stiffness + spring) @ place
+        poses = place.reshape(-1, 6).copy()
+        poses[:, 5] += headings
+        line_loads(lines, work, poses, R, out)
+        return out.ravel() - (body.stiffness + spring) @ (turn.T @ place)
 
-    radius = np.sqrt(np.diag(body.inertia)[3:] / body.inertia[0, 0])
-    return at_rest(berth, others, start, np.concatenate([np.ones(3), 1 / radius]))
+    inertia = np.diag(body.inertia).reshape(-1, 6)
+    radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
+    return at_rest(berth, others, start, np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel())
 
 
-def _check_upright(stiffness, inertia):
-    """Raise ValueError for a body that capsizes at rest, by its stiffness (6, 6) with springs, lines and fenders"""
-    floats = [2, 3, 4]
-    scale = np.sqrt(np.diag(inertia)[floats])
-    values, ways = np.linalg.eigh((0.5 * (stiffness + stiffness.T))[np.ix_(floats, floats)] / np.outer(scale, scale))
-    if values[0] < -CAPSIZED * values[-1]:
-        worst = int(np.argmax(np.abs(ways[:, 0])))
-        unit = ("kN/m", "kN m/rad", "kN m/rad")[worst]
-        raise ValueError(
-            f"the body capsizes: its restoring in {DOFS[floats[worst]].lower()}, with springs, lines and fenders, is "
-            f"{1e-3 * values[0] * scale[worst] ** 2:.4g} {unit}, limit 0; lower center_of_gravity"
-        )
+def _check_upright(stiffness, body):
+    """Raise ValueError for a body that capsizes at rest, by its stiffness (n, n) with springs, lines and fenders"""
+    names = [one.name for one in body.bodies if not one.fixed] or ["the body"]
+    for name, K, M in zip(names, of_each(stiffness), of_each(body.inertia), strict=True):
+        scale = np.sqrt(np.diag(M)[FLOATS])
+        values, ways = np.linalg.eigh((0.5 * (K + K.T))[np.ix_(FLOATS, FLOATS)] / np.outer(scale, scale))
+        if values[0] < -CAPSIZED * values[-1]:
+            worst = int(np.argmax(np.abs(ways[:, 0])))
+            unit = ("kN/m", "kN m/rad", "kN m/rad")[worst]
+            raise ValueError(
+                f"{name} capsizes: its restoring in {DOFS[FLOATS[worst]].lower()}, with springs, lines and fenders, is "
+                f"{1e-3 * values[0] * scale[worst] ** 2:.4g} {unit}, limit 0; lower center_of_gravity"
+            )
 
 
 def _check_place(system, body):
-    place, center = np.asarray(system.bodies[0].position[:3]), body.rotation_center
-    if not np.allclose(place, center, rtol=0, atol=1e-9):
-        raise ValueError(f"the body's axes lie at {place}; allowed: at the rotation centre {center} of the database")
+    places, wanted = np.array([one.position for one in system.bodies], float), body.axes_at_rest
+    if places.shape != wanted.shape or not np.allclose(places, wanted, rtol=0, atol=1e-9):
+        raise ValueError(
+            f"the axes of the system's bodies lie at {places.tolist()}, m and rad; allowed: at the rotation centres of "
+            f"the database, {wanted.tolist()}"
+        )
     if np.isfinite(body.depth) and not abs(system.depth - body.depth) <= 1e-6 * system.depth:
         raise ValueError(f"the lines are for {system.depth:g} m of water, the database for {body.depth:g} m")

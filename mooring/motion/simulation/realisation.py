@@ -6,12 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem import DOFS
-
 from ...lines.system.findings import beyond_tables
 from .. import integrator
 from ..contacts import courses
-from ..equation import FIRST_WORK, FLOAT, WORKS
+from ..equation import FIRST_WORK, WORKS, blocks
 from ..line_loads import line_work, tensions_along
 from ..streams import gust_at
 
@@ -23,13 +21,15 @@ SLOWEST = 0.9  # ratio of errors from one tolerance to the next at which they ar
 class Realisation(NamedTuple):
     """One run.
 
-    time : (n,) s; motion : (n, 6) m, rad of the rotation centre from its place at rest, yaw unwrapped
-    velocity : (n, 6) m/s, rad/s in axes that turn with the heading; slow : (n, 3) low-passed x, y and yaw
+    time : (n,) s; motion : (n, 6N) m, rad of the rotation centre of each of N bodies from its place at rest, along its
+    axes there, yaw unwrapped
+    velocity : (n, 6N) m/s, rad/s in axes that turn with the heading; slow : (n, 3N) low-passed x, y and yaw
     wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : of the run
-    estimated_error : (6,) m, rad of the motions, by the finest run, nan where not asked for; steps : taken
+    estimated_error : (6N,) m, rad of the motions, by the finest run, nan where not asked for; steps : taken
     deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
-    work : {name: J} done on the body from the start of the ramp to the end; findings : one line each
+    work : {name: J} done on the bodies from the start of the ramp to the end; findings : one line each
     buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
+    poses : (n, N, 6) m, rad, displacements in space and headings of the bodies
     hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
     """
 
@@ -48,19 +48,21 @@ class Realisation(NamedTuple):
     deflection: np.ndarray
     reaction: np.ndarray
     pull: np.ndarray
+    poses: np.ndarray
     buoy: np.ndarray | None = None
     hawser: np.ndarray | None = None
     buoy_lines: np.ndarray | None = None
 
 
 class Course(NamedTuple):
-    """A body followed to the end.
+    """Bodies followed to the end.
 
-    samples : (n, 18 or 24) of its state, and of the buoy; clock : `integrator.Clock`, the last
+    samples : (n, N, 18) of their states, buoy : (n, 6) or (n, 0); clock : `integrator.Clock`, the last
     pulls : {number: (n,) N} of lines with a motion of their own; hung : (n, k + l) N of hawsers and lines of a buoy
     """
 
     samples: np.ndarray
+    buoy: np.ndarray
     clock: object
     pulls: dict
     hung: np.ndarray | None
@@ -71,22 +73,52 @@ def realisation_of(moored, settings, seed, begun, course):
     samples, clock, lines = course.samples, course.clock, begun.scene.lines
     clocked = settings.step * np.arange(len(samples))
     tension = np.zeros((len(samples), len(lines.lost)))
-    tensions_along(lines, line_work(lines), clocked, samples, tension)
+    poses = np.ascontiguousarray(samples[:, :, :6])
+    tensions_along(lines, line_work(lines), clocked, poses, tension)
     for number, pull in course.pulls.items():
         tension[:, number] = pull
     findings = begun.findings
     if moored.system is not None:
         findings = (*findings, *beyond_tables(moored.system, tension.max(axis=0)))
     wind, count = begun.scene.wind, len(moored.berth.fenders)
-    depth, force = courses(moored.berth, samples)
-    depth = np.maximum(depth, 0.0)
+    depth, force = courses(moored.berth, poses)
+    depth, at_rest = np.maximum(depth, 0.0), moored.reader.axes_at_rest
+    works = blocks(clock.y, len(at_rest))[:, FIRST_WORK:].sum(axis=0)
     return Realisation(
-        clocked - settings.ramp, samples[:, :6], samples[:, 6:12], samples[:, 12:15],
+        clocked - settings.ramp, motion_of(samples, at_rest), samples[:, :, 6:12].reshape(len(samples), -1),
+        along_axes(samples[:, :, 12:15], at_rest),
         _elevation(begun.waves.table, clocked, moored.reader), np.hypot(*wind.velocity) + gust_at(wind, clocked),
-        tension, seed, np.full(6, np.nan), int(clock.counts[integrator.STEPS]),
-        dict(zip(WORKS, clock.y[FIRST_WORK:FLOAT].tolist(), strict=True)), findings,
-        depth[:, :count], force[:, :count], force[:, count:], *_of_buoy(moored.buoy, course),
+        tension, seed, np.full(6 * len(at_rest), np.nan), int(clock.counts[integrator.STEPS]),
+        dict(zip(WORKS, works.tolist(), strict=True)), findings,
+        depth[:, :count], force[:, :count], force[:, count:], poses, *_of_buoy(moored.buoy, course),
     )  # fmt: skip
+
+
+def motion_of(samples, at_rest):
+    """(n, 6N) motion from the places at rest (N, 6), of samples (n, N, SAMPLED) of states"""
+    return along_axes(samples[:, :, :6], at_rest)
+
+
+def along_axes(poses, at_rest):
+    """(n, k N) of poses (n, N, k), of which x, y are in space and the last is the heading, along the axes at rest"""
+    out = np.array(poses)
+    for i, heading in enumerate(at_rest[:, 5]):
+        if heading != 0.0:
+            c, s = np.cos(heading), np.sin(heading)
+            x, y = poses[:, i, 0], poses[:, i, 1]
+            out[:, i, 0], out[:, i, 1] = c * x + s * y, c * y - s * x
+            out[:, i, -1] -= heading
+    return out.reshape(len(out), -1)
+
+
+def poses_of(motion, at_rest):
+    """(N, 6) m, rad in space of motions (n,) from the places at rest (N, 6), along their axes there"""
+    poses = at_rest + np.reshape(motion, (-1, 6))
+    for pose, heading, (x, y) in zip(poses, at_rest[:, 5], np.reshape(motion, (-1, 6))[:, :2], strict=True):
+        if heading != 0.0:
+            c, s = np.cos(heading), np.sin(heading)
+            pose[:2] += c * x - s * y - x, s * x + c * y - y
+    return poses
 
 
 def _elevation(table, clocked, reader):
@@ -103,14 +135,14 @@ def _of_buoy(buoy, course):
     if buoy is None:
         return None, None, None
     count = len(buoy.lengths)
-    return course.samples[:, 18:], course.hung[:, :count], course.hung[:, count:]
+    return course.buoy, course.hung[:, :count], course.hung[:, count:]
 
 
 class Doubt(NamedTuple):
     """What runs to smaller tolerances say of the motions of a `Realisation`.
 
-    error : (6,) m, rad, root mean square difference from the run to the smallest tolerance
-    bound : (6,) m, rad, what the true error may be; spread : (6,) standard deviations of the motions
+    error : (n,) m, rad, root mean square difference from the run to the smallest tolerance
+    bound : (n,) m, rad, what the true error may be; spread : (n,) standard deviations of the motions
     """
 
     error: np.ndarray
@@ -118,7 +150,7 @@ class Doubt(NamedTuple):
     spread: np.ndarray
 
     def share(self, error):
-        """(6,) of the standard deviations that an error (6,) is, 0 of what does not move"""
+        """(n,) of the standard deviations that an error (n,) is, 0 of what does not move"""
         return np.where(self.spread > MOTIONLESS, error / np.maximum(self.spread, MOTIONLESS), 0.0)
 
     @property
@@ -128,7 +160,7 @@ class Doubt(NamedTuple):
 
 
 def doubt_of(found, finer, finest=None):
-    """`Doubt` of a Realisation by motions (n, 6) of runs to smaller tolerances, each by the same factor.
+    """`Doubt` of a Realisation by motions (n, 6N) of runs to smaller tolerances, each by the same factor.
 
     finest : None where one such run is enough.  Lines that jerk and lines that break leave errors that fall slowly, so
     that the difference d₀₁ from the next run is but part of them.  With a third run the differences are carried on as a
@@ -145,12 +177,15 @@ def doubt_of(found, finer, finest=None):
     if finest is None:
         return Doubt(first, first, spread)
     whole, second = difference(found.motion, finest), difference(finer, finest)
-    ratio = np.minimum(np.divide(second, first, out=np.zeros(6), where=first > 0), SLOWEST)
+    ratio = np.minimum(np.divide(second, first, out=np.zeros_like(first), where=first > 0), SLOWEST)
     return Doubt(whole, np.maximum(first, whole) + second * ratio / (1 - ratio), spread)
 
 
-def with_error(found, doubt, tolerance, runs="a run to a tenth of the tolerance"):
-    """A Realisation with the errors of a `Doubt`, told where they may be beyond the tolerance; runs : that told them"""
+def with_error(found, doubt, tolerance, words, runs="a run to a tenth of the tolerance"):
+    """A Realisation with the errors of a `Doubt`, told where they may be beyond the tolerance
+
+    words : (n,) names of the motions; runs : that told them
+    """
     share, findings = doubt.share(doubt.bound), found.findings
     worst = int(np.argmax(share))
     if share[worst] > tolerance:
@@ -159,7 +194,7 @@ def with_error(found, doubt, tolerance, runs="a run to a tenth of the tolerance"
         chance = doubt.share(doubt.error)[worst] > CHAOTIC
         findings = (
             *findings,
-            f"{DOFS[worst].lower()} may be {share[worst]:.2g} of its standard deviation off by {runs}: "
+            f"{words[worst]} may be {share[worst]:.2g} of its standard deviation off by {runs}: "
             f"{chaotic if chance else missed}",
         )
     return found._replace(estimated_error=doubt.error, findings=findings)

@@ -10,7 +10,7 @@ import numpy as np
 from .. import integrator, slow_damping
 from ..buoy import buoy_of
 from ..contact_loads import contact_work
-from ..equation import FLOAT, MEMORY, SLOW, Scene, room
+from ..equation import SAMPLED, SLOW, Scene, blocks, buoy_at, memory_at, room
 from ..expected import expected_motion
 from ..line_loads import body_lines, line_loads, line_work
 from ..moving_lines.at_rest import moving_work, state_pull
@@ -21,7 +21,7 @@ from ..wave_loads import Waves, no_waves, wave_table, waves_of
 from .body import body_of
 from .failures import SimulationError, failure
 from .loads import frequency_of_coefficients, streams, wave_components
-from .realisation import Course, doubt_of, realisation_of, with_error
+from .realisation import Course, doubt_of, motion_of, poses_of, realisation_of, with_error
 from .trial import Choice, chosen
 
 STEPS_AT_ONCE = 2000, 200  # between reports of progress, without and with lines that move: 0.1 to 0.5 s
@@ -36,7 +36,7 @@ COARSE = 0.01  # of its tension, by which elements may change a line at rest wit
 class Begun(NamedTuple):
     """What a seed begins with.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (12,) scale of its errors (`expected_motion`)
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N, 12) scale of its errors (`expected_motion`)
     moving : as of `moving_of`; findings : one line each
     """
 
@@ -68,15 +68,15 @@ def _judged(moored, settings, begun, found, progress):
     def motion(tolerance):
         finer = replace(settings, tolerance=tolerance)
         again = begun._replace(moving=_again(moored, finer, begun.moving))
-        return _followed(moored, finer, again, progress).samples[:, :6]
+        return motion_of(_followed(moored, finer, again, progress).samples, moored.reader.axes_at_rest)
 
     wanted = settings.tolerance
     finer = motion(FINER * wanted)
     doubt = doubt_of(found, finer)
     if not DOUBTED * wanted < doubt.worst <= wanted:
-        return with_error(found, doubt, wanted)
+        return with_error(found, doubt, wanted, moored.reader.words)
     doubt = doubt_of(found, finer, motion(FINER**2 * wanted))
-    return with_error(found, doubt, wanted, "runs to a tenth and a hundredth of the tolerance")
+    return with_error(found, doubt, wanted, moored.reader.words, "runs to a tenth and a hundredth of the tolerance")
 
 
 def _again(moored, settings, moving):
@@ -104,25 +104,28 @@ def _current_at_lines(weather):
 def _begun(moored, weather, settings, seed):
     """`Begun` of a seed; settings.dynamic_lines are names"""
     components, reader = wave_components(moored, weather, settings, seed), moored.reader
-    table = no_waves()
+    at_rest = reader.axes_at_rest
+    table = no_waves(bodies=len(at_rest))
     if components is not None:
         wanted = settings.slow_drift in ("newman", "mean")
-        place = reader.depth, reader.rotation_center, reader.gravity
-        table = wave_table(moored.waves, components, *place, wanted, weather.carrier)
+        place = reader.depth, at_rest[:, :3], reader.gravity
+        table = wave_table(moored.waves, components, *place, wanted, weather.carrier, at_rest[:, 5])
     wind, current, drag, findings = streams(moored, weather, seed, settings.ramp + settings.duration)
     sea = _sea_of_lines(components, table, weather, settings, reader) if settings.dynamic_water == "sea" else None
     moving = moving_of(moored, settings, sea)
     findings += (*_coarse(moored, weather, settings, moving), *_of_lost(settings))
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
-    lines = body_lines(moored.system, lost, moored.tables, () if moving is None else moving[0].number)
+    own = () if moving is None else moving[0].number
+    lines = body_lines(moored.system, lost, moored.tables, own, len(at_rest))
     body = body_of(moored, weather, settings, components, drag, current is not None)
     if components is not None:
         mean, constant = frequency_of_coefficients(settings, components), settings.memory == "constant"
         findings += tuple(slow_damping.findings(moored, body, mean, constant, current is not None))
-    flows = wind, calm() if current is None else current
+    flows = wind, calm(len(at_rest)) if current is None else current
     hull = None if weather.on_hull is None else weather.on_hull.water
     contacts = moored.berth.arrays
-    scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, room(table.steps))
+    work = room(table.steps, len(at_rest))
+    scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work)
     waves = waves_of(table, settings.slow_drift == "mean")
     return Begun(scene, waves, expected_motion(moored, components), moving, findings)
 
@@ -141,28 +144,47 @@ def _followed(moored, settings, begun, progress):
     """`Course` of a body to the end.  Raises SimulationError."""
     end, scene, moving = settings.ramp + settings.duration, begun.scene, begun.moving
     rows = int(np.floor(end / settings.step + integrator.AT_ONCE)) + 1
-    y = np.zeros(MEMORY + len(scene.body.memory.decay))
-    y[:6] = moored.start + settings.offset
-    y[6:12] = settings.velocity
-    y[SLOW : SLOW + 3] = y[[0, 1, 5]]
+    count = len(moored.start) // 6
+    y = np.zeros(memory_at(count) + len(scene.body.memory.decay))
+    states = blocks(y, count)
+    states[:, :6] = begin(moored, settings.offset)
+    states[:, 6:12] = of_all(settings.velocity, count)
+    states[:, SLOW : SLOW + 3] = states[:, [0, 1, 5]]
     if moored.buoy is not None:
-        y[FLOAT : FLOAT + 3] = moored.buoy.start
+        y[buoy_at(count) : memory_at(count) - 3] = moored.buoy.start
     scale = SHARE * settings.tolerance / FORGOTTEN * begun.expected
     clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
-    samples = np.zeros((rows, 18 if moored.buoy is None else 24))
+    samples = np.zeros((rows, SAMPLED * count + (0 if moored.buoy is None else 6)))
     scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
     hung = None if moored.buoy is None else buoy_of(moored.buoy, begun.waves.table, rows)
-    pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost)))
+    pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost), count))
     while True:
         state = integrator.advance(scene, begun.waves, clock, samples, STEPS_AT_ONCE[pair is not None], hung, pair)
         if progress is not None:
             progress(min(clock.now[integrator.TIME] / end, 1.0))
         if state == integrator.DONE:
             pulls = {} if pair is None else dict(zip(pair[0].number.tolist(), pair[1].tension.T, strict=True))
-            return Course(samples, clock, pulls, None if hung is None else hung[1].kept)
+            states, buoy = samples[:, : SAMPLED * count].reshape(rows, count, SAMPLED), samples[:, SAMPLED * count :]
+            return Course(states, buoy, clock, pulls, None if hung is None else hung[1].kept)
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])
             raise SimulationError(failure(state, clock, settings, scene, moored, hung, stuck))
+
+
+def begin(moored, offset=(0.0,)):
+    """(N, 6) m, rad: displacements in space and headings of bodies at rest, an offset (n,) along their axes added"""
+    turned = moored.reader.axes_at_rest * [0, 0, 0, 0, 0, 1]
+    return moored.start.reshape(-1, 6) + poses_of(of_all(offset, len(turned)), turned)
+
+
+def of_all(values, count):
+    """(N, 6) of numbers for each motion, or of (6,) zeros for none.  Raises SimulationError for other shapes."""
+    values = np.asarray(values, float)
+    if not values.any():
+        return np.zeros((count, 6))
+    if values.size != 6 * count:
+        raise SimulationError(f"offset or velocity has {values.size} numbers for {6 * count} motions; allowed: as many")
+    return values.reshape(count, 6)
 
 
 def _coarse(moored, weather, settings, moving):
@@ -170,9 +192,9 @@ def _coarse(moored, weather, settings, moving):
     if moving is None:
         return ()
     found = [_around(weather, settings)]
-    lines, out = body_lines(moored.system, (), moored.tables), np.zeros(6)
+    lines, poses = body_lines(moored.system, (), moored.tables), begin(moored)
     static = line_work(lines)
-    line_loads(lines, static, moored.start, np.zeros((3, 3)), out)
+    line_loads(lines, static, poses, np.zeros((len(poses), 3, 3)), np.zeros_like(poses))
     whole = np.hypot(*static.tension[moving[0].number].T)
     if any(state.position[:, 2].max() > 0 for state in moving[1]):  # out of the water they are heavier, by right
         moving = moving_of(moored, settings, surface=False)

@@ -31,6 +31,7 @@ NEGLIGIBLE = 0.05
 NUDGE = 2e-3  # of the distance to the fairleads, by which both begin off the place at rest
 # of the largest slow motion, below which one is not compared, and none that is less than what it began with
 MINOR = 0.1
+PLANE = (0, 1, 5)
 FEW = 3  # names that are told
 # what lines do without inertia and drag, by trials of floaters A and three pontoons (tests/bench)
 TOO_LARGE = "slow motion and snaps come out too large, snaps 1.6 to 9 times on chains in 10 to 20 m of water"
@@ -131,7 +132,7 @@ def _nudged(moored):
     if moored.berth.names:
         return moored
     off = NUDGE * _arm(moored)
-    return replace(moored, start=moored.start + [off, off, 0, 0, 0, NUDGE])
+    return replace(moored, start=moored.start + np.tile([off, off, 0, 0, 0, NUDGE], len(moored.start) // 6))
 
 
 def _arm(moored):
@@ -150,14 +151,15 @@ def _of_tension(moored, static, moving):
 
 def _of_slow_motion(moored, static, moving):
     """`Difference` of the slow motion whose σ changes most, of those that are not small beside the others"""
-    names, units = ("surge", "sway", "yaw"), (("m", 1.0), ("m", 1.0), ("°", 180 / np.pi))
+    words = moored.reader.words
+    names, units = [words[i] for i in range(len(words)) if i % 6 in PLANE], (("m", 1.0), ("m", 1.0), ("°", 180 / np.pi))
     sigma = np.array([run.slow[run.time >= 0].std(axis=0) for run in (static, moving)])
-    size = (sigma * [1.0, 1.0, _arm(moored)]).max(axis=0)
+    size = (sigma * np.tile([1.0, 1.0, _arm(moored)], len(names) // 3)).max(axis=0)
     with np.errstate(invalid="ignore", divide="ignore"):
         least = max(MINOR * size.max(), NUDGE * _arm(moored))
         share = np.where(size > least, np.abs(sigma[0] - sigma[1]) / sigma.max(axis=0), 0.0)
     most = int(np.argmax(share))
-    unit, factor = units[most]
+    unit, factor = units[most % 3]
     one, other = factor * sigma[:, most]
     return Difference(
         float(share[most]), f"slow {names[most]} has σ {one:.3g} {unit} on static lines, {other:.3g} {unit} on moving"

@@ -95,7 +95,7 @@ def _moved_as_printed(db, kind, system, sea):
     motion = SIGNS * mean + motion * (sigma / motion.std(axis=0))
     lines = body_lines(system, (), tables_of(system, np.zeros(6)))
     tension = np.zeros((len(t), len(system.lines)))
-    tensions_along(lines, line_work(lines), t, motion, tension)
+    tensions_along(lines, line_work(lines), t, motion[:, None], tension)
     return tension
 
 

@@ -90,11 +90,11 @@ def test_body_rests_where_fenders_ropes_and_water_balance(ship):
 def test_friction_sticks_slips_and_takes_energy():
     fender = QuayFender("F", CELL, np.array([0.0, 24.7, 0.0]), Y, 25.0, 0.2, 1e6)
     berth = berth_of([fender], (), np.zeros(3))
-    work, R, v, f, taken = contact_work(berth.arrays), np.zeros((3, 3)), np.zeros(3), np.zeros(3), 0.0
+    work, R, v, f, taken = contact_work(berth.arrays), np.zeros((1, 3, 3)), np.zeros(3), np.zeros(3), 0.0
     for before, after in pairwise(0.5 * np.sin(np.linspace(0, 4 * np.pi, 400))):
-        contact_loads(berth.arrays, work, np.array([after, 0, 0, 0, 0, 0]), R, v, f)
+        contact_loads(berth.arrays, work, np.array([[after, 0, 0, 0, 0, 0]]), R, v, f)
         settle(work)
-        along, normal = work.parts[0, 0], work.now[0, FORCE]
+        along, normal = work.parts[0, 0, 0], work.now[0, FORCE]
         assert abs(along) <= 0.2 * normal * (1 + 1e-12) and normal == pytest.approx(float(CELL.reaction(0.3)))
         taken -= along * (after - before)
     assert taken > 0.2 * normal

@@ -109,10 +109,10 @@ def fairleads(state):
 
 def test_lines_pull_a_body_where_their_fairleads_are():
     """Catenaries of each line between its ends, EA e/L of the hawser; moments about the origin of the body's axes"""
-    R, out = np.zeros((3, 3)), np.zeros(6)
+    R, out, at = np.zeros((1, 3, 3)), np.zeros((1, 6)), STATE[:6].reshape(1, 6).copy()
     lines = body_lines(SYSTEM)
     work = line_work(lines)
-    assert line_loads(lines, work, STATE[:6], R, out)
+    assert line_loads(lines, work, at, R, out)
     total, tensions = np.zeros(6), []
     for leg, end in zip(LEGS, fairleads(STATE), strict=True):
         away = end - np.array(leg.anchor)
@@ -127,12 +127,12 @@ def test_lines_pull_a_body_where_their_fairleads_are():
             force = np.array([-H * away[0] / span, -H * away[1] / span, -V])
             tensions.append(math.hypot(H, V))
         give_generalized(STATE[:6], end - PLACE - STATE[:3], force, total)
-    assert out == pytest.approx(total, rel=1e-7)
+    assert out[0] == pytest.approx(total, rel=1e-7)
     found = np.zeros((1, 3))
-    tensions_along(lines, line_work(lines), np.zeros(1), STATE[None], found)
+    tensions_along(lines, line_work(lines), np.zeros(1), at[None], found)
     assert found[0] == pytest.approx(tensions, rel=1e-7)
     lost = body_lines(SYSTEM, [("two", -1.0), ("rope", 5.0)])
-    tensions_along(lost, line_work(lost), np.zeros(1), STATE[None], found)
+    tensions_along(lost, line_work(lost), np.zeros(1), at[None], found)
     assert found[0] == pytest.approx([tensions[0], 0.0, tensions[2]], rel=1e-7)
 
 

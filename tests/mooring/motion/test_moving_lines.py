@@ -87,9 +87,9 @@ def test_lines_that_are_not_asked_for_hang_in_their_static_shape(on_lines):
 
 def test_slow_lines_pull_as_in_their_static_shape_and_few_elements_are_named(on_lines):
     """At rest in 80 elements; the difference of 10 is told"""
-    lines, out = body_lines(on_lines.system), np.zeros(6)
+    lines = body_lines(on_lines.system)
     static = line_work(lines)
-    line_loads(lines, static, on_lines.start, np.zeros((3, 3)), out)
+    line_loads(lines, static, on_lines.start.reshape(1, 6), np.zeros((1, 3, 3)), np.zeros((1, 6)))
     moving, states = moving_of(on_lines, replace(WANTED, dynamic_lines="all", dynamic_elements=80))
     pulls = [np.linalg.norm(state_pull(moving, i, state)) for i, state in enumerate(states)]
     assert np.allclose(pulls, np.hypot(*static.tension.T), rtol=1e-3)

@@ -27,7 +27,7 @@ def window(moored, components, carrier, pose, start, mean=False):
     reader = moored.reader
     table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, carrier=carrier)
     out, waves = np.zeros((ROWS, table.steps)), waves_of(table, mean)
-    fill_rows(table, waves.rows[0], pose, start)
+    fill_rows(table, waves.rows[0, 0], pose, start)
     fill_window(waves, out, 0, pose, start)
     return table, out
 

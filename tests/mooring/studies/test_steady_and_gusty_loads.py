@@ -46,7 +46,7 @@ def test_wind_and_current_turn_the_body_about_its_centre_of_rotation(degrees, to
     for stream, force in ((wind_stream(conditions.wind, HULL, CENTER), wind),
                           (current_stream(conditions.current, HULL, CENTER, WATER, 30.0), current)):  # fmt: skip
         out = np.zeros(6)
-        stream_force(stream, 0.0, 1.0, np.zeros(3), np.zeros(6), out, np.zeros(1))
+        stream_force(stream, 0, 0.0, 1.0, np.zeros(3), np.zeros(6), out, np.zeros(1))
         assert out == pytest.approx(force, rel=1e-6, abs=1e-6 * np.abs(force).max())
 
 
@@ -64,10 +64,10 @@ def test_a_gust_in_time_adds_to_the_wind_before_it_is_squared():
     stream = wind_stream(Wind(20.0, 0.0, AIR, FLAT), HULL, np.zeros(3))
     gusty = stream._replace(gusts=np.full((1, 40), 2.0))
     out, at_rest = np.zeros(6), np.zeros(6)
-    stream_force(stream, 4.0, 1.0, np.zeros(3), np.zeros(6), at_rest, np.zeros(1))
-    stream_force(gusty, 4.0, 1.0, np.zeros(3), np.zeros(6), out, np.zeros(1))
+    stream_force(stream, 0, 4.0, 1.0, np.zeros(3), np.zeros(6), at_rest, np.zeros(1))
+    stream_force(gusty, 0, 4.0, 1.0, np.zeros(3), np.zeros(6), out, np.zeros(1))
     assert out[0] / at_rest[0] == pytest.approx((22 / 20) ** 2, rel=1e-9)
-    stream_force(gusty, 4.0, 0.5, np.zeros(3), np.zeros(6), out, np.zeros(1))  # half grown, gusts with it
+    stream_force(gusty, 0, 4.0, 0.5, np.zeros(3), np.zeros(6), out, np.zeros(1))  # half grown, gusts with it
     assert out[0] / at_rest[0] == pytest.approx((11 / 20) ** 2, rel=1e-9)
-    stream_force(stream, 4.0, 1.0, np.array([0.0, 5.0, 0.0]), np.zeros(6), out, np.zeros(1))  # going with the wind
+    stream_force(stream, 0, 4.0, 1.0, np.array([0.0, 5.0, 0.0]), np.zeros(6), out, np.zeros(1))  # going with the wind
     assert out[0] / at_rest[0] == pytest.approx((15 / 20) ** 2, rel=1e-9)

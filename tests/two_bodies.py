@@ -31,15 +31,15 @@ def forces(w, headings):
     return np.concatenate([ship, barge], axis=-1)
 
 
-def two_bodies(**quantities):
+def two_bodies(headings=HEADINGS, **quantities):
     """Reader; quantities : stored ones beside added mass, damping and excitation"""
     added, damping = (
         np.array([twice(part) for part in parts]) for parts in zip(*map(coefficients, OMEGA), strict=True)
     )
     stored = {"added_mass": added, "radiation_damping": damping,
-              "excitation_force": np.array([forces(w, HEADINGS) for w in OMEGA])}  # fmt: skip
+              "excitation_force": np.array([forces(w, headings) for w in OMEGA])}  # fmt: skip
     plans = [np.array([[50.0, y], [0.0, y + 10], [-50.0, y], [0.0, y - 10]]) for y in (30.0, -30.0)]
-    water = DEPTH, G, HEADINGS, np.zeros(1), np.concatenate(plans)
+    water = DEPTH, G, headings, np.zeros(1), np.concatenate(plans)
     between = Between(OMEGA, {**stored, **quantities}, *water, outlines=tuple(plans))
     return Reader(
         between, 1025.0, np.zeros(3), twice(INERTIA), twice(STIFFNESS), np.zeros((12, 12)), bodies=BODIES

@@ -1,0 +1,61 @@
+"""Clear water between hulls, taken as the boxes that hold them, seen from above."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Side(NamedTuple):
+    """name : of a body; half : (2,) m, half of its length and beam; own : (2,) m, of its axes in its own coordinates
+
+    moves : its number among those that move, below 0 for none; place : (3,) m, m, rad of its axes at rest
+    """
+
+    name: str
+    half: np.ndarray
+    own: np.ndarray
+    moves: int
+    place: np.ndarray
+
+
+def pairs_of(sides):
+    """(Side, Side) of which at least one moves"""
+    return [pair for pair in combinations(sides, 2) if max(one.moves for one in pair) >= 0]
+
+
+def gaps(sides, poses):
+    """(n, pairs) m of `pairs_of`, with the bodies at poses (n, N, 6) in space from their places at rest; below 0 by how
+    much hulls overlap
+    """
+    found = [_gap(*pair, poses) for pair in pairs_of(sides)]
+    return np.stack(found, axis=-1) if found else np.zeros((len(poses), 0))
+
+
+def _gap(one, other, poses):
+    """(n,) m: the nearest of the corners of each to the other; the least way that ends an overlap (separating axes)"""
+    frames = [_frame(side, poses) for side in (one, other)]
+    (p, P), (q, Q) = frames
+    away, axes = q - p, np.concatenate([P, Q], axis=2)
+    reach = sum(
+        np.abs(np.einsum("tij,tik,j->tkj", turn, axes, side.half)).sum(axis=2) for turn, side in ((P, one), (Q, other))
+    )
+    apart = (np.abs(np.einsum("ti,tik->tk", away, axes)) - reach).max(axis=1)
+    signs, found = np.array([[1, 1], [1, -1], [-1, -1], [-1, 1]]), []
+    for (a, b), (mine, their) in (((one, other), frames), ((other, one), frames[::-1])):
+        corners = mine[0][:, None] + np.einsum("tij,kj->tki", mine[1], signs * a.half)
+        local = np.einsum("tji,tkj->tki", their[1], corners - their[0][:, None])
+        found.append(np.hypot(*np.moveaxis(np.maximum(np.abs(local) - b.half, 0.0), -1, 0)).min(axis=1))
+    return np.where(apart < 0, apart, np.minimum(*found))
+
+
+def _frame(side, poses):
+    """(n, 2) m place of the origin of a hull's coordinates, (n, 2, 2) its axes"""
+    pose = np.zeros((len(poses), 3)) + side.place
+    if side.moves >= 0:
+        pose = pose + poses[:, side.moves][:, [0, 1, 5]] - [0, 0, side.place[2]]
+    c, s = np.cos(pose[:, 2]), np.sin(pose[:, 2])
+    axes = np.stack([np.stack([c, -s], axis=-1), np.stack([s, c], axis=-1)], axis=1)
+    return pose[:, :2] - np.einsum("tij,j->ti", axes, side.own), axes

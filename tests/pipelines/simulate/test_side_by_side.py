@@ -1,0 +1,101 @@
+"""A ship and a barge made fast to each other, one heading the other way, through the file of a simulation."""
+
+import h5py
+import numpy as np
+import pytest
+
+import hakobune
+from hakobune.mooring.motion.gaps import Side, gaps
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.quantities import StudyError
+
+SHIP = {"name": "ship", "shape": "box", "length": 14.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 3.5, 0.0],
+        "gyration": [1.6, 4.0, 4.0]}  # fmt: skip
+BARGE = {**SHIP, "name": "barge", "length": 10.0, "place": [1.0, -3.5, 180.0]}
+NYLON = {"elongation_percent": [0.0, 10.0, 30.0], "tension_kN": [0.0, 20.0, 90.0], "breaking_load_tonf": 12.0}
+CHAIN = {"weight_kg_per_m": 20.0, "axial_stiffness_tonf": 5000.0, "breaking_load_tonf": 40.0}
+TIE = {"name": "tie", "type": "nylon", "body": "barge", "fairlead": [-4.0, -2.5, 1.0], "to": "ship",
+       "bollard": [3.0, -2.5, 1.0], "pretension_tonf": 0.3}  # fmt: skip
+FENDER = {"name": "F", "body": "barge", "to": "ship", "position": [1.0, -4.5, 0.5], "family": "cell", "height": 1.0,
+          "friction": 0.2, "shear": 300.0}  # fmt: skip
+ROPE = {"name": "R", "body": "barge", "fairlead": [4.0, -2.5, 1.0], "to": "ship", "bollard": [-5.0, -2.5, 1.0],
+        "breaking_load_kN": 100.0, "break_strain": 0.3, "pretension_kN": 3.0}  # fmt: skip
+STUDY = {
+    "water": {"depth": 12.0}, "hulls": {"ship": {"freeboard": 1.5}, "barge": {"freeboard": 1.5}},
+    "types": {"nylon": NYLON, "chain": CHAIN}, "lines": [TIE], "fender": [FENDER], "rope": [ROPE],
+    "spreads": [{"body": "ship", "type": "chain", "length": 60.0, "corner_headings_deg": [45], "pretension_tonf": 1.0}],
+    "waves": {"height": 0.4, "period": 5.0, "direction_deg": 30.0, "method": "regular_wave"},
+    "simulation": {"duration": 30.0, "ramp": 20.0, "memory": "constant", "dynamic_lines": "none",
+                   "linear_damping": {"barge sway": 2.0}},
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = tmp_path_factory.mktemp("beside") / "two.h5"
+    waves = {"omegas": {"from": 0.8, "to": 2.0, "count": 4}, "headings_deg": list(range(0, 360, 45))}
+    hakobune.solve({"water": {"depth": 12.0}, "bodies": [SHIP, BARGE], "waves": waves, "panels": 60}, path)
+    return path
+
+
+def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
+    run = tmp_path / "run.h5"
+    made = hakobune.simulate(STUDY, database, run)
+    assert made.labels["record"].values[[0, 6]].tolist() == ["ship surge", "barge surge"]
+    assert made.labels["gap"].values.tolist() == ["ship barge"] and made["gap.smallest"][0] < made["gap.mean"][0] < 2.2
+    assert made.labels["line"].values.tolist()[-2:] == ["tie", "R"] and made["deflection.largest"][0] > 0
+    with h5py.File(run) as file:
+        names = file["dof"].asstr()[()]
+        assert names[[0, 11]].tolist() == ["ship__Surge", "barge__Yaw"] and file["slow_dof"].shape == (6,)
+        assert file["fairlead"][-2] == pytest.approx([5.0, -1.0, 1.0]) and file["anchor"][-2] == pytest.approx(
+            [3, 1, 1]
+        )
+        assert abs(file.attrs["place_at_rest"][11]) < 0.1
+        assert np.abs(file["motion"][0, :, 6:].astype(float)).max() < 2.0
+    film = ["animate", str(run), "--output", str(tmp_path / "film.gif")]
+    assert main(film) == 2 and "is of ship, barge; allowed: a run of one body" in capsys.readouterr().err
+
+
+def test_the_gap_is_that_of_rectangles():
+    """4 × 2 m at the origin and 2 × 2 m whose corner is 1 m off along x and 1 m along y, then turned by 45° and inside"""
+    sides = (Side("a", np.array([2.0, 1.0]), np.zeros(2), -1, np.zeros(3)),
+             Side("b", np.array([1.0, 1.0]), np.array([0.5, 0.0]), 0, np.array([4.5, 3.0, 0.0])))  # fmt: skip
+    poses = np.zeros((3, 1, 6))
+    poses[1, 0, [0, 1, 5]] = 0.5, -3.0, np.pi / 4
+    poses[2, 0, :2] = -3.2, -3.0
+    corner = 5.0 - 0.5 / np.sqrt(2) - np.sqrt(2)  # x of the corner that is nearest; its centre lies at y = −0.35
+    assert gaps(sides, poses)[:, 0] == pytest.approx([np.sqrt(2), corner - 2.0, -2.0])
+
+
+FAULTS = {
+    "to itself": ({"lines": [{**TIE, "to": "barge"}]}, "lines[0].to is 'barge'; allowed: another body, ship"),
+    "a chain between": (
+        {"lines": [{**TIE, "type": "chain", "length": 9.0, "pretension_tonf": None}]}, "hangs between ship and barge",
+    ),
+    "inside both": (
+        {"fender": [{**FENDER, "position": [1.0, -2.4, 0.5]}], "simulation": STUDY["simulation"] | {
+            "offset": {"barge sway": -2.5}}}, "overlap by",
+    ),
+    "of no body": ({"fender": [{**FENDER, "body": ""}]}, "fender[0] (F): body is ''; allowed: one that moves, ship"),
+    "to none": ({"rope": [{**ROPE, "to": "tug"}]}, "rope R: to is 'tug'; allowed: another body, ship"),
+    "a motion of none": ({"simulation": STUDY["simulation"] | {"spring": {"sway": 1.0}}}, "allowed: ship surge"),
+    "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database is of several bodies"),
+    "pairs": ({"waves": {**STUDY["waves"], "method": "irregular", "spectrum": "issc"},
+               "simulation": STUDY["simulation"] | {"qtf": "bound-wave"}}, '"newman", "auto"'),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_what_cannot_be_is_refused_in_a_line(database, tmp_path, name):
+    change, words = FAULTS[name]
+    with pytest.raises(ValueError) as error:
+        hakobune.simulate(STUDY | change, database, tmp_path / "run.h5")
+    assert words in str(error.value) and "\n" not in str(error.value)
+
+
+def test_a_berth_of_one_body_takes_no_names(tmp_path):
+    from hakobune.pipelines.moor.study import make_study
+
+    study = make_study({"water": {"depth": 12.0}, "fender": [FENDER]})
+    with pytest.raises(StudyError, match="fender F: body 'barge' is given, and the database is of one"):
+        study.berth(None, np.zeros(3))
