@@ -9,7 +9,10 @@ s from −1 to 1 over the length L, the forward end moves by 1 m or 1 rad.  With
     ∫ m w² dx = mL/4,  ∫ EI w″² dx = EI β⁴ L/4,      ∫ I θ² dx = IL/2,  ∫ GJ θ′² dx = GJ (nπ/L)² L/2
 
 Sections stay plane and upright to the axis: u = (−(z − z₀) w′, 0, w) in vertical bending, (−y w′, w, 0) in horizontal,
-θ (0, −(z − z₀), y) in torsion.
+θ (0, −(z − z₀), y) in torsion: with the turn ω = (θ, −w′, v′) of a section
+u = (0, v, w) + ω × a, a = (0, y, z − z₀).  The axis keeps its length, and so products of two shapes move points by
+
+    u_ij = ½ {ω_i (ω_j·a) + ω_j (ω_i·a)} − (ω_i·ω_j) a − (∫ (w_i′w_j′ + v_i′v_j′) dx, 0, 0)
 """
 
 from __future__ import annotations
@@ -19,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
+STEPS = 4001  # places along a beam of the integral of two slopes
 BENDING = ("vertical bending", "horizontal bending")
 KINDS = (*BENDING, "torsion")
 
@@ -78,6 +82,12 @@ class Beam(NamedTuple):
             parts = -y * self.along(x, 1), w, none
         return np.stack(parts, axis=-1)
 
+    def turn(self, x):
+        """(…, 3) ω of the sections at x (…,) m"""
+        slope, none = self.along(x, 0 if self.turns else 1), np.zeros_like(x)
+        return np.stack({"torsion": (slope, none, none), BENDING[0]: (none, -slope, none)}.get(
+            self.kind, (none, none, slope)), axis=-1)  # fmt: skip
+
     def loads(self, x):
         """Of a unit of the shape at x (…,) m: bending moment EI w″, N m, and shear force EI w‴, N; in torsion the
         moment GJ θ′ alone"""
@@ -88,6 +98,28 @@ class Beam(NamedTuple):
     @property
     def _wavenumber(self):
         return np.pi * self.number / self.length if self.turns else 2 * half_turns(self.number) / self.length
+
+
+def second(beams, points):
+    """(n, n, q, 3) u_ij m of beams of one axis at points (q, 3) m"""
+    points = np.asarray(points, float)
+    first = beams[0]
+    arm = points * [0, 1, 1] - [0, 0, first.height]
+    turns = np.array([one.turn(points[:, 0]) for one in beams])
+    both = np.einsum("iqa,jqa->ijq", turns, turns)
+    along = np.einsum("iqa,qa->iq", turns, arm)
+    out = 0.5 * (turns[:, None] * along[None, :, :, None] + turns[None] * along[:, None, :, None])
+    out -= both[..., None] * arm
+    x = np.linspace(first.start, first.end, STEPS)
+    slopes = np.array([one.turn(x) * [0, 1, 1] for one in beams])
+    rate = np.einsum("ixa,jxa->ijx", slopes, slopes)
+    shift = np.concatenate(
+        [np.zeros((*rate.shape[:2], 1)), np.cumsum(rate[..., 1:] + rate[..., :-1], axis=-1)], axis=-1
+    )
+    shift *= 0.5 * (x[1] - x[0])
+    for i, j in np.ndindex(shift.shape[:2]):
+        out[i, j, :, 0] -= np.interp(points[:, 0], x, shift[i, j] - shift[i, j, STEPS // 2])
+    return out
 
 
 def half_turns(number):

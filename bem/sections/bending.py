@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..flexible.beams import Beam
+from ..flexible.beams import Beam, second
 from ..flexible.coupling import gradients, of_water
 from ..waves import wavenumber
 from .any_section import PER_RADIAN, AnyFlow, shape
@@ -58,7 +58,8 @@ def bending_strip(
     slopes = np.array([gradients(motion, points, width) for motion in motions])
     flow = AnyFlow(made, omega, gravity, velocities=np.einsum("iqa,qa->qi", u, normals))
     areas = made.weights[made.body, None] * normals
-    stiffness = of_water(u, slopes, p.imag, areas, density, gravity)
+    pairs = second(beams, points) if beams else None
+    stiffness = of_water(u, slopes, p.imag, areas, density, gravity, 2, pairs)
     stiffness += np.diag([0.0, 0.0, *(one.stiffness for one in beams)])
     inertia = np.diag([mass * width, mass * width**3 / 12, *(one.mass for one in beams)])
     water = -density * flow.forces(flow.potentials[:, :-2])

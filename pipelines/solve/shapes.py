@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem.flexible.beams import Beam
+from hakobune.bem.flexible.beams import Beam, second
 from hakobune.bem.flexible.coupling import gradients, inertia, of_water, of_weight
 from hakobune.bem.flexible.tables import Table
 from hakobune.bem.modes import Mode, moving
@@ -81,11 +81,11 @@ def mode_remarks(scene, mesh):
     for mode, table in zip(modes_of(scene, mesh), _tables(scene), strict=True):
         if isinstance(mode.shape, Table):
             shape, hull = mode.shape, _hulls(scene, mesh)[mode.body].whole()
-            yield (
-                f"{mode.name}: half of its points foretell the others within {100 * shape.error:.2g} % of its largest "
-                f"displacement, the hull is up to {shape.beyond(hull.points):.3g} m from the nearest of them, which "
-                f"are up to {shape.spacing:.3g} m apart"
-            )
+            error = 100 * shape.error(hull.centroids)
+            yield f"{mode.name}: on the hull known within {error:.2g} % of its largest displacement, by two splines"
+            if shape.dimensions < 3:
+                where = "in a plane" if shape.dimensions == 2 else "on a line"
+                yield f"{mode.name}: its points lie {where}, across which it is taken as constant"
             if shape.masses is None and scene.motions_known:
                 yield f"{mode.name}: {table.file} has no masses: shape and rigid motions are taken as uncoupled by mass"
 
@@ -130,10 +130,12 @@ def _matrices(scene, number, hull, modes):
     size = float(np.ptp(e.nodes, axis=0).max())
 
     def at(points):
-        return np.array([m(points) for m in motions]), np.array([gradients(m, points, size) for m in motions])
+        shapes = [mode.shape for mode in modes]
+        pairs = second(shapes, points) if isinstance(shapes[0], Beam) else None
+        return np.array([m(points) for m in motions]), np.array([gradients(m, points, size) for m in motions]), pairs
 
-    (u, slopes), areas = at(e.nodes), e.weights[:, None] * e.normals
-    restoring = of_water(u, slopes, e.nodes[:, 2], areas, water.density, water.gravity)
+    (u, slopes, pairs), areas = at(e.nodes), e.weights[:, None] * e.normals
+    restoring = of_water(u, slopes, e.nodes[:, 2], areas, water.density, water.gravity, 6, pairs)
     _check_strained(scene, modes, u)
     points, masses = _masses(scene, number, hull, modes)
     if masses is None:
@@ -144,12 +146,12 @@ def _matrices(scene, number, hull, modes):
                 f"{name} has no mass; give a seventh column of masses in its file, or mass under [[modes]]"
             )
         return restoring, np.diag([0.0] * 6 + [mass or 0.0 for mass in own])
-    u, slopes = at(points)
+    u, slopes, pairs = at(points)
     mass = inertia(u, masses)
     for i, mode in enumerate(modes, 6):
         if mode.turns:  # of sections about their own centres of gravity
             mass[i, i] += mode.shape.mass
-    return restoring + of_weight(u, slopes, masses, water.gravity), mass
+    return restoring + of_weight(u, slopes, masses, water.gravity, 6, pairs), mass
 
 
 def _masses(scene, number, hull, modes):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hakobune.bem.flexible.beams import Beam
+from hakobune.bem.flexible.beams import KINDS, Beam, second
 from hakobune.bem.flexible.coupling import gradients, inertia, of_water, of_weight
 
 LENGTH, BEAM, DRAFT, RHO, G = 40.0, 8.0, 3.0, 1000.0, 9.81
@@ -25,15 +25,19 @@ def box_points():
     return np.concatenate(points), np.concatenate(areas)
 
 
-def restoring(motions, height):
-    """Of a box whose mass lies along a line at z = height"""
+def restoring(beams, height):
+    """Of a box whose mass lies along a line at z = height: of its six rigid motions and of beams"""
     points, areas = box_points()
+    motions = [rigid(d) for d in range(6)] + [one.displacement for one in beams]
     line = np.stack([LENGTH / 2 * S, np.zeros_like(S), np.full_like(S, height)], axis=1)
     masses = RHO * BEAM * DRAFT * LENGTH / 2 * W
-    made = [(np.array([m(p) for m in motions]), np.array([gradients(m, p, LENGTH) for m in motions]))
-            for p in (points, line)]  # fmt: skip
-    water = of_water(*made[0], points[:, 2], areas, RHO, G)
-    return water + of_weight(*made[1], masses, G), inertia(made[1][0], masses)
+    (u, slopes, pairs), made = (
+        (np.array([m(p) for m in motions]), np.array([gradients(m, p, LENGTH) for m in motions]),
+         second(beams, p) if beams else None)
+        for p in (points, line)
+    )  # fmt: skip
+    water = of_water(u, slopes, points[:, 2], areas, RHO, G, 6, pairs)
+    return water + of_weight(*made[:2], masses, G, 6, made[2]), inertia(made[0], masses)
 
 
 def rigid(d):
@@ -42,28 +46,52 @@ def rigid(d):
 
 
 def test_rigid_motions_have_the_classical_restoring():
-    C, _ = restoring([rigid(d) for d in range(6)], -0.7)
+    C, _ = restoring([], -0.7)
     volume = LENGTH * BEAM * DRAFT
     heights = [side**2 / 12 / DRAFT - DRAFT / 2 + 0.7 for side in (BEAM, LENGTH)]  # GM of roll and pitch
     expected = np.diag([0, 0, RHO * G * LENGTH * BEAM, *(RHO * G * volume * GM for GM in heights), 0])
     assert np.abs(C - expected).max() < 1e-6 * expected.max()
 
 
-def test_bending_is_held_by_the_waterplane_and_by_weight_and_buoyancy_about_the_axis():
-    """C = ρgB ∫ w² + ρgBd (z_B − z₀ − (z_G − z₀)) ∫ w′², closed under pressure alone for w″ terms and ends together
+def test_a_beam_that_bends_up_and_down_has_the_second_derivative_of_its_potential_energy():
+    """−ρg ∫ z dV of sections that stay plane about an axis that keeps its length, to second order in w, s = z_B − z₀:
 
-    By Gauss's theorem over the body ∬ (w + z ∇·u) u·n dS = ∫ ∇·((w + z ∇·u) u) dV less the waterplane.
+    C_ij = ρgB ∫ w_i w_j + ρgBd s {[w_i w_j′ + w_j w_i′] − ∫ w_i′ w_j′} − mg (z_G − z₀) ∫ w_i′ w_j′
     """
-    one = Beam("vertical bending", 2, -LENGTH / 2, LENGTH / 2, -1.1, 1.0, 1.0)
-    C, M = restoring([rigid(2), rigid(4), one.displacement], -0.7)
-    x, w = LENGTH / 2 * S, LENGTH / 2 * W
-    z, wz = DRAFT / 2 * (S - 1), DRAFT / 2 * W
-    f, f1, f2, f3 = (one.along(x, k)[:, None] for k in range(4))
-    arm = z + 1.1
-    # (w + zD) u with D = −arm w″ and u = (−arm w′, 0, w): divergence term by term
-    inside = -arm * f1 * (f1 - z * arm * f3) + f * (-arm * f2 - z * f2) + (f - z * arm * f2) * (-arm * f2)
-    top = (f * f)[:, 0] @ w
-    by_hand = RHO * G * BEAM * (top - w @ inside @ wz) - RHO * BEAM * DRAFT * G * 0.4 * (f1[:, 0] ** 2 @ w)
-    assert C[2, 2] == pytest.approx(by_hand, rel=1e-8)
-    assert C[0, 2] == pytest.approx(0, abs=1e-8 * C[2, 2])
-    assert M[2, 2] == pytest.approx(RHO * BEAM * DRAFT * ((f[:, 0] ** 2 + (0.4 * f1[:, 0]) ** 2) @ w))
+    beams = [Beam("vertical bending", n, -LENGTH / 2, LENGTH / 2, -1.1, 1.0, 1.0) for n in (1, 2, 3)]
+    C, M = restoring(beams, -0.7)
+    ends = np.array([-LENGTH / 2, LENGTH / 2])
+    line = LENGTH / 2 * S
+    w = [lambda x: np.ones_like(x), lambda x: -x, *(one.along for one in beams)]
+    w1 = [
+        lambda x: np.zeros_like(x),
+        lambda x: -np.ones_like(x),
+        *(lambda x, one=one: one.along(x, 1) for one in beams),
+    ]
+
+    def over(f, g):
+        return LENGTH / 2 * W @ (f(line) * g(line))
+
+    s, section = -DRAFT / 2 + 1.1, RHO * G * BEAM * DRAFT
+    by_hand = np.zeros((5, 5))
+    for i, j in np.ndindex(5, 5):
+        edge = np.array([-1, 1]) @ (w[i](ends) * w1[j](ends) + w[j](ends) * w1[i](ends))
+        by_hand[i, j] = RHO * G * BEAM * over(w[i], w[j]) + section * (s * edge - (s + 0.4) * over(w1[i], w1[j]))
+    own = [2, 4, 6, 7, 8]  # heave, pitch and shapes
+    by_hand[1, 1] = RHO * G * BEAM * LENGTH**3 / 12 + section * LENGTH * (-DRAFT / 2 + 0.7)  # about the origin
+    assert C[np.ix_(own, own)] == pytest.approx(by_hand, rel=1e-6, abs=1e-6 * by_hand[2, 2])
+    assert M[6, 6] == pytest.approx(RHO * BEAM * DRAFT * (over(w[2], w[2]) + 0.4**2 * over(w1[2], w1[2])))
+
+
+def test_shapes_of_all_kinds_leave_a_symmetric_matrix():
+    """u_ij makes the part of water symmetric: each half of it is not"""
+    beams = [Beam(kind, n, -LENGTH / 2, LENGTH / 2, -1.1, 1.0, 1.0) for kind in KINDS for n in (1, 2)]
+    points, areas = box_points()
+    u = np.array([one.displacement(points) for one in beams])
+    slopes = np.array([gradients(one.displacement, points, LENGTH) for one in beams])
+    rise = u[:, :, 2] + points[:, 2] * np.einsum("iqaa->iq", slopes)
+    newman = rise @ np.einsum("jqa,qa->qj", u, areas)
+    pressed = points[:, 2:] * areas
+    whole = newman + np.einsum("ijqa,qa->ij", second(beams, points), pressed)
+    whole -= np.einsum("iqab,jqb,qa->ij", slopes, u, pressed)
+    assert np.abs(whole - whole.T).max() < 1e-8 * np.abs(whole).max()

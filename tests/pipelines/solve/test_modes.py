@@ -45,16 +45,19 @@ def test_shapes_are_motions_like_the_six(barge):
 
 
 def test_structure_by_hand(barge):
-    """mL/4, EI β⁴L/4 and 2ζ√(km) of bending, GJ (π/L)² L/2 of torsion; heave lifts what bends by ρgB ∫ w dx = 0"""
+    """mL/4, EI β⁴L/4 and 2ζ√(km) of bending, GJ (π/L)² L/2 of torsion; ρgBL/4 of the waterplane, pressure, weight"""
     db, mass, beta = open_database(barge), RHO * 6 * 1.2, 4.730041 / 24
     K, M, D = db.structural_stiffness, db.inertia_matrix, db.structural_damping
     assert K[6, 6] == pytest.approx(4e7 * beta**4 * 6, rel=1e-5)
     assert K[8, 8] == pytest.approx(5e7 * (np.pi / 24) ** 2 * 12)
-    line = 0.5**2 * mass * (12.302618 / 24)  # ∫ (w′)² dx = 12.3026/L of the first shape, about an axis 0.5 m off
+    turned = 12.370 / 24  # ∫ (w′)² dx of the first shape
+    line = 0.5**2 * mass * turned  # about an axis 0.5 m off
     assert M[6, 6] == pytest.approx(mass * 6 + line, rel=1e-3)
     assert D[6, 6] == pytest.approx(2 * 0.02 * np.sqrt(K[6, 6] * mass * 6), rel=1e-5)
     C = db.hydrostatic_stiffness
-    assert C[6, 6] == pytest.approx(RHO * G * 6 * 24 / 4, rel=0.05) and abs(C[2, 6]) < 0.05 * C[6, 6]
+    end = 4 * db.modes[0].shape.along(12.0, 1)
+    by_hand = RHO * G * 6 * 24 / 4 + mass * G * (-0.4 * (end - turned) - 0.5 * turned)  # z_B − z₀, z_G − z₀
+    assert C[6, 6] == pytest.approx(by_hand, rel=1e-3) and np.abs(C - C.T).max() < 1e-6 * C[4, 4]
     assert C[2, 2] == pytest.approx(RHO * G * 144)
 
 
@@ -75,21 +78,24 @@ def test_a_body_that_cannot_bend_is_rigid(barge, tmp_path):
 
 def test_a_shape_from_a_file_is_that_of_the_beam(barge, tmp_path):
     beam = Beam("vertical bending", 1, -12.0, 12.0, -0.2, 1.0, 1.0)
-    x, y, z = (a.ravel() for a in np.meshgrid(np.linspace(-12, 12, 17), [-3, 0, 3], [-1.2, 0.3], indexing="ij"))
+    x, y, z = (a.ravel() for a in np.meshgrid(np.linspace(-12, 12, 33), [-3, 0, 3], [-1.2, 0.3], indexing="ij"))
     points = np.stack([x, y, z], axis=1)
     mass = np.full((len(x), 1), RHO * 24 * 6 * 1.2 / len(x))
     rows = np.hstack([points, beam.displacement(points), mass])
     np.savetxt(tmp_path / "mode.csv", rows, delimiter=",", header="x,y,z,ux,uy,uz,mass")
     file = {"kind": "file", "name": "first", "file": str(tmp_path / "mode.csv"), "stiffness": 7e5}
-    outcome = solve(make_scene(tables(file, waves={"omegas": [1.0]})), tmp_path / "file.h5")
-    assert any("half of its points foretell the others within" in line for line in outcome.remarks)
+    outcome = solve(make_scene(tables(file)), tmp_path / "file.h5")
+    assert any("first: on the hull known within 2.4 %" in line for line in outcome.remarks)
     db, known = open_database(tmp_path / "file.h5"), open_database(barge)
-    assert db["added_mass"][0, 6, 6] == pytest.approx(known["added_mass"][0, 6, 6], rel=1e-3)
+    assert db["added_mass"][0, 6, 6] == pytest.approx(known["added_mass"][0, 6, 6], rel=5e-3)
     assert db["added_mass"][0, 2, 6] == pytest.approx(known["added_mass"][0, 2, 6], rel=1e-2)
-    assert db.modes[0].shape.displacement(points) == pytest.approx(beam.displacement(points), abs=1e-12)
+    shape, hull = db.modes[0].shape, db.mesh.whole().centroids
+    assert shape.displacement(points) == pytest.approx(beam.displacement(points), abs=1e-12)
+    off = np.linalg.norm(shape.displacement(hull) - beam.displacement(hull), axis=1).max()
+    assert off < shape.error(hull) < 10 * off
     (tmp_path / "mode.csv").write_text("\n".join(" ".join(map(str, row)) for row in rows * [1, 1, 1, 2, 2, 2, 1]))
     with pytest.raises(SceneError, match="file has changed"):
-        solve(make_scene(tables(file, waves={"omegas": [1.0]})), tmp_path / "file.h5")
+        solve(make_scene(tables(file)), tmp_path / "file.h5")
 
 
 def test_deflection_and_moment_at_stations_by_hand(barge):
@@ -117,7 +123,7 @@ def test_two_bodies_of_which_the_turned_one_bends(tmp_path):
              "fixed": True}  # fmt: skip
     given = tables({**BENDING, "body": "barge"})
     given["bodies"] = [{**HULL, "name": "barge", "place": [5, 0, 90]}, other]
-    given["waves"] = {"omegas": [1.6]}
+    given["waves"], given["panels"] = {"omegas": [1.6]}, 200
     assert solve(make_scene(given), tmp_path / "two.h5").exit_status == 0
     db = open_database(tmp_path / "two.h5")
     assert list(db["radiating_dof"][6:]) == ["barge__vertical_bending_1", "barge__vertical_bending_2"]
