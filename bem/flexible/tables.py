@@ -34,7 +34,7 @@ class Table:
         return self._spline(self._own(points.reshape(-1, 3))).reshape(points.shape)
 
     def error(self, points):
-        """Of the largest displacement, at points (n, 3) m of a hull: what a spline of |x − x_k| differs by from this one
+        """Of the largest displacement, at points (n, 3) m of a hull: what a spline of |x − x_k| has otherwise
 
         Three to ten times the true error of shapes of a beam; nothing is known of what points in a plane do not say.
         """

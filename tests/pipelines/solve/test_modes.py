@@ -1,5 +1,7 @@
 """A scene of a body that bends, from its tables to its database and what studies take from it."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -85,14 +87,14 @@ def test_a_shape_from_a_file_is_that_of_the_beam(barge, tmp_path):
     np.savetxt(tmp_path / "mode.csv", rows, delimiter=",", header="x,y,z,ux,uy,uz,mass")
     file = {"kind": "file", "name": "first", "file": str(tmp_path / "mode.csv"), "stiffness": 7e5}
     outcome = solve(make_scene(tables(file)), tmp_path / "file.h5")
-    assert any("first: on the hull known within 2.4 %" in line for line in outcome.remarks)
+    (said,) = re.findall(r"first: on the hull known within ([\d.]+) %", " ".join(outcome.remarks))
     db, known = open_database(tmp_path / "file.h5"), open_database(barge)
     assert db["added_mass"][0, 6, 6] == pytest.approx(known["added_mass"][0, 6, 6], rel=5e-3)
     assert db["added_mass"][0, 2, 6] == pytest.approx(known["added_mass"][0, 2, 6], rel=1e-2)
     shape, hull = db.modes[0].shape, db.mesh.whole().centroids
     assert shape.displacement(points) == pytest.approx(beam.displacement(points), abs=1e-12)
     off = np.linalg.norm(shape.displacement(hull) - beam.displacement(hull), axis=1).max()
-    assert off < shape.error(hull) < 10 * off
+    assert off < float(said) / 100 < 10 * off
     (tmp_path / "mode.csv").write_text("\n".join(" ".join(map(str, row)) for row in rows * [1, 1, 1, 2, 2, 2, 1]))
     with pytest.raises(SceneError, match="file has changed"):
         solve(make_scene(tables(file)), tmp_path / "file.h5")
