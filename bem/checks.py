@@ -21,6 +21,7 @@ from __future__ import annotations
 import numpy as np
 
 from .drift import energy_defect
+from .modes import turning
 
 # the error falls like this power of the number of panels: to a fifth from 104 to 416 of them on the series box,
 # all coefficients, depths 12 m to infinity; estimates made with it are right in the median (tests/bench/tolerance.py)
@@ -153,7 +154,7 @@ def excitation_scale(run, of=None):
     largest, no moment as less than that of such a force at half the hull's radius.
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
-    turns = np.arange(len(size)) % 6 >= 3
+    turns = turning(run.problem.bodies, run.problem.modes)
     force = 0.2 * size[~turns].max()
     floor = np.where(turns, max(0.2 * size[turns].max(), 0.5 * force * run.prepared.radius), force)
     return np.where(run.prepared.displacing, np.maximum(size, floor), np.inf)[run.dofs if of is None else of]

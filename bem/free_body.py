@@ -29,6 +29,8 @@ def motions(problem, omega, added_mass, damping, excitation):
 
     added_mass, damping : (6, 6); excitation : (m, 6); of several bodies (6N, moving), (m, 6N) and X (m, moving)
     """
+    if problem.structural_damping is not None:
+        damping = damping + problem.structural_damping
     terms = omega, added_mass, damping, excitation, problem.inertia_matrix, problem.hydrostatic_stiffness
     if problem.bodies:
         own, (_, A, B, F, M, C) = problem.moving, terms

@@ -1,6 +1,7 @@
-"""Rigid-body modes of motion: normal velocities, parity under reflection, change of reference point.
+"""Modes of motion: normal velocities, parity under reflection, change of reference point.
 
-Of several bodies the modes are six for each, one body after another; mode d is motion d mod 6 of body d div 6.
+Of several bodies the rigid modes are six for each, one body after another; mode d is motion d mod 6 of body d div 6.
+Shapes of bodies that bend (`Mode`) come after all of them.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import numpy as np
 from . import DOFS
 
 # sign of a mode's potential under x → −x and under y → −y, about the origin
+MIRRORED = 1e-4  # of its largest displacement: a shape from a file is its own image
 PARITY = ((-1, 1), (1, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
 
 
@@ -44,20 +46,75 @@ class Body(NamedTuple):
         return np.asarray(point, float) @ self.axes.T + (*self.place, 0.0)
 
 
-def words_of(bodies):
+class Mode(NamedTuple):
+    """A shape that a body moves in beside its six rigid motions.
+
+    name : without that of its body; turns : whether its amplitude is in rad; body : number of its body
+    shape : with displacement((…, 3) m) → (…, 3), both in coordinates of the body
+    place : (2,) m and heading : rad, of the body
+    """
+
+    name: str
+    turns: bool = False
+    shape: object = None
+    body: int = 0
+    place: tuple = (0.0, 0.0)
+    heading: float = 0.0
+
+    def displacement(self, points):
+        """(…, 3) m per m or rad at points (…, 3) m, in coordinates of the scene"""
+        if not (self.heading or any(self.place)):
+            return self.shape.displacement(points)
+        own = turned(self.heading)[:3, :3]
+        return self.shape.displacement((np.asarray(points, float) - (*self.place, 0.0)) @ own.T) @ own
+
+    def parity(self, points):
+        """(2,) signs under x → −x and under y → −y, 0 where the shape has none; points : (n, 3) m of the body"""
+        here = self.displacement(points)
+        out = []
+        for mirror in ((-1, 1, 1), (1, -1, 1)):
+            there = self.displacement(points * mirror) * mirror
+            gaps = [np.abs(there - sign * here).max() for sign in (1, -1)]
+            sign = (1, -1)[int(np.argmin(gaps))]
+            out.append(sign if min(gaps) <= MIRRORED * np.abs(here).max() else 0)
+        return tuple(out)
+
+
+def words_of(bodies, modes=()):
     """Names of the motions of what moves, as results have them: "surge", of several bodies "barge surge" """
     before = [f"{body.name} " for body in bodies if not body.fixed] or [""]
-    return tuple(name + dof.lower() for name in before for dof in DOFS)
+    rigid = [name + dof.lower() for name in before for dof in DOFS]
+    return (*rigid, *(_of_body(bodies, mode, " ").replace("_", " ") for mode in modes))
 
 
-def names_of(bodies):
+def names_of(bodies, modes=()):
     """Names of the modes of several bodies, as Capytaine has them; of none those of one body"""
-    return tuple(f"{body.name}__{dof}" for body in bodies for dof in DOFS) if bodies else DOFS
+    rigid = [f"{body.name}__{dof}" for body in bodies for dof in DOFS] or DOFS
+    return (*rigid, *(_of_body(bodies, mode, "__") for mode in modes))
 
 
-def moving(bodies):
+def _of_body(bodies, mode, between):
+    return f"{bodies[mode.body].name}{between}{mode.name}" if bodies else mode.name
+
+
+def moving(bodies, modes=()):
     """Numbers of the modes that the bodies can move in"""
-    return [d for d in range(6 * max(1, len(bodies))) if not (bodies and bodies[d // 6].fixed)]
+    rigid = 6 * max(1, len(bodies))
+    own = [d for d in range(rigid) if not (bodies and bodies[d // 6].fixed)]
+    return own + list(range(rigid, rigid + len(modes)))
+
+
+def turning(bodies, modes=()):
+    """(n,) whether a mode is a rotation"""
+    return np.array([False, False, False, True, True, True] * max(1, len(bodies)) + [mode.turns for mode in modes])
+
+
+def transform_of(bodies, rotation_center, modes=()):
+    """(n, n) from generalized normals about the origin to those about `rotation_center`, of several about their own"""
+    rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
+    out = np.eye(len(rigid) + len(modes))
+    out[: len(rigid), : len(rigid)] = rigid
+    return out
 
 
 def axes_of(bodies):
@@ -75,13 +132,18 @@ def turned(heading):
     return np.kron(np.eye(2), [[c, s, 0], [-s, c, 0], [0, 0, 1]])
 
 
-def modes_of(bodies, body_of_point, points, normals):
-    """(n, 6N) normal velocities about the origin; each body moves its own points alone
+def modes_of(bodies, body_of_point, points, normals, modes=()):
+    """(n, 6N + m) normal velocities about the origin; each body moves its own points alone
 
-    body_of_point : (n,) numbers
+    body_of_point : (n,) numbers; modes : m `Mode`s
     """
     each = normal_velocities(points, normals)
-    return np.concatenate([each * (body_of_point == i)[:, None] for i in range(bodies)], axis=1)
+    out = [each * (body_of_point == i)[:, None] for i in range(bodies)]
+    for mode in modes:
+        own, velocity = body_of_point == mode.body, np.zeros((len(points), 1))
+        velocity[own, 0] = np.einsum("na,na->n", mode.displacement(points[own]), normals[own])
+        out.append(velocity)
+    return np.concatenate(out, axis=1)
 
 
 def normal_velocities(centroids, normals):
@@ -89,14 +151,16 @@ def normal_velocities(centroids, normals):
     return np.concatenate([normals, np.cross(centroids, normals)], axis=1)
 
 
-def displacing(mesh):
+def displacing(mesh, modes=()):
     """(6,) whether a mode of a hull, a `meshing.panels.PanelMesh`, moves water at all.
 
     Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a relative
     error of what they give says nothing.  A rotation counts if the mean square of its normal velocity is two per cent
     of that of its arms, both about the vertical axis through the middle of the hull's surface, so that it does not
-    matter where the mesh lies.  Of several bodies (6N,).
+    matter where the mesh lies.  Of several bodies (6N,), and then one for each of `modes`, which all do.
     """
+    if modes:
+        return np.append(displacing(mesh), [True] * len(modes))
     if mesh.body is not None:
         return np.concatenate([displacing(mesh.of_body(i)) for i in range(mesh.bodies)])
     whole = mesh.whole()

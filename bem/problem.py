@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .modes import axes_of, moving, names_of, reference_change
+from .modes import moving, names_of, transform_of
 
 SMALLEST_GAP = 3e-5  # of the draft: the number of modes grows as the gap shrinks, here to ten seconds and 1.5 GB
 
@@ -17,8 +17,10 @@ class Problem:
 
     depth : m, may be inf; density : kg/m³; gravity : m/s²; rotation_center : m
     bodies : `bem.modes.Body` of each of several, whose motions have their own points; empty for one body
-    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`, of several bodies (6N, moving); None leaves
-        the bodies without motions
+    modes : `bem.modes.Mode` of each shape beyond the rigid motions
+    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`, of several bodies or with shapes
+        (n, moving); None leaves the bodies without motions; the stiffness of a structure is in it
+    structural_damping : (n, moving), or None
     viscous : `bem.viscous.Viscous` or None
     tolerance : relative error asked for
     """
@@ -28,25 +30,27 @@ class Problem:
     gravity: float = 9.80665
     rotation_center: tuple = (0.0, 0.0, 0.0)
     bodies: tuple = ()
+    modes: tuple = ()
     inertia_matrix: np.ndarray | None = None
     hydrostatic_stiffness: np.ndarray | None = None
+    structural_damping: np.ndarray | None = None
     viscous: object = None
     tolerance: float = 1e-2
 
     @property
     def transform(self):
         """(6, 6) from generalized normals about the origin to those about the rotation centre; of several (6N, 6N)"""
-        return axes_of(self.bodies) if self.bodies else reference_change(self.rotation_center)
+        return transform_of(self.bodies, self.rotation_center, self.modes)
 
     @property
     def dofs(self):
         """Names of the forces, and of the motions of bodies that are not fixed"""
-        return names_of(self.bodies)
+        return names_of(self.bodies, self.modes)
 
     @property
     def moving(self):
         """Numbers of `dofs` that the bodies can move in"""
-        return moving(self.bodies)
+        return moving(self.bodies, self.modes)
 
 
 def check_gap(draft, depth):

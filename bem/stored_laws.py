@@ -17,7 +17,7 @@ import numpy as np
 
 from .checks import damping_scale
 from .drift import OF_EACH, about, energy_defect, mean_drift, sum_about_origin
-from .modes import displacing, moving
+from .modes import displacing, moving, turning
 from .waves import group_factor
 
 ROUNDING = 1e-6  # of laws that the same numbers were made by
@@ -57,10 +57,10 @@ def damping_errors(db):
     if error is None:
         return np.full(len(db.omega), np.nan)
     omega = db.omega[:, None, None]
-    own = moving(db.bodies)
+    own = moving(db.bodies, db.modes)
     A = np.nan_to_num(db["added_mass"][:, own]) if "added_mass" in db.names else 0.0
     Z = A + 1j * np.nan_to_num(db["radiation_damping"][:, own]) / omega
-    relative = (error[:, own] / omega / damping_scale(Z, displacing(db.mesh)[own])).reshape(len(omega), -1)
+    relative = (error[:, own] / omega / damping_scale(Z, displacing(db.mesh, db.modes)[own])).reshape(len(omega), -1)
     return np.where(np.isnan(relative).all(axis=1), np.nan, np.nan_to_num(relative).max(axis=1, initial=0.0))
 
 
@@ -72,7 +72,7 @@ def _laws(db, rounding):
     forces = ("Froude_Krylov_force", "diffraction_force", "excitation_force")
     if there >= set(forces):
         incident, scattered, total = (db[name] for name in forces)
-        gap = np.abs(incident + scattered - total) / _largest(total, incident)
+        gap = np.abs(incident + scattered - total) / _largest(db, total, incident)
         yield "excitation is incident and scattered", _worst(gap), rounding
     motions = {"rao", "added_mass", "radiation_damping", "excitation_force"} <= there and db.inertia_matrix is not None
     if motions and not db.has_viscous_motions:
@@ -85,11 +85,11 @@ def _laws(db, rounding):
 
 
 def _radiation_laws(db, there):
-    own = moving(db.bodies)
+    own = moving(db.bodies, db.modes)
     A, B, omega = db["added_mass"][:, own], db["radiation_damping"][:, own], db.omega[:, None, None]
     Z = A + 1j * B / omega
     size = np.sqrt(np.abs(np.einsum("nii->ni", Z)))
-    for part in _kinds(len(own)):
+    for part in _kinds(db, own):
         floor = 1e-4 * np.nanmax(size[:, part], axis=1, initial=0.0)
         size[:, part] = np.where(size[:, part] > floor[:, None], size[:, part], np.inf)
     scale = size[:, :, None] * size[:, None, :]
@@ -114,15 +114,16 @@ def _radiation_laws(db, there):
 def _motion_defect(db):
     from .motions import response
 
-    out, own = [], moving(db.bodies)
+    out, own = [], moving(db.bodies, db.modes)
+    extra = 0.0 if db.structural_damping is None else db.structural_damping
     terms = zip(db.omega, db["added_mass"], db["radiation_damping"], db["excitation_force"], db["rao"], strict=True)
     for omega, A, B, F, X in terms:
         if not all(np.all(np.isfinite(part)) for part in (A, B, F, X)):
             out.append(np.nan)
             continue
-        right = response(omega, A[own], B[own], F[:, own], db.inertia_matrix[own], db.hydrostatic_stiffness[own])
+        right = response(omega, A[own], (B + extra)[own], F[:, own], db.inertia_matrix[own], db.stiffness[own])
         size = np.maximum(np.abs(right), np.abs(X))
-        for part in _kinds(len(own)):
+        for part in _kinds(db, own):
             size[:, part] = size[:, part].max()
         out.append(float(np.max(np.abs(right - X) / np.maximum(size, 1e-300))))
     return np.array(out)
@@ -177,17 +178,17 @@ def _trigonometric(theta, beta):
     return np.exp(1j * turns * (beta[:, None, None] - theta[:, None])).sum(axis=-1).real / count
 
 
-def _largest(*values):
+def _largest(db, *values):
     """(n, 1, 1 or 6) of forces and of moments, of several bodies (n, 1, 6N)"""
     size = np.max([np.nan_to_num(np.abs(value)) for value in values], axis=0).max(axis=1, keepdims=True)
-    for part in _kinds(size.shape[-1]):
+    for part in _kinds(db, range(size.shape[-1])):
         size[..., part] = size[..., part].max(axis=-1, keepdims=True)
     return np.maximum(size, 1e-300)
 
 
-def _kinds(count):
-    """Masks (count,) of forces and of moments, six of each body"""
-    turns = np.arange(count) % 6 >= 3
+def _kinds(db, own):
+    """Masks of forces and of moments among the modes `own`"""
+    turns = turning(db.bodies, db.modes)[own]
     return ~turns, turns
 
 

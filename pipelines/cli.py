@@ -181,13 +181,14 @@ def plot(
 ):
     """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png.
 
-    Of several bodies a picture of each, its name at the end of that of the file.
+    Of several bodies a picture of each, its name at the end of that of the file; of beams one of how they bend.
     """
     from hakobune.bem.bodies.one_of_several import each_body
     from hakobune.bem.database import open_database
 
     from .common.gaps import gaps_of
     from .common.picture import PLOTS, check_picture
+    from .view.deflection import beams_of, deflections
     from .view.plots import plot
 
     output = output or file.with_suffix(".png")
@@ -196,6 +197,10 @@ def plot(
     for one in each_body(db):
         picture = output.with_stem(f"{output.stem}_{one.name}") if db.bodies else output
         plot(one, picture)
+        print(picture)
+    if beams_of(db):
+        picture = output.with_stem(f"{output.stem}_bending")
+        deflections(db, picture)
         print(picture)
     return tell(map(fails, gaps_of(db).words()))
 

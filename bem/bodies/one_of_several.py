@@ -18,7 +18,7 @@ OWN_DRIFT = {name.removeprefix("body_"): name for name in OF_EACH}  # {name of t
 
 @dataclass(frozen=True, eq=False)
 class OneOfSeveral:
-    """What a `Database` of several bodies holds of the body `number`.
+    """What a `Database` of several bodies, or of one that bends, holds of the rigid motions of the body `number`.
 
     Forces, mean drift and added mass are those on it, motions and radiation its own.  Quantities have the axes of a
     database of one body; of a fixed body there are no motions.
@@ -31,7 +31,7 @@ class OneOfSeveral:
         if name in BODY:
             value = self.database.header.body.get(name)
             if value is None or "influenced_dof" not in BODY[name][0]:
-                return None if value is None else value[self.number]
+                return value[self.number] if value is not None and self.database.bodies else value
             return value[np.ix_(self._forces, self._motions)]
         return getattr(self.database, name)
 
@@ -48,12 +48,12 @@ class OneOfSeveral:
     @property
     def name(self) -> str:
         """Of the body"""
-        return self.database.bodies[self.number].name
+        return self.database.bodies[self.number].name if self.database.bodies else ""
 
     @property
     def fixed(self) -> bool:
         """Whether it does not move"""
-        return self.database.bodies[self.number].fixed
+        return bool(self.database.bodies) and self.database.bodies[self.number].fixed
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -67,6 +67,8 @@ class OneOfSeveral:
     def mesh(self):
         """PanelMesh of its hull"""
         database = self.database
+        if not database.bodies:
+            return database.mesh
         return replace(database.mesh.of_body(self.number), name=f"{self.name} of {database.path.stem}")
 
     @property
@@ -80,13 +82,14 @@ class OneOfSeveral:
 
     @property
     def _motions(self):
-        own = moving(self.database.bodies)
+        own = moving(self.database.bodies)  # without shapes, which come after all of these
         return [own.index(d) for d in self._forces if d in own]
 
 
 def each_body(database):
-    """`OneOfSeveral` of every body; of a database of one body itself"""
-    return [OneOfSeveral(database, i) for i in range(len(database.bodies))] or [database]
+    """`OneOfSeveral` of every body, also of one that bends; of a database of one rigid body itself"""
+    count = len(database.bodies) or bool(database.modes)
+    return [OneOfSeveral(database, i) for i in range(count)] or [database]
 
 
 def body_named(database, name):

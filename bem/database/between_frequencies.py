@@ -42,6 +42,7 @@ class Between:
 
     headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
     outlines : the same of each of several bodies that move; empty for one
+    shapes : of each motion beyond the rigid ones the number of its body among those that move
     limits : {"added_mass_zero", "added_mass_infinity": (6, 6)}, those that are stored
     wall : m, y of a wall along x, or None: waves then meet the hull's image in it, too
     """
@@ -56,6 +57,7 @@ class Between:
     limits: dict = field(default_factory=dict)
     wall: float | None = None
     outlines: tuple = ()
+    shapes: tuple = ()
 
     def value(self, omega, name):
         """A quantity (q, …) at omega (q,) rad/s.  Raises BetweenError for what is not known."""
@@ -208,12 +210,19 @@ class Between:
     def _relative(self, error, name):
         stored = np.abs(self.quantities[name])
         if name in RADIATION:
-            scale = _seen(np.sqrt(np.einsum("nii->ni", stored).max(axis=0)))
+            scale = self._seen(np.sqrt(np.einsum("nii->ni", stored).max(axis=0)))
             scale = np.outer(scale, scale)
         else:
             scale = stored.max(axis=tuple(range(stored.ndim - 1)))
-            scale = _seen(scale) if QUANTITIES[name][0][-1] in ("influenced_dof", "radiating_dof") else scale
+            scale = self._seen(scale) if QUANTITIES[name][0][-1] in ("influenced_dof", "radiating_dof") else scale
         return np.max(error / np.where(scale > 0, scale, np.inf), axis=tuple(range(1, error.ndim)))
+
+    def _seen(self, scale):
+        """(n,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
+        rigid = len(scale) - len(self.shapes)
+        kinds = scale[:rigid].reshape(-1, 2, 3)
+        largest = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
+        return np.append(np.where(scale[:rigid] > 1e-4 * largest, scale[:rigid], np.inf), scale[rigid:])
 
     def _abscissa(self, omega):
         return abscissa(omega, self.depth, self.gravity, self.length)
@@ -282,11 +291,11 @@ class Between:
         towards = np.stack([np.cos(self.headings), np.sin(self.headings)], axis=1)
         away = np.stack([np.cos(self.theta), np.sin(self.theta)], axis=1)
         if name in FORCES and self.outlines:
-            return np.repeat([np.max(-one @ towards.T, axis=0) for one in self.outlines], 6, axis=0).T
+            return np.array([np.max(-one @ towards.T, axis=0) for one in self.outlines])[self._owners].T
         if name in FORCES or name == "pressure":
             return np.max(-self.outline @ towards.T, axis=0)[:, None]
         if name == "kochin_radiation" and self.outlines:
-            return np.repeat([np.max(one @ away.T, axis=0) for one in self.outlines], 6, axis=0)
+            return np.array([np.max(one @ away.T, axis=0) for one in self.outlines])[self._owners]
         if name == "kochin_radiation":
             return np.max(self.outline @ away.T, axis=0)
         if name == "kochin_diffraction":
@@ -294,6 +303,11 @@ class Between:
                 len(towards), -1
             )
         return np.zeros(1)
+
+    @property
+    def _owners(self):
+        """(n,) number of the body of each motion, among those that move"""
+        return [*np.repeat(range(len(self.outlines)), 6), *self.shapes]
 
 
 def _towards(limit, end, share, error):
@@ -305,13 +319,6 @@ def _towards(limit, end, share, error):
     return limit + (end - limit) * share**2
 
 
-def _seen(scale):
-    """(n,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
-    kinds = scale.reshape(-1, 2, 3)
-    largest = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
-    return np.where(scale > 1e-4 * largest, scale, np.inf)
-
-
 def between(db):
     """`Between` of the solved rows of a database."""
     names = [name for name in db.names if "omega" in QUANTITIES[name][0]]
@@ -321,9 +328,11 @@ def between(db):
     outlines = tuple(
         db.mesh.of_body(i).whole().points[:, :2] for i, body in enumerate(db.bodies) if not body.fixed
     )  # fmt: skip
+    free = [i for i, body in enumerate(db.bodies) if not body.fixed] or [0]
+    shapes = tuple(free.index(mode.body) for mode in db.modes)
     return Between(
         db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits, db.wall,
-        outlines,
+        outlines, shapes,
     )  # fmt: skip
 
 
@@ -332,4 +341,4 @@ def _of_moving(db, name):
     axes = QUANTITIES[name][0]
     if "influenced_dof" not in axes or not db.bodies:
         return db[name]
-    return np.take(db[name], moving(db.bodies), axis=axes.index("influenced_dof"))
+    return np.take(db[name], moving(db.bodies, db.modes), axis=axes.index("influenced_dof"))

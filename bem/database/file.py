@@ -18,7 +18,9 @@ from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.seals import damage, kind_filled_in
 from hakobune.meshing.whole_files import NotWritten, write_whole
 
-from ..modes import Body
+from ..flexible.beams import Beam
+from ..flexible.tables import Table
+from ..modes import Body, Mode
 from ..waves import wavenumber
 from .integrity import MARK, ROWS, DamagedError, DatabaseError, check_schema
 from .results import check_database_version, check_seal, seal_of, what_is
@@ -37,6 +39,7 @@ from .schema import (
     labels,
 )
 
+TABLE = ("points", "displacements", "masses")  # of a shape that is known at points
 BLOCK = 4096  # bytes of the seal before a file that is filled in later
 LATER = (*QUANTITIES, "stored", "estimated_error", "checks", "wall_time", "solved", ROWS)
 REMEDY = "copy it again, or solve it anew with --fresh"
@@ -54,6 +57,7 @@ class Header:
     scene, scene_hash : text, and the hash of the part that may not change while a file grows
     attributes : further root attributes
     bodies : `bem.modes.Body` of each of several bodies, whose values have a row for each; empty for one
+    modes : `bem.modes.Mode` of each shape beyond the rigid motions
     """
 
     mesh: PanelMesh
@@ -69,6 +73,7 @@ class Header:
     scene_hash: str = ""
     attributes: dict = field(default_factory=dict)
     bodies: tuple = ()
+    modes: tuple = ()
 
 
 def check_place(path):
@@ -187,7 +192,12 @@ def _reason(error):
 def lay_out(file, header, omega, wave_direction, names):
     """Fill a new file with everything known beforehand, and NaN for every number still to come."""
     file.attrs.update(_attributes(header))
-    values = {"omega": omega, "wave_direction": wave_direction, "theta": header.theta, **labels(header.bodies)}
+    values = {
+        "omega": omega,
+        "wave_direction": wave_direction,
+        "theta": header.theta,
+        **labels(header.bodies, header.modes),
+    }
     values["panel"] = np.arange(header.mesh.total)
     coordinates = {**COORDINATES, **OF_SEVERAL} if header.bodies else COORDINATES
     for axis, (_, unit, kind) in coordinates.items():
@@ -220,6 +230,10 @@ def lay_out(file, header, omega, wave_direction, names):
     for name, mesh in (("mesh", header.mesh), ("mesh/lid", header.lid)):
         if mesh is not None:
             _write_mesh(file, name, mesh)
+    for i, mode in enumerate(header.modes):
+        if isinstance(mode.shape, Table):
+            for name in (name for name in TABLE if getattr(mode.shape, name) is not None):
+                file.create_dataset(f"shapes/{i}/{name}", data=getattr(mode.shape, name))
 
 
 def _attributes(header):
@@ -236,6 +250,7 @@ def _attributes(header):
         "scene": header.scene,
         "scene_hash": header.scene_hash,
         **({"bodies": json.dumps([body._asdict() for body in header.bodies])} if header.bodies else {}),
+        **({"modes": json.dumps([_of_mode(mode) for mode in header.modes])} if header.modes else {}),
         **header.attributes,
     }
 
@@ -284,7 +299,7 @@ def read_header(file, attributes=None):
 
 
 def _header(file, attributes):
-    known, there = {*_attributes(_EMPTY), "bodies"}, set(file)
+    known, there = {*_attributes(_EMPTY), "bodies", "modes"}, set(file)
     return Header(
         mesh=_read_mesh(file["mesh"]),
         lid=_read_mesh(file["mesh/lid"]) if "lid" in file["mesh"] else None,
@@ -295,6 +310,7 @@ def _header(file, attributes):
         theta=file["theta"][()],
         body={name: file[name][()] for name in BODY if name in there},
         bodies=tuple(_body(one) for one in json.loads(attributes.get("bodies", "[]"))),
+        modes=tuple(_mode(file, i, one) for i, one in enumerate(json.loads(attributes.get("modes", "[]")))),
         dimensions=json.loads(attributes["dimensions"]),
         scene=attributes["scene"],
         scene_hash=attributes["scene_hash"],
@@ -304,6 +320,19 @@ def _header(file, attributes):
 
 def _body(given):
     return Body(**{key: tuple(value) if isinstance(value, list) else value for key, value in given.items()})
+
+
+def _of_mode(mode):
+    return mode._asdict() | {"shape": mode.shape._asdict() if isinstance(mode.shape, Beam) else None}
+
+
+def _mode(file, number, given):
+    if given["shape"]:
+        shape = Beam(**given["shape"])
+    else:
+        group = file[f"shapes/{number}"]
+        shape = Table(**{name: group[name][()] for name in TABLE if name in group})
+    return Mode(**given | {"shape": shape, "place": tuple(given["place"])})
 
 
 _EMPTY = Header(PanelMesh(np.zeros((0, 3)), np.zeros((0, 4))), None, np.inf, 0, 0, np.zeros(3), np.zeros(0))

@@ -12,7 +12,8 @@ less the error of this at the stored headings, interpolated.  Drift needs more f
 order in them; its error says so.  In a stored wave the answer is the stored number.  Where no Kochin functions are
 stored the drift itself is interpolated, with an error that counts the step to the next stored frequency.
 
-Of several bodies the motions are n = 6 for each that moves, one body after another, all in every equation; drift is
+Of several bodies the motions are n = 6 for each that moves, one body after another, then the shapes of those that bend,
+all in every equation; drift is
 that of the whole about the origin, and that of each (`drift_of_each`) the stored one of bodies that float freely.
 """
 
@@ -28,7 +29,7 @@ from hakobune.meshing.panels import PanelMesh
 
 from ..drift import OF_EACH, harmonics
 from ..hinges import forces_of, free_of, rows_of
-from ..modes import moving, names_of, words_of
+from ..modes import moving, names_of, turning, words_of
 from ..viscous import Viscous, linearised_response
 from ..waves import group_factor, wavenumber
 from . import far_field_drift
@@ -43,7 +44,8 @@ NEEDED["drift_force"] = (*KOCHIN, *NEEDED["rao"])
 
 @dataclass(frozen=True, eq=False)
 class Reader:
-    """A body of a database, or several, freely floating unless `restrained`; n motions, six for each that moves.
+    """A body of a database, or several, freely floating unless `restrained`; n motions, six for each that moves, and
+    shapes.
 
     between : stored quantities over frequency; inertia, stiffness : (n, n) or None; damping : (n, n) beside radiation
     rotation_center : m; symmetry : planes of hull and water, "", "x", "y" or "xy"
@@ -51,6 +53,7 @@ class Reader:
     own : whether stored motions and drift are those of this body
     viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
     mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several, empty for one
+    modes : `bem.modes.Mode` of each shape
     links : `bem.hinges.Link` between them, exact
     """
 
@@ -66,6 +69,7 @@ class Reader:
     viscous: Viscous | None = None
     mesh: PanelMesh | None = None
     bodies: tuple = ()
+    modes: tuple = ()
     links: tuple = ()
 
     def __repr__(self):
@@ -78,13 +82,23 @@ class Reader:
     @property
     def words(self):
         """(n,) names of the motions: "surge" …, of several bodies "barge surge" """
-        return words_of(self.bodies)
+        return words_of(self.bodies, self.modes)
 
     @property
     def names(self):
         """(n,) the same as the database has them: "Surge" …, of several bodies "barge__Surge" """
-        names = names_of(self.bodies)
-        return tuple(names[d] for d in moving(self.bodies))
+        names = names_of(self.bodies, self.modes)
+        return tuple(names[d] for d in moving(self.bodies, self.modes))
+
+    @property
+    def rigid(self):
+        """Number of the motions that are rigid, the first ones"""
+        return len(self.words) - len(self.modes)
+
+    @property
+    def turning(self):
+        """(n,) whether a motion is a rotation"""
+        return turning(self.bodies, self.modes)[moving(self.bodies, self.modes)]
 
     @property
     def axes_at_rest(self):
@@ -431,20 +445,21 @@ class Stored(NamedTuple):
 
 def reader(db):
     """`Reader` of the solved rows of a database."""
-    between, moved = of_database(db), moving(db.bodies)
+    between, moved = of_database(db), moving(db.bodies, db.modes)
     _check_rows(db, between.quantities)
     return Reader(
         between,
         db.density,
         np.asarray(db.rotation_center, float),
         _of_moving(db.inertia_matrix, moved),
-        _of_moving(db.hydrostatic_stiffness, moved),
-        np.zeros((len(moved), len(moved))),
-        "" if db.bodies else db.symmetry,
-        db.is_round and not db.bodies,
+        _of_moving(db.stiffness, moved),
+        np.zeros((len(moved), len(moved))) if db.structural_damping is None else db.structural_damping[moved],
+        "" if db.bodies or db.modes else db.symmetry,
+        db.is_round and not (db.bodies or db.modes),
         viscous=_viscous(db),
         mesh=db.mesh,
         bodies=db.bodies,
+        modes=db.modes,
     )
 
 
@@ -469,7 +484,9 @@ def _viscous(db):
     from ..viscous_table import viscous_of_text
 
     box = db.dimensions if "beam" in db.dimensions else {}
-    return viscous_of_text(db.header.scene, box, db.density, db.gravity)
+    found = viscous_of_text(db.header.scene, box, db.density, db.gravity)
+    names = names_of(db.bodies, db.modes)
+    return replace(found, names=tuple(names[d] for d in moving(db.bodies, db.modes)))
 
 
 def _of_moving(matrix, moved):

@@ -190,7 +190,7 @@ def _resonance(body, mode, omega, q):
         i, m = np.unravel_index(X[:, :, mode].argmax(), X.shape[:2])
         at, peak = places[i], float(X[i, m, mode])
         places = np.linspace(places[max(i - 1, 0)], places[min(i + 1, len(places) - 1)], 17)
-    kind = [d for d in range(len(q)) if d % 6 // 3 == mode % 6 // 3]
+    kind = np.flatnonzero(body.turning == body.turning[mode])
     if peak <= QUIET * np.abs(body.motions(body.omega))[:, :, kind].max():
         return None
     extra = np.zeros_like(body.damping)

@@ -192,11 +192,20 @@ class Database:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
 
     def require_one_body(self) -> None:
-        """Raise DatabaseError for a database of several bodies, naming them."""
+        """Raise DatabaseError for a database of several bodies, naming them, or of one that bends."""
         if self.bodies:
             names = ", ".join(body.name for body in self.bodies)
             raise DatabaseError(
                 f"{self.path} is of {len(self.bodies)} bodies, {names}; allowed here: one body, solved by itself"
+            )
+        self.require_rigid()
+
+    def require_rigid(self) -> None:
+        """Raise DatabaseError for a database of bodies that bend: it holds motions that rigid studies do not know."""
+        if self.modes:
+            raise DatabaseError(
+                f"{self.path} is of a body with {len(self.modes)} motions beyond the six, {self.modes[0].name} …; "
+                "allowed here: six; solve its scene without [[modes]]"
             )
 
     @cached_property
@@ -233,18 +242,29 @@ class Database:
         """`bem.modes.Body` of each of several bodies, empty for one"""
         return self.header.bodies
 
+    @property
+    def modes(self) -> tuple:
+        """`bem.modes.Mode` of each shape beyond the rigid motions"""
+        return self.header.modes
+
+    @property
+    def stiffness(self) -> np.ndarray | None:
+        """(n, moving) of water, weight and structure"""
+        return _sum(self.hydrostatic_stiffness, self.structural_stiffness)
+
     @cached_property
     def reader(self) -> Reader:
         """`bem.database.reader.Reader`: the bodies in any wave, with estimated errors, from the stored rows
 
-        raises : DatabaseError for a database of several bodies, which studies of one body do not know
+        raises : DatabaseError for a database of several bodies or of one that bends, which studies of one rigid body
+            do not know
         """
         self.require_one_body()
         return self.bodies_reader
 
     @cached_property
     def bodies_reader(self) -> Reader:
-        """`reader`, also of several bodies"""
+        """`reader`, also of several bodies and of those that bend"""
         from .reader import reader
 
         self.require()
@@ -369,6 +389,10 @@ class Database:
         if motion and self.inertia_matrix is None:
             return "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration)"
         return f"run its command again with --only {','.join(missing)}"
+
+
+def _sum(first, second):
+    return first if first is None or second is None else first + second
 
 
 def mark_whole_rows(file):

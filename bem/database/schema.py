@@ -59,6 +59,8 @@ BODY = {
     "mass": ((), "kg", float),
     "inertia_matrix": (_SQUARE, "kg, kg m, kg m2", float),
     "hydrostatic_stiffness": (_SQUARE, "N/m, N, N m", float),
+    "structural_stiffness": (_SQUARE, "N/m, N, N m", float),  # of bodies that bend, as the next one
+    "structural_damping": (_SQUARE, "kg/s, kg m/s, kg m2/s", float),
     "displaced_volume": ((), "m3", float),
     "wetted_area": ((), "m2", float),
     "center_of_buoyancy": (("xyz",), "m", float),
@@ -78,13 +80,12 @@ ONLY_BY_NAME = ("pressure",)  # large, and wanted for few frequencies
 LABELS = {"influenced_dof": DOFS, "radiating_dof": DOFS, "drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}
 
 
-def labels(bodies):
-    """{axis: names} of a file of `bem.modes.Body` of several bodies, or none for one"""
-    if not bodies:
-        return LABELS
-    names = names_of(bodies)
-    moved = tuple(names[d] for d in moving(bodies))
-    return LABELS | {"influenced_dof": names, "radiating_dof": moved, "body": tuple(body.name for body in bodies)}
+def labels(bodies, modes=()):
+    """{axis: names} of a file of `bem.modes.Body` of several bodies, or none for one, and of `bem.modes.Mode`s"""
+    names = names_of(bodies, modes)
+    moved = tuple(names[d] for d in moving(bodies, modes))
+    each = {"body": tuple(body.name for body in bodies)} if bodies else {}
+    return LABELS | {"influenced_dof": names, "radiating_dof": moved} | each
 
 
 def cell_axes(name):

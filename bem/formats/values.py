@@ -98,6 +98,7 @@ def values_of(db, several=False):
 
     several : whether those of several bodies are wanted, else they are refused
     """
+    db.require_rigid()
     if not several:
         db.require_one_body()
     names = [name for name in CARRIED if name in db.names and (name not in LIMITS or db.complete)]

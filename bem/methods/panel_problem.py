@@ -57,11 +57,10 @@ class PanelProblem(Problem):
 
     def prepared_beside(self, coarse):
         """`PreparedPanelProblem` with the one of a coarser mesh, or None"""
-        from ..panels.influence import Geometry
         from ..panels.zero_draft import flattened
 
         mesh, lid = (flattened(self.mesh), None) if self.zero_draft else (self.mesh, self.lid)
-        return PreparedPanelProblem(self, Geometry(mesh, lid, self.depth, self.nodes_per_panel, self.wall), coarse)
+        return PreparedPanelProblem(self, _geometry(self, mesh, lid), coarse)
 
     def _on(self, mesh, lid, **changes):
         return replace(self, mesh=mesh, lid=lid, coarse=None, **changes)
@@ -88,7 +87,7 @@ class PreparedPanelProblem:
     @cached_property
     def displacing(self):
         """(6,) whether a mode moves water at all, `bem.modes.displacing`"""
-        return displacing(self.geometry.mesh)
+        return displacing(self.geometry.mesh, self.problem.modes)
 
     @cached_property
     def axisymmetric_geometry(self):
@@ -101,10 +100,8 @@ class PreparedPanelProblem:
             return g
         from hakobune.meshing.lid import polar_lid
 
-        from ..panels.influence import Geometry
-
         lid = polar_lid(problem.mesh, float(np.sqrt(problem.lid.areas.mean())))
-        return g if lid is None else Geometry(problem.mesh, lid, problem.depth, problem.nodes_per_panel)
+        return g if lid is None else _geometry(problem, problem.mesh, lid)
 
     @cached_property
     def with_damping_lids(self):
@@ -214,6 +211,12 @@ class PreparedPanelProblem:
         if self.compressed and not self.geometry.without_lid.sectors:
             from ..panels.compressed.one_frequency import added_mass_limit
         return added_mass_limit(self, which)
+
+
+def _geometry(problem, mesh, lid):
+    from ..panels.influence import Geometry
+
+    return Geometry(mesh, lid, problem.depth, problem.nodes_per_panel, problem.wall, problem.modes)
 
 
 def prepare(problem):

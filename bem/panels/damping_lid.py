@@ -52,7 +52,7 @@ def with_damping_lids(problem):
     size = min(float(np.sqrt(mesh.areas.mean())), narrow / ACROSS)
     surface, counts = patches([one.corners for one in lids], size, mesh.symmetry)
     both = surface if problem.lid is None else joined([surface, problem.lid])
-    geometry = Geometry(mesh, both, problem.depth, problem.nodes_per_panel)
+    geometry = Geometry(mesh, both, problem.depth, problem.nodes_per_panel, modes=problem.modes)
     nodes = len(geometry.elements.nodes)
     if nodes > MOST_NODES:
         raise ValueError(

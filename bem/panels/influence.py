@@ -41,13 +41,16 @@ FAR = 5.0
 class Geometry:
     """Elements, mirror images and Rankine integrals of a mesh with its lid in water of a depth: no frequency.
 
+    modes : `bem.modes.Mode`s beyond the rigid motions, which have the mirror planes of the mesh
+
     wall : y in m of a vertical wall that reflects all waves, along x; None for open water.  The wall takes the place
     of the mirror plane y = 0: the mesh is shifted by `origin`, behind the wall is the mirror image of the body, and the
     flow is even in y.
     """
 
-    def __init__(self, mesh, lid, depth, per_panel=4, wall=None):
-        self.given, self.larger = (mesh, lid, depth, per_panel, wall), None
+    def __init__(self, mesh, lid, depth, per_panel=4, wall=None, modes=()):
+        self.given, self.larger = (mesh, lid, depth, per_panel, wall, modes), None
+        self.shapes = modes
         self.wall, self.depth = wall, depth
         self.origin = np.array([0.0, 0.0 if wall is None else -wall, 0.0])
         if wall is not None:
@@ -104,9 +107,10 @@ class Geometry:
         """(hull nodes, 6) normal velocities of unit motions about the body's origin; of N bodies (hull nodes, 6N)"""
         n, body = self.hull, self.mesh.body
         points, normals = self.elements.nodes[:n] - self.origin, self.elements.normals[:n]
-        if body is None:
+        if body is None and not self.shapes:
             return normal_velocities(points, normals)
-        return modes_of(self.mesh.bodies, np.repeat(body, n // len(body)), points, normals)
+        owner = np.zeros(n, int) if body is None else np.repeat(body, n // len(body))
+        return modes_of(self.mesh.bodies, owner, points, normals, self.shapes)
 
     def members(self, cls):
         """Degrees of freedom of a symmetry class, numbers 0 … 5 or, of N bodies, 0 … 6N − 1"""
@@ -115,7 +119,18 @@ class Geometry:
     @cached_property
     def _members(self):
         symmetry = self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
-        return {cls: [d for d in range(6 * self.mesh.bodies) if class_of(d, symmetry) == cls] for cls in self.classes}
+        classes = [class_of(d, symmetry) for d in range(6 * self.mesh.bodies)]
+        for mode in self.shapes:
+            signs = dict(zip("xy", mode.parity(self._points_of(mode.body)), strict=True))
+            if any(signs[axis] == 0 for axis in symmetry):
+                raise ValueError(f"{mode.name} is not its own image in {symmetry}; allowed: a mesh without that plane")
+            classes.append(tuple(signs[axis] if axis in symmetry else 1 for axis in "xy"))
+        return {cls: [d for d, own in enumerate(classes) if own == cls] for cls in self.classes}
+
+    def _points_of(self, number):
+        """(n, 3) m, nodes of one of the bodies"""
+        points, body = self.elements.nodes[: self.hull] - self.origin, self.mesh.body
+        return points if body is None else points[np.repeat(body, self.hull // len(body)) == number]
 
     def signs(self, cls):
         """(images,) ±1: sign of the potential on each mirror image, in a class"""
@@ -149,7 +164,7 @@ class Geometry:
         """`bem.panels.axisymmetric.Sectors` of an axisymmetric body, else None"""
         from .axisymmetric import sectors
 
-        return sectors(self) if self.mesh.body is None else None
+        return sectors(self) if self.mesh.body is None and not self.shapes else None
 
     @cached_property
     def rankine_of_sector(self):

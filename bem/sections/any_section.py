@@ -131,11 +131,14 @@ class AnyFlow:
     """The flows at one frequency: radiated by sway, heave and roll, and scattered from waves towards +y and −y.
 
     damping : ε of the water in gaps; in_gaps : [(s, 2)] whole potential of the waves in each
-    potentials : (n, 5) on the body; waves : (2, 5) potential at z = 0 of those that leave towards −y and +y, referred
-    to y = 0
+    velocities : (n, m) of other motions along the normals of the body, in place of those three
+    potentials : (n, m + 2) on the body; waves : (2, m + 2) potential at z = 0 of those that leave towards −y and +y,
+    referred to y = 0
     """
 
-    def __init__(self, shape, omega, gravity, damping=0.0):
+    def __init__(self, shape, omega, gravity, damping=0.0, velocities=None):
+        self.velocities = shape.velocities if velocities is None else velocities
+        m = self.velocities.shape[1]
         self.shape, self.omega, self.gravity = shape, omega, gravity
         self.k = float(wavenumber(omega, shape.depth, gravity))
         A0, A1, A2 = shape.equations
@@ -143,10 +146,10 @@ class AnyFlow:
         along = [self._incident(sign) for sign in (1, -1)]
         self.incident = np.stack([value for value, _ in along], axis=1)
         gaps = np.concatenate([np.empty(0, int), *shape.gaps])
-        taken = np.zeros((int((~shape.body).sum()), 5), complex)  # iεKφ_I, of waves alone
-        flux = -np.hstack([shape.velocities, -np.stack([slope for _, slope in along], axis=1)])  # n out of the water
+        taken = np.zeros((int((~shape.body).sum()), m + 2), complex)  # iεKφ_I, of waves alone
+        flux = -np.hstack([self.velocities, -np.stack([slope for _, slope in along], axis=1)])  # n out of the water
         K = omega**2 / gravity
-        taken[gaps, 3:] = 1j * damping * K * self._incident_on(gaps)
+        taken[gaps, m:] = 1j * damping * K * self._incident_on(gaps)
         matrix = A0.astype(complex)
         matrix[:, shape.surface] += K * A1[:, shape.surface]
         matrix[:, gaps] += K * (1 + 1j * damping) * A1[:, gaps]
@@ -160,7 +163,7 @@ class AnyFlow:
         B0, B1, B2 = shape.on_body
         self.potentials = B0 @ phi + B1 @ normal + B2 @ flux
         out = np.exp(-1j * self.k * np.array([-shape.ends[0], shape.ends[1]]))
-        self.in_gaps = [phi[gap, 3:] + self._incident_on(gap) for gap in shape.gaps]
+        self.in_gaps = [phi[gap, m:] + self._incident_on(gap) for gap in shape.gaps]
         self.waves = np.stack([first[place] @ phi[side] for place, side in enumerate(shape.sides)]) * out[:, None]
 
     def _modes(self):
@@ -191,18 +194,18 @@ class AnyFlow:
         return wave * Z, wave * (1j * sign * k * Z * n.real + slope * n.imag)
 
     def forces(self, potential):
-        """∮ φ n dl of potentials (n, …) on the body along sway, heave and roll, (3, …)"""
+        """∮ φ n dl of potentials (n, …) on the body along each of its motions, (m, …)"""
         shape = self.shape
-        return (shape.velocities * shape.weights[shape.body, None]).T @ potential
+        return (self.velocities * shape.weights[shape.body, None]).T @ potential
 
     @property
     def incident_forces(self):
-        """∮ φ_I n dl of the wave towards +y, (3,)"""
+        """∮ φ_I n dl of the wave towards +y, (m,)"""
         return self.forces(self.incident[:, 0])
 
     def scattered(self, sign):
         """Complex R and T of the fixed body in a wave towards ±y, both referred to y = 0"""
-        back, on = self.waves[::sign, 3 if sign > 0 else 4] / (-1j * self.gravity / self.omega)
+        back, on = self.waves[::sign, -2 if sign > 0 else -1] / (-1j * self.gravity / self.omega)
         return complex(back), complex(1 + on)
 
 

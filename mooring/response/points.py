@@ -24,6 +24,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.flexible.beams import Beam
+from hakobune.bem.flexible.coupling import gradients
 from hakobune.bem.waves import wavenumber
 
 from ..on_current.body import carrier_of_body
@@ -60,6 +62,14 @@ class KeelPoint(NamedTuple):
     body: str = ""
 
 
+class Station(NamedTuple):
+    """name; x m of a section of the beam of a body that bends; body : as of a Point"""
+
+    name: str
+    x: float
+    body: str = ""
+
+
 class Transfer(NamedTuple):
     """Transfer functions per m of wave amplitude.
 
@@ -80,8 +90,8 @@ class Transfer(NamedTuple):
 def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
     """All responses of a body, or several: its motions, and for every Point displacement, velocity, acceleration along
     x, y, z, what is felt along the deck, and of one body the relative elevation of the water; for every KeelPoint its
-    vertical displacement; for every Pair displacement and velocity; for every link the force and moment with which its
-    first body holds the second, along axes of the first.
+    vertical displacement; for every Station what the beam deflects and carries there; for every Pair displacement and
+    velocity; for every link the force and moment with which its first body holds the second, along axes of the first.
 
     omega : (q,) rad/s; heading : (p,) rad; water : whether the elevation is wanted, which takes most of the time
     raises : BetweenError outside the database
@@ -90,7 +100,7 @@ def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
     motion = body.motions(omega, heading)
     met = None if carrier_of_body(body) is None else body.encounter(omega, heading)
     omega, given = omega if met is None else met, np.asarray(omega, float)
-    names, units, values = list(body.words), [("m", "rad")[d % 6 // 3] for d in range(len(body.words))], [motion]
+    names, units, values = list(body.words), [("m", "rad")[int(turns)] for turns in body.turning], [motion]
     dry = [point.position[:2] for point in points if water and isinstance(point, Point) and not body.bodies]
     raised, missed = elevations(body, given, heading, motion, dry)
     levels = iter(np.moveaxis(raised, -1, 0))
@@ -104,6 +114,12 @@ def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
             ]
             units += ["m"] * 3 + ["m/s"] * 3
             values += [d, velocity(omega, d)]
+            continue
+        if isinstance(point, Station):
+            for word, unit, part in of_station(body, motion, point):
+                names.append(f"{point.name} {word}")
+                units.append(unit)
+                values.append(part[..., None])
             continue
         d, own = of_point(body, motion, point)
         if isinstance(point, KeelPoint):
@@ -148,12 +164,44 @@ def of_point(body, motion, point):
     """Displacement (q, p, 3) of a Point or KeelPoint, and the motions (q, p, 6) of its body, along the axes of that
 
     body : `bem.database.reader.Reader`; motion : (q, p, n) of all of it
+    Of a body that bends both have the shapes in them, and its rotations are those at the point.
     """
-    if not body.bodies:
-        return displacement(motion, point.position, body.rotation_center), motion
-    one = body.body_named(point.body)
-    own = body.motions_of(motion, one)
-    return displacement(own, point.position, one.own_center), own
+    if body.bodies:
+        one = body.body_named(point.body)
+        own, center = body.motions_of(motion, one), one.own_center
+    else:
+        own, center = motion[..., :6], body.rotation_center
+    moved = displacement(own, point.position, center)
+    for mode, amplitude in shapes_of(body, motion, point.body):
+        size = 1.0 + float(np.abs(point.position).max())
+        place = np.asarray(point.position, float)[None]
+        (g,) = gradients(mode.shape.displacement, place, size)
+        turn = 0.5 * np.array([g[2, 1] - g[1, 2], g[0, 2] - g[2, 0], g[1, 0] - g[0, 1]])
+        moved = moved + amplitude[..., None] * mode.shape.displacement(place)[0]
+        own = own + amplitude[..., None] * np.append(np.zeros(3), turn)
+    return moved, own
+
+
+def shapes_of(body, motion, name=""):
+    """[(`bem.modes.Mode`, its amplitudes (q, p))] of one of the bodies of a `Reader`; motion : (q, p, n) of all"""
+    owner = [one.name for one in body.bodies].index(name) if body.bodies else 0
+    return [(mode, motion[..., d]) for d, mode in enumerate(body.modes, body.rigid) if mode.body == owner]
+
+
+def of_station(body, motion, station):
+    """[(word, unit, (q, p))] of a Station: deflection and twist of the beam alone, EI w″, EI w‴ and GJ θ′"""
+    made = {}
+    for mode, amplitude in shapes_of(body, motion, station.body):
+        if not isinstance(mode.shape, Beam):
+            continue
+        if mode.turns:
+            parts = ("twist", "rad"), ("torsional moment", "N m")
+        else:
+            kind = mode.shape.kind.partition(" ")[0]
+            parts = (f"{kind} deflection", "m"), (f"{kind} bending moment", "N m"), (f"{kind} shear force", "N")
+        for key, unit in zip(parts, (mode.shape.along(station.x), *mode.shape.loads(station.x)), strict=True):
+            made[key] = made.get(key, 0.0) + amplitude * unit
+    return [(*key, value) for key, value in made.items()]
 
 
 def apart(body, motion, first, second):

@@ -114,6 +114,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     hull : `conditions.ExposedBox`, of several bodies {name: ExposedBox}; allowable : fraction of the breaking load
     raises : ValueError naming what does not fit or has no solution
     """
+    db.require_rigid()
     hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader
     _check(db, system, hulls, allowable)
     if not db.bodies:

@@ -29,8 +29,8 @@ def failures(result, stiffness, years=None, words=ONE_BODY):
 
     stiffness : (n, n) restoring of the body, N m/rad, with its mooring, or None; words : (n,) names of its motions
     """
-    for mode in range(len(words)):
-        if mode % 6 in (3, 4) and stiffness is not None and stiffness[mode, mode] < 0:
+    for mode in [d for d, word in enumerate(words) if word.split()[-1] in ("roll", "pitch")]:
+        if stiffness is not None and stiffness[mode, mode] < 0:
             yield fails(
                 f"the body capsizes: its restoring in {words[mode]} is {stiffness[mode, mode] / KN:.4g} kN m/rad"
                 ", limit 0; lower its centre of gravity or make it wider"

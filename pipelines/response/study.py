@@ -117,6 +117,37 @@ class PointTable(Table):
     body: str = ""
 
 
+class StationTable(Table):
+    """Sections of a beam that bends, whose deflection, bending moment, shear and torsion are wanted
+
+    x : m, in coordinates of the body
+    body : name of one of several bodies
+    """
+
+    x: list[float]
+    body: str = ""
+
+    def stations(self, where, db):
+        """[`mooring.response.points.Station`].  Raises StudyError."""
+        from hakobune.bem.flexible.beams import Beam
+        from hakobune.mooring.response.points import Station
+
+        known = [body.name for body in db.bodies]
+        if self.body not in (known or [""]):
+            raise StudyError(f"{where}.body is {self.body!r}; allowed: {', '.join(known) or 'left out, there is one'}")
+        owner = known.index(self.body) if known else 0
+        beams = [m.shape for m in db.modes if m.body == owner and isinstance(m.shape, Beam)]
+        if not beams:
+            raise StudyError(
+                f"{where} is given, and {self.body or 'the body'} is no beam; solve its scene with [[modes]], or leave "
+                "the stations out"
+            )
+        outside = [x for x in self.x if not beams[0].start <= x <= beams[0].end]
+        if outside:
+            raise StudyError(f"{where}.x has {outside[0]:g}; allowed: {beams[0].start:g} to {beams[0].end:g}, the beam")
+        return [Station(f"{self.body} x {x:g}".strip(), x, self.body) for x in self.x]
+
+
 class RelativeTable(Table):
     """Two points of two bodies whose relative motion is wanted: a gangway, a hose, a fender
 
@@ -216,6 +247,7 @@ class ResponseStudy(Table):
     body: BodyTable = msgspec.field(default_factory=BodyTable)
     points: list[PointTable] = msgspec.field(default_factory=list)
     relative: list[RelativeTable] = msgspec.field(default_factory=list)
+    stations: list[StationTable] = msgspec.field(default_factory=list)
     hinges: list[HingeTable] = msgspec.field(default_factory=list)
     keel: KeelTable | None = None
 
@@ -228,7 +260,7 @@ class ResponseStudy(Table):
             _check_damping(damping, body.words)
         body = body.restrained(damping, stiffness)
         if stiffness is not None:
-            _check_stable(body.stiffness, body.words)
+            _check_stable(body.stiffness, body.words, body.rigid)
         return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
 
     def linked(self, body, db):
@@ -264,7 +296,8 @@ class ResponseStudy(Table):
             _check_body_of(f"points[{i}]", point, db.bodies)
         points = [Point(point.name, point.position, point.clearance, point.body) for point in self.points]
         pairs = [_pair(f"relative[{i}]", one, points, db) for i, one in enumerate(self.relative)]
-        return points + pairs + (keel_points(self.keel, db) if self.keel else [])
+        stations = [one for i, table in enumerate(self.stations) for one in table.stations(f"stations[{i}]", db)]
+        return points + pairs + stations + (keel_points(self.keel, db) if self.keel else [])
 
 
 def viscous_laws(study, db):
@@ -432,9 +465,9 @@ def _check_damping(matrix, words):
         raise StudyError(f"body.damping gives energy to {words[worst]}, {value:.4g} of it; allowed: at least 0")
 
 
-def _check_stable(stiffness, words):
+def _check_stable(stiffness, words, rigid):
     """Raise StudyError for a body that sinks or capsizes with the stiffness of the study"""
-    restored = [d for d in range(len(words)) if d % 6 in (2, 3, 4)]
+    restored = [d for d in range(rigid) if d % 6 in (2, 3, 4)]
     upright = stiffness[np.ix_(restored, restored)]
     least, worst = _least(upright)
     if not least > 0:

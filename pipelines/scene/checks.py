@@ -11,6 +11,7 @@ import numpy as np
 from hakobune.meshing.surface.patches import counter_clockwise
 
 from .methods import check_method
+from .shapes import check_modes
 from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, listed
 from .viscous_table import viscous_of
 
@@ -27,6 +28,7 @@ def check(scene):
     _check_bodies(scene)
     _check_waves(scene)
     _check_damping_lids(scene)
+    check_modes(scene)
     _check_rest(scene)
 
 
@@ -191,6 +193,8 @@ def _check_waves(scene):
     key = given[0]
     if key == "band" and scene.several:
         raise SceneError("waves.band places frequencies for one body, there are several; give omegas or periods")
+    if key == "band" and scene.modes:
+        raise SceneError("waves.band places frequencies for rigid bodies, there are modes; give omegas or periods")
     if key == "xi_B" and scene.several:
         raise SceneError("waves.xi_B needs one body with a beam, there are several; give omegas or periods")
     if key == "xi_B" and scene.body.shape == "mesh":

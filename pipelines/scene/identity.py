@@ -19,14 +19,18 @@ from ..common.typed import typed
 from .scene import Scene, SceneError
 
 MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
-FILE = re.compile(r"bodies\[\d+\]\.file")
-FREE = re.compile(r"bodies\[\d+\]\.(mass|center_of_gravity|gyration|viscous)|viscous\.")  # of the free body alone
+FILE = re.compile(r"(bodies|modes)\[\d+\]\.file")
+FREE = re.compile(  # of the free body alone
+    r"bodies\[\d+\]\.(mass|center_of_gravity|gyration|viscous)|viscous\."
+    r"|modes\[\d+\]\.(EI|GJ|mass|stiffness|damping|mass_per_length|inertia_per_length)$"
+)
 SAME = 1e-6  # of the hull: what is left of its points in mesh files
 
 
 def contents(scene):
-    """`content` of the mesh files of a scene, joined by "; ", None where there is none"""
-    return "; ".join(content(body.file) for body in scene.bodies if body.file is not None) or None
+    """`content` of the mesh files of a scene, then of those of its shapes, joined by "; ", None where there is none"""
+    tables = (*scene.bodies, *(scene.modes or ()))
+    return "; ".join(content(table.file) for table in tables if table.file is not None) or None
 
 
 def content(path):
@@ -50,6 +54,9 @@ def fixed_part(scene, mesh_file=None):
             del body["fixed"]  # which files from before do not know
         if body["file"] is not None:
             body["file"] = next(contents, "") or content(body["file"])
+    for mode in raw["modes"] or ():
+        if mode["file"] is not None:
+            mode["file"] = next(contents, "") or content(mode["file"])
     return {key: repr(value) for key, value in _flat(raw) if value is not None}
 
 

@@ -59,7 +59,7 @@ def names_given(scene, names, named):
         if refused[0] == POWER and not scene.damping_lids:
             raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
         if refused[0] in OF_EACH:
-            raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
+            raise ValueError(f"want has {refused[0]}, which a scene of several rigid bodies has; leave it out")
         others = [name for name, other in METHODS.items() if refused[0] not in _lacking(scene, other)]
         raise ValueError(
             f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
@@ -91,7 +91,7 @@ def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
     beside_wall = FAR_FIELD if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
-    alone = () if scene.several else tuple(OF_EACH)
+    alone = () if scene.several and not scene.modes else tuple(OF_EACH)
     lidless = () if scene.damping_lids else (POWER,)
     return method.without + beside_wall + deep + alone + lidless
 
@@ -120,6 +120,8 @@ def _obstacles(scene, method):
             )
     if scene.damping_lids and method is not METHODS["panel"]:
         out.append("knows no damping lids")
+    if scene.modes and not method.panels:
+        out.append("knows the six rigid motions alone, not [[modes]]")
     if scene.wall is not None and not method.wall:
         out.append("knows no wall")
     return out

@@ -25,6 +25,7 @@ from .tables import (
     SHAPES,
     BodyTable,
     DampingLidTable,
+    ModeTable,
     SceneError,
     SceneTable,
     Water,
@@ -44,6 +45,7 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
     lid : whether there is an interior lid against irregular frequencies
     wall : m, y of a vertical wall along x that reflects all waves
     damping_lids : water between hulls or in moonpools that takes energy
+    modes : shapes that bodies bend or twist in, by panels
     """
 
     water: Water
@@ -57,6 +59,7 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
     lid: bool = True
     wall: float | None = None
     damping_lids: list[DampingLidTable] | None = None
+    modes: list[ModeTable] | None = None
     viscous: ViscousTable | None = None
 
     @property
@@ -74,7 +77,7 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
         body = self.bodies[number]
         own = replace(body, name=None, place=None, rotation_center=None, fixed=False, viscous=None)
         center = body.rotation_center or (0.0, 0.0, 0.0)
-        return replace(self, bodies=[own], rotation_center=center, method="panel", viscous=None)
+        return replace(self, bodies=[own], rotation_center=center, method="panel", viscous=None, modes=None)
 
     @property
     def accuracy(self):
@@ -143,10 +146,10 @@ def read_scene(path):
     other = of_another(raw, Scene)
     if other:
         raise SceneError(other)
-    bodies = raw.get("bodies")
-    for body in bodies if isinstance(bodies, list) else ():
-        if isinstance(body, dict) and isinstance(body.get("file"), str):
-            body["file"] = str(path.parent / body["file"])
+    tables = [one for key in ("bodies", "modes") if isinstance(raw.get(key), list) for one in raw[key]]
+    for table in tables:
+        if isinstance(table, dict) and isinstance(table.get("file"), str):
+            table["file"] = str(path.parent / table["file"])
     return raw
 
 

@@ -102,6 +102,41 @@ class BodyTable(SceneTable):
     viscous: Laws | None = None
 
 
+class ModeTable(SceneTable):
+    """Shapes that a body bends or twists in: the lowest of a free beam along x, or one from a file
+
+    kind : "vertical bending", "horizontal bending", "torsion" or "file"
+    body : name of one of several bodies
+    count : shapes of a beam, the lowest first
+    EI : N m², of bending
+    GJ : N m², of torsion
+    length : m, of the beam about the middle of the hull, left out: that of the hull
+    mass_per_length : kg/m, left out: mass over length
+    inertia_per_length : kg m, of torsion, left out: mass times kxx² over length
+    axis_height : m, z of the neutral axis, of torsion of the shear centre
+    damping : of critical, of each shape out of water
+    file : rows x, y, z (m, of the body), ux, uy, uz of a unit of the shape, and mass (kg) where it is known
+    name : of the shape in a file
+    stiffness : N/m, of the shape in a file
+    mass : kg, of the shape in a file that has no masses
+    """
+
+    kind: str
+    body: str | None = None
+    count: int = 4
+    EI: float | None = None
+    GJ: float | None = None
+    length: float | None = None
+    mass_per_length: float | None = None
+    inertia_per_length: float | None = None
+    axis_height: float = 0.0
+    damping: float = 0.0
+    file: str | None = None
+    name: str | None = None
+    stiffness: float | None = None
+    mass: float | None = None
+
+
 class DampingLidTable(SceneTable):
     """Water between hulls or in a moonpool that takes energy, in place of the eddies of the real flow
 

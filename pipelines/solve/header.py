@@ -15,6 +15,7 @@ from ..scene.identity import MESH_FILE, contents, fixed_part, scene_hash
 from ..scene.scene import SceneError
 from ..scene.text import to_toml
 from .arrangement import bodies_of, in_scene, own_hulls
+from .shapes import modes_of, with_modes
 
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
@@ -31,6 +32,7 @@ def make_header(scene, hull):
         theta=kochin_angles(scene, hull.mesh, scene.shortest_wave),
         body=body_properties(scene, hull.mesh),
         bodies=bodies_of(scene),
+        modes=modes_of(scene, hull.mesh),
         dimensions=scene.dimensions,
         scene=to_toml(scene),
         scene_hash=scene_hash(fixed_part(scene)),
@@ -41,9 +43,10 @@ def make_header(scene, hull):
 def body_properties(scene, mesh):
     """{name of `bem.database.schema.BODY`: value} of the body; no inertia matrix without radii of gyration.
 
-    Of several bodies: one row for each, matrices (6N, moving) about the own point of each in its own axes.
+    Of several bodies: one row for each, matrices (6N, moving) about the own point of each in its own axes; of shapes,
+    one row and column each after all bodies.
     """
-    return _of_several(scene, mesh) if scene.several else _of_one(scene, mesh)
+    return with_modes(_of_several(scene, mesh) if scene.several else _of_one(scene, mesh), scene, mesh)
 
 
 def each_body(scene, mesh, body):

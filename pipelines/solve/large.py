@@ -100,7 +100,8 @@ def check_database(header, frequencies, headings, names):
 
     header : `bem.database.file.Header`; frequencies, headings : how many; names : of the quantities
     """
-    lengths = {"influenced_dof": len(names_of(header.bodies)), "radiating_dof": len(moving(header.bodies))}
+    lengths = {"influenced_dof": len(names_of(header.bodies, header.modes))}
+    lengths["radiating_dof"] = len(moving(header.bodies, header.modes))
     lengths |= {"drift_dof": 3, "body": max(1, len(header.bodies))}
     lengths |= {
         "omega": frequencies,

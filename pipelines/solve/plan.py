@@ -23,6 +23,7 @@ from .hull import make_hull, stored_hull
 from .large import check_database
 from .problem import problem_of
 from .remarks import remarks
+from .shapes import modes_of
 from .weight import check_weight
 
 KOCHIN = {"kochin_radiation", "kochin_diffraction"}
@@ -66,7 +67,7 @@ def resumed(scene, file):
     header = replace(db.header, scene=to_toml(scene))
     if moved:
         fixed = scene_hash(fixed_part(scene))
-        header = replace(header, body=body_properties(scene, db.mesh), scene_hash=fixed)
+        header = replace(header, body=body_properties(scene, db.mesh), modes=modes_of(scene, db.mesh), scene_hash=fixed)
     scene = _by_the_same_method(scene, header, db.path)
     header = _with_angles(scene, db, pending(file), header)
     plan = _plan(scene, stored_hull(scene, header), header)

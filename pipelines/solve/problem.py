@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.modes import moving, names_of
 from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
@@ -12,6 +15,7 @@ from .arrangement import bodies_of
 from .gaps.damping_lids import damping_lids_of
 from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band
+from .shapes import modes_of
 
 
 def problem_of(header, scene):
@@ -28,12 +32,27 @@ def problem_of(header, scene):
         "tolerance": scene.accuracy,
     }
     method = scene.solved_by
+    if scene.modes:
+        body |= _with_modes(header, scene, body)
     if METHODS[method].panels:
         return _panel_problem(header, scene, body)
     lengths = tuple(scene.dimensions.values())
     panels = _panel_problem(header, scene, body) if "pressure" in scene.names() else None
     omegas = scene.omegas() if scene.waves.band is None else ()
     return ShapeProblem(method=method, shape=scene.body.shape, sizes=lengths, panels=panels, omegas=omegas, **body)
+
+
+def _with_modes(header, scene, body):
+    """What shapes change of the arguments of a problem"""
+    modes = modes_of(scene, header.mesh)
+    names = names_of(body["bodies"], modes)
+    moved = tuple(names[d] for d in moving(body["bodies"], modes))
+    return {
+        "modes": modes,
+        "hydrostatic_stiffness": header.body["hydrostatic_stiffness"] + header.body["structural_stiffness"],
+        "structural_damping": header.body["structural_damping"],
+        "viscous": body["viscous"] and replace(body["viscous"], names=moved),
+    }
 
 
 def _panel_problem(header, scene, body):

@@ -141,7 +141,7 @@ def checks_table(checks):
 
 def resonances_of(db):
     """A line for each resonance of the freely floating body of a database"""
-    if db.bodies or "rao" not in db.names or not len(db.omega):
+    if db.bodies or db.modes or "rao" not in db.names or not len(db.omega):
         return []
     try:
         body = db.reader
@@ -196,7 +196,7 @@ def _body_rows(db):
 
 def _free_periods(db):
     """Heave, roll and pitch of the free body; a period outside the stored band, where A is held, is marked by ~"""
-    if db.bodies or "added_mass" not in db.names or not len(db.omega):
+    if db.bodies or db.modes or "added_mass" not in db.names or not len(db.omega):
         return
     try:
         if db.reader.inertia is None:

@@ -56,7 +56,7 @@ def waves(
     where = "in a body or between bodies" if db.bodies else "in the body"
     notes = [line for line in said if line not in failing(said)] + [f"{name} is {where}" for name in inside]
     return Result(
-        "waves", {**_waves(around), **_heights(places), **_map(around, found, len(db.bodies_reader.words))},
+        "waves", {**_waves(around), **_heights(places), **_map(around, found, db.bodies_reader)},
         labels("place", list(places)) | labels("y", found.y, "m") | labels("x", found.x, "m")
         | labels("motion", db.bodies_reader.words),
         tuple(failing(said)), tuple(notes), provenance=provenance("", db), detail=found,
@@ -94,9 +94,9 @@ def _heights(places):
     }, "place")  # fmt: skip
 
 
-def _map(around, found, count):
-    motion = np.full(count, np.nan + 0j) if around.motion is None else around.motion
-    units = ("m/m", "m/m", "m/m", "rad/m", "rad/m", "rad/m") * (count // 6)
+def _map(around, found, body):
+    motion = np.full(len(body.words), np.nan + 0j) if around.motion is None else around.motion
+    units = tuple("rad/m" if turns else "m/m" for turns in body.turning)
     return (
         quantities("", {"far_field.missed": (around.missed, "%", "share of the far field that the sources miss")})
         | quantities("", {"body.motion": (motion, units, "motion of the body")}, "motion")

@@ -1,0 +1,1 @@
+"""Bodies that bend: shapes beyond the six rigid motions, what they weigh, and what holds them."""

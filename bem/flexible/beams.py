@@ -1,0 +1,140 @@
+"""Free-free shapes of a uniform Euler–Bernoulli beam, and the load that they say about it.
+
+    w(s) = ½ {cos μs/cos μ + cosh μs/cosh μ},  tan μ + tanh μ = 0        even about the middle
+    w(s) = ½ {sin μs/sin μ + sinh μs/sinh μ},  tan μ − tanh μ = 0        odd
+    θ(s) = cos(nπ(1 + s)/2)                                              torsion
+
+s from −1 to 1 over the length L, the forward end moves by 1 m or 1 rad.  With β = 2μ/L
+
+    ∫ m w² dx = mL/4,  ∫ EI w″² dx = EI β⁴ L/4,      ∫ I θ² dx = IL/2,  ∫ GJ θ′² dx = GJ (nπ/L)² L/2
+
+Sections stay plane and upright to the axis: u = (−(z − z₀) w′, 0, w) in vertical bending, (−y w′, w, 0) in horizontal,
+θ (0, −(z − z₀), y) in torsion: with the turn ω = (θ, −w′, v′) of a section
+u = (0, v, w) + ω × a, a = (0, y, z − z₀).  The axis keeps its length, and so products of two shapes move points by
+
+    u_ij = ½ {ω_i (ω_j·a) + ω_j (ω_i·a)} − (ω_i·ω_j) a − (∫ (w_i′w_j′ + v_i′v_j′) dx, 0, 0)
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq
+
+STEPS = 4001  # places along a beam of the integral of two slopes
+BENDING = ("vertical bending", "horizontal bending")
+KINDS = (*BENDING, "torsion")
+
+
+class Beam(NamedTuple):
+    """One shape of a beam along x.
+
+    kind : of KINDS; number : from 1; start, end : m, x of its ends; height : m, z₀ of the neutral axis or shear centre
+    rigidity : EI or GJ, N m²; per_length : kg/m, in torsion kg m
+    """
+
+    kind: str
+    number: int
+    start: float
+    end: float
+    height: float
+    rigidity: float
+    per_length: float
+
+    @property
+    def length(self):
+        """m"""
+        return self.end - self.start
+
+    @property
+    def turns(self):
+        """Whether its amplitude is in rad"""
+        return self.kind == "torsion"
+
+    @property
+    def mass(self):
+        """kg or kg m², of the shape"""
+        return self.per_length * self.length / (2 if self.turns else 4)
+
+    @property
+    def stiffness(self):
+        """N/m or N m/rad, of the shape"""
+        return self.mass * self.rigidity / self.per_length * self._wavenumber ** (2 if self.turns else 4)
+
+    def along(self, x, slope=0):
+        """w or θ, or a derivative of it along x, at x (…,) m; 1/m for each derivative"""
+        s = 2 * (np.asarray(x, float) - self.start) / self.length - 1
+        if self.turns:
+            turn = 0.5 * np.pi * self.number
+            return self._wavenumber**slope * np.cos(turn * (1 + s - 2) + slope * np.pi / 2)
+        return self._wavenumber**slope * bent(self.number, s, slope)
+
+    def displacement(self, points):
+        """(…, 3) m per m or rad at points (…, 3) m"""
+        x, y, z = np.moveaxis(np.asarray(points, float), -1, 0)
+        w, arm, none = self.along(x), z - self.height, np.zeros_like(x)
+        if self.turns:
+            parts = none, -arm * w, y * w
+        elif self.kind == "vertical bending":
+            parts = -arm * self.along(x, 1), none, w
+        else:
+            parts = -y * self.along(x, 1), w, none
+        return np.stack(parts, axis=-1)
+
+    def turn(self, x):
+        """(…, 3) ω of the sections at x (…,) m"""
+        slope, none = self.along(x, 0 if self.turns else 1), np.zeros_like(x)
+        return np.stack({"torsion": (slope, none, none), BENDING[0]: (none, -slope, none)}.get(
+            self.kind, (none, none, slope)), axis=-1)  # fmt: skip
+
+    def loads(self, x):
+        """Of a unit of the shape at x (…,) m: bending moment EI w″, N m, and shear force EI w‴, N; in torsion the
+        moment GJ θ′ alone"""
+        if self.turns:
+            return (self.rigidity * self.along(x, 1),)
+        return self.rigidity * self.along(x, 2), self.rigidity * self.along(x, 3)
+
+    @property
+    def _wavenumber(self):
+        return np.pi * self.number / self.length if self.turns else 2 * half_turns(self.number) / self.length
+
+
+def second(beams, points):
+    """(n, n, q, 3) u_ij m of beams of one axis at points (q, 3) m"""
+    points = np.asarray(points, float)
+    first = beams[0]
+    arm = points * [0, 1, 1] - [0, 0, first.height]
+    turns = np.array([one.turn(points[:, 0]) for one in beams])
+    both = np.einsum("iqa,jqa->ijq", turns, turns)
+    along = np.einsum("iqa,qa->iq", turns, arm)
+    out = 0.5 * (turns[:, None] * along[None, :, :, None] + turns[None] * along[:, None, :, None])
+    out -= both[..., None] * arm
+    x = np.linspace(first.start, first.end, STEPS)
+    slopes = np.array([one.turn(x) * [0, 1, 1] for one in beams])
+    rate = np.einsum("ixa,jxa->ijx", slopes, slopes)
+    shift = np.concatenate(
+        [np.zeros((*rate.shape[:2], 1)), np.cumsum(rate[..., 1:] + rate[..., :-1], axis=-1)], axis=-1
+    )
+    shift *= 0.5 * (x[1] - x[0])
+    for i, j in np.ndindex(shift.shape[:2]):
+        out[i, j, :, 0] -= np.interp(points[:, 0], x, shift[i, j] - shift[i, j, STEPS // 2])
+    return out
+
+
+def half_turns(number):
+    """μ of a bending shape: roots of tan μ ± tanh μ = 0"""
+    middle = (number / 2 + 0.25) * np.pi  # tanh μ is 1 to rounding but for the first ones
+    sign = 1 if number % 2 else -1
+    return brentq(lambda m: np.sin(m) + sign * np.tanh(m) * np.cos(m), middle - 0.3, middle + 0.3, xtol=1e-15)
+
+
+def bent(number, s, slope=0):
+    """w, or a derivative of it by μs, at s (…,) from −1 to 1"""
+    mu, s = half_turns(number), np.asarray(s, float)
+    even, shift = number % 2 == 1, slope * np.pi / 2
+    wave = np.cos(mu * s + shift) / np.cos(mu) if even else np.sin(mu * s + shift) / np.sin(mu)
+    odd = bool(slope % 2) == even  # which of sinh and cosh the derivative is
+    up, down = np.exp(mu * (s - 1)), np.exp(-mu * (s + 1))
+    edge = (up - down if odd else up + down) / (1 + np.exp(-2 * mu) if even else 1 - np.exp(-2 * mu))
+    return 0.5 * (wave + edge)

@@ -1,0 +1,62 @@
+"""Mass and restoring of rigid motions and of shapes, from displacements u_i and their products u_ij.
+
+    x = X + Σ ξ_i u_i(X) + ½ Σ ξ_i ξ_j u_ij(X),        M_ij = ∫ u_i·u_j dm
+    C_ij = −ρg ∬ {(w_i + z ∇·u_i) u_j·n + z (u_ij − (u_j·∇) u_i)·n} dS + g ∫ w_ij dm
+
+n out of the body, w vertical: the second derivatives of the potential energy of water and weight, so that C = Cᵀ.  The
+first part is that of J. N. Newman (Wave effects on deformable bodies, Applied Ocean Research 16, 1994), z ∇·u that of a
+wetted surface that deforms.  With a rotation about e, u_ij = e × u_j and the second part is zero; of rigid motions C is
+the classical matrix.  Beams know their u_ij (`beams.second`): pressure on their ends compresses them.  Of shapes from
+files nothing is known of it, and ½ {(u_j·∇) u_i + (u_i·∇) u_j} is taken.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+STEP = 1e-5  # of the size of the body, of differences: 1e-10 of a gradient by rounding, less by the third derivative
+
+
+def gradients(displacement, points, size):
+    """(q, 3, 3) ∂u_a/∂x_b of a function of points (q, 3) m; size : m, of the body"""
+    step = STEP * size
+    sides = [(displacement(points + d) - displacement(points - d)) / (2 * step) for d in step * np.eye(3)]
+    return np.stack(sides, axis=-1)
+
+
+def inertia(displacements, masses):
+    """(m, m) kg, of displacements (m, p, 3) at points of mass (p,) kg"""
+    return np.einsum("ipa,jpa,p->ij", displacements, displacements, masses)
+
+
+def of_weight(displacements, slopes, masses, gravity, rigid, second=None):
+    """(m, m) N/m; displacements (m, p, 3) and gradients (m, p, 3, 3) at points of mass (p,) kg
+
+    rigid : how many of the motions are rigid, the first ones; second : (f, f, p, 3) u_ij of the others, or None
+    """
+    out = np.einsum("ipb,jpb,p->ij", slopes[:, :, 2], displacements, masses)
+    if second is not None:
+        out[rigid:, rigid:] = second[..., 2] @ masses
+    return gravity * _symmetric(out, rigid)
+
+
+def of_water(displacements, slopes, depths, area_vectors, density, gravity, rigid, second=None):
+    """(m, m) N/m; displacements (m, q, 3) and gradients (m, q, 3, 3) at points of the hull z (q,) m
+
+    area_vectors : (q, 3) m², out of the body; rigid, second : as of `of_weight`
+    """
+    rise = displacements[:, :, 2] + depths * np.einsum("iqaa->iq", slopes)
+    out = rise @ np.einsum("jqa,qa->qj", displacements, area_vectors)
+    if second is not None:
+        pressed, flexible = depths[:, None] * area_vectors, slice(rigid, None)
+        carried = np.einsum("iqab,jqb,qa->ij", slopes[flexible], displacements[flexible], pressed)
+        out[flexible, flexible] += np.einsum("ijqa,qa->ij", second, pressed) - carried
+    return -density * gravity * _symmetric(out, rigid)
+
+
+def _symmetric(matrix, rigid):
+    """With what shapes do to rigid motions as rigid motions do to shapes, whose u_ij is known"""
+    matrix[rigid:, :rigid] = matrix[:rigid, rigid:].T
+    own = matrix[rigid:, rigid:]
+    matrix[rigid:, rigid:] = 0.5 * (own + own.T)
+    return matrix

@@ -1,0 +1,68 @@
+"""A shape known at points, as a finite-element program gives it, everywhere on the hull.
+
+    u(x) = Σ c_k |x − x_k|³ + a + Bx        (polyharmonic spline, which rigid motions are reproduced by to rounding)
+
+Points that lie in a plane, or on a line, say nothing across it: there the shape is taken as constant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+FLAT = 1e-6  # of the extent of the points: they lie in a plane or on a line
+MOST = 1500  # points of one system of equations; of more each place takes the nearest of them
+NEAREST = 60
+FEWEST = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """points : (n, 3) m, of the body; displacements : (n, 3) m per unit of the shape; masses : (n,) kg, or None"""
+
+    points: np.ndarray
+    displacements: np.ndarray
+    masses: np.ndarray | None = None
+
+    turns = False
+
+    def displacement(self, points):
+        """(…, 3) at points (…, 3) m"""
+        points = np.asarray(points, float)
+        return self._spline(self._own(points.reshape(-1, 3))).reshape(points.shape)
+
+    def error(self, points):
+        """Of the largest displacement, at points (n, 3) m of a hull: what a spline of |x − x_k| has otherwise
+
+        Three to ten times the true error of shapes of a beam; nothing is known of what points in a plane do not say.
+        """
+        rough = _spline(self._own(self.points), self.displacements, "linear")(self._own(points))
+        gap = np.linalg.norm(rough - self.displacement(points), axis=1).max()
+        return float(gap / np.linalg.norm(self.displacements, axis=1).max())
+
+    @property
+    def dimensions(self):
+        """In how many directions the points extend: 3, or 2 in a plane, or 1 on a line"""
+        return self._axes.shape[1]
+
+    @cached_property
+    def _axes(self):
+        """(3, d) directions that the points extend in"""
+        _, sizes, axes = np.linalg.svd(self.points - self.points.mean(axis=0), full_matrices=False)
+        return axes[sizes > FLAT * sizes[0]].T
+
+    def _own(self, points):
+        return (points - self.points.mean(axis=0)) @ self._axes
+
+    @cached_property
+    def _spline(self):
+        return _spline(self._own(self.points), self.displacements)
+
+
+def _spline(points, values, kernel="cubic"):
+    from scipy.interpolate import RBFInterpolator
+
+    near = NEAREST if len(points) > MOST else None
+    return RBFInterpolator(points, values, neighbors=near, kernel=kernel, degree=1)

@@ -1,0 +1,81 @@
+"""A flat strip that bends across its length in beam waves: a mat, a flexible breakwater, in two dimensions.
+
+    {−ω²[M + A] − iωB + [C + K]} ξ = F
+
+over heave, roll and the free-free shapes of `bem.flexible.beams` along y, per metre of length; K is their stiffness, C
+that of `bem.flexible.coupling`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..flexible.beams import Beam, second
+from ..flexible.coupling import gradients, of_water
+from ..waves import wavenumber
+from .any_section import PER_RADIAN, AnyFlow, shape
+from .outline import rectangle
+
+TOLERANCE = 1e-4
+
+
+class BendingStrip(NamedTuple):
+    """Of one frequency in a wave of 1 m towards +y.
+
+    y : (n,) m; deflection : (n,) complex m, upwards; moment, shear : (n,) complex N m and N per metre, EI w″ and EI w‴
+    reflection, transmission : complex, both referred to y = 0
+    """
+
+    y: np.ndarray
+    deflection: np.ndarray
+    moment: np.ndarray
+    shear: np.ndarray
+    reflection: complex
+    transmission: complex
+
+
+def bending_strip(
+    width, rigidity, mass, depth, omega, *, shapes=8, draft=None, count=101, density=1025.0, gravity=9.80665,
+    tolerance=TOLERANCE,
+):  # fmt: skip
+    """`BendingStrip` of a flat strip.
+
+    width : m; rigidity : D, N m; mass : kg/m²; depth : m; omega : rad/s; shapes : of bending; count : places along y
+    draft : m, None for that of its weight; theories of thin plates have none
+    raises : ValueError as `any_section`
+    """
+    draft = mass / density if draft is None else draft
+    wetted = rectangle(width, 2 * draft).wetted(draft)
+    longest = PER_RADIAN / float(wavenumber(omega, depth, gravity))
+    made = shape(wetted.edges, depth, float(2.0 ** np.floor(np.log2(longest))), tolerance)
+    beams = [Beam("vertical bending", n, -width / 2, width / 2, 0.0, rigidity, mass) for n in range(1, shapes + 1)]
+    motions = [_heave, _roll, *(one.displacement for one in beams)]
+    p, n = made.points[made.body], made.normals[made.body]
+    points, normals = (np.stack([v.real, np.zeros(len(v)), v.imag], axis=1) for v in (p, n))
+    u = np.array([motion(points) for motion in motions])
+    slopes = np.array([gradients(motion, points, width) for motion in motions])
+    flow = AnyFlow(made, omega, gravity, velocities=np.einsum("iqa,qa->qi", u, normals))
+    areas = made.weights[made.body, None] * normals
+    pairs = second(beams, points) if beams else None
+    stiffness = of_water(u, slopes, p.imag, areas, density, gravity, 2, pairs)
+    stiffness += np.diag([0.0, 0.0, *(one.stiffness for one in beams)])
+    inertia = np.diag([mass * width, mass * width**3 / 12, *(one.mass for one in beams)])
+    water = -density * flow.forces(flow.potentials[:, :-2])
+    force = -1j * density * omega * (flow.forces(flow.potentials[:, -2]) + flow.incident_forces)
+    xi = np.linalg.solve(-(omega**2) * (inertia + water) + stiffness, force)
+    y = np.linspace(-width / 2, width / 2, count)
+    along = np.stack([np.ones(count), y, *(one.along(y) for one in beams)])
+    loads = np.array([one.loads(y) for one in beams]).reshape(shapes, 2, count)
+    R, T = flow.scattered(+1)
+    back, on = -1j * omega * (flow.waves[:, :-2] @ xi) / (-1j * gravity / omega)
+    return BendingStrip(y, xi @ along, *np.tensordot(xi[2:], loads, 1), complex(R + back), complex(T + on))
+
+
+def _heave(points):
+    return np.broadcast_to([0.0, 0.0, 1.0], points.shape)
+
+
+def _roll(points):
+    return np.stack([-points[:, 2], np.zeros(len(points)), points[:, 0]], axis=1)

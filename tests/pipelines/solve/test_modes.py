@@ -1,0 +1,171 @@
+"""A scene of a body that bends, from its tables to its database and what studies take from it."""
+
+import re
+
+import numpy as np
+import pytest
+
+from hakobune.bem.database import DatabaseError, open_database
+from hakobune.bem.flexible.beams import Beam
+from hakobune.bem.formats.values import values_of
+from hakobune.bem.motions import response as motions
+from hakobune.bem.stored_laws import broken_laws
+from hakobune.mooring.response.points import Point, Station, transfer_functions
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.run import solve
+from hakobune.pipelines.view.deflection import axis_rise, deflections
+
+RHO, G = 1025.0, 9.80665
+HULL = {"shape": "box", "length": 24.0, "beam": 6.0, "draft": 1.2, "gyration": [1.9, 7.0, 7.2],
+        "center_of_gravity": [0.0, 0.0, 0.3]}  # fmt: skip
+BENDING = {"kind": "vertical bending", "count": 2, "EI": 4e7, "damping": 0.02, "axis_height": -0.2}
+TORSION = {"kind": "torsion", "count": 1, "GJ": 5e7}
+
+
+def tables(*modes, body=HULL, **more):
+    waves = {"omegas": [1.0, 1.6], "headings_deg": [0.0, 50.0]}
+    given = {"water": {"depth": 9.0}, "bodies": [body], "waves": waves, "panels": 120}
+    return given | ({"modes": list(modes)} if modes else {}) | more
+
+
+@pytest.fixture(scope="module")
+def barge(tmp_path_factory):
+    path = tmp_path_factory.mktemp("bends") / "barge.h5"
+    assert solve(make_scene(tables(BENDING, TORSION)), path).exit_status == 0
+    return path
+
+
+def test_shapes_are_motions_like_the_six(barge):
+    db = open_database(barge)
+    names = ["vertical_bending_1", "vertical_bending_2", "torsion_1"]
+    assert list(db["radiating_dof"][6:]) == names == list(db["influenced_dof"][6:])
+    assert db["added_mass"].shape == (2, 9, 9) and db["rao"].shape == (2, 2, 9)
+    assert db.mesh.symmetry == "xy"  # every shape is even or odd in both
+    assert not broken_laws(db, 0.02)  # reciprocity, energy of all waves, motions by their equation, drift
+    assert max(db.checks()["Haskind"]) < 0.02
+    assert db.bodies_reader.words[6:] == ("vertical bending 1", "vertical bending 2", "torsion 1")
+
+
+def test_structure_by_hand(barge):
+    """mL/4, EI β⁴L/4 and 2ζ√(km) of bending, GJ (π/L)² L/2 of torsion; ρgBL/4 of the waterplane, pressure, weight"""
+    db, mass, beta = open_database(barge), RHO * 6 * 1.2, 4.730041 / 24
+    K, M, D = db.structural_stiffness, db.inertia_matrix, db.structural_damping
+    assert K[6, 6] == pytest.approx(4e7 * beta**4 * 6, rel=1e-5)
+    assert K[8, 8] == pytest.approx(5e7 * (np.pi / 24) ** 2 * 12)
+    turned = 12.370 / 24  # ∫ (w′)² dx of the first shape
+    line = 0.5**2 * mass * turned  # about an axis 0.5 m off
+    assert M[6, 6] == pytest.approx(mass * 6 + line, rel=1e-3)
+    assert D[6, 6] == pytest.approx(2 * 0.02 * np.sqrt(K[6, 6] * mass * 6), rel=1e-5)
+    C = db.hydrostatic_stiffness
+    end = 4 * db.modes[0].shape.along(12.0, 1)
+    by_hand = RHO * G * 6 * 24 / 4 + mass * G * (-0.4 * (end - turned) - 0.5 * turned)  # z_B − z₀, z_G − z₀
+    assert C[6, 6] == pytest.approx(by_hand, rel=1e-3) and np.abs(C - C.T).max() < 1e-6 * C[4, 4]
+    assert C[2, 2] == pytest.approx(RHO * G * 144)
+
+
+def test_a_body_that_cannot_bend_is_rigid(barge, tmp_path):
+    """The same flow with another rigidity needs no solving, and its motions are those of the six alone"""
+    path = tmp_path / "stiff.h5"
+    path.write_bytes(barge.read_bytes())
+    stiff = tables({**BENDING, "EI": 1e18}, {**TORSION, "GJ": 1e18})
+    outcome = solve(make_scene(stiff), path)
+    assert "made anew, without solving" in " ".join(outcome.remarks)
+    db, six = open_database(path), slice(0, 6)
+    A, B, F = db["added_mass"], db["radiation_damping"], db["excitation_force"]
+    for i, omega in enumerate(db.omega):
+        rigid = motions(omega, A[i, six, six], B[i, six, six], F[i, :, six], db.inertia_matrix[six, six],
+                        db.hydrostatic_stiffness[six, six])  # fmt: skip
+        assert np.abs(db["rao"][i, :, six] - rigid).max() < 1e-6 * np.abs(rigid).max()
+
+
+def test_a_shape_from_a_file_is_that_of_the_beam(barge, tmp_path):
+    beam = Beam("vertical bending", 1, -12.0, 12.0, -0.2, 1.0, 1.0)
+    x, y, z = (a.ravel() for a in np.meshgrid(np.linspace(-12, 12, 33), [-3, 0, 3], [-1.2, 0.3], indexing="ij"))
+    points = np.stack([x, y, z], axis=1)
+    mass = np.full((len(x), 1), RHO * 24 * 6 * 1.2 / len(x))
+    rows = np.hstack([points, beam.displacement(points), mass])
+    np.savetxt(tmp_path / "mode.csv", rows, delimiter=",", header="x,y,z,ux,uy,uz,mass")
+    file = {"kind": "file", "name": "first", "file": str(tmp_path / "mode.csv"), "stiffness": 7e5}
+    outcome = solve(make_scene(tables(file)), tmp_path / "file.h5")
+    (said,) = re.findall(r"first: on the hull known within ([\d.]+) %", " ".join(outcome.remarks))
+    db, known = open_database(tmp_path / "file.h5"), open_database(barge)
+    assert db["added_mass"][0, 6, 6] == pytest.approx(known["added_mass"][0, 6, 6], rel=5e-3)
+    assert db["added_mass"][0, 2, 6] == pytest.approx(known["added_mass"][0, 2, 6], rel=1e-2)
+    shape, hull = db.modes[0].shape, db.mesh.whole().centroids
+    assert shape.displacement(points) == pytest.approx(beam.displacement(points), abs=1e-12)
+    off = np.linalg.norm(shape.displacement(hull) - beam.displacement(hull), axis=1).max()
+    assert off < float(said) / 100 < 10 * off
+    (tmp_path / "mode.csv").write_text("\n".join(" ".join(map(str, row)) for row in rows * [1, 1, 1, 2, 2, 2, 1]))
+    with pytest.raises(SceneError, match="file has changed"):
+        solve(make_scene(tables(file)), tmp_path / "file.h5")
+
+
+def test_deflection_and_moment_at_stations_by_hand(barge):
+    db = open_database(barge)
+    body, X = db.bodies_reader.floating(), db["rao"]
+    places = Station("mid", 0.0), Point("bow", (12.0, 0.0, -0.2))
+    found = transfer_functions(body, db.omega, db.wave_direction, places, water=False)
+    at = {name: found.value[..., i] for i, name in enumerate(found.names)}
+    first, second = (mode.shape for mode in db.modes[:2])
+    moment = X[..., 6] * 4e7 * first.along(0.0, 2) + X[..., 7] * 4e7 * second.along(0.0, 2)
+    assert at["mid vertical bending moment"] == pytest.approx(moment)
+    assert at["mid torsional moment"] == pytest.approx(X[..., 8] * 5e7 * np.pi / 24, rel=1e-9)
+    bow = X[..., 2] - 12 * X[..., 4] + X[..., 6] + X[..., 7]  # shapes move the forward end by 1
+    assert at["bow displacement z"] == pytest.approx(bow)
+    assert axis_rise(db, 0, np.array([12.0]))[..., 0] == pytest.approx(bow)
+
+
+def test_a_picture_shows_every_beam(barge, tmp_path):
+    assert len(deflections(open_database(barge), tmp_path / "bending.png").axes) == 1
+
+
+def test_two_bodies_of_which_the_turned_one_bends(tmp_path):
+    """Turned by 90° about z the far body's own numbers stay what they are alone to what the other one scatters"""
+    other = {"name": "pier", "shape": "box", "length": 4.0, "beam": 4.0, "draft": 1.0, "place": [0, 60, 0],
+             "fixed": True}  # fmt: skip
+    given = tables({**BENDING, "body": "barge"})
+    given["bodies"] = [{**HULL, "name": "barge", "place": [5, 0, 90]}, other]
+    given["waves"], given["panels"] = {"omegas": [1.6]}, 200
+    assert solve(make_scene(given), tmp_path / "two.h5").exit_status == 0
+    db = open_database(tmp_path / "two.h5")
+    assert list(db["radiating_dof"][6:]) == ["barge__vertical_bending_1", "barge__vertical_bending_2"]
+    assert db["added_mass"].shape == (1, 14, 8) and "body_drift_force" not in db.names
+    assert not broken_laws(db, 0.03)
+    assert abs(axis_rise(db, 0, np.zeros(1))).max() > 0
+
+
+def test_studies_of_rigid_bodies_say_so(barge):
+    db = open_database(barge)
+    for of_six in (lambda: db.reader, lambda: values_of(db), lambda: values_of(db, several=True)):
+        with pytest.raises(DatabaseError, match=r"3 motions beyond the six.*without \[\[modes\]\]"):
+            of_six()
+
+
+@pytest.mark.parametrize(
+    "modes, more, said",
+    [
+        ([BENDING], {"method": "contour", "panels": None}, "six rigid motions alone"),
+        ([BENDING], {"wall": 30.0}, "modes are there and a wall"),
+        ([{**BENDING, "kind": "hinge"}], {}, "kind is 'hinge'; allowed: vertical bending"),
+        ([{**BENDING, "GJ": 1.0}], {}, "GJ is 1.0; vertical bending has EI"),
+        ([{"kind": "torsion"}], {}, "GJ is missing"),
+        ([{**BENDING, "EI": -1.0}], {}, "EI is -1; allowed: above 0"),
+        ([{**BENDING, "damping": 1.0}], {}, "damping is 1; allowed: 0 to below 1"),
+        ([BENDING, BENDING], {}, "'vertical_bending_1' twice"),
+        ([{**BENDING, "body": "tug"}], {}, "there is one body"),
+        ([{"kind": "file", "name": "Heave", "file": "no.csv", "stiffness": 1.0}], {}, "no rigid motion"),
+        ([{"kind": "file", "name": "one", "file": "no.csv", "stiffness": 1.0}], {}, "there is no such file"),
+    ],
+)
+def test_what_modes_may_not_say(modes, more, said):
+    with pytest.raises(SceneError, match=said.replace("[", r"\[")):
+        make_scene({k: v for k, v in tables(*modes, **more).items() if v is not None})
+
+
+def test_a_shape_that_strains_nothing_is_named(tmp_path):
+    points = np.random.default_rng(1).uniform(-10, 10, (20, 3))
+    rows = np.hstack([points, np.cross([0.0, 1.0, 0.0], points)])
+    np.savetxt(tmp_path / "pitch.txt", rows)
+    file = {"kind": "file", "name": "turn", "file": str(tmp_path / "pitch.txt"), "stiffness": 0.0, "mass": 1.0}
+    with pytest.raises(SceneError, match="turn strains nothing"):
+        solve(make_scene(tables(file)), tmp_path / "x.h5")
