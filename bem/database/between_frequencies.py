@@ -19,7 +19,7 @@ from functools import cached_property
 import numpy as np
 
 from ..modes import moving
-from .interpolant import Joined, abscissa, windows
+from .interpolant import Joined, abscissa, ringing_of, windows
 from .schema import QUANTITIES
 
 RADIATION = ("added_mass", "radiation_damping")
@@ -27,6 +27,7 @@ FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 KOCHIN = ("kochin_radiation", "kochin_diffraction")
 DRIFT = ("drift_force_fixed", "drift_force")
 SAME = 1e-9  # relative in omega
+FEWEST_RINGING = 12  # frequencies of which water that rings is found
 FEWEST = 4  # frequencies of which something is known between
 LEAD = 9  # digits of a lead, in lengths of the body: those that symmetry makes equal are equal
 KEPT = 1 << 27  # bytes of values that are kept for who asks again
@@ -243,7 +244,16 @@ class Between:
     @cached_property
     def _windows(self):
         """`interpolant.windows` for complex functions and for real ones"""
-        return {real: windows(self._abscissa(self.omega), real) for real in (False, True)}
+        return {real: windows(self._abscissa(self.omega), real, self.ringing) for real in (False, True)}
+
+    @cached_property
+    def ringing(self):
+        """(p,) poles of water that rings, in the variable s of `interpolant`, as the motions of the body feel it"""
+        if len(self.omega) < FEWEST_RINGING or not set(RADIATION) <= set(self.quantities):
+            return np.zeros(0, complex)
+        own = np.einsum("nii->ni", self._impedance)
+        largest = np.abs(own).max(axis=0)
+        return ringing_of(self._abscissa(self.omega), own[:, np.isfinite(self._seen(np.sqrt(largest)))])
 
     def _interpolant(self, name):
         if name not in self._fits:

@@ -10,10 +10,11 @@ phase exp(ikd), d > 0 because it returns later.  So
 
     κ(x, y) = exp(−(s − t)²/2ℓ²) Σⱼ aⱼ exp(i(k − q) dⱼ),    s = ½ (ω √(L/g) + √(kL)),    Σ aⱼ = 1
 
-with s, k of x and t, q of y.  Waves that meet the hull at the distance `lead` ahead of the origin have the phase
-exp(−ik lead), which is removed before the fit.  No single ℓ and set of echoes fits all quantities: every member of a
-family is fitted and weighted by the inverse fourth power of its error at nodes left out (Rippa, Adv. Comput. Math. 11,
-1999).
+with s, k of x and t, q of y.  Water that rings, in a moonpool or a gap, is a pole s_p that all quantities of the body
+share (`bem.kernels.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull at
+the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ and
+set of echoes fits all quantities: every member of a family is fitted and weighted by the inverse fourth power of its
+error at nodes left out (Rippa, Adv. Comput. Math. 11, 1999).
 """
 
 from __future__ import annotations
@@ -25,14 +26,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..kernels.poles import poles
 from ..waves import wavenumber
 
+RINGING = 100.0  # variance of water that rings, at the node where it is largest
 NUGGET = 1e-9  # of the kernel's diagonal: keeps its factor to about seven digits
 ROUNDING = 2 * NUGGET  # variance, relative, that is not distinguished from none: nodes have half of it
 LEADS = (1.0, 0.7)  # shares of the `lead` that are taken out
 BLOCK = 256  # places handled at once
 KEPT = 1 << 27  # bytes of rows that are kept for the next function at the same places
 WINDOW = 64  # nodes that are fitted together
+SHARP = 0.3  # of s
+SEEN = 0.01  # of the largest value
 SAMPLE = 15  # functions of a group that stand for all of them
 
 
@@ -121,6 +126,7 @@ class Nodes:
 
     x: Abscissa
     real: bool = False
+    ringing: np.ndarray = field(default_factory=lambda: np.zeros(0, complex))
     _kept: dict = field(default_factory=dict, repr=False)
 
     @cached_property
@@ -140,7 +146,8 @@ class Nodes:
 
     def _rows(self, y):
         whitened = self._kernels(y, self.x) @ self.roots.conj().swapaxes(1, 2)
-        left = np.maximum(1 - np.sum(whitened.real**2 + whitened.imag**2, axis=2) - ROUNDING, 0)
+        own = 1 + np.sum(np.abs(self._ringing(y)) ** 2, axis=1)
+        left = np.maximum(own - np.sum(whitened.real**2 + whitened.imag**2, axis=2) - ROUNDING, 0)
         return Rows(whitened @ self.roots, left)
 
     def _kernels(self, x, y):
@@ -155,7 +162,13 @@ class Nodes:
                 made = _returned(x, y, member.delays, member.weights)
                 echoes[row] = made.real if self.real else made
             kernels.append(decays[reach] * echoes[row])
-        return np.array(kernels)
+        rung = self._ringing(x) @ self._ringing(y).conj().T
+        return np.array(kernels) + (rung.real if self.real else rung)
+
+    def _ringing(self, y):
+        """h (q, p) of the module at y"""
+        nearest = np.abs(self.x.smooth[:, None] - self.ringing).min(axis=0)
+        return np.sqrt(RINGING) * nearest / (y.smooth[:, None] - self.ringing)
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,14 +269,18 @@ class Window(NamedTuple):
     high: int
 
 
-def windows(x, real=False):
-    """`Window`s of nodes x (n,) rising: all in one, or where there are many, some with neighbours on both sides"""
+def windows(x, real=False, ringing=()):
+    """`Window`s of nodes x (n,) rising: all in one, or where there are many, some with neighbours on both sides
+
+    ringing : (p,) poles of the water, in the variable s of x
+    """
+    ringing = np.array(ringing, complex)
     n, out = len(x.smooth), []
     count = 1 if n <= WINDOW else int(np.ceil(2 * n / WINDOW))
     ends = np.linspace(0, max(n - 1, 1), count + 1).astype(int)
     for low, high in pairwise(ends):
         first, last = max(low - WINDOW // 4, 0), min(high + WINDOW // 4 + 1, n)
-        out.append(Window(Nodes(Abscissa(*(part[first:last] for part in x)), real), first, last, low, high))
+        out.append(Window(Nodes(Abscissa(*(part[first:last] for part in x)), real, ringing), first, last, low, high))
     return out
 
 
@@ -371,6 +388,19 @@ def _by_lead():
 def _root(kernel):
     """R (…, n, n) of the inverse R*R of a kernel among nodes and its nugget"""
     return np.linalg.inv(np.linalg.cholesky(kernel + NUGGET * np.eye(kernel.shape[-1])))
+
+
+def ringing_of(x, values):
+    """(p,) sharp poles, in the variable s of x (n,), of functions (n, m) that ring between their nodes
+
+    A pole is believed that is seen at a node, as those of noise are not; one as broad as SHARP is smooth without it.
+    """
+    found, residues = poles(x.smooth, values)
+    inside = (found.real > x.smooth[0]) & (found.real < x.smooth[-1]) & (np.abs(found.imag) < SHARP)
+    found, residues = found[inside], residues[inside]
+    nearest = np.abs(x.smooth[:, None] - found).min(axis=0)
+    found = found[np.abs(residues).max(axis=1, initial=0.0) > SEEN * nearest]
+    return found.real - 1j * np.abs(found.imag)  # what rings for long has a width of rounding errors
 
 
 def _left_open(row, root):

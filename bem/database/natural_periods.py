@@ -22,8 +22,8 @@ class NaturalPeriods:
 
     names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
     shapes : (n, n), rows are modes, largest component 1 after rotations are multiplied by `scale` m
-    inside : (n,) False where the added mass had to be held at the end of the stored frequencies, and of several bodies
-    where the water of a gap between them resonates
+    inside : (n,) False where the added mass had to be held at the end of the stored frequencies, and where the
+    water of a gap or a moonpool resonates
     """
 
     names: tuple[str, ...]
@@ -65,10 +65,8 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     own = np.arange(len(frequencies))
     _, vectors, M = modes(np.abs(frequencies))
     known = body.knows_added_mass(frequencies)
-    if body.bodies:  # where the water of a gap resonates, the motion that drives it has its frequency
-        known = known & (np.linalg.eigvalsh(M)[:, 0] > 0)
-    else:
-        check_positive(M, np.abs(frequencies))
+    # where the water of a gap or a moonpool resonates, the motion that drives it has its frequency
+    known = known & (np.linalg.eigvalsh(M)[:, 0] > 0)
     vectors = vectors[own, :, own]
     energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
     shapes = vectors / np.take_along_axis(vectors, np.abs(vectors).argmax(axis=1)[:, None], axis=1)
@@ -81,16 +79,6 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
     return NaturalPeriods(names, period, shapes, known, scale)
-
-
-def check_positive(mass, omega):
-    """Raise LinAlgError, one line, unless all of mass (q, n, n), inertia and added mass, are positive definite."""
-    lowest = np.linalg.eigvalsh(mass)[:, 0]
-    if np.any(lowest <= 0):
-        raise np.linalg.LinAlgError(
-            f"natural periods: inertia and added mass together are not positive at {omega[np.argmin(lowest)]:.4g} "
-            "rad/s, as where the water of a moonpool resonates; allowed: frequencies below that, leave the others out"
-        )
 
 
 def _own_frequencies(eigenvalues, places=()):

@@ -162,7 +162,7 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
     if goal.deviation.max() > CLOSE[0]:
         goal = _shorter(body, goal, motions)
     band, axis, at, wanted, size, scale, deviation, damping = goal
-    _check_deviation(deviation, band, damping, size, body.words)
+    _check_deviation(deviation, band, damping, size, body.words, _ringing(body))
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # where damping is a power that is supposed
@@ -215,19 +215,21 @@ def _goal(body, band, motions):
 
 
 def _shorter(body, goal, motions):
-    """`_Goal` of as much of the lower band as agrees with itself, `goal` where nothing does"""
-    low, high = goal.band
+    """`_Goal` of as much of the lower band as agrees with itself, the nearest to it where nothing does"""
+    (low, high), best = goal.band, goal
     for share in SHORTER:
         found = _goal(body, (low, low + share * (high - low)), motions)
-        if found.deviation.max() <= CLOSE[0]:
-            warn(
-                f"added mass and damping above {found.band[1]:.3g} rad/s contradict those below by "
-                f"{goal.deviation.max():.2g} of the largest, good: {CLOSE[0]:g}; the memory is made of those below: "
-                "leave the higher frequencies out, or solve them to a smaller tolerance",
-                stacklevel=3,
-            )
-            return found
-    return goal
+        best = min(best, found, key=lambda one: one.deviation.max())
+        if best.deviation.max() <= CLOSE[0]:
+            break
+    if best.deviation.max() <= CLOSE[1] and best is not goal:
+        warn(
+            f"added mass and damping above {best.band[1]:.3g} rad/s contradict those below by "
+            f"{goal.deviation.max():.2g} of the largest, good: {CLOSE[0]:g}; the memory is made of those below: "
+            "leave the higher frequencies out, or solve them to a smaller tolerance" + _ringing(body),
+            stacklevel=3,
+        )
+    return best
 
 
 def _frequencies(axis, band):
@@ -269,7 +271,11 @@ def _deviation(axis, omega, added_mass, damping, scale, inertia):
     return _relative(np.abs(made - given), np.maximum(scale, np.nan_to_num(felt))).max(axis=0)
 
 
-def _check_deviation(deviation, band, damping, size, words):
+def _ringing(body):
+    return "; give the moonpool or gap whose water rings [[damping_lids]]" if len(body.between.ringing) else ""
+
+
+def _check_deviation(deviation, band, damping, size, words, ringing=""):
     worst = deviation.max()
     if worst <= CLOSE[0]:
         return
@@ -279,7 +285,7 @@ def _check_deviation(deviation, band, damping, size, words):
         f"added mass and damping from {band[0]:.3g} to {band[1]:.3g} rad/s contradict each other by {worst:.2g} of the "
         f"largest ({words[i]}–{words[j]}); allowed: {CLOSE[1]:g}, good: {CLOSE[0]:g}; damping of "
         f"{words[i]} is {ends[0]:.2g} of the largest at the lower end and {ends[1]:.2g} at the upper: extend "
-        "the band there, or solve to a smaller tolerance"
+        "the band there, or solve to a smaller tolerance" + ringing
     )
     if worst > CLOSE[1]:
         raise ValueError(line)

@@ -2,6 +2,7 @@
 
     Xₙ − Xₙ₊₁ = a X_m + b X_m²,    X_m = (Xₙ + Xₙ₊₁)/2                     of successive extremes (half cycles)
     ẍ + β₁ ẋ + β₂ ẋ|ẋ| + Ω² (x − x₀) = 0,    β = B/M_v,    a ≈ (π/2) β₁/ω,  b ≈ (4/3) β₂
+    ẍ + β₁ ẋ + β₃ ẋ³ + Ω² (x − x₀) = 0                                      the same with a cube in place of the square
 
 (Shiraishi et al., eq. 3, whose δX is negative as printed; that its swings are half cycles follows from their sizes.)
 β and Ω are those with which the solution passes the record best.
@@ -25,6 +26,7 @@ DIFFERENCE = 1e-5  # of a parameter over its unit
 class Decay(NamedTuple):
     """a : 1, b : 1/m, linear_only : a with b = 0; linear, quadratic : β₁ 1/s, β₂ 1/m; omega : Ω rad/s; mean : x₀ m
 
+    with_cubic : β₁ 1/s, β₃ s/m², and what is left then
     extremes : (n,) m, without sign; fitted : (q,) m, the solution; off : share of the record's deviation that is left
     """
 
@@ -38,6 +40,7 @@ class Decay(NamedTuple):
     extremes: np.ndarray
     fitted: np.ndarray
     off: float
+    with_cubic: tuple
 
 
 def decay(time, motion):
@@ -47,8 +50,10 @@ def decay(time, motion):
     a, b, alone = _extinction(X)
     start = [x[0], _slope(t, x), mean, omega, max(2 * alone * omega / np.pi, 1e-4 * omega), 0.0]
     found, fitted = _fitted(t, x, np.array(start), X[0])
-    left = float(np.std(x - fitted) / np.std(x))
-    return Decay(a, b, alone, float(found[4]), float(found[5]), float(found[3]), float(found[2]), X, fitted, left)
+    cubed, other = _fitted(t, x, np.array(start), X[0], 3)
+    left, with_cubic = (float(np.std(x - made) / np.std(x)) for made in (fitted, other))
+    third = float(cubed[4]), float(cubed[5]), with_cubic
+    return Decay(a, b, alone, *map(float, found[[4, 5, 3, 2]]), X, fitted, left, third)
 
 
 def _slope(t, x):
@@ -91,30 +96,30 @@ def _extinction(X):
     return float(a), float(b), alone
 
 
-def _fitted(t, x, start, size):
-    """Start, speed, mean, Ω, β₁, β₂ with which the solution passes the record best, and the solution (q,)"""
+def _fitted(t, x, start, size, power=2):
+    """Start, speed, mean, Ω, β₁, β₂ or β₃ with which the solution passes the record best, and the solution (q,)"""
     from scipy.optimize import least_squares
 
     rate = start[3]
-    unit = np.array([size, size * rate, size, rate, rate, 1 / size])
+    unit = np.array([size, size * rate, size, rate, rate, rate / (size * rate) ** (power - 1)])
     shift = DIFFERENCE * np.eye(6)
 
     def off(p):
         with np.errstate(over="ignore", invalid="ignore"):  # a try with damping that drives the motion away
-            y = _solutions((p * unit)[:, None], t)[:, 0]
+            y = _solutions((p * unit)[:, None], t, power)[:, 0]
         return np.nan_to_num((y - x) / size, nan=FAR, posinf=FAR, neginf=-FAR)
 
     def slope(p):
         both = np.concatenate([p + shift, p - shift]) * unit
         with np.errstate(over="ignore", invalid="ignore"):
-            y = _solutions(both.T, t) / size
+            y = _solutions(both.T, t, power) / size
             return np.nan_to_num((y[:, :6] - y[:, 6:]) / (2 * DIFFERENCE), nan=0.0, posinf=FAR, neginf=-FAR)
 
     found = least_squares(off, start / unit, jac=slope, method="lm", xtol=1e-13, ftol=1e-15, gtol=1e-15, max_nfev=50)
     return found.x * unit, x + size * found.fun
 
 
-def _solutions(parameters, time):
+def _solutions(parameters, time, power=2):
     """(q, m) m at times (q,) s of m sets of parameters (6, m), by `scipy`; nan where one is driven away"""
     from scipy.integrate import solve_ivp
 
@@ -123,7 +128,7 @@ def _solutions(parameters, time):
 
     def rates(_, y):
         x, v = y.reshape(2, -1)
-        return np.concatenate([v, -v * (first + second * np.abs(v)) - omega**2 * (x - mean)])
+        return np.concatenate([v, -v * (first + second * np.abs(v) ** (power - 1)) - omega**2 * (x - mean)])
 
     found = solve_ivp(rates, time[[0, -1]], np.concatenate([x, v]), "DOP853", time, rtol=ACCURATE, atol=small)
     out = np.full((len(time), len(x)), np.nan)

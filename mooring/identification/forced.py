@@ -2,7 +2,7 @@
 
     x = X sin ωt,    reaction of the water F = −A ẍ − B₁ ẋ − B₂ ẋ|ẋ| = F₀ + Σ Fₙ sin(nωt + εₙ)
 
-by least squares of the whole record; and from its first and third harmonics,
+by least squares of the whole record, or with − B₃ ẋ³ in place of the square; and from its first and third harmonics,
 
     B₁ = (−F₁ sin ε₁ + 5 F₃ sin ε₃)/(ωX),    B₂ = −15π F₃ sin ε₃/(8 ω²X²)
 
@@ -28,6 +28,7 @@ class Forced(NamedTuple):
 
     motion : `record.Sine`; off : share of the force's deviation that is left
     error : standard errors of B₁ and B₂ by noise without memory
+    with_cubic : B₁ N s/m, B₃ N s³/m³, and the share that is left then
     """
 
     added_mass: float
@@ -37,6 +38,7 @@ class Forced(NamedTuple):
     motion: Sine
     off: float
     error: tuple
+    with_cubic: tuple
 
     @property
     def same_energy(self):
@@ -62,19 +64,28 @@ def forced(time, motion, force):
     sine = sine_of(t, x)
     theta, basis = sine.omega * t + sine.phase, _basis(sine, t)
     size = np.abs(basis).max(axis=0)
-    share = np.linalg.lstsq(basis / size, F, rcond=None)[0] / size
-    left = np.std(F - basis @ share) / np.std(F) if np.std(F) > 0 else 0.0
+    share, left = _shares(basis, F)
+    cubed, left_by_cubes = _shares(_basis(sine, t, 3), F)
     spread = np.sqrt(np.diag(np.linalg.inv((basis / size).T @ (basis / size)))) / size * left * np.std(F)
     phase = np.sqrt(2 / len(t)) * sine.off / sine.amplitude
     error = float(np.hypot(spread[1], share[0] * sine.omega * phase)), float(spread[2])
-    return Forced(*map(float, share[:3]), _by_harmonics(theta, F, sine), sine, float(left), error)
+    return Forced(
+        *map(float, share[:3]), _by_harmonics(theta, F, sine), sine, left, error, (*cubed[1:3], left_by_cubes)
+    )
 
 
-def _basis(sine, t):
-    """(n, 4) of what the reaction is made of at times from the first: −a, −v, −v|v|, 1"""
+def _shares(basis, force):
+    """(4,) of each column (n, 4) in a force (n,), and the share of its deviation that they leave"""
+    size = np.abs(basis).max(axis=0)
+    share = np.linalg.lstsq(basis / size, force, rcond=None)[0] / size
+    return share, float(np.std(force - basis @ share) / np.std(force)) if np.std(force) > 0 else 0.0
+
+
+def _basis(sine, t, power=2):
+    """(n, 4) of what the reaction is made of at times from the first: −a, −v, −v|v| or −v³, 1"""
     theta, V = sine.omega * t + sine.phase, sine.omega * sine.amplitude
     v, a = V * np.cos(theta), -V * sine.omega * np.sin(theta)
-    return np.stack([-a, -v, -v * np.abs(v), np.ones_like(t)], axis=1)
+    return np.stack([-a, -v, -v * np.abs(v) ** (power - 1), np.ones_like(t)], axis=1)
 
 
 def _by_harmonics(theta, force, sine, most=5):

@@ -127,9 +127,9 @@ def _held(periods):
         if not inside and np.isfinite(value)
     ]
     if held:
-        gap = " or in the resonance of a gap" if len(periods.names) > 6 else ""
         named = ", ".join(held)
-        yield f"natural periods outside the solved frequencies{gap}, with added mass of the nearest one: {named}"
+        where = "outside the solved frequencies, or where water of a gap rings"
+        yield f"natural periods {where}, with added mass of the nearest one: {named}"
 
 
 def _unstable(result):

@@ -19,7 +19,16 @@ from ..results.result import Result, labels
 
 LEFT = 0.25  # of the record, that a fit may leave
 COLUMNS = ("time_s", "motion_m", "force_kN", "motion_deg", "moment_kNm")
-TURNED = {"m": "rad", "kg": "kg m2", "N s/m": "N m s", "N s2/m2": "N m s2", "1/m": "1/rad", "N": "N m"}  # units
+TURNED = {
+    "m": "rad",
+    "kg": "kg m2",
+    "N s/m": "N m s",
+    "N s2/m2": "N m s2",
+    "N s3/m3": "N m s3",
+    "s/m2": "s",
+    "1/m": "1/rad",
+    "N": "N m",
+}  # units
 
 
 def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: float | None = None) -> Result:
@@ -109,6 +118,9 @@ def _forced(time, motion, force):
         "linear.same_energy": (made.same_energy, "N s/m", "linear damping of the same energy"),
         "linear.same_force": (made.same_force, "N s/m", "linear damping of the same largest force"),
         "left": (made.off, "%", "force not explained"),
+        "cubic.B1": (float(made.with_cubic[0]), "N s/m", "B1 beside a cube"),
+        "cubic.B3": (float(made.with_cubic[1]), "N s3/m3", "B3"),
+        "cubic.left": (made.with_cubic[2], "%", "force not explained with it"),
     })  # fmt: skip
     findings = [*_rest(made.off, "force", "a sine that moves a body with added mass and damping")]
     if made.same_energy < 0:
@@ -142,7 +154,12 @@ def _decay(time, motion, mass, unit):
             "B1": (made.linear * mass, "N s/m", "B1"),
             "B2": (made.quadratic * mass, "N s2/m2", "B2"),
         }
-    rows["left"] = made.off, "%", "motion not explained"
+    rows |= {
+        "left": (made.off, "%", "motion not explained"),
+        "cubic.B1_over_M": (made.with_cubic[0], "1/s", "B1/M beside a cube"),
+        "cubic.B3_over_M": (made.with_cubic[1], "s/m2", "B3/M"),
+        "cubic.left": (made.with_cubic[2], "%", "motion not explained with it"),
+    }
     records = {"record.motion": (motion, "m", "motion"), "fitted.motion": (made.fitted, "m", "motion")}
     found = quantities("free decay", rows) | quantities("", records, "time", record=True)
     note = f"{len(made.extremes)} extremes from {significant(made.extremes[0])} {unit}; M with added mass"

@@ -16,7 +16,7 @@ from hakobune.mooring.criteria.strength import equipment_of_box
 from . import report_words as words
 from .checklist import checklist
 from .kinds.versions import versions
-from .report_pictures import body_picture, plans, use_picture
+from .report_pictures import body_picture, plans, records, use_picture
 from .report_tables import WORDS, origin, write_tables
 from .tables import MEAN
 from .verdict import FAILS, OPEN, PASSES
@@ -74,6 +74,8 @@ def _context(read, verdict, advice, paths, folder):
         "part_head": head,
         "parts": parts,
         "plans": list(plans(read, verdict, paths, folder)),
+        "records": list(records(verdict, folder)),
+        "motions": list(words.motion_rows(verdict)),
         "use_picture": use_picture(verdict, folder),
         "warnings": list(words.warnings(verdict)),
         "door": door,

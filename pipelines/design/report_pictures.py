@@ -19,16 +19,42 @@ MOST_PLANS = 4
 
 def plans(read, verdict, paths, folder):
     """{"name", "data"} of the cases that govern, the worst first"""
-    by_name = {one.case.name: one for one in verdict.ran}
-    judged = sorted((one for one in verdict.judged if one.governing), key=lambda one: -one.governing.utilisation)
-    drawn = [one.governing.case for one in judged if not by_name[one.governing.case].case.apart]
-    for name in list(dict.fromkeys(drawn))[:MOST_PLANS]:
-        one = by_name[name]
+    for one in _governing(verdict)[:MOST_PLANS]:
         known = one.case.study, paths[one.case.level], one.numbers._replace(largest=one.largest)
         base = None if known[1] is None else Path(known[1])
         key = key_of(tomli_w.dumps(one.case.study), base, json.dumps(plain(known[2])))
         place = folder / "pictures" / f"{file_name(one.case)}.png"
-        yield {"name": name, "data": picture(place, key, lambda path, known=known: read.kind.draw(*known, path))}
+        yield {
+            "name": one.case.name,
+            "data": picture(place, key, lambda path, known=known: read.kind.draw(*known, path)),
+        }
+
+
+def _governing(verdict):
+    """[Ran] of the cases that govern a criterion, the worst first"""
+    by_name = {one.case.name: one for one in verdict.ran}
+    judged = sorted((one for one in verdict.judged if one.governing), key=lambda one: -one.governing.utilisation)
+    names = dict.fromkeys(one.governing.case for one in judged)
+    return [by_name[name] for name in names if not by_name[name].case.apart]
+
+
+def records(verdict, folder):
+    """{"name", "data"} of the case in time that governs first: its records, and its watch circle with the pull in it"""
+    from h5py import File
+
+    from ..simulate.pictures import draw_one
+
+    for one in [one for one in _governing(verdict) if one.runs is not None][:1]:
+        stem = one.path.stem.removesuffix("_runs")
+        runs = one.path.with_name(f"{stem}_runs.h5")
+        for name in ("records", "offsets"):
+
+            def draw(path, name=name, runs=runs):
+                with File(runs, "r") as file:
+                    draw_one(file, name, path)
+
+            place = folder / "pictures" / f"{stem}_{name}.png"
+            yield {"name": f"{one.case.name}, {name}", "data": picture(place, key_of(name, runs), draw)}
 
 
 def body_picture(database, folder):

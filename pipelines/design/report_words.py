@@ -246,6 +246,15 @@ def case(one, links):
     return {"name": one.case.name, "link": links[one.case.name], "fault": one.fault, "cells": cells}
 
 
+def motion_rows(verdict):
+    """(name of a case, six largest motions from the mean, m and degrees) of the cases that have some"""
+    for one in verdict.ran:
+        if one.numbers is not None:
+            found = one.numbers.motions if one.runs is None else one.runs["motions"]
+            if len(found):
+                yield one.case.name, [f"{value:.3g}" for value in found * ([1.0] * 3 + [180 / np.pi] * 3)]
+
+
 def _place_words(row):
     """Offset, yaw and excursion of a row of cases, dashes where the method has none"""
     values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"]])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,7 +55,7 @@ def made(read, folder, workers, console, advice=True):
 
     folder.mkdir(parents=True, exist_ok=True)
     paths = databases(read, folder, workers, console)
-    with _Counting(console) as step:
+    with _Counting(console, folder / "log.txt") as step:
         verdict = judged_project(read, run_cases(read, paths, folder, workers, step), of_databases(read, paths))
         change = None
         if advice:
@@ -66,20 +67,25 @@ def made(read, folder, workers, console, advice=True):
 
 
 class _Counting:
-    """Context whose value, called with the number done, the number known and a name, shows how far the cases are"""
+    """Context whose value, called with the number done, the number known and a name, shows how far the cases are, and
+    writes it to the file `log` with the time of day"""
 
-    def __init__(self, console):
-        self.console = console
+    def __init__(self, console, log):
+        self.console, self.log = console, log
 
     def __enter__(self):
+        self.log.write_text("", encoding="utf-8")
         self.status = self.console.status("load cases") if self.console and self.console.is_terminal else None
         if self.status:
             self.status.start()
         return self
 
     def __call__(self, done, known, name):
+        text = f"{done} of {known}: {name}"
+        with self.log.open("a", encoding="utf-8") as log:
+            print(datetime.now().strftime("%H:%M:%S"), text, file=log)
         if self.status:
-            self.status.update(f"{done} of {known}: {name}")
+            self.status.update(text)
 
     def __exit__(self, *_):
         if self.status:

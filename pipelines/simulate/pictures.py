@@ -53,15 +53,25 @@ class Motions(NamedTuple):
         return file["motion"][kept][..., 6 * self.body : 6 * self.body + 6]
 
 
-def _figure(rows, columns, size, between=0.12, **more):
+def draw_one(file, name, path):
+    """Draw "records" or "offsets" of a file to `path`.  Raises ValueError where no record is whole."""
+    kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
+    if not len(kept):
+        raise ValueError("no record of a run is kept")
+    {"records": _records, "offsets": _offsets}[name](file, kept, path, Motions(0, ""))
+
+
+def _figure(rows, columns, size, between=0.12, title=0.6, **more):
     """Figure and axes of a size in inches, with room for their words; `between` : of its height, rows beside each other
+
+    title : inches above them
 
     Layouts that matplotlib finds by itself draw everything four times.
     """
     from matplotlib.figure import Figure
 
     figure, (width, height) = Figure(figsize=size), size
-    figure.subplots_adjust(1.1 / width, 0.55 / height, 1 - 0.2 / width, 1 - 0.6 / height, 0.28, between)
+    figure.subplots_adjust(1.1 / width, 0.55 / height, 1 - 0.2 / width, 1 - title / height, 0.28, between)
     return figure, figure.subplots(rows, columns, squeeze=False, **more)
 
 
@@ -107,24 +117,25 @@ def _records(file, kept, path, motions):
     at = time[int(np.argmax(record))]
     begin = min(max(at - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
     part = (time >= begin) & (time <= begin + SHOWN)
-    figure, axes = _figure(8, 1, (11, 13), sharex=True)
+    moving = [j for j, (name, _, _) in enumerate(motions.named) if not _still(file, name)]
+    figure, axes = _figure(len(moving) + 2, 1, (11, 1 + 1.5 * (len(moving) + 2)), sharex=True)
     axes = axes[:, 0]
     axes[0].plot(time[part], file["wave"][row][part], color="C0", lw=0.9)
     axes[0].set_ylabel("wave, m")
     step, split = float(np.diff(time[:2])[0]), float(file.attrs["split_frequency"])
-    for j, (name, factor, unit) in enumerate(motions.named):
-        motion = factor * (not _still(file, name)) * motions.of(file, row)[:, j].astype(float)
-        axes[j + 1].plot(time[part], motion[part], color="0.25", lw=0.9)
+    for one, j in zip(axes[1:-1], moving, strict=True):
+        name, factor, unit = motions.named[j]
+        motion = factor * motions.of(file, row)[:, j].astype(float)
+        one.plot(time[part], motion[part], color="0.25", lw=0.9)
         if j in PLANE:
-            slow = slow_part(motion, step, split)[part]
-            axes[j + 1].plot(time[part], slow, color="C3", lw=1.4, label=f"slow part, below {split:.2g} rad/s")
-        axes[j + 1].set_ylabel(f"{name}, {unit}")
-    axes[1].legend(frameon=False, fontsize=8, loc="upper right")
-    axes[7].plot(time[part], worst.factor * record[part], color="C1", lw=0.9)
-    _breaking(axes[7], file, worst, record.max())
+            one.plot(time[part], slow_part(motion, step, split)[part], color="C3", lw=1.4)
+        one.set_ylabel(f"{name}, {unit}")
+    axes[-1].plot(time[part], worst.factor * record[part], color="C1", lw=0.9)
+    _breaking(axes[-1], file, worst, record.max())
     label = f"{worst.kind}, {worst.unit}\n{worst.name}"
-    axes[7].set(ylabel=label, xlabel="s after the ramp", xlim=(begin, min(begin + SHOWN, time[-1])))
-    axes[0].set_title(f"seed {file['seed'][row]}, around the largest {worst.kind}, in {worst.name}", loc="left")
+    axes[-1].set(ylabel=label, xlabel="s after the ramp", xlim=(begin, min(begin + SHOWN, time[-1])))
+    slow = f"; red: slow part, below {split:.2g} rad/s" * any(j in PLANE for j in moving)
+    axes[0].set_title(f"seed {file['seed'][row]}, around the largest {worst.kind}, in {worst.name}{slow}", loc="left")
     for one in axes:
         one.grid(alpha=0.3)
     save(figure, path, 110)
@@ -233,14 +244,14 @@ def _against_offset(curve, file, worst, motion, pull, step):
     offset = (np.stack([x, y]) + turned - arm[:, None]).T @ away
     curve.plot(offset[::step], pull[::step] / KN, ".", ms=1.5, color="C1", alpha=0.35)
     _breaking(curve, file, worst, pull.max())
-    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, kN", ylim=(0, None))
+    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, kN")
 
 
 def _extremes(file, kept, path, motions):
     """Share of maxima above a level, of motions in standard deviations and of tensions"""
     from hakobune.mooring.environment.crossings import local_maxima
 
-    figure, ((left, right),) = _figure(1, 2, (13, 6))
+    figure, ((left, right),) = _figure(1, 2, (13, 6), title=0.2)
     least = 1.0
     for j, (name, _, _) in enumerate(motions.named):
         records = motions.of(file, kept)[..., j].astype(float)
@@ -263,7 +274,7 @@ def _extremes(file, kept, path, motions):
         tops = worst.factor * _maxima(records, local_maxima, records.mean(axis=1, keepdims=True))
         style = ("-", "--", ":")[i // 10 % 3]  # there are ten colours
         right.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), style, lw=1.2, label=name)
-    right.set(xlabel=f"maximum of the {worst.kind}, {worst.unit}", xlim=(0, None))
+    right.set(xlabel=f"maximum of the {worst.kind}, {worst.unit}")
     for one in (left, right):
         if one.lines:
             one.set_ylim(least, 1)

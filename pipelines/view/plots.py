@@ -33,6 +33,7 @@ LABEL = 0.5  # inches from a curve's axis to the name of its unit
 TICKS = 5  # spaces between those of a curve, at most; frequencies have them once a column
 FREQUENCIES = 8, 4  # spaces between ticks of frequencies, at most, of wide and narrow columns
 GRID = {"color": "0.9", "linewidth": 0.6}
+HEADINGS = 5  # of which curves are drawn, at most: more colours are not told apart
 HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
 ROWS = {
     "A and B/ω": ("added_mass", "radiation_damping"),
@@ -61,6 +62,7 @@ class Curves:
         broken = [0.5 * (low + high) for low, high in gaps.spans if db.omega[0] <= low and high <= db.omega[-1]]
         self.omega = np.union1d(self.omega, broken)
         self.stored = np.searchsorted(self.omega, db.omega)
+        self.headings = shown_headings(db.wave_direction, db.mesh.symmetry)
 
     def __getitem__(self, name):
         """Values (q, …) of the reader; where it knows none between the stored ones, those on straight lines"""
@@ -124,7 +126,7 @@ def plot(db, output, size=SIZE):
         _same_frequencies(grid[0, 0], curves.gaps.asked)
         for name, axes in zip(rows, grid, strict=True):
             DRAW[name](curves, axes)
-        _dress(db, figure, grid, curves.gaps)
+        _dress(db, figure, grid, curves)
         save(figure, output, 130)
     return figure
 
@@ -156,6 +158,16 @@ def _same_frequencies(axis, omega):
     low, high = omega[[0, -1]]
     if low < high:
         axis.set_xlim(low - axis.margins()[0] * (high - low), high + axis.margins()[0] * (high - low))
+
+
+def shown_headings(headings, symmetry):
+    """Numbers of HEADINGS of headings (m,) rad at most, evenly among those that mirror planes leave different"""
+    x, y = np.cos(headings), np.sin(headings)
+    folded = np.arctan2(np.abs(y) if "y" in symmetry else y, np.abs(x) if "x" in symmetry else x)
+    order = np.argsort(np.round(folded, 9), kind="stable")
+    different = order[np.concatenate([[True], np.diff(np.round(folded[order], 9)) > 0])]
+    some = np.unique(np.linspace(0, len(different) - 1, min(HEADINGS, len(different))).round().astype(int))
+    return np.sort(different[some])
 
 
 def heading_colors(count):
@@ -192,7 +204,7 @@ def _phases(db, axes):
     size = np.abs(force)
     shown = _above_rounding(size, _length(db)) & (_most(size, 0) > FAINT * _most(size, (0, 1)))
     for i, axis in enumerate(axes):
-        for j, color in enumerate(heading_colors(len(db.wave_direction))):
+        for j, color in zip(db.headings, heading_colors(len(db.headings)), strict=True):
             if shown[j, i]:
                 lag = np.degrees(np.angle(force[:, j, i]))
                 _curve(axis, db, _broken_at_jumps(lag), "-", color)
@@ -233,7 +245,7 @@ def _drift(db, axes):
         scale, prefix, _ = _prefix(largest)
         axis = axes[places[dof]]
         for name, value in drift.items():
-            for j, color in enumerate(heading_colors(len(db.wave_direction))):
+            for j, color in zip(db.headings, heading_colors(len(db.headings)), strict=True):
                 if _most(np.abs(value[:, j, part]), None) > floor:
                     _curve(axis, db, value[:, j, part] / scale, styles[name], color)
         if axis.lines:
@@ -274,7 +286,7 @@ def _amplitudes(db, axes, size, units, lever, prefixes=True):
     for columns, unit in zip((FORCES, MOMENTS), units, strict=True):
         scale, prefix, _ = _prefix(_most(size[:, :, columns], None)) if prefixes else (1.0, "", "")
         for i in range(6)[columns]:
-            for j, color in enumerate(heading_colors(len(db.wave_direction))):
+            for j, color in zip(db.headings, heading_colors(len(db.headings)), strict=True):
                 if shown[j, i]:
                     _curve(axes[i], db, size[:, j, i] / scale, "-", color)
             axes[i].set_ylabel(f"{prefix}{unit}")
@@ -301,14 +313,15 @@ def _broken_at_jumps(degrees):
     return degrees
 
 
-def _dress(db, figure, grid, gaps):
+def _dress(db, figure, grid, curves):
+    gaps = curves.gaps
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     for axis, dof in zip(grid[0], DOFS, strict=True):
         axis.set_title(dof, fontweight="bold", y=1.0)
     narrow = grid[0, 0].get_position().width * figure.get_figwidth() < NARROW
     _share_ticks(grid, FREQUENCIES[int(narrow)])
     for i, (axes, row) in enumerate(zip(grid, rows, strict=True)):
-        above = 1.08 if narrow and i == 0 else 1.0
+        above = 1.14 if narrow and i == 0 else 1.0
         axes[0].set_title(row, loc="left", fontweight="bold", color="0.35", y=above)
     for (i, j), axis in np.ndenumerate(grid):
         axis.spines[["top", "right"]].set_visible(False)
@@ -323,7 +336,7 @@ def _dress(db, figure, grid, gaps):
     for axis in grid[-1]:
         axis.set_xlabel("ω  rad/s")
     if any("wave_direction" in QUANTITIES[name][0] for row in rows for name in ROWS[row]):
-        _name_headings(db, figure)
+        _name_headings(db, figure, curves.headings)
     depth = "deep water" if np.isinf(db.water_depth) else f"water {db.water_depth:g} m deep"
     figure.suptitle(
         f"{db.mesh.name or db.path.stem}, {depth}", x=0.01, y=1 - 0.1 / figure.get_figheight(), ha="left", fontsize=12
@@ -359,15 +372,14 @@ def _share_ticks(grid, spaces):
         axis.xaxis.set_visible(False)
 
 
-def _name_headings(db, figure):
+def _name_headings(db, figure, shown):
     from matplotlib.lines import Line2D
 
-    angles = np.degrees(db.wave_direction)
+    angles = np.degrees(db.wave_direction[shown])
     handles = [
         Line2D([], [], color=color, label=f"{angle:g}°")
         for angle, color in zip(angles, heading_colors(len(angles)), strict=True)
     ]
-    figure.legend(
-        handles=handles, title="waves travel to", ncols=min(len(handles), 12), loc="upper right",
-        frameon=False,
-    )  # fmt: skip
+    left_out = len(db.wave_direction) - len(shown)
+    title = "waves travel to" + f" ({left_out} more, alike or between)" * bool(left_out)
+    figure.legend(handles=handles, title=title, ncols=len(handles), loc="upper right", frameon=False)

@@ -43,6 +43,19 @@ def test_forced_oscillation_gives_back_what_it_was_made_of():
     assert found.same_energy == pytest.approx(B1 + 8 / (3 * np.pi) * OMEGA * X * B2, rel=1e-9)
 
 
+def test_a_cube_is_told_from_a_square_by_what_is_left():
+    t, x, F = moved()
+    v = X * OMEGA * np.cos(OMEGA * t + 0.3)
+    made = forced(t, x, F + B2 * v * np.abs(v) - 0.5 * B2 * v**3)
+    assert made.with_cubic[:2] == pytest.approx((B1, 0.5 * B2), rel=1e-8)
+    assert made.with_cubic[2] < 1e-8 < 1e-4 < made.off and forced(t, x, F).with_cubic[2] > 1e-4
+    rates = lambda _, y: (y[1], -LINEAR * y[1] - QUADRATIC * y[1] ** 3 - OMEGA**2 * y[0])  # noqa: E731
+    alone = solve_ivp(rates, TIME[[0, -1]], (X, 0.0), "DOP853", TIME, rtol=1e-11, atol=1e-12).y[0]
+    found = decay(TIME, alone)
+    assert found.with_cubic[:2] == pytest.approx((LINEAR, QUADRATIC), rel=1e-6)
+    assert found.with_cubic[2] < 1e-6 < found.off
+
+
 def test_one_coefficient_of_the_same_force_is_that_of_the_paper():
     """50.7 and 50.3 kN s/m at 120 s, of B₁ and B₂ of table 3"""
     for amplitude, first, second, wanted in ((5.0, 37.0, 52.5, 50.7), (10.0, 32.2, 34.5, 50.3)):

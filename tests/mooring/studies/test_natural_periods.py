@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-import pytest
 
 from hakobune.bem import DOFS
-from hakobune.bem.database.natural_periods import check_positive, natural_periods
+from hakobune.bem.database.natural_periods import natural_periods
 from hakobune.mooring.lines.system.moored_body import corner_legs, moored_body
 from hakobune.mooring.lines.system.parts import LineType, UniformLine
 
@@ -115,9 +114,18 @@ def test_model_barge_on_chains_has_nearly_its_measured_surge_period():
     assert 0.9 * low < 16.48 < high
 
 
-def test_a_mass_that_is_not_positive_is_told_with_its_frequency():
-    """Added mass of the water in a moonpool, above its resonance, may exceed the inertia with the other sign"""
-    mass = np.array([np.diag([2.0, 3.0]), np.diag([2.0, -0.5])])
-    check_positive(mass[:1], np.array([1.0]))
-    with pytest.raises(ValueError, match=r"inertia and added mass together are not positive at 1\.5 rad/s"):
-        check_positive(mass, np.array([1.0, 1.5]))
+def test_the_water_of_a_moonpool_leaves_a_body_its_periods():
+    """ω² (M + a + b / (w² − ω²)) = C is a quadratic in ω²; from w to √(w² + b/(M + a)) the mass is below 0"""
+    inertia, a, b, w = np.diag([1e6] * 3 + [1e8] * 3), 4e5, 2e5, 1.0
+
+    class Moonpool(Floating):
+        def held_added_mass(self, omega):
+            out = np.tile(np.diag([a] * 3 + [1e7] * 3), (len(omega), 1, 1))
+            out[:, 2, 2] += b / (w * w - np.asarray(omega) ** 2)
+            return out
+
+    C = np.diag([1e4, 1e4, 1e6, 3e7, 3e7, 3e7])
+    found = natural_periods(Moonpool(np.zeros((20, 6, 6)), inertia, C))
+    M, C = 1e6 + a, 1e6
+    square = np.roots([-M, M * w * w + b + C, -C * w * w]).min()
+    assert np.isclose(found.period[2], 2 * np.pi / np.sqrt(square), rtol=1e-7)

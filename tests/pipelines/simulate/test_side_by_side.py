@@ -57,7 +57,7 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
 
 
 def test_the_gap_is_that_of_rectangles():
-    """4 × 2 m at the origin and 2 × 2 m whose corner is 1 m off along x and 1 m along y, then turned by 45° and inside"""
+    """4 × 2 m at the origin, 2 × 2 m whose corner is 1 m off along x and 1 m along y, then turned by 45° and inside"""
     sides = (Side("a", np.array([2.0, 1.0]), np.zeros(2), -1, np.zeros(3)),
              Side("b", np.array([1.0, 1.0]), np.array([0.5, 0.0]), 0, np.array([4.5, 3.0, 0.0])))  # fmt: skip
     poses = np.zeros((3, 1, 6))

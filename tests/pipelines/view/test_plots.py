@@ -11,7 +11,7 @@ from hakobune.bem import DOFS
 from hakobune.bem.database.resonances import Resonance
 from hakobune.meshing.shapes import buoy
 from hakobune.pipelines.common.gaps import gaps_of
-from hakobune.pipelines.view.plots import _cut, plot
+from hakobune.pipelines.view.plots import _cut, plot, shown_headings
 
 ZERO = "zero by symmetry"
 SURGE, SWAY, HEAVE, ROLL, PITCH, YAW = range(6)
@@ -117,10 +117,19 @@ def test_excitation_and_responses_of_moments_that_are_all_rounding_are_not_drawn
 def test_phases_of_forces_that_are_those_of_the_mesh_are_not_drawn(page):
     force = np.ones((3, 1, 6), complex) * [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
     force = np.concatenate([force, force * [1e-4, 1, 1, 1, 1, 1]], axis=1)
-    Results.wave_direction, before = np.zeros(2), Results.wave_direction
+    Results.wave_direction, before = np.array([0.0, 0.5]), Results.wave_direction
     axes, _ = page(excitation_force=force)
     Results.wave_direction = before
     assert [len(axis.lines) for axis in axes[0]] == 6 * [2] and [len(axis.lines) for axis in axes[1]] == [1, *5 * [2]]
+
+
+@pytest.mark.parametrize("planes, shown", [("xy", [0, 1, 2, 3]), ("y", [0, 2, 3, 4, 6]), ("", [0, 3, 5, 8, 11])])
+def test_five_headings_are_drawn_at_most_of_those_that_mirror_planes_leave_different(planes, shown):
+    headings = np.radians(np.arange(0, 360, 30))
+    drawn = shown_headings(headings, planes)
+    assert len(drawn) == len(shown) <= 5
+    if planes:
+        assert drawn.tolist() == shown
 
 
 def test_a_peak_is_written_with_the_resonance_that_it_is_of():
