@@ -58,6 +58,7 @@ class OneMotion:
 
     omega, headings, viscous = np.linspace(0.5, 2.0, 16), np.array([0.0]), None
     words, free = ("surge", "sway", "heave", "roll", "pitch", "yaw"), None
+    turning = np.arange(6) > 2
     inertia, stiffness = np.diag([1.0] * 6), np.diag([0, 0, 2.0, 0, 0, 0])  # M + A = 2: resonance at 1 rad/s
 
     def __init__(self, zeta, force=1.0, other=0.0):
