@@ -22,6 +22,7 @@ from hakobune.mooring.response.seas import MOST_OUTSIDE
 
 from ..common.quantities import StudyError
 from ..executors.choice import executor_of
+from ..response.places import places_of
 from ..response.study import ResponseStudy
 from ..results.given import File, Tables, database_of, given
 from ..results.heard import heard
@@ -110,7 +111,7 @@ class Found(NamedTuple):
 def _linear(read, folder, db):
     """What linear responses say of every hour"""
     of_body = ResponseStudy(body=read.body, points=read.points, keel=read.keel)
-    body, points = of_body.restrained(db.reader.floating()), of_body.places(db)
+    body, points = of_body.restrained(db.reader.floating()), places_of(of_body, db)
     first = transfer_functions(body, body.omega[:1], body.headings[:1], points)
     limits = limits_of(read, points, dict(zip(first.names, first.units, strict=True)))
     with heard() as caught:

@@ -20,6 +20,7 @@ from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .effort import check_effort
 from .findings import air_gaps, failures, keel_gaps, notes, turned
+from .places import places_of
 from .solved import FRACTILE, solved_in_climate, solved_in_sea, solved_moored
 from .study import ResponseStudy, make_response_study, read_response_study
 
@@ -51,7 +52,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if read.sea:
         check_effort(read)
     db = database_of(database)
-    points, held = read.places(db), None
+    points, held = places_of(read, db), None
     if moored is not None:
         db.require_one_body()
     body = db.bodies_reader.floating()

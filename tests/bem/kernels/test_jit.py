@@ -1,16 +1,56 @@
 """The cache of kernels: what a kernel is made of changes where it is kept."""
 
 import ast
-import subprocess
+import os
+import runpy
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
+import numba  # noqa: F401 - loaded once: a second for each process that begins without it
 import pytest
 
 from hakobune import bem
 from hakobune.bem.kernels.sources import imported
 
 ROOT = Path(bem.__file__).parents[1]
+
+
+class Done(NamedTuple):
+    status: int
+    stdout: str
+    stderr: str
+
+
+def ended(script, cache, path, *words, before=""):
+    """What a process of its own, which knows no kernel yet, makes of a script; path : where it finds its modules"""
+    ends = [os.pipe(), os.pipe()]
+    sys.stdout.flush()
+    child = os.fork()
+    if child == 0:
+        status = 1
+        try:
+            for number, (_, end) in enumerate(ends, 1):
+                os.dup2(end, number)
+            sys.stdout, sys.stderr = os.fdopen(1, "w"), os.fdopen(2, "w")
+            os.environ["HAKOBUNE_CACHE"] = str(cache)
+            sys.argv, sys.path[:0] = [str(script), *map(str, words)], [str(path)]
+            exec(before, {})
+            runpy.run_path(str(script), run_name="__main__")
+            status = 0
+        except BaseException:
+            import traceback
+
+            traceback.print_exc()
+        finally:
+            sys.stdout.flush(), sys.stderr.flush()
+            os._exit(status)
+    for _, end in ends:
+        os.close(end)
+    told = [os.fdopen(end).read() for end, _ in ends]
+    return Done(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), *told)
+
+
 CALLEE = """from hakobune.bem.kernels.jit import kernel
 from {constants} import STEP
 
@@ -37,22 +77,21 @@ print(called(1.0))
 
 def test_a_changed_callee_or_constant_in_any_folder_changes_the_result_of_a_cached_caller(tmp_path):
     house = tmp_path / "house"
-    for room in ("near", "far/away"):
+    for room in ("beside", "far/away"):
         (house / room).mkdir(parents=True)
     (house / "far/away/constants.py").write_text("STEP = 1.0\n")
-    (house / "near/callee.py").write_text(CALLEE.format(constants="far.away.constants"))
-    (house / "caller.py").write_text(CALLER.format(callee="near.callee"))
+    (house / "beside/callee.py").write_text(CALLEE.format(constants="far.away.constants"))
+    (house / "caller.py").write_text(CALLER.format(callee="beside.callee"))
 
     def result():
-        environment = {"PYTHONPATH": f"{house}:{ROOT}", "HAKOBUNE_CACHE": str(tmp_path / "cache"), "PATH": ""}
-        command = [sys.executable, str(house / "caller.py"), str(house)]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        done = ended(house / "caller.py", tmp_path / "cache", house, house)
+        assert done.status == 0, done.stderr
         return float(done.stdout)
 
     assert result() == result() == 20.0
     (house / "far/away/constants.py").write_text("STEP = 2.0\n")
     assert result() == 30.0
-    callee = house / "near/callee.py"
+    callee = house / "beside/callee.py"
     callee.write_text(callee.read_text().replace("x + STEP", "x + 2 * STEP"))
     assert result() == 50.0
 
@@ -69,10 +108,8 @@ def test_kernels_that_cannot_be_kept_are_used_and_left_nowhere_else(tmp_path, pl
     (tmp_path / "constants.py").write_text("STEP = 1.0\n")
     (tmp_path / "callee.py").write_text(CALLEE.format(constants="constants"))
     (tmp_path / "caller.py").write_text(before + CALLER.format(callee="callee"))
-    environment = {"PYTHONPATH": f"{tmp_path}:{ROOT}", "HAKOBUNE_CACHE": str(tmp_path / place), "PATH": ""}
-    command = [sys.executable, str(tmp_path / "caller.py"), str(tmp_path)]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True)
-    assert (done.returncode, done.stdout) == (0, "20.0\n"), done.stderr
+    done = ended(tmp_path / "caller.py", tmp_path / place, tmp_path, tmp_path)
+    assert (done.status, done.stdout) == (0, "20.0\n"), done.stderr
     (line,) = done.stderr.splitlines()  # one for both kernels
     assert str(tmp_path / place) in line and "set HAKOBUNE_CACHE" in line
     assert not [*tmp_path.rglob("*.kernel")]
@@ -120,11 +157,9 @@ print(*((outer(a), inner(a)) if sys.argv[2] == "outer" else (inner(a), outer(a))
 
 def test_a_kernel_called_by_python_and_by_another_has_a_version_for_each_in_any_order(tmp_path):
     (tmp_path / "two.py").write_text(TWO_CALLERS)
-    environment = {"PYTHONPATH": str(ROOT), "HAKOBUNE_CACHE": str(tmp_path / "cache"), "PATH": ""}
 
     def printed(order):
-        command = [sys.executable, str(tmp_path / "two.py"), str(tmp_path), order]
-        return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
+        return ended(tmp_path / "two.py", tmp_path / "cache", tmp_path, tmp_path, order).stdout
 
     assert [printed(order) for order in ("outer", "inner", "outer")] == ["3.0 2.0\n", "2.0 3.0\n", "3.0 2.0\n"]
     kept = [file for file in tmp_path.rglob("*.kernel") if "inner" in file.name]
@@ -164,15 +199,15 @@ from numba.core.runtime import rtsys
 
 
 def test_a_long_kernel_is_kept_once_and_its_caller_always_fits_it(tmp_path):
-    more = "".join(f"    total += np.sqrt(x[{i}]) / x[{i + 1}] * x[{i + 2}]\n" for i in range(40))
+    more = "".join(f"    total += np.sqrt(x[{i}]) / x[{i + 1}] * x[{i + 2}]\n" for i in range(24))
     (tmp_path / "long.py").write_text("import numpy as np\n" + LONG.format(more=more))
+    script = tmp_path / "script.py"
+    script.write_text("import long")
 
     def kept_after(before=""):
         """Files of both kernels, in which their caller is"""
-        environment = {"PYTHONPATH": f"{ROOT}:{tmp_path}", "HAKOBUNE_CACHE": str(tmp_path / "cache"), "PATH": ""}
-        command = [sys.executable, "-c", f"{before}\nimport long", str(tmp_path)]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True)
-        assert (done.returncode, done.stdout) == (0, "280.0\n"), done.stderr
+        done = ended(script, tmp_path / "cache", tmp_path, tmp_path, before=before)
+        assert (done.status, done.stdout) == (0, "280.0\n"), done.stderr
         return {file.name.partition("-")[0]: file for file in tmp_path.rglob("*.kernel")}
 
     files = kept_after()

@@ -2,9 +2,7 @@
 
 import numpy as np
 import pytest
-
-from hakobune.mooring.lines.dynamics.lumped.forces import node_forces
-from hakobune.mooring.lines.dynamics.lumped.workspace import to_rows, workspace
+from node_loads import loads
 
 STEP = 1e-4  # of a central difference
 
@@ -21,11 +19,8 @@ def tangent_fault():
         n = len(place)
 
         def forces(step):
-            work, before = workspace(system), to_rows(since)
-            work.q[:] = to_rows(place + cq * step * direction)
-            work.v[:] = to_rows(speed + cv * step * direction)
-            node_forces(system, work, to_rows(acceleration + step * direction), np.zeros_like(before), before, cq, cv)
-            return work
+            moved, faster = place + cq * step * direction, speed + cv * step * direction
+            return loads(system, moved, faster, acceleration + step * direction, since=since, cq=cq, cv=cv)
 
         here, ahead, back = (forces(step) for step in (0.0, STEP, -STEP))
         D, B = here.D[:, :n].reshape(3, 3, -1), here.B[:, 1:n].reshape(3, 3, -1)

@@ -4,14 +4,15 @@ import math
 
 import numpy as np
 import pytest
+from node_loads import loads
 
 from hakobune.mooring.lines.dynamics.bed import ElasticBed
 from hakobune.mooring.lines.dynamics.line import AttachedBody, DynamicLine, DynamicSegment
 from hakobune.mooring.lines.dynamics.lumped.bed import bed_energy, keep_slip
 from hakobune.mooring.lines.dynamics.lumped.books import BED, DRAG, FRICTION, INERTIA, STRUCTURE, WORK
-from hakobune.mooring.lines.dynamics.lumped.forces import immersion, node_forces, stored_energy
+from hakobune.mooring.lines.dynamics.lumped.forces import immersion
 from hakobune.mooring.lines.dynamics.lumped.surface import energy_dry
-from hakobune.mooring.lines.dynamics.lumped.workspace import read, to_rows, workspace
+from hakobune.mooring.lines.dynamics.lumped.workspace import to_rows
 
 RNG = np.random.default_rng(4)
 N = 6  # elements
@@ -158,10 +159,7 @@ def test_forces_on_nodes_are_those_of_the_equations_written_out_in_vectors(rises
     q = places(s)
     v, a, u, du = (scale * RNG.standard_normal((N + 1, 3)) for scale in (0.8, 1.1, 1.3, 0.7))
     since, slip = q + 0.1 * RNG.standard_normal((N + 1, 3)), 0.03 * RNG.standard_normal((N + 1, 3))
-    work = workspace(s)
-    for points, where in ((q, work.q), (v, work.v), (u, work.u), (du, work.du)):
-        read(where, points)
-    node_forces(s, work, rows(a), rows(slip), rows(since), 1e-3, 0.03)
+    work = loads(s, q, v, a, slip, since, u, du, 1e-3, 0.03)
     wanted, lost = by_hand(s, q, v, a, u, du, slip, since)
     found = work.r[:, : N + 1].T
     assert found == pytest.approx(wanted, rel=1e-9, abs=1e-6 * np.abs(wanted).max())
@@ -176,10 +174,8 @@ def test_forces_on_nodes_are_those_of_the_equations_written_out_in_vectors(rises
 def test_forces_at_rest_are_less_the_slope_of_the_energy_stored(rises):
     """∂E/∂q by differences; kinetic energy ½ m v², and without friction nothing else"""
     s = a_system(rises)._replace(bed_friction=0.0)
-    q, none = places(s), np.zeros((N + 1, 3))
-    work = workspace(s)
-    read(work.q, q)
-    node_forces(s, work, rows(none), rows(none), rows(q), 1e-3, 0.03)
+    q = places(s)
+    work = loads(s, q, cq=1e-3, cv=0.03)
     slope = np.empty((N + 1, 3))
     for j in range(N + 1):
         for i in range(3):
@@ -187,11 +183,11 @@ def test_forces_at_rest_are_less_the_slope_of_the_energy_stored(rises):
             for side in (1e-5, -1e-5):
                 moved = q.copy()
                 moved[j, i] += side
-                far.append(sum(stored_energy(s, rows(moved), rows(none))))
+                far.append(loads(s, moved).energy.sum())
             slope[j, i] = (far[0] - far[1]) / 2e-5
     assert pytest.approx(-slope, abs=2e-6 * np.abs(slope).max()) == work.r[:, : N + 1].T
     v = RNG.standard_normal((N + 1, 3))
-    kinetic = stored_energy(s, rows(q), rows(v))[0]
+    kinetic = loads(s, q, v).energy[0]
     assert kinetic == pytest.approx(0.5 * np.sum(s.mass[:, None] * v**2), rel=1e-12)
 
 
@@ -199,7 +195,7 @@ def test_energies_by_hand():
     """Stretch ½ EA L ε² of what is taut, weight w z, bed ∫R, an element out of the water B b Q"""
     s = a_system(True)
     q = places(s)
-    kinetic, elastic, potential, bed = stored_energy(s, rows(q), rows(0 * q))
+    kinetic, elastic, potential, bed = loads(s, q).energy
     strain = np.linalg.norm(np.diff(q, axis=0), axis=1) / s.length - 1
     assert kinetic == 0.0 and elastic == pytest.approx(
         np.sum(0.5 * s.stiffness * s.length * np.maximum(strain, 0) ** 2)

@@ -68,5 +68,5 @@ def bending_energy(flexure, length, q):
 
 @kernel()
 def part(flexure, first, last):
-    """Of nodes `first` … `last` − 1"""
-    return None if flexure is None else flexure[first:last]
+    """Of nodes `first` … `last` − 1; written so that an array is not one that may be None, which is compiled apart"""
+    return flexure if flexure is None else flexure[first:last]
