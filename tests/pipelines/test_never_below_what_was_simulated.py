@@ -166,7 +166,8 @@ def below_a_buoy(folder):
     """Of a line in time the pull on the body is recorded; below a buoy under water it pulls more, by hand"""
     made = make_study(tomllib.loads(BUOY_UNDER_WATER))
     system = made.system(made.hull_of({}), np.zeros(3), 1025.0, 9.80665)
-    body = SimpleNamespace(system=system, berth=SimpleNamespace(ropes=()))
+    reader = SimpleNamespace(axes_at_rest=np.zeros((1, 6)))
+    body = SimpleNamespace(system=system, berth=SimpleNamespace(ropes=()), reader=reader)
     (hull,) = system.bodies
     at = rest(held_at(system, {hull.name: hull.position})).lines
     found = largest_use(body, np.zeros((1, 6)), at.tension_b[None])
