@@ -27,7 +27,9 @@ def test_a_session_of_the_caller_is_left_as_it_was():
 
     gmsh.initialize(readConfigFiles=False, interruptible=False)
     try:
-        gmsh.model.add("mine")
+        for name in ("mine", "mine as well"):
+            gmsh.model.add(name)
+        gmsh.model.setCurrent("mine")
         gmsh.option.setNumber("General.Terminal", 1)
         box(10, 5, 2, panels=40)
         assert gmsh.model.list() == ["", "mine"] or gmsh.model.list() == ["mine"]
