@@ -9,6 +9,7 @@ from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.lid import lid
 from hakobune.meshing.panels import PanelMesh, joined, structured
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.findings import _reach
 from hakobune.meshing.quality.overlap import overlaps
 from hakobune.meshing.shapes import box
 
@@ -230,5 +231,6 @@ def test_a_panel_has_an_area_above_a_thousand_millionth_of_the_square_of_its_lon
         points = np.array([[0, 0, -1], [100, 0, -1], [50, h, -1]])
         return {"mesh": PanelMesh(points, np.array([[0, 1, 2, 2]]))}
 
+    assert _reach(sliver(1.0)["mesh"]) == pytest.approx(1e-4)  # m, within which corners of 100 m of hull are one
     line = both("without area", sliver(2.1e-7), sliver(1.9e-7), "error")
     assert "1 of 1 panels without area" in line
