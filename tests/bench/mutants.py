@@ -368,7 +368,10 @@ def judged(clone, row, given, sound, covered=None):
             spent += took
         if status in (0, 5):
             continue
-        by = f"it hangs in {by}" if status is None else _stopped(status, output) or "it does not import"
+        if status is None:
+            by = f"it hangs in {by or 'the collection'}"
+        else:
+            by = _stopped(status, output) or "it does not import"
         verdict = "noticed" if _is_sound(clone, by.removeprefix("it hangs in "), given, sound) else "unsound test"
         return row | {"verdict": verdict, "by": by, "seconds": round(spent, 1), "tests": len(tests)}
     return row | {"verdict": "lived", "by": "", "seconds": round(spent, 1), "tests": len(rounds[0][1])}

@@ -9,6 +9,7 @@ from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.lid import lid
 from hakobune.meshing.panels import PanelMesh, joined, structured
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.findings import _reach
 from hakobune.meshing.quality.overlap import overlaps
 from hakobune.meshing.shapes import box
 
@@ -221,3 +222,15 @@ def test_a_half_is_known_by_edges_within_four_thousandths_of_a_plane(off, told):
     points = half.points.copy()
     points[np.flatnonzero((points[:, 1] == 0) & (points[:, 2] < 0))[0], 1] = 2.0 * off
     assert bool(said("all of them in y = 0: it is a half", replace(half, points=points))) is told
+
+
+def test_a_panel_has_an_area_above_a_thousand_millionth_of_the_square_of_its_longest_edge():
+    """A triangle on 100 m, 50 h m²: limit 1e-5 m²"""
+
+    def sliver(h):
+        points = np.array([[0, 0, -1], [100, 0, -1], [50, h, -1]])
+        return {"mesh": PanelMesh(points, np.array([[0, 1, 2, 2]]))}
+
+    assert _reach(sliver(1.0)["mesh"]) == pytest.approx(1e-4)  # m, within which corners of 100 m of hull are one
+    line = both("without area", sliver(2.1e-7), sliver(1.9e-7), "error")
+    assert "1 of 1 panels without area" in line

@@ -12,10 +12,13 @@ from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.environment.tables import TableError
 from hakobune.mooring.loads.box_drag import drag_table
-from hakobune.mooring.motion import slow_damping
+from hakobune.mooring.motion import integrator, slow_damping
+from hakobune.mooring.motion.contact_loads import DEPTH
 from hakobune.mooring.motion.expected import expected_motion
 from hakobune.mooring.motion.extremes import beyond, median_extreme, rare, share_beyond
 from hakobune.mooring.motion.given_forces import GivenForce, read_force, sampled
+from hakobune.mooring.motion.line_loads import REACH
+from hakobune.mooring.motion.simulation.failures import failure
 from hakobune.mooring.motion.simulation.loads import frequency_of_coefficients, mean_frequency, wave_components
 from hakobune.mooring.motion.simulation.memory import fitted_memory
 from hakobune.mooring.motion.simulation.realisation import Doubt, doubt_of, with_error
@@ -528,3 +531,34 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
     tried.clear()
     fitted_memory(body)
     assert tried == [3e-3]
+
+
+@pytest.mark.parametrize(
+    ("state", "changes", "words"),
+    [
+        ("NO_LINE", {"load": 2.5e5}, "line bow pulls 5e+05 N, 2 times its breaking load; it is lost"),
+        ("NO_LINE", {}, f"beyond the table of its forces, {REACH[1]:g} of the depth up or down"),
+        ("TOO_SHORT", {"flexibility": 0.0}, "line bow pulls 5e+05 N; give it an axial stiffness"),
+        ("TOO_SHORT", {}, "line bow pulls 5e+05 N; raise the tolerance or soften it"),
+        ("TOO_SHORT", {"count": 0}, "look at inertia, damping and stiffness"),
+        ("NOT_FINITE", {}, "the motion is not a finite number"),
+        ("STUCK", {}, "line stern cannot be followed in its own motion"),
+        ("BEYOND", {}, "fender F2 is pressed by 0.31 m, beyond its table, which ends at 0.3 m"),
+    ],
+)
+def test_a_run_that_ends_names_time_place_part_and_the_way_out(state, changes, words):
+    """130 s with a ramp of 30 s, 3 and 4 m off; the bow line pulls 3 and 4 hundred kN"""
+    given = {"load": np.inf, "flexibility": 1e-6, "count": 2} | changes
+    names = ["bow", "stern"][: given["count"]]
+    marks, now = np.array([[0.0, 0.2], [0.0, 0.3]]), np.zeros((2, DEPTH + 1))
+    now[:, DEPTH] = 0.1, 0.31
+    scene = SimpleNamespace(
+        line_work=SimpleNamespace(whole=np.ones(len(names)), tension=np.array([[3e5, 4e5], [0.0, 1e5]])[: len(names)]),
+        lines=SimpleNamespace(lines=np.full((2, 4), given["flexibility"])),
+        contact_work=SimpleNamespace(beyond=[1], now=now), contacts=SimpleNamespace(table=SimpleNamespace(marks=marks)),
+    )  # fmt: skip
+    system = SimpleNamespace(line_names=names, breaking_load=np.full(2, given["load"]))
+    moored = SimpleNamespace(system=system, buoy=None, berth=SimpleNamespace(names=["F1", "F2"]))
+    clock = SimpleNamespace(now=np.array([130.0]), y=np.array([3.0, 4.0, 0, 0, 0, 0]))
+    said = failure(getattr(integrator, state), clock, SimpleNamespace(ramp=30.0), scene, moored, None, 1)
+    assert said.startswith("at 100 s after the ramp, the body 5 m from its place: ") and words in said

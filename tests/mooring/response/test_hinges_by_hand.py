@@ -43,6 +43,7 @@ def test_a_hinge_is_where_springs_grow_stiff_to_first_order():
     bodies = two_bodies()
     G = rows_of(bodies, Link("joint", ("ship", "barge"), AT, (1.0, 0.0, 0.0)))
     exact, errors = linked().motions(OMEGAS), []
+    assert bodies.linked([]).own and not linked().own and not bodies.restrained(stiffness=G.T @ G).linked([]).own
     for k in (1e12, 1e13, 1e14):
         errors.append(np.abs(bodies.restrained(stiffness=k * G.T @ G).motions(OMEGAS) - exact).max())
     assert np.divide(errors[:-1], errors[1:]) == pytest.approx([10, 10], rel=0.05) and len(G) == 5

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.design import advice, running
+from hakobune.pipelines.design import advice, project, running
 from hakobune.pipelines.design.cases import LoadCase
 from hakobune.pipelines.design.kinds import berth_plan
 from hakobune.pipelines.design.kinds.needs import OF_ALLOWABLE
@@ -166,3 +166,13 @@ def test_names_in_a_row_do_not_lie_over_each_other():
     above, below = berth_plan._by_side(["p", "s", "m"], np.zeros((3, 2)), [1.0, -1.0, 0.0], 1.0)
     assert [text for row in above for text, _ in row] == ["p", "m"] or len(above) == 2
     assert [text for row in below for text, _ in row] == ["s"]
+
+
+def test_rules_of_a_file_lie_beside_the_project_and_unsure_ones_are_left_out(monkeypatch, tmp_path):
+    asked, found = [], (SimpleNamespace(status="verified"), SimpleNamespace(status="unverified"))
+    monkeypatch.setattr(project, "read_rules", asked.append)
+    monkeypatch.setattr(project, "of_rule", lambda *_: found)
+    given = (("a.toml", False), (None, True))
+    tables = [SimpleNamespace(file=file, rule="R", subject="", confirmed=sure) for file, sure in given]
+    chosen = project._criteria(SimpleNamespace(rules=tables, limits=()), tmp_path)
+    assert asked == [tmp_path / "a.toml", None] and chosen == (found[0], *found)

@@ -5,12 +5,14 @@ Of 200 m and EA = 20 MN, stretched by 1 m: 100 kN at rest, and ± 80 kN of a fai
 """
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import hakobune
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.line_dynamics import command
 
 L, EA, STRETCH, RISE, PERIOD, RAMP = 200.0, 20e3, 1.0, 0.8, 20.0, 20.0  # m, kN, m, m, s
 STUDY = f"""
@@ -195,3 +197,13 @@ def test_a_current_in_knots_drags_a_taut_rope_by_half_rho_c_d_u2(tmp_path, asked
     q = 0.5 * 1025 * 1.5 * 0.08 * (1852 / 3600) ** 2
     sag = q * L**2 / (8 * 100e3)
     assert nodes[-1, 4, 1] == pytest.approx(sag, rel=0.05) and abs(nodes[-1, 4, 0]) < 1e-6
+
+
+def test_progress_is_told_every_two_seconds_with_what_is_left_and_of_which_run(monkeypatch):
+    """25 of 99 s took 3 s: 74 · 3/25 = 8.9 s are left; a time that falls back is that of the next run, of a check"""
+    clock, said = iter([0.0, 0.0, 1.0, 3.0, 4.0, 8.0]), []
+    monkeypatch.setattr(command, "time", SimpleNamespace(perf_counter=lambda: next(clock)))
+    progress = command.Progress(SimpleNamespace(print=lambda text, **_: said.append(text)), 100.0)
+    for reached in (1.0, 2.0, 26.0, 1.0, 51.0):
+        progress(reached)
+    assert said == ["26 of 100 s, 9 s left", "with fewer elements: 51 of 100 s, 4 s left"]

@@ -38,8 +38,8 @@ from hakobune.pipelines.keys.beginning import commented
 from hakobune.pipelines.keys.kinds import KINDS
 from hakobune.pipelines.moor import study as study_file
 from hakobune.pipelines.moor.study import make_study, read_study
+from hakobune.pipelines.simulate import beside, over_runs, work
 from hakobune.pipelines.simulate import file as of_runs
-from hakobune.pipelines.simulate import over_runs, work
 from hakobune.pipelines.simulate import run as runs
 from hakobune.pipelines.simulate.berth import fender_strains, findings_on_fenders
 from hakobune.pipelines.simulate.beside import Beside
@@ -608,3 +608,20 @@ def test_the_table_of_statistics_has_degrees_kilonewtons_and_seconds(folder, cap
     found.show()
     (shown,) = (line for line in capsys.readouterr().out.split("\n") if "roll, °" in line)
     assert float(shown.split("│")[3]) == pytest.approx(np.degrees(0.04 * w) / np.sqrt(2), rel=0.01)
+
+
+def test_slow_motion_stands_beside_a_run_in_a_sea_alone_and_not_beside_one_of_a_regular_wave(monkeypatch):
+    def slow(answer, sea="sea", method="spectrum"):
+        monkeypatch.setattr(beside, "long_period", lambda *_: answer())
+        found = SimpleNamespace(conditions=SimpleNamespace(sea=sea, method=method))
+        return beside._slow(SimpleNamespace(wind=None), None, None, found).tolist()
+
+    def known():
+        return SimpleNamespace(by_spectrum=(1.0, 2.0, 3.0))
+
+    def beyond():
+        raise ValueError("a spectrum that the database does not reach")
+
+    assert slow(known) == [1.0, 2.0, 3.0]
+    for unknown in (slow(known, sea=None), slow(known, method="regular_wave"), slow(beyond)):
+        assert np.isnan(unknown).all()

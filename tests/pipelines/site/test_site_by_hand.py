@@ -102,6 +102,10 @@ def test_the_wind_of_yearly_maxima_is_that_of_gumbels_law(tmp_path, pictures):
     b, s = gumbel(MAXIMA)
     value = b - s * math.log(-math.log(1 - 1 / R))
     assert values.wind.value == pytest.approx(value, rel=1e-4) and values.wind.low < value < values.wind.high
+    found = hakobune.site(tmp_path / "site.toml")
+    of_wind = [float(found[f"wind.{part}"]) for part in ("low", "value", "high")]
+    assert of_wind == pytest.approx([values.wind.low, value, values.wind.high], rel=1e-4)
+    assert [float(found[f"height.{part}"]) for part in ("low", "value", "high")] == pytest.approx([2.5] * 3)
     report.draw_paper(tmp_path / "p.png", "wind, m/s", values.wind, R)
     (axes,) = pictures[0].axes
     points, law = axes.lines[:2]

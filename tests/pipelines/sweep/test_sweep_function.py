@@ -2,6 +2,7 @@
 
 import copy
 import dataclasses
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import tomli_w
 
 import hakobune
 from hakobune.mooring.criteria.failing import fails
+from hakobune.pipelines.sweep import run
 
 BERTH = {
     "depth": 25.0,
@@ -82,3 +84,14 @@ def test_what_a_failing_case_lacks_is_nan_and_named_and_the_others_keep_it(monke
     found = iter([dataclasses.replace(whole, quantities={}, labels={})])
     with pytest.raises(ValueError, match=r"keep: .*approach\.energy"):
         hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speed", "values": [0.1]}]})
+
+
+def test_cases_are_stored_together_every_half_second_and_at_the_end(monkeypatch):
+    stored, clock = [], iter([0.0, 0.2, 0.6, 0.6, 0.9])
+    monkeypatch.setattr(run.file, "store", lambda _, rows: stored.append(list(rows)))
+    monkeypatch.setattr(run, "time", SimpleNamespace(monotonic=lambda: next(clock)))
+    with run._kept_together("a.h5") as keep:
+        for case in (1, 2, 3):
+            keep(case)
+        assert stored == [[1, 2]]
+    assert stored == [[1, 2], [3]]

@@ -157,3 +157,19 @@ def test_a_section_of_the_report_is_told_with_its_table(capsys):
     assert len(rows) == 8
     named = {(row["B_over_d"], row["H_over_d"]): row["table"] for row in rows}
     assert named["5", "1.2"] == "2.1.3.1" and named["6", "1.2"] == named["5", "inf"] == ""
+
+
+@pytest.mark.parametrize(
+    "values, given, wanted",
+    [
+        ((1.0, 99.0), {}, {"ylim": (0, None)}),
+        ((1.0, 101.0), {}, {"yscale": "log"}),  # a hundred times
+        ((-1.0, 99.0), {}, {}),
+        ((1.0, 101.0), {"ylim": (0, 2)}, {"ylim": (0, 2)}),  # as asked for
+    ],
+)
+def test_an_axis_begins_at_zero_or_is_logarithmic_where_values_are_positive_and_no_limits_are_given(
+    values, given, wanted
+):
+    line = panels.Line(SimpleNamespace(xi=np.array([1.0, 2.0])), "a", {})
+    assert panels.panel("t", [line], lambda _: np.array(values), **given).axes == {"xlabel": panels.XI, **wanted}
