@@ -156,6 +156,14 @@ def _identity(study, files, duration):
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
+    for one in (
+        *(words.get("fender") or ()),
+        *(words.get("rope") or ()),
+        *(words["simulation"] or {}).get("force", ()),
+    ):
+        for name in ("body", "to"):
+            if not one.get(name):
+                one.pop(name, None)
     if not (study.simulation and moving_lines(study.simulation) and (study.spreads or study.lines)):
         (words.get("simulation") or {}).pop("dynamic_lines", None)
         (words.get("simulation") or {}).pop("dynamic_elements", None)
