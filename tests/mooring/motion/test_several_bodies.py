@@ -116,7 +116,7 @@ def test_a_hawser_between_two_pulls_both_alike_wherever_they_are():
 
 
 def test_a_pair_that_floats_freely_keeps_momentum_and_energy():
-    """On a hawser between their centres alone: (M + A) v of both together, and their energy with what the hawser holds"""
+    """On a hawser between their centres alone: (M + A) v of both together, and their energy with that of the hawser"""
     added, damping = (np.array([share * np.kron(np.eye(2), INERTIA)] * len(OMEGA)) for share in (0.5, 1e-12))
     quiet = two_bodies(AROUND, added_mass=added, radiation_damping=damping)
     tie = system(hawser("tie", "barge", (12.0, -30.0, 1.0), (0.0, 30.0, 1.0), "ship", slack=1.001))
