@@ -90,6 +90,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     files = force_files(study, folder)
     inputs = (db.path, *files)
     check_output(output, "a simulation", is_run, DATABASE, (*filter(None, (asked.path,)), *inputs))
+    db.require_rigid()
     plan = plan_of(study, db.bodies_reader.omega, seeds, duration, folder, db.bodies_reader.words)
     if windows is not None:
         check_windows(windows, plan, db.bodies)

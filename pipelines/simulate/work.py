@@ -63,6 +63,7 @@ def prepared(task, db=None, waves=None):
         from hakobune.mooring.response.viscous import in_time
 
         study, db = task.study, database_of(task.database if db is None else db)
+        db.require_rigid()
         words = db.bodies_reader.words
         plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words)
         hull = study.hulls_of(db)

@@ -77,7 +77,7 @@ def folder(tmp_path, monkeypatch):
     reader = SimpleNamespace(omega=WIDE, depth=20.0, gravity=9.8, words=ONE_BODY)
     db = SimpleNamespace(
         reader=reader, bodies_reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8,
-        water_depth=20.0, sizes={}, displaced_volume=None, path=Path("box.h5"), bodies=(),
+        require_rigid=lambda: None, water_depth=20.0, sizes={}, displaced_volume=None, path=Path("box.h5"), bodies=(),
     )  # fmt: skip
     study = read_study("study.toml")[0]
     hull = study.hull_of({})
