@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
-from hakobune.mooring.motion.gaps import gaps, pairs_of
+from hakobune.mooring.fenders.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import hakobune
-from hakobune.mooring.motion.gaps import Side, gaps
+from hakobune.mooring.fenders.gaps import Side, gaps
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 
