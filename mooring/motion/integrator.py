@@ -185,12 +185,14 @@ def missed_course(scene, clock, moving, h):
                 continue
             b = scene.lines.body[n]
             trial, foreseen = clock.trial[BLOCK * b + first :], kept.foreseen[b, first:]
-            turn = scene.body.heading[b] if first == 0 else 0.0
-            cos, sin, x, y = np.cos(turn), np.sin(turn), trial[0] - foreseen[0], trial[1] - foreseen[1]
-            pull += lines.spring[i] * lines.stretch[i, 0] * (cos * x + sin * y)
-            pull += lines.spring[i] * lines.stretch[i, 1] * (cos * y - sin * x)
-            for j in range(2, 6):
-                pull += lines.spring[i] * lines.stretch[i, j] * (trial[j] - foreseen[j])
+            off = kept.room.push
+            for j in range(6):
+                off[j] = trial[j] - foreseen[j]
+            if first == 0 and scene.body.heading[b] != 0.0:
+                cos, sin = np.cos(scene.body.heading[b]), np.sin(scene.body.heading[b])
+                off[0], off[1] = cos * off[0] + sin * off[1], cos * off[1] - sin * off[0]
+            for j in range(6):
+                pull += lines.spring[i] * lines.stretch[i, j] * off[j]
             for j in range(6):
                 push[6 * b + j] += pull * lines.stretch[i, j]
             if first == 0:
@@ -200,8 +202,9 @@ def missed_course(scene, clock, moving, h):
         for b in range(count):
             for i in range(6):
                 total = 0.0
-                for j in range(6 * count):
-                    total += inverse[6 * b + i, j] * push[j]
+                for c in range(count):
+                    for j in range(6):
+                        total += inverse[6 * b + i, 6 * c + j] * push[6 * c + j]
                 worst = max(worst, share * abs(total) / clock.scale[b, first + i])
     return worst
 

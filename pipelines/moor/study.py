@@ -278,8 +278,8 @@ def box_of(db, body):
 
 
 def sides_of(db):
-    """`mooring.motion.gaps.Side` of every body of a database, () for one"""
-    from hakobune.mooring.motion.gaps import Side
+    """`mooring.fenders.gaps.Side` of every body of a database, () for one"""
+    from hakobune.mooring.fenders.gaps import Side
 
     found, count = [], 0
     for body in db.bodies:

@@ -90,6 +90,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     files = force_files(study, folder)
     inputs = (db.path, *files)
     check_output(output, "a simulation", is_run, DATABASE, (*filter(None, (asked.path,)), *inputs))
+    db.require_rigid()
     plan = plan_of(study, db.bodies_reader.omega, seeds, duration, folder, db.bodies_reader.words)
     if windows is not None:
         check_windows(windows, plan, db.bodies)
@@ -156,6 +157,14 @@ def _identity(study, files, duration):
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
+    for one in (
+        *(words.get("fender") or ()),
+        *(words.get("rope") or ()),
+        *(words["simulation"] or {}).get("force", ()),
+    ):
+        for name in ("body", "to"):
+            if not one.get(name):
+                one.pop(name, None)
     if not (study.simulation and moving_lines(study.simulation) and (study.spreads or study.lines)):
         (words.get("simulation") or {}).pop("dynamic_lines", None)
         (words.get("simulation") or {}).pop("dynamic_elements", None)

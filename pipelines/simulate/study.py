@@ -45,7 +45,7 @@ class Plan:
     """weather, settings : of `mooring.motion.weather`; seeds : of all runs; split : rad/s, of slow and wave part
 
     mean_period : s, of the waves, None without; findings : one line each
-    sides : `mooring.motion.gaps.Side` of several bodies
+    sides : `mooring.fenders.gaps.Side` of several bodies
     told : what was chosen and what is left out, one line each; pace : s of computing a simulated second, on static and
         on moving lines, nan where it is not known: both once a body is prepared
     """

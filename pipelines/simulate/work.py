@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
-from hakobune.mooring.motion.gaps import gaps, pairs_of
+from hakobune.mooring.fenders.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError
@@ -63,6 +63,7 @@ def prepared(task, db=None, waves=None):
         from hakobune.mooring.response.viscous import in_time
 
         study, db = task.study, database_of(task.database if db is None else db)
+        db.require_rigid()
         words = db.bodies_reader.words
         plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words)
         hull = study.hulls_of(db)

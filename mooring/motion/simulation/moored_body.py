@@ -106,6 +106,7 @@ def moored(
     start, stiffness, tables = np.zeros(len(spring)), body.stiffness + spring, ((), ())
     if system is not None:
         _check_place(system, body)
+        body_lines(system)  # refuses lines that a run cannot have
         start, stiffness = _rest(system, body, spring)
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
 
+from hakobune.bem.modes import words_of
 from hakobune.mooring.environment.gusts import davenport, gust_components
 from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc
@@ -37,6 +38,8 @@ from hakobune.mooring.motion.streams import GUST_BAND, GUSTS, gust_at, wind_stre
 from hakobune.mooring.motion.wave_loads import HEADINGS, WaveForces, drift_damping, drift_of, forces_towards
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Current, ExposedBox, Waves, Wind
+
+WORDS = words_of(())
 
 
 def components(omega, amplitude, direction=0.0):
@@ -155,22 +158,23 @@ def spring_waves(force):
     waves = WaveForces(omega, np.broadcast_to(parts, (9, HEADINGS, 12)).copy(), None)
     stiffness = np.broadcast_to(np.diag([10.0, 20, 30, 40, 50, 60]).astype(complex), (9, 6, 6))
     inertia = np.diag([4.0, 4, 4, 16, 36, 100])
-    return SimpleNamespace(reader=SimpleNamespace(inertia=inertia), waves=waves, dynamic_stiffness=stiffness)
+    reader = SimpleNamespace(inertia=inertia, axes_at_rest=np.zeros((1, 6)))
+    return SimpleNamespace(reader=reader, waves=waves, dynamic_stiffness=stiffness)
 
 
 def test_the_scale_of_errors_is_the_linear_motion_in_the_same_waves():
     """½ Σ a² |X|² of 2 and 1 m at 0.5 and 1 rad/s, velocities ω times that; a hundredth of the largest at least"""
     force = np.array([10.0, 10.0j, 0.0, 4.0, 0.0, 0.0])
-    found = expected_motion(spring_waves(force), components([0.5, 1.0], [2.0, 1.0]))
+    (found,) = expected_motion(spring_waves(force), components([0.5, 1.0], [2.0, 1.0]))
     sigma, speed = math.sqrt(2.5), math.sqrt(0.5 * (4 * 0.25 + 1))
     least = 0.01 * 1.0
     assert found[:6] == pytest.approx(sigma * np.array([1.0, 0.5, least, 0.1, least / 3, least / 5]), rel=1e-6)
     assert found[6:] == pytest.approx(speed * np.array([1.0, 0.5, least, 0.1, least / 3, least / 5]), rel=1e-6)
-    huge = expected_motion(spring_waves(1e6 * force), components([0.5], [2.0]))
+    (huge,) = expected_motion(spring_waves(1e6 * force), components([0.5], [2.0]))
     assert huge[0] == pytest.approx(20 * math.sqrt(2)) and huge[3] == pytest.approx(20 / 2 * math.sqrt(2))
-    calm = expected_motion(spring_waves(force), None)
+    (calm,) = expected_motion(spring_waves(force), None)
     assert calm == pytest.approx([0.1, 0.1, 0.1, 0.05, 0.1 / 3, 0.02, 0.05, 0.05, 0.05, 0.025, 0.05 / 3, 0.01])
-    beyond_the_band = expected_motion(spring_waves(force), components([3.0], [2.0]))
+    (beyond_the_band,) = expected_motion(spring_waves(force), components([3.0], [2.0]))
     assert beyond_the_band[6] == pytest.approx(1.2 * math.sqrt(2))
 
 
@@ -232,7 +236,7 @@ def test_a_path_beyond_its_tolerance_is_told_and_one_that_is_chance_too(off, err
         def _replace(self, **words):
             return Found(**(self.__dict__ | words))
 
-    made = with_error(Found(findings=("before",)), doubt, 0.1, "two runs")
+    made = with_error(Found(findings=("before",)), doubt, 0.1, WORDS, "two runs")
     assert made.findings[0] == "before" and len(made.findings) == 1 + told and made.estimated_error is doubt.error
     if told:
         assert "sway may be 0.1 of its standard deviation off by two runs" in made.findings[1]
@@ -256,20 +260,20 @@ def test_a_trial_compares_the_line_that_changes_most_with_the_largest_pull():
 def test_a_trial_compares_slow_motions_that_are_not_small(monkeypatch):
     """σ of surge 2 and 1 m; sway of a twentieth does not count; yaw counts with the arm to the fairleads, 50 m"""
     monkeypatch.setattr("hakobune.mooring.motion.simulation.trial._arm", lambda moored: 50.0)
-    swing = np.array([5.0, 1.0, -1.0, 1.0, -1.0])[:, None]
+    swing, body = np.array([5.0, 1.0, -1.0, 1.0, -1.0])[:, None], SimpleNamespace(reader=SimpleNamespace(words=WORDS))
     time = np.array([-1.0, 0.0, 1.0, 2.0, 3.0])
     one, other = (
         SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.05, 0.01], [1.0, 0.001, 0.012])
     )
-    found = _of_slow_motion(None, one, other)
+    found = _of_slow_motion(body, one, other)
     assert found.share == pytest.approx(0.5) and found.words == "slow surge has σ 2 m on static lines, 1 m on moving"
     one, other = (SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.0, 0.01], [2.0, 0.0, 0.02]))
-    found = _of_slow_motion(None, one, other)
+    found = _of_slow_motion(body, one, other)
     assert (
         found.share == pytest.approx(0.5) and "slow yaw has σ 0.573 ° on static lines, 1.15 ° on moving" in found.words
     )
     one, other = (SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([0.099, 0.0, 0.0], [0.05, 0.0, 0.0]))
-    assert _of_slow_motion(None, one, other).share == 0.0  # below 2e-3 of the arm, by which both were nudged
+    assert _of_slow_motion(body, one, other).share == 0.0  # below 2e-3 of the arm, by which both were nudged
 
 
 def test_the_pace_of_a_trial_is_seconds_a_simulated_second():
@@ -445,7 +449,7 @@ def damped(memory_states=0, **changes):
     """Surge, sway and yaw with stiffness 4, 9, 100 and mass 1, 1, 4: ω = 2, 3, 5, critical 4, 6, 40"""
     stiffness = np.diag([4.0, 9, 0, 0, 0, 100])
     reader = SimpleNamespace(
-        inertia=np.diag([0.75, 0.5, 1, 1, 1, 3.0]), between=SimpleNamespace(span=(2.5, 9.0)),
+        words=WORDS, inertia=np.diag([0.75, 0.5, 1, 1, 1, 3.0]), between=SimpleNamespace(span=(2.5, 9.0)),
         coefficients=lambda omega: (None, np.array([np.diag([omega[0], 1.2, 0, 0, 0, 8.0])])),
     )  # fmt: skip
     memory = SimpleNamespace(states=memory_states, transform=lambda omega: np.array([(omega[0] + 9j) * np.eye(6)]))
@@ -462,18 +466,20 @@ def damped(memory_states=0, **changes):
 def test_shares_of_critical_of_what_damps_slow_motion():
     """B/2√(CM): given, radiated at the nearest stored frequency or by the memory, and wave drift"""
     drift = np.array([[0.8, 7.0], [7.0, 0.6], [7.0, 7.0]])
-    found = slow_damping.shares(damped(), damped().damping, drift)
+    found = slow_damping.shares(damped(), damped().damping, drift[None])
     assert found["surge"] == pytest.approx((2.0, 0.1, 2.5 / 4, 0.2))  # 2 rad/s is held at 2.5
     assert found["sway"] == pytest.approx((3.0, 0.05, 0.2, 0.1)) and found["yaw"] == pytest.approx((5.0, 0.1, 0.2, 0.0))
-    by_memory = slow_damping.shares(damped(4), damped().damping, drift)
+    by_memory = slow_damping.shares(damped(4), damped().damping, drift[None])
     assert [one[2] for one in by_memory.values()] == pytest.approx([2 / 4, 3 / 6, 5 / 40])
-    assert list(slow_damping.shares(damped(stiffness=np.diag([0.0, 9, 0, 0, 0, 0])), np.eye(6), drift)) == ["sway"]
+    assert list(slow_damping.shares(damped(stiffness=np.diag([0.0, 9, 0, 0, 0, 0])), np.eye(6), drift[None])) == [
+        "sway"
+    ]
 
 
 def body_of(surge, quadratic=0.0, drift=0.0):
     return SimpleNamespace(
         damping=np.diag([surge, 0, 0, 0, 0, 0]), quadratic=np.array([quadratic, 0, 0, 0, 0, 0.0]),
-        drift_damping=np.array([np.zeros(6), [drift, 0, 0, 0, 0, 0], np.zeros(6)]),
+        drift_damping=np.array([[np.zeros(6), [drift, 0, 0, 0, 0, 0], np.zeros(6)]]),
     )  # fmt: skip
 
 

@@ -102,7 +102,7 @@ def test_bodies_that_do_not_see_each_other_are_each_as_alone():
 
 def test_a_hawser_between_two_pulls_both_alike_wherever_they_are():
     """Forces add up to nothing, and so do moments about a point in space, for any place, heel and heading"""
-    lines = body_lines(system(hawser("tie", "barge", (0.0, -25.0, 2.0), (5.0, 25.0, 3.0), "ship")))
+    lines = body_lines(system(hawser("tie", "barge", (0.0, -25.0, 2.0), (5.0, 25.0, 3.0), "ship", slack=0.5)))
     assert (lines.body.tolist(), lines.other.tolist()) == ([1], [0])
     rng, work = np.random.default_rng(3), line_work(lines)
     for _ in range(5):
@@ -116,17 +116,17 @@ def test_a_hawser_between_two_pulls_both_alike_wherever_they_are():
 
 
 def test_a_pair_that_floats_freely_keeps_momentum_and_energy():
-    """On a hawser alone, without memory, waves and damping: (M + A) v of both together, and what the hawser holds"""
+    """On a hawser between their centres alone: (M + A) v of both together, and their energy with that of the hawser"""
     added, damping = (np.array([share * np.kron(np.eye(2), INERTIA)] * len(OMEGA)) for share in (0.5, 1e-12))
     quiet = two_bodies(AROUND, added_mass=added, radiation_damping=damping)
-    tie = system(hawser("tie", "barge", (10.0, -29.0, 1.0), (0.0, 29.0, 1.0), "ship", slack=0.999))
+    tie = system(hawser("tie", "barge", (12.0, -30.0, 1.0), (0.0, 30.0, 1.0), "ship", slack=1.001))
     free = moored(quiet, tie, memory=no_memory(quiet))
     moves = np.zeros(12)
-    moves[1], moves[7] = 0.1, 0.02  # apart: the ship to +y, the barge in its own +y, which is −y
+    moves[1], moves[7] = 0.1, 0.02  # apart: the ship to +y, the barge in its own +y, which is −y; taut after a second
     run = simulate(
         free, Weather(), Settings(80.0, 0.0, 1.0, **STILL | {"constant_period": 10.0}, velocity=tuple(moves))
     )
-    assert run.tension.max() > 1.5 * run.tension[0].max()
+    assert run.tension.max() > 1e4 and run.tension[0].max() == 0.0
     cos, sin = np.cos(run.motion[:, 5::6] + [0, np.pi]), np.sin(run.motion[:, 5::6] + [0, np.pi])
     u, v = run.velocity[:, ::6], run.velocity[:, 1::6]
     momentum = np.stack([(cos * u - sin * v).sum(axis=1), (sin * u + cos * v).sum(axis=1)])

@@ -18,7 +18,7 @@ from rich.console import Console
 import hakobune
 import hakobune.mooring.motion.simulation as engine
 from hakobune import pipelines
-from hakobune.bem import database
+from hakobune.bem import DOFS, database
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.bem.waves import wavenumber
 from hakobune.mooring.environment.sea import Sea
@@ -38,6 +38,7 @@ from hakobune.pipelines.keys.beginning import commented
 from hakobune.pipelines.keys.kinds import KINDS
 from hakobune.pipelines.moor import study as study_file
 from hakobune.pipelines.moor.study import make_study, read_study
+from hakobune.pipelines.response.study import ONE_BODY
 from hakobune.pipelines.simulate import beside, over_runs, work
 from hakobune.pipelines.simulate import file as of_runs
 from hakobune.pipelines.simulate import run as runs
@@ -62,7 +63,9 @@ def oscillator(body, plan, settings, seed=0, progress=None):
     tension = 1e6 + 1e5 * wave[:, None] * np.linspace(-1, 1, 12)
     zero, none, found = np.zeros(6), np.zeros((len(t), 0)), ("a finding",)
     slow = motion[:, [0, 1, 5]]
-    return Realisation(t, motion, motion, slow, wave, 0 * t, tension, seed, zero, 9, {}, found, none, none, none)
+    return Realisation(
+        t, motion, motion, slow, wave, 0 * t, tension, seed, zero, 9, {}, found, none, none, none, motion[:, None]
+    )
 
 
 @pytest.fixture
@@ -71,10 +74,10 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "study.toml").write_text(MOOR.read_text() + TABLE)
     (tmp_path / "box.h5").write_bytes(b"a database")
-    reader = SimpleNamespace(omega=WIDE, depth=20.0, gravity=9.8)
+    reader = SimpleNamespace(omega=WIDE, depth=20.0, gravity=9.8, words=ONE_BODY)
     db = SimpleNamespace(
-        reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0, sizes={},
-        displaced_volume=None, path=Path("box.h5"), bodies=(),
+        reader=reader, bodies_reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8,
+        require_rigid=lambda: None, water_depth=20.0, sizes={}, displaced_volume=None, path=Path("box.h5"), bodies=(),
     )  # fmt: skip
     study = read_study("study.toml")[0]
     hull = study.hull_of({})
@@ -82,7 +85,9 @@ def folder(tmp_path, monkeypatch):
     memory = SimpleNamespace(states=4)
     body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
     body.berth = no_berth()
-    body.reader = SimpleNamespace(radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8)
+    body.reader = SimpleNamespace(
+        radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8, words=ONE_BODY, names=DOFS, axes_at_rest=np.zeros((1, 6))
+    )  # fmt: skip
 
     def prepared(task, db=None):
         return body, plan_of(study, WIDE, None, task.duration), ()
