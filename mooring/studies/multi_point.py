@@ -114,8 +114,9 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     hull : `conditions.ExposedBox`, of several bodies {name: ExposedBox}; allowable : fraction of the breaking load
     raises : ValueError naming what does not fit or has no solution
     """
-    db.require_rigid()
     hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader
+    if body.modes:
+        db.require_rigid()
     _check(db, system, hulls, allowable)
     if not db.bodies:
         conditions = with_coefficients(conditions, hull, system.depth)

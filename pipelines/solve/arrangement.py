@@ -43,6 +43,13 @@ def own_hulls(scene, mesh):
     return [folded(_at_origin(mesh.of_body(i).whole(), body.place)) for i, body in enumerate(scene.bodies)]
 
 
+def own_hulls_of_modes(scene, mesh):
+    """What `bending.shapes` is given of the mesh of a scene: nothing without modes"""
+    if not scene.modes:
+        return ()
+    return own_hulls(scene, mesh) if scene.several else [mesh]
+
+
 def in_scene(body, point):
     """(3,) m in coordinates of the scene of a point in those of a body"""
     x, y, angle = body.place[0], body.place[1], math.radians(body.place[2])

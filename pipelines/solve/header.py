@@ -14,8 +14,8 @@ from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 from ..scene.identity import MESH_FILE, contents, fixed_part, scene_hash
 from ..scene.scene import SceneError
 from ..scene.text import to_toml
-from .arrangement import bodies_of, in_scene, own_hulls
-from .shapes import modes_of, with_modes
+from .arrangement import bodies_of, in_scene, own_hulls, own_hulls_of_modes
+from .bending.shapes import modes_of, with_modes
 
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
@@ -32,7 +32,7 @@ def make_header(scene, hull):
         theta=kochin_angles(scene, hull.mesh, scene.shortest_wave),
         body=body_properties(scene, hull.mesh),
         bodies=bodies_of(scene),
-        modes=modes_of(scene, hull.mesh),
+        modes=modes_of(scene, own_hulls_of_modes(scene, hull.mesh)),
         dimensions=scene.dimensions,
         scene=to_toml(scene),
         scene_hash=scene_hash(fixed_part(scene)),
@@ -46,7 +46,8 @@ def body_properties(scene, mesh):
     Of several bodies: one row for each, matrices (6N, moving) about the own point of each in its own axes; of shapes,
     one row and column each after all bodies.
     """
-    return with_modes(_of_several(scene, mesh) if scene.several else _of_one(scene, mesh), scene, mesh)
+    known = _of_several(scene, mesh) if scene.several else _of_one(scene, mesh)
+    return with_modes(known, scene, own_hulls_of_modes(scene, mesh))
 
 
 def each_body(scene, mesh, body):

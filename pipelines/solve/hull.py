@@ -18,12 +18,12 @@ from hakobune.meshing.quality import findings, lid_findings
 from ..common.typed import typed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
-from .arrangement import arranged, check_apart, own_hulls
+from .arrangement import arranged, check_apart, own_hulls, own_hulls_of_modes
+from .bending.shapes import with_planes_of_modes
 from .gaps.damping_lids import damping_lids_of, with_planes_of
 from .gaps.resonant_water import resonant_water
 from .large import shared_band
 from .panel_counts import FEWEST, coarse_counts, fine_counts, finer_counts, meshed
-from .shapes import with_planes_of_modes
 
 MOST_PANELS = 20_000
 MOST_GIVEN = 100_000  # of a mesh file, or by --panels
@@ -159,7 +159,8 @@ def _remeshed(scene, mesh, counts):
 def _in_place(scene, hulls):
     """One mesh of the hulls of a scene's bodies"""
     mesh = arranged(scene, hulls) if scene.several else hulls[0]
-    return with_planes_of_modes(scene, with_planes_of(mesh, damping_lids_of(scene, mesh)))
+    mesh = with_planes_of(mesh, damping_lids_of(scene, mesh))
+    return with_planes_of_modes(scene, mesh, own_hulls_of_modes(scene, mesh))
 
 
 def coarse_hull_of(header, fewest, cover):

@@ -18,12 +18,13 @@ from ..scene.identity import check_same, fixed_part, scene_hash
 from ..scene.methods import check_method
 from ..scene.scene import Scene, SceneError
 from ..scene.text import to_toml
+from .arrangement import own_hulls_of_modes
+from .bending.shapes import modes_of
 from .header import body_properties, each_body, kochin_angles, make_header, named
 from .hull import make_hull, stored_hull
 from .large import check_database
 from .problem import problem_of
 from .remarks import remarks
-from .shapes import modes_of
 from .weight import check_weight
 
 KOCHIN = {"kochin_radiation", "kochin_diffraction"}
@@ -67,7 +68,12 @@ def resumed(scene, file):
     header = replace(db.header, scene=to_toml(scene))
     if moved:
         fixed = scene_hash(fixed_part(scene))
-        header = replace(header, body=body_properties(scene, db.mesh), modes=modes_of(scene, db.mesh), scene_hash=fixed)
+        header = replace(
+            header,
+            body=body_properties(scene, db.mesh),
+            modes=modes_of(scene, own_hulls_of_modes(scene, db.mesh)),
+            scene_hash=fixed,
+        )
     scene = _by_the_same_method(scene, header, db.path)
     header = _with_angles(scene, db, pending(file), header)
     plan = _plan(scene, stored_hull(scene, header), header)

@@ -11,11 +11,11 @@ from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
 from ..scene.viscous_table import viscous_of
-from .arrangement import bodies_of
+from .arrangement import bodies_of, own_hulls_of_modes
+from .bending.shapes import modes_of
 from .gaps.damping_lids import damping_lids_of
 from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band
-from .shapes import modes_of
 
 
 def problem_of(header, scene):
@@ -44,7 +44,7 @@ def problem_of(header, scene):
 
 def _with_modes(header, scene, body):
     """What shapes change of the arguments of a problem"""
-    modes = modes_of(scene, header.mesh)
+    modes = modes_of(scene, own_hulls_of_modes(scene, header.mesh))
     names = names_of(body["bodies"], modes)
     moved = tuple(names[d] for d in moving(body["bodies"], modes))
     return {

@@ -6,9 +6,10 @@ from hakobune.bem.database.schema import NEEDS_MOTION
 
 from ..scene.methods import names_given
 from ..scene.products import expand
+from .arrangement import own_hulls_of_modes
+from .bending.shapes import mode_remarks
 from .header import each_body
 from .hull import panels_matter
-from .shapes import mode_remarks
 from .weight import weight_remarks
 
 GRAVITIES = 9.7, 9.9  # m/s² on the earth
@@ -29,7 +30,7 @@ def remarks(scene, hull, body):
         *_gravity_remarks(scene.water.gravity),
         *_weight_remarks(scene, hull.mesh, body),
         *_motion_remarks(scene),
-        *mode_remarks(scene, hull.mesh),
+        *mode_remarks(scene, own_hulls_of_modes(scene, hull.mesh)),
     )
 
 

@@ -41,11 +41,15 @@ def drift(order, series, beta, k, n):
 class Made(SimpleNamespace):
     density, gravity, water_depth, rotation_center = RHO, G, DEPTH, CENTER
     omega, wave_direction, has_viscous_motions, mesh = OMEGA, BETA, False, box(20, 10, 4, panels=40)
-    bodies, has_damping_lids = (), False
+    bodies, modes, structural_damping, has_damping_lids = (), (), None, False
 
     @property
     def names(self):
         return [name for name in self.values if name not in ("wavenumber", "theta")]
+
+    @property
+    def stiffness(self):
+        return self.hydrostatic_stiffness
 
     def __getitem__(self, name):
         return self.values[name]

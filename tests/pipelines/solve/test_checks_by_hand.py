@@ -65,7 +65,8 @@ def test_what_fails_of_a_run_has_frequencies_laws_and_tolerance():
 
 def test_the_table_of_a_body_is_in_tonnes_metres_and_seconds():
     db = SimpleNamespace(
-        bodies=(), dimensions={"length": 100.0}, water_depth=np.inf, density=1025.0, displaced_volume=50_000.0,
+        bodies=(),
+        modes=(), dimensions={"length": 100.0}, water_depth=np.inf, density=1025.0, displaced_volume=50_000.0,
         mass=4.9e7,
         center_of_mass=(0.0, -0.0, 1.5), center_of_buoyancy=(0.0, 0.0, -5.0), rotation_center=(1.0, 2.0, -3.0),
         waterplane_area=5000.0, transverse_metacentric_height=16.25, longitudinal_metacentric_height=78.5,

@@ -11,17 +11,16 @@ from hakobune.bem.modes import Mode, moving
 from hakobune.bem.panels.elements import elements
 from hakobune.meshing.panels import with_symmetry
 
-from ..scene.scene import SceneError
-from ..scene.shapes import names_of, owner, points_of
-from .arrangement import bodies_of, own_hulls
+from ...scene.scene import SceneError
+from ...scene.shapes import names_of, owner, points_of
 
 ALONG = np.polynomial.legendre.leggauss(200)  # places of mass along a beam
 RIGID = 1e-6  # of its largest displacement: what a shape that strains nothing differs from rigid motions by
 
 
-def modes_of(scene, mesh):
-    """(`bem.modes.Mode`, …) of a scene on the mesh of its bodies"""
-    out, hulls = [], _hulls(scene, mesh) if scene.modes else ()
+def modes_of(scene, hulls):
+    """(`bem.modes.Mode`, …) of a scene; hulls : PanelMesh of each body, in coordinates of its own"""
+    out = []
     for number, table in enumerate(scene.modes or ()):
         i = owner(scene, table)
         where = (
@@ -34,31 +33,30 @@ def modes_of(scene, mesh):
     return tuple(out)
 
 
-def with_planes_of_modes(scene, mesh):
-    """The mesh with the mirror planes alone that the shapes of its bodies have too"""
-    modes = modes_of(scene, mesh)
+def with_planes_of_modes(scene, mesh, hulls):
+    """The mesh with the mirror planes alone that the shapes of its bodies have too; hulls : as of `modes_of`"""
+    modes = modes_of(scene, hulls)
     signs = [mode.parity(_of_body(mesh, mode.body).centroids) for mode in modes]
     kept = "".join(axis for axis, own in zip("xy", np.array(signs).reshape(-1, 2).T, strict=True)
                    if axis in mesh.symmetry and np.all(own != 0))  # fmt: skip
     return with_symmetry(mesh, kept) if modes else mesh
 
 
-def with_modes(known, scene, mesh):
+def with_modes(known, scene, hulls):
     """`known` properties of bodies with matrices of their shapes too, of water, weight, structure and damping
 
     raises : SceneError for a shape that strains nothing, and one without mass
     """
-    modes = modes_of(scene, mesh)
+    modes, bodies = modes_of(scene, hulls), scene.bodies if scene.several else ()
     if not modes:
         return known
-    bodies = bodies_of(scene)
     rigid, own = 6 * len(scene.bodies), moving(bodies, modes)
     size = rigid + len(modes)
     water, mass, held, damping = np.zeros((4, size, size))
     for name, whole in (("hydrostatic_stiffness", water), ("inertia_matrix", mass)):
         if name in known:
             whole[np.ix_(range(rigid), moving(bodies))] = known[name]
-    for i, hull in enumerate(_hulls(scene, mesh)):
+    for i, hull in enumerate(hulls):
         of = [j for j, mode in enumerate(modes) if mode.body == i]
         if of:
             place = [*range(6 * i, 6 * i + 6), *(rigid + j for j in of)]
@@ -76,11 +74,11 @@ def with_modes(known, scene, mesh):
     return known | {name: matrix[:, own] for name, matrix in found.items()}
 
 
-def mode_remarks(scene, mesh):
+def mode_remarks(scene, hulls):
     """Lines on how well shapes from files are known on the hull"""
-    for mode, table in zip(modes_of(scene, mesh), _tables(scene), strict=True):
+    for mode, table in zip(modes_of(scene, hulls), _tables(scene), strict=True):
         if isinstance(mode.shape, Table):
-            shape, hull = mode.shape, _hulls(scene, mesh)[mode.body].whole()
+            shape, hull = mode.shape, hulls[mode.body].whole()
             error = 100 * shape.error(hull.centroids)
             yield f"{mode.name}: on the hull known within {error:.2g} % of its largest displacement, by two splines"
             if shape.dimensions < 3:
@@ -93,10 +91,6 @@ def mode_remarks(scene, mesh):
 def _tables(scene):
     """The `scene.tables.ModeTable` of every shape"""
     return [table for table in scene.modes or () for _ in names_of(table)]
-
-
-def _hulls(scene, mesh):
-    return own_hulls(scene, mesh) if scene.several else [mesh]
 
 
 def _of_body(mesh, number):

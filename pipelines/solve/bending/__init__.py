@@ -1,0 +1,1 @@
+"""Bodies of a scene that bend."""
