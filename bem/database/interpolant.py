@@ -38,6 +38,8 @@ KEPT = 1 << 27  # bytes of rows that are kept for the next function at the same 
 WINDOW = 64  # nodes that are fitted together
 SHARP = 0.3  # of s
 SEEN = 0.01  # of the largest value
+MOST_RINGING, FEW_KERNELS = 8, 9  # poles that are tried, with one kernel of so many
+BELIEVED = 0.1  # of the square of what is missed at nodes left out, that a pole has to leave
 SAMPLE = 15  # functions of a group that stand for all of them
 
 
@@ -393,14 +395,30 @@ def _root(kernel):
 def ringing_of(x, values):
     """(p,) sharp poles, in the variable s of x (n,), of functions (n, m) that ring between their nodes
 
-    A pole is believed that is seen at a node, as those of noise are not; one as broad as SHARP is smooth without it.
+    A pole is believed that is seen at a node and, as those of noise do not, tells nodes that are left out; one as broad
+    as SHARP is smooth without it.
     """
     found, residues = poles(x.smooth, values)
     inside = (found.real > x.smooth[0]) & (found.real < x.smooth[-1]) & (np.abs(found.imag) < SHARP)
     found, residues = found[inside], residues[inside]
     nearest = np.abs(x.smooth[:, None] - found).min(axis=0)
-    found = found[np.abs(residues).max(axis=1, initial=0.0) > SEEN * nearest]
-    return found.real - 1j * np.abs(found.imag)  # what rings for long has a width of rounding errors
+    seen = np.abs(residues).max(axis=1, initial=0.0) / nearest
+    order = [k for k in np.argsort(-seen)[:MOST_RINGING] if seen[k] > SEEN]
+    kept = np.zeros(0, complex)
+    error = _left_out(x, values, kept) if order else 0.0
+    for pole in found.real[order] - 1j * np.abs(found.imag[order]):  # what rings long has a width of rounding errors
+        more = np.append(kept, pole)
+        with_it = _left_out(x, values, more)
+        if np.any(with_it < BELIEVED * error):
+            kept, error = more, with_it
+    return kept
+
+
+def _left_out(x, values, ringing):
+    """(m,) square of what the best of some kernels misses at nodes x (n,) that are left out, of functions (n, m)"""
+    roots = _root(Nodes(x, False, ringing)._kernels(x, x)[::FEW_KERNELS])
+    inverse = np.sum(np.abs(roots) ** 2, axis=1)[..., None]
+    return np.sum(np.abs(roots.conj().swapaxes(1, 2) @ (roots @ values) / inverse) ** 2, axis=1).min(axis=0)
 
 
 def _left_open(row, root):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import asdict
 
 from hakobune.mooring.berthing.memory import berth as in_time
 from hakobune.mooring.berthing.memory import ship_of_database, without_memory
@@ -22,7 +24,7 @@ from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import quantities
 from ..results.result import Result, labels
-from .study import BerthStudy, approach_of, read_berth
+from .study import BerthFender, BerthStudy, approach_of, read_berth
 
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
@@ -32,6 +34,8 @@ DEPTH_DIFFERS = 0.02  # of the depth at the berth, less than a tide
 BUCKLING = ("cell", "v", "h", "cone")  # families with a plateau
 LINEAR_TO = 0.15  # strain up to which Ueda (1981) takes a fender as a spring
 BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "stiffest")
+BEHIND = ("x", "gap", "dolphin", "dolphin_yield", "dolphin_beyond")  # keys that the fender of a simulation has not
+DEFAULT = dict(zip(BerthFender.__struct_fields__[::-1], BerthFender.__struct_defaults__[::-1], strict=False))
 TAKEN = "the same energy, where the fender differs from its catalogue"
 
 
@@ -63,7 +67,10 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
     water = "in time with constant virtual mass" if db is None else f"in time with the memory of {db.path}"
     return Result(
         "berth", found, axes, (*told, *_failures(study, approach, course), *refused),
-        (f"softest and stiffest by {', '.join(causes_of(table))}", *((water,) if course is not None else ())),
+        (
+            f"softest and stiffest by {', '.join(causes_of(table))}", *((water,) if course is not None else ()),
+            _to_paste(study, approach),
+        ),
         provenance=provenance(text, db), detail=(approach, course),
     )  # fmt: skip
 
@@ -85,6 +92,30 @@ def _ship(study, approach, db):
     if study.depth is not None and abs(db.water_depth / study.depth - 1) > DEPTH_DIFFERS:
         told.append(f"the memory of {db.path} is that of {db.water_depth:g} m of water, depth is {study.depth:g} m")
     return made, told
+
+
+def _to_paste(study, approach):
+    """A line with the fenders, and the dolphins behind them, as the study of a simulation takes them"""
+    fenders, dolphins = [], []
+    for k, (table, (_, x, gap)) in enumerate(zip(study.fender, approach.meetings, strict=True), 1):
+        own = {
+            name: value for name, value in asdict(table).items() if name not in BEHIND and value != DEFAULT.get(name)
+        }
+        own = {"name": f"fender {k}", "position": [x, round(study.ship.beam / 2 + gap, 6), 0.0], **own}
+        if table.dolphin is not None:
+            own["on"] = f"dolphin {k}"
+            values = (own["on"], table.dolphin, table.dolphin_yield, table.dolphin_beyond)
+            known = zip(("name", "stiffness", "yield_force", "stiffness_beyond"), values, strict=True)
+            dolphins.append({name: value for name, value in known if value is not None})
+        fenders.append(own)
+    lists = {"fender": fenders, "dolphin": dolphins} if dolphins else {"fender": fenders}
+    words = "; ".join(f"{name} = [{', '.join(map(_inline, rows))}]" for name, rows in lists.items())
+    return f"at the top of the study of a simulation, with z of the face in place of 0: {words}"
+
+
+def _inline(table):
+    """A dictionary as an inline table of TOML"""
+    return "{ " + ", ".join(f"{name} = {json.dumps(value)}" for name, value in table.items()) + " }"
 
 
 def _first(approach):

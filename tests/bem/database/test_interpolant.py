@@ -21,6 +21,7 @@ from hakobune.bem.database.interpolant import (
     ringing_of,
     windows,
 )
+from hakobune.bem.kernels.poles import poles
 from hakobune.bem.methods.panel_problem import prepare
 from hakobune.bem.waves import wavenumber
 from hakobune.pipelines.scene.scene import make_scene
@@ -77,6 +78,12 @@ def test_noise_makes_no_poles(noise, count):
     x = np.linspace(0.0, 2.0, 40)
     values = 1 / (x - 1.1 + 0.05j)[:, None] + 20 * noise * np.random.default_rng(1).normal(size=(40, 2))
     assert len(ringing_of(Abscissa(x, x), values)) == count
+
+
+def test_a_node_that_is_off_by_itself_makes_no_pole():
+    x = np.linspace(0.0, 2.0, 40)
+    values = 1 / (x - 1.1 + 0.5j)[:, None] + 0.1 * np.eye(40)[:, [20]]
+    assert len(ringing_of(Abscissa(x, x), values)) == 0 < len(poles(x, values)[0])
 
 
 @pytest.mark.parametrize("moving", [[], [1], [0, 1, 2]])

@@ -2,8 +2,10 @@
 
 import csv
 import math
+import tomllib
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 from by_hand import SOFTEST, STIFFEST, line_of, numbers
@@ -11,6 +13,7 @@ from by_hand import SOFTEST, STIFFEST, line_of, numbers
 import hakobune
 from hakobune.mooring import berthing
 from hakobune.pipelines.berth.measured import measured
+from hakobune.pipelines.common.quay_tables import DolphinTable, QuayFenderTable
 
 L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.0, 220_000.0, 0.12, 40.0  # m, t, m/s
 K = 20 * 1000.0  # kN/m: twenty fenders of 2 m, 1000 kN at half the height
@@ -216,3 +219,22 @@ def test_fifty_berthings_have_these_medians_and_quartiles():
         assert quartiles == pytest.approx(np.quantile(values, [0.25, 0.5, 0.75]), rel=1e-6)
         assert found["contacts"][i] == len(values)
         assert found["bounded"][i] == pytest.approx(np.mean(inside[name]))
+
+
+def test_fenders_are_told_as_a_simulation_takes_them():
+    """Half a beam of 20 m off midship, the second 0.1 m behind the first; on a dolphin that yields"""
+    study = {
+        "ship": {"length": 100.0, "beam": 20.0, "draft": 6.0, "block": 0.8},
+        "approach": {"speed": 0.1, "eccentricity": 0.5},
+        "fender": [
+            {"family": "cell", "height": 1.45, "x": 30.0, "dolphin": 2e4, "dolphin_yield": 3e3, "dolphin_beyond": 1e3},
+            {"family": "cell", "height": 1.45, "x": -30.0, "gap": 0.1, "count": 2},
+        ],
+    }
+    (line,) = [note for note in hakobune.berth(study).notes if "study of a simulation" in note]
+    told = tomllib.loads(line.split(": ", 1)[1].replace("; dolphin", "\ndolphin"))
+    assert [one["position"] for one in told["fender"]] == [[30.0, 10.0, 0.0], [-30.0, 10.1, 0.0]]
+    first, second = msgspec.convert(told["fender"], list[QuayFenderTable])
+    assert (first.height, first.on, second.on, second.count) == (1.45, "dolphin 1", None, 2)
+    (dolphin,) = msgspec.convert(told["dolphin"], list[DolphinTable])
+    assert (dolphin.stiffness, dolphin.yield_force) == (2e4, 3e3)
