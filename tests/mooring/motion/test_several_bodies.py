@@ -13,6 +13,7 @@ from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
 from hakobune.mooring.lines.system.moored_body import Leg, moored_bodies
 from hakobune.mooring.motion.line_loads import body_lines, line_loads, line_work
 from hakobune.mooring.motion.simulation import SimulationError, moored, simulate
+from hakobune.mooring.motion.wave_loads import no_wave_forces
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Waves
 
@@ -120,9 +121,12 @@ def test_a_pair_that_floats_freely_keeps_momentum_and_energy():
     added, damping = (np.array([share * np.kron(np.eye(2), INERTIA)] * len(OMEGA)) for share in (0.5, 1e-12))
     quiet = two_bodies(AROUND, added_mass=added, radiation_damping=damping)
     tie = system(hawser("tie", "barge", (12.0, -30.0, 1.0), (0.0, 30.0, 1.0), "ship", slack=1.001))
-    free = moored(quiet, tie, memory=no_memory(quiet))
-    moves = np.zeros(12)
-    moves[1], moves[7] = 0.1, 0.02  # apart: the ship to +y, the barge in its own +y, which is −y; taut after a second
+    free = moored(quiet, tie, memory=no_memory(quiet), waves=no_wave_forces(quiet))
+    moves, away = (
+        np.zeros(12),
+        np.array([12.0, -60.0]) / np.hypot(12, 60),
+    )  # apart, along the hawser
+    moves[:2], moves[6:8] = -0.1 * away, -0.02 * away  # the barge heads the other way
     run = simulate(
         free, Weather(), Settings(80.0, 0.0, 1.0, **STILL | {"constant_period": 10.0}, velocity=tuple(moves))
     )
