@@ -15,6 +15,7 @@ from hakobune.mooring.environment.tables import TableError
 from hakobune.mooring.loads.box_drag import drag_table
 from hakobune.mooring.motion import integrator, slow_damping
 from hakobune.mooring.motion.contact_loads import DEPTH
+from hakobune.mooring.motion.equation import BLOCK
 from hakobune.mooring.motion.expected import expected_motion
 from hakobune.mooring.motion.extremes import beyond, median_extreme, rare, share_beyond
 from hakobune.mooring.motion.given_forces import GivenForce, read_force, sampled
@@ -564,7 +565,9 @@ def test_a_run_that_ends_names_time_place_part_and_the_way_out(state, changes, w
         contact_work=SimpleNamespace(beyond=[1], now=now), contacts=SimpleNamespace(table=SimpleNamespace(marks=marks)),
     )  # fmt: skip
     system = SimpleNamespace(line_names=names, breaking_load=np.full(2, given["load"]))
-    moored = SimpleNamespace(system=system, buoy=None, berth=SimpleNamespace(names=["F1", "F2"]))
-    clock = SimpleNamespace(now=np.array([130.0]), y=np.array([3.0, 4.0, 0, 0, 0, 0]))
+    berth, reader = SimpleNamespace(names=["F1", "F2"]), SimpleNamespace()
+    moored = SimpleNamespace(system=system, buoy=None, berth=berth, reader=reader)
+    state_of_body = np.concatenate([[3.0, 4.0], np.zeros(BLOCK - 2)])
+    clock = SimpleNamespace(now=np.array([130.0]), y=state_of_body, scale=np.ones((1, 12)))
     said = failure(getattr(integrator, state), clock, SimpleNamespace(ramp=30.0), scene, moored, None, 1)
     assert said.startswith("at 100 s after the ramp, the body 5 m from its place: ") and words in said
