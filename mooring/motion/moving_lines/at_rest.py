@@ -11,17 +11,17 @@ from ...lines.dynamics.lumped.forces import node_forces
 from ...lines.dynamics.lumped.system import State
 from ...lines.dynamics.lumped.workspace import read, workspace
 from ...lines.dynamics.run import FIRST
-from ..equation import SAMPLED
 from .packed import ROWS, MovingWork, Room, line_system
 from .polynomial import TERMS
 
 
-def moving_work(moving, states, samples, lines, bodies=1):
+def moving_work(moving, states, samples, lines, sampled):
     """`MovingWork` of lines at rest in their `states`, with room for so many samples
 
     lines : how many there are in all, with those in their static shape
+    sampled : (bodies, numbers of each that are kept at a sample)
     """
-    count = len(moving.number)
+    count, bodies = len(moving.number), sampled[0]
     kept = [np.stack([np.concatenate([state[i] for state in states])] * 2) for i in range(1, 5)]
     pull = np.array([state_pull(moving, i, state) for i, state in enumerate(states)]).reshape(-1, 3)
     before = np.column_stack([np.full(count, -1.0), pull])
@@ -39,7 +39,7 @@ def moving_work(moving, states, samples, lines, bodies=1):
         np.zeros((bodies, 12)),
         last,
         np.ones(1),
-        np.zeros((bodies, SAMPLED)),
+        np.zeros(sampled),
         np.zeros(6 * bodies),
         Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)),
         np.zeros((samples, count)),

@@ -157,7 +157,7 @@ def _followed(moored, settings, begun, progress):
     samples = np.zeros((rows, SAMPLED * count + (0 if moored.buoy is None else 6)))
     scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
     hung = None if moored.buoy is None else buoy_of(moored.buoy, begun.waves.table, rows)
-    pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost), count))
+    pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost), (count, SAMPLED)))
     while True:
         state = integrator.advance(scene, begun.waves, clock, samples, STEPS_AT_ONCE[pair is not None], hung, pair)
         if progress is not None:

@@ -14,6 +14,7 @@ from hakobune.mooring.lines.dynamics.simulation import FairleadMotion
 from hakobune.mooring.lines.dynamics.simulation import simulate as drive
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.parts import Anchor, Fairlead, LineDynamics, UniformLine
+from hakobune.mooring.motion.equation import SAMPLED
 from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
 from hakobune.mooring.motion.moving_lines.at_rest import moving_work, state_pull
 from hakobune.mooring.motion.moving_lines.polynomial import TERMS
@@ -49,7 +50,10 @@ def test_a_line_that_bends_beside_one_that_does_not_pulls_along_a_course_as_driv
     """Steps of the body of 0.1 s, without a body: a run with lines that bend takes half a minute to compile"""
     body, h = bent(on_lines), 0.1
     moving, states = moving_of(body, WANTED)
-    work, whole = moving_work(moving, states, 1, len(body.system.lines)), np.ones(len(body.system.lines), bool)
+    work, whole = (
+        moving_work(moving, states, 1, len(body.system.lines), (1, SAMPLED)),
+        np.ones(len(body.system.lines), bool),
+    )
     t, rest = h * np.arange(201), [state.position[-1] for state in states]
     halves = 0.5 * h * np.arange(401)
     sway, speed = 0.6 * np.sin(0.9 * halves) ** 2, 0.54 * np.sin(1.8 * halves)
