@@ -141,7 +141,8 @@ def test_a_tenth_of_the_tolerance_is_small():
     Z = np.diag([4.0 + 1j] * 6)
     forces = np.full((1, 6), 50.0)
     run = SimpleNamespace(
-        problem=SimpleNamespace(tolerance=0.02), radiates=True, diffracts=True, dofs=[2, 4], radiation=Z,
+        problem=SimpleNamespace(tolerance=0.02, bodies=(), modes=()), radiates=True, diffracts=True, dofs=[2, 4],
+        radiation=Z,
         prepared=SimpleNamespace(displacing=np.ones(6, bool), radius=1.0), excitation=forces, diffraction=forces,
     )  # fmt: skip
     A, B, F = _small(run)

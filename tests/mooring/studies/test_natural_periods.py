@@ -20,7 +20,7 @@ class Floating:
     inertia: np.ndarray
     stiffness: np.ndarray
     zero: np.ndarray | None = None
-    omega, names, bodies, free = OMEGA, DOFS, (), None
+    omega, names, bodies, free, turning = OMEGA, DOFS, (), None, np.arange(6) > 2
 
     def _known(self):
         if self.zero is None:
