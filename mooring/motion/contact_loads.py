@@ -83,13 +83,13 @@ def pressed(contacts, work, i, depth):
 @kernel(inline=True)
 def from_the_body(contacts, work, i, positions, R, v):
     """v (3,) m, from the origin of the axes of its body to a of contact i; work.arm is that from the other body's"""
-    c, b, other = contacts.numbers, contacts.body[i], contacts.other[i]
+    b, other = contacts.body[i], contacts.other[i]
+    c = contacts.numbers
     for j in range(3):
         v[j] = c[i, j] - positions[b, j]
     if other >= 0:
-        turn = R[other]
         for j in range(3):
-            work.arm[j] = turn[j, 0] * c[i, 0] + turn[j, 1] * c[i, 1] + turn[j, 2] * c[i, 2]
+            work.arm[j] = R[other, j, 0] * c[i, 0] + R[other, j, 1] * c[i, 1] + R[other, j, 2] * c[i, 2]
             apart = contacts.place[other, j] - contacts.place[b, j]
             v[j] = apart + positions[other, j] + work.arm[j] - positions[b, j]
 
@@ -143,6 +143,24 @@ def rope_force(contacts, work, i, R, v, f):
 
 
 @kernel(inline=True)
+def fender_on(contacts, work, i, b, R, v, f):
+    """`fender_force` on body b, with R (N, 3, 3) of all"""
+    fender_force(contacts, work, i, R[b], v, f)
+
+
+@kernel(inline=True)
+def rope_on(contacts, work, i, b, R, v, f):
+    """`rope_force` on body b, with R (N, 3, 3) of all"""
+    rope_force(contacts, work, i, R[b], v, f)
+
+
+@kernel(inline=True)
+def add_to(work, kind, b, positions, v, f):
+    """Add a force at an arm to the part of a kind of contact on body b."""
+    give_generalized(positions[b], v, f, work.parts[kind, b])
+
+
+@kernel(inline=True)
 def contact_loads(contacts, work, positions, R, v, f):
     """Generalized forces (2, N, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)
 
@@ -157,14 +175,14 @@ def contact_loads(contacts, work, positions, R, v, f):
         from_the_body(contacts, work, i, positions, R, v)
         if contacts.numbers[i, ROPE] > 0.0:
             kind = 1
-            rope_force(contacts, work, i, R[b], v, f)
+            rope_on(contacts, work, i, b, R, v, f)
         else:
-            fender_force(contacts, work, i, R[b], v, f)
-        give_generalized(positions[b], v, f, work.parts[kind, b])
+            fender_on(contacts, work, i, b, R, v, f)
+        add_to(work, kind, b, positions, v, f)
         if other >= 0:
             for j in range(3):
                 f[j] = -f[j]
-            give_generalized(positions[other], work.arm, f, work.parts[kind, other])
+            add_to(work, kind, other, positions, work.arm, f)
         if contacts.table.marks[i, 2] > 0.0 and work.now[i, DEPTH] > contacts.table.marks[i, 1]:
             work.beyond[0] = i
 

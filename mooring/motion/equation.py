@@ -172,11 +172,10 @@ def restore(body, b, y, rate, force, work):
     y, rate : (BLOCK,), force : (6,) of it
     """
     cos, sin = np.cos(y[5]), np.sin(y[5])
-    stiffness, spring, rigid, slow = body.stiffness[b], body.spring[b], body.rigid[b], body.slow[b]
     for i in range(6):
         total = 0.0
         for j in range(2, 5):
-            total += stiffness[i, j] * y[j]
+            total += body.stiffness[b, i, j] * y[j]
         force[i] -= total
     for j in range(6):
         work.drag[j] = y[j]
@@ -184,17 +183,17 @@ def restore(body, b, y, rate, force, work):
     for i in range(6):
         total = 0.0
         for j in range(6):
-            total += spring[i, j] * work.drag[j]
+            total += body.spring[b, i, j] * work.drag[j]
         work.part[i] = -total
     force[0] += cos * work.part[0] + sin * work.part[1]
     force[1] += -sin * work.part[0] + cos * work.part[1]
     for i in range(2, 6):
         force[i] += work.part[i]
     u, v, r = cos * y[15] + sin * y[16], -sin * y[15] + cos * y[16], y[17]
-    along = rigid[0, 0] * u + rigid[0, 1] * v + rigid[0, 5] * r
-    across = rigid[1, 0] * u + rigid[1, 1] * v + rigid[1, 5] * r
-    water_along = slow[0, 0] * u + slow[0, 1] * v + slow[0, 5] * r
-    water_across = slow[1, 0] * u + slow[1, 1] * v + slow[1, 5] * r
+    along = body.rigid[b, 0, 0] * u + body.rigid[b, 0, 1] * v + body.rigid[b, 0, 5] * r
+    across = body.rigid[b, 1, 0] * u + body.rigid[b, 1, 1] * v + body.rigid[b, 1, 5] * r
+    water_along = body.slow[b, 0, 0] * u + body.slow[b, 0, 1] * v + body.slow[b, 0, 5] * r
+    water_across = body.slow[b, 1, 0] * u + body.slow[b, 1, 1] * v + body.slow[b, 1, 5] * r
     moment = (along + body.munk * water_along) * y[7] - (across + body.munk * water_across) * y[6]
     add_horizontal(force, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
 
@@ -213,10 +212,9 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
         work.part[i] = -total
     for c in range(body.heading.size):
         if c != b:
-            other = whole[BLOCK * c + 6 : BLOCK * c + 12]
             for i in range(6):
                 for j in range(6):
-                    work.part[i] -= body.damping[6 * b + i, 6 * c + j] * other[j]
+                    work.part[i] -= body.damping[6 * b + i, 6 * c + j] * whole[BLOCK * c + 6 + j]
     give(force, y, rate, work.part, 6, BY_DAMPING)
     memory_rate(body.memory, whole[memory:], y[6:12], changed[memory:], b)
     memory_force(body.memory, whole[memory:], work.part, b)
@@ -268,6 +266,46 @@ def load(scene, hull, b, t, y, rate, force, work):
 
 
 @kernel(inline=True)
+def of_one(scene, b, t, y, rate):
+    """All that acts on body b of a `Scene` but its moorings; y, rate : (n,) of all
+
+    Slices are made here and below, not in a loop over bodies: across one the compiler would count their references.
+    """
+    work, first = scene.work, BLOCK * b
+    own, changed, force = y[first : first + BLOCK], rate[first : first + BLOCK], work.force[6 * b : 6 * b + 6]
+    restore(scene.body, b, own, changed, force, work)
+    dissipate(scene.body, b, y, rate, own, changed, force, work)
+    load(scene, scene.hull, b, t, own, changed, force, work)
+
+
+@kernel(inline=True)
+def give_to(work, b, y, rate, parts, number):
+    """`give` body b its own of the parts (N, 6) of forces; y, rate : (n,) of all"""
+    first = BLOCK * b
+    give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
+
+
+@kernel(inline=True)
+def move(body, b, y, rate, force):
+    """Rates of the motions of body b and of its slow pose, from the forces (6N,) on all; y, rate : (n,) of all"""
+    first, c = BLOCK * b, body.filter_rate
+    own, changed = y[first : first + BLOCK], rate[first : first + BLOCK]
+    cos, sin = np.cos(own[5]), np.sin(own[5])
+    changed[0], changed[1] = cos * own[6] - sin * own[7], sin * own[6] + cos * own[7]
+    for j in range(2, 6):
+        changed[j] = own[6 + j]
+    for i in range(6):
+        total = 0.0
+        for j in range(force.size):
+            total += body.mass_inverse[6 * b + i, j] * force[j]
+        changed[6 + i] = total
+    for j in range(3):
+        at = 5 if j == 2 else j
+        changed[SLOW + j] = own[SLOW_RATE + j]
+        changed[SLOW_RATE + j] = c * c * (own[at] - own[SLOW + j]) - 2 * c * own[SLOW_RATE + j]
+
+
+@kernel(inline=True)
 def of_moorings(scene, y, rate):
     """Lines, fenders and ropes of a `Scene` on its bodies, into the forces and the rates of their work (n,) of all
 
@@ -282,12 +320,10 @@ def of_moorings(scene, y, rate):
     if met:
         contact_loads(scene.contacts, scene.contact_work, work.place, work.R, work.stream, work.arm)
     for b in range(count):
-        own, changed = y[BLOCK * b : BLOCK * b + BLOCK], rate[BLOCK * b : BLOCK * b + BLOCK]
-        force = work.force[6 * b : 6 * b + 6]
-        give(force, own, changed, work.pull[b], 6, BY_LINES)
+        give_to(work, b, y, rate, work.pull, BY_LINES)
         if met:
-            give(force, own, changed, scene.contact_work.parts[0, b], 6, BY_FENDERS)
-            give(force, own, changed, scene.contact_work.parts[1, b], 6, BY_ROPES)
+            give_to(work, b, y, rate, scene.contact_work.parts[0], BY_FENDERS)
+            give_to(work, b, y, rate, scene.contact_work.parts[1], BY_ROPES)
     return good
 
 
@@ -297,15 +333,12 @@ def rates(scene, buoy, t, y, rate):
 
     buoy : (Buoy, BuoyWork), None where there is none, and then nothing of it is compiled; it hangs on the first body
     """
-    work, body, count = scene.work, scene.body, scene.body.heading.size
+    work, body = scene.work, scene.body
+    count = body.heading.size
     rate[:] = 0.0
     work.force[:] = 0.0
     for b in range(count):
-        own, changed = y[BLOCK * b : BLOCK * b + BLOCK], rate[BLOCK * b : BLOCK * b + BLOCK]
-        force = work.force[6 * b : 6 * b + 6]
-        restore(body, b, own, changed, force, work)
-        dissipate(body, b, y, rate, own, changed, force, work)
-        load(scene, scene.hull, b, t, own, changed, force, work)
+        of_one(scene, b, t, y, rate)
     scene.line_work.span[0] = t
     good = of_moorings(scene, y, rate)
     if buoy is not None:
@@ -315,23 +348,6 @@ def rates(scene, buoy, t, y, rate):
         at, place = (t - work.span[0]) / work.span[1] + EDGE, y[first : first + 6]
         good = buoy_rates(floating, kept, y, place, work.R[0], at, share, grown, rate[first : first + 6]) and good
         give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
-    c = body.filter_rate
     for b in range(count):
-        own, changed = y[BLOCK * b : BLOCK * b + BLOCK], rate[BLOCK * b : BLOCK * b + BLOCK]
-        cos, sin = np.cos(own[5]), np.sin(own[5])
-        changed[0], changed[1] = cos * own[6] - sin * own[7], sin * own[6] + cos * own[7]
-        for j in range(2, 6):
-            changed[j] = own[6 + j]
-        for i in range(6):
-            total = 0.0
-            for other in range(count):
-                inverse = body.mass_inverse[6 * b + i, 6 * other : 6 * other + 6]
-                force = work.force[6 * other : 6 * other + 6]
-                for j in range(6):
-                    total += inverse[j] * force[j]
-            changed[6 + i] = total
-        for j in range(3):
-            at = 5 if j == 2 else j
-            changed[SLOW + j] = own[SLOW_RATE + j]
-            changed[SLOW_RATE + j] = c * c * (own[at] - own[SLOW + j]) - 2 * c * own[SLOW_RATE + j]
+        move(body, b, y, rate, work.force)
     return good

@@ -285,14 +285,14 @@ def straight_pull(curves, number, length, span, rise):
 
 
 @kernel(inline=True)
-def add_moment(sums, ax, ay, az, x, y, z):
-    """Add a force in space at an arm, and its moment, to sums (6,)."""
-    sums[0] += x
-    sums[1] += y
-    sums[2] += z
-    sums[3] = sums[3] + ay * z - az * y
-    sums[4] = sums[4] + az * x - ax * z
-    sums[5] = sums[5] + ax * y - ay * x
+def add_moment(sums, b, ax, ay, az, x, y, z):
+    """Add a force in space at an arm, and its moment, to the sums (N, 6) of a body."""
+    sums[b, 0] += x
+    sums[b, 1] += y
+    sums[b, 2] += z
+    sums[b, 3] = sums[b, 3] + ay * z - az * y
+    sums[b, 4] = sums[b, 4] + az * x - ax * z
+    sums[b, 5] = sums[b, 5] + ax * y - ay * x
 
 
 @kernel(inline=True)
@@ -309,18 +309,16 @@ def line_loads(lines, work, positions, R, out):
     legendre(2 * (work.span[0] - work.span[1]) / work.span[2] - 1, work.terms)
     for i in range(lines.lost.size):
         b, other = lines.body[i], lines.other[i]
-        turn, place, position = R[b], lines.place[b], positions[b]
         px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
-        ax = turn[0, 0] * px + turn[0, 1] * py + turn[0, 2] * pz
-        ay = turn[1, 0] * px + turn[1, 1] * py + turn[1, 2] * pz
-        az = turn[2, 0] * px + turn[2, 1] * py + turn[2, 2] * pz
+        ax = R[b, 0, 0] * px + R[b, 0, 1] * py + R[b, 0, 2] * pz
+        ay = R[b, 1, 0] * px + R[b, 1, 1] * py + R[b, 1, 2] * pz
+        az = R[b, 2, 0] * px + R[b, 2, 1] * py + R[b, 2, 2] * pz
         ox, oy, oz = lines.anchor[i, 0], lines.anchor[i, 1], lines.anchor[i, 2]
         if other >= 0:
-            turn = R[other]
             px, py, pz = ox, oy, oz
-            ox = turn[0, 0] * px + turn[0, 1] * py + turn[0, 2] * pz
-            oy = turn[1, 0] * px + turn[1, 1] * py + turn[1, 2] * pz
-            oz = turn[2, 0] * px + turn[2, 1] * py + turn[2, 2] * pz
+            ox = R[other, 0, 0] * px + R[other, 0, 1] * py + R[other, 0, 2] * pz
+            oy = R[other, 1, 0] * px + R[other, 1, 1] * py + R[other, 1, 2] * pz
+            oz = R[other, 2, 0] * px + R[other, 2, 1] * py + R[other, 2, 2] * pz
         bx, by, bz = ox, oy, oz
         if other >= 0:
             bx += lines.place[other, 0] + positions[other, 0]
@@ -333,10 +331,10 @@ def line_loads(lines, work, positions, R, out):
                 x, y, z = x + c * work.given[i, k, 0], y + c * work.given[i, k, 1], z + c * work.given[i, k, 2]
             H, V = np.sqrt(x * x + y * y), -z
         elif work.whole[i]:
-            x = place[0] + position[0] + ax - bx
-            y = place[1] + position[1] + ay - by
+            x = lines.place[b, 0] + positions[b, 0] + ax - bx
+            y = lines.place[b, 1] + positions[b, 1] + ay - by
             span = np.sqrt(x * x + y * y)
-            low, high = bz, place[2] + position[2] + az
+            low, high = bz, lines.place[b, 2] + positions[b, 2] + az
             length, weight = lines.lines[i, 0], lines.lines[i, 1]
             flexibility, friction = lines.lines[i, 2], lines.lines[i, 3]
             # one after the other: of branches of one condition the compiler joins the ends, and counts references there
@@ -350,9 +348,9 @@ def line_loads(lines, work, positions, R, out):
             x, y, z = (-H * x / span, -H * y / span, -V) if span > 0.0 else (0.0, 0.0, -V)
         if np.isfinite(H):
             work.tension[i, 0], work.tension[i, 1] = H, V
-            add_moment(work.sums[b], ax, ay, az, x, y, z)
+            add_moment(work.sums, b, ax, ay, az, x, y, z)
             if other >= 0:
-                add_moment(work.sums[other], ox, oy, oz, -x, -y, -z)
+                add_moment(work.sums, other, ox, oy, oz, -x, -y, -z)
         else:
             good = False
     for b in range(len(positions)):
