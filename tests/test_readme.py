@@ -61,6 +61,7 @@ def test_python_examples_run_as_printed(page, text, folder, monkeypatch):
 # what a file needs beside a part of it that a page shows
 PARTS = {
     ("docs/berth.md", "simulation"): {"water": {"depth": 20.0}},
+    ("docs/several_bodies.md", "modes"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "damping_lids"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "hulls"): {"water": {"depth": 9.0}},
     ("docs/downtime.md", "simulation"): {
