@@ -101,7 +101,7 @@ def _to_paste(study, approach):
         own = {
             name: value for name, value in asdict(table).items() if name not in BEHIND and value != DEFAULT.get(name)
         }
-        own = {"name": f"fender {k}", "position": [x, round(study.ship.beam / 2 + gap, 6), 0.0], **own}
+        own = {"name": f"fender {k}", "position": [x, round(study.ship.beam / 2 + gap, 6), 0], **own}
         if table.dolphin is not None:
             own["on"] = f"dolphin {k}"
             values = (own["on"], table.dolphin, table.dolphin_yield, table.dolphin_beyond)

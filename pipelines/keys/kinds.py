@@ -43,17 +43,6 @@ KINDS = {
         "bodies_barge_at_pier.toml",
         ("hakobune solve FILE --output bodies.h5",),
     ),
-    "side_by_side": Kind(
-        "bodies moored to each other, in time",
-        "hakobune.pipelines.moor.study:Study",
-        "simulate",
-        "simulate_side_by_side.toml",
-        (
-            "hakobune solve bodies_side_by_side.toml --output side_by_side.h5",
-            "hakobune simulate FILE --database side_by_side.h5 --output run.h5",
-        ),
-        ("bodies_side_by_side.toml",),
-    ),
     "study": Kind(
         "a moored body: water, hull, lines, weather",
         "hakobune.pipelines.moor.study:Study",
@@ -69,6 +58,17 @@ KINDS = {
         "simulate_chain_12.toml",
         (SOLVED, "hakobune simulate FILE --database box.h5 --output run.h5"),
         ("series_box_20m.toml",),
+    ),
+    "side_by_side": Kind(
+        "bodies moored to each other, in time",
+        "hakobune.pipelines.moor.study:Study",
+        "simulate",
+        "simulate_side_by_side.toml",
+        (
+            "hakobune solve bodies_side_by_side.toml --output side_by_side.h5",
+            "hakobune simulate FILE --database side_by_side.h5 --output run.h5",
+        ),
+        ("bodies_side_by_side.toml",),
     ),
     "response": Kind(
         "a free body in a sea or a climate",

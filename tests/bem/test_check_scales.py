@@ -24,7 +24,8 @@ ALL = np.ones(6, bool)
 def run(**more):
     given = {"dofs": np.arange(6), "forced": np.arange(6), "radiates": True, "diffracts": True}
     prepared = SimpleNamespace(displacing=more.pop("displacing", ALL), radius=more.pop("radius", 8.0))
-    return SimpleNamespace(**given, **more, prepared=prepared)
+    rigid = SimpleNamespace(bodies=(), modes=())
+    return SimpleNamespace(**given, **more, prepared=prepared, problem=rigid)
 
 
 def test_two_meshes_tell_the_error_of_the_finer_where_errors_fall_like_their_power():

@@ -39,7 +39,8 @@ def test_states_with_poles_beyond_a_frequency_become_a_damping_and_an_inertia(fa
 
 def test_a_body_without_memory_has_the_added_mass_of_its_highest_frequency():
     A = np.diag(np.arange(1.0, 7))
-    body = SimpleNamespace(between=SimpleNamespace(span=(0.2, 1.7)), coefficients=lambda w: (A[None] * w[0], None))
+    between = SimpleNamespace(span=(0.2, 1.7))
+    body = SimpleNamespace(between=between, coefficients=lambda w: (A[None] * w[0], None), words=tuple("abcdef"))
     found = no_memory(body)
     assert found.states == 0 and found.band == (0.2, 1.7) and found.added_mass_infinity == pytest.approx(1.7 * A)
     assert found.force(np.zeros(0)).tolist() == [0.0] * 6

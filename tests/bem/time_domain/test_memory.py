@@ -10,6 +10,7 @@ from retardation import convolution, from_database
 
 from hakobune.bem.database import open_database
 from hakobune.bem.database.reader import reader
+from hakobune.bem.modes import words_of
 from hakobune.bem.time_domain.memory import CLOSE, _check_deviation, memory_of_database
 from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
 from hakobune.pipelines.scene.scene import make_scene
@@ -193,7 +194,7 @@ def test_coefficients_that_contradict_each_other_are_told_and_then_refused(share
     deviation, size = np.zeros((6, 6)), np.ones(6)
     deviation[0, 4] = worst
     damping = np.stack([np.diag([0.25, 1, 1, 1, 1, 1.0]), np.diag([0.5, 1, 1, 1, 1, 1.0])])
-    call = lambda: _check_deviation(deviation, (0.2, 1.5), damping, size)  # noqa: E731
+    call = lambda: _check_deviation(deviation, (0.2, 1.5), damping, size, words_of(()))  # noqa: E731
     words = "from 0.2 to 1.5 rad/s contradict each other by .*surge–pitch.*surge is 0.25 of the largest .* and 0.5 at"
     if told == "refused":
         with pytest.raises(ValueError, match=words):
