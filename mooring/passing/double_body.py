@@ -29,9 +29,10 @@ PASSING_SURGE = 6
 
 
 def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
-    """(12, 12) kg, kg m, kg m² of both hulls at zero frequency, forces and motions about the origin of each.
+    """(12, 12) kg, kg m, kg m² of both hulls at zero frequency, forces and motions about the middle of each.
 
-    hulls : PanelMesh of the moored and of the passing ship about their origins; place : (2,) m of the passing one
+    hulls : PanelMesh of the moored and of the passing ship, each with its middle at the origin
+    place : (2,) m of the passing one
     heading : rad, how far the moored ship is turned; depth : m; wall : y, m, of a wall along x
     """
     placed = hulls[0].rotated(heading), hulls[1].moved(dx=float(place[0]), dy=float(place[1]))

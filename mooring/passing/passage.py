@@ -1,21 +1,24 @@
 """A ship that passes a moored one on a parallel track, and the forces that this gives, as a table over time.
 
-Axes are those of the moored ship: x to the bow, y to port, moments about its origin.  ξ is how far the middle of the
-passing ship lies ahead of that of the moored one, η how far to port.
+Axes are those of the moored ship: x to the bow, y to port, from its middle in the water surface.  ξ is how far the
+middle of the passing ship lies ahead of that of the moored one, η how far to port.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
+from ..environment.spectra import GRAVITY
+from ..loads.over_wave import moved
 from ..motion.given_forces import GivenForce
 
 SQUEEZED = 1.1  # 1/√(1 − Fₕ²), by which subcritical shallow water raises the pressure of a slender ship (Tuck 1966)
-FAR = 0.02  # of the largest force, what may be left at the ends of a track
+FAR = 0.02  # of the largest surge or sway, what may be left at the ends of a track
+ROUNDING = 1e-6  # of the larger of both, below which a force is none
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,7 @@ class Track:
 
     def froude(self, depth):
         """Fₕ = U/√(gh) of the speed through the water; 0 in deep water"""
-        return self.through_water / math.sqrt(9.80665 * depth) if math.isfinite(depth) else 0.0
+        return self.through_water / math.sqrt(GRAVITY * depth) if math.isfinite(depth) else 0.0
 
 
 def along_track(track, moored, passing, lengths, fine=1):
@@ -74,6 +77,7 @@ class Passage:
 
     track : Track; stagger : (n,) m, ξ, rising; changing : (n, 6) N, N m of the pressure that changes in time,
     steady : (n, 6) of the squares of the flow, none by the slender methods
+    Moments are about the middle of the moored ship, or `about` another place.
     """
 
     track: Track
@@ -83,8 +87,14 @@ class Passage:
 
     @property
     def force(self):
-        """(n, 6) N, N m about the origin of the moored ship"""
+        """(n, 6) N, N m of both parts"""
         return self.changing + self.steady
+
+    def about(self, place):
+        """The same with moments about a place (3,) m, where they were about the middle of the moored ship"""
+        place, middle = np.asarray(place, float), np.zeros(3)
+        parts = {name: moved(getattr(self, name), middle, place) for name in ("changing", "steady")}
+        return replace(self, **parts)
 
     @cached_property
     def in_time(self):
@@ -95,12 +105,7 @@ class Passage:
         return GivenForce((places - places[0]) / self.track.speed, force)
 
     @property
-    def impulse(self):
-        """(6,) N s, N m s of the changing part, by the trapezoidal rule"""
-        return np.trapezoid(self.changing, self.stagger, axis=0) / self.track.speed
-
-    @property
     def left(self):
-        """What is left at the ends of the track: the largest share of a component's own largest value"""
-        peaks = np.abs(self.force[:, [0, 1, 5]]).max(axis=0)
-        return float(np.max(np.abs(self.force[[0, -1]][:, [0, 1, 5]]) / np.where(peaks > 0, peaks, 1.0)))
+        """Share of the largest surge or sway that is left at the ends of the track"""
+        plane = np.abs(self.force[:, :2])
+        return float(np.max(plane[[0, -1]] / np.maximum(plane.max(axis=0), ROUNDING * plane.max())))

@@ -60,7 +60,6 @@ def _unit(moored, passing, distance, stagger, depth):
     along = x2[None, :] + stagger - x1[:, None]
     source = -8 * x2 / passing.length**2 * last
     slope, inverse = _slopes(np.hypot(along, distance), depth)
-    # G = Σ 1/r of R alone: G′ = dG/dR, and 1/R d/dR (G′/R) for the second derivative across ξ and η
     area = first * (1 - 4 * x1**2 / moored.length**2)
     surge = -((source * along * slope).sum(axis=1) * first * (-8 * x1 / moored.length**2)).sum() / (2 * math.pi)
     across = (source * along * distance * inverse).sum(axis=1)
@@ -68,7 +67,7 @@ def _unit(moored, passing, distance, stagger, depth):
 
 
 def _slopes(R, depth):
-    """G′/R and (G′/R)′/R of G = Σₙ (R² + 4n²h²)^(−1/2), at any R > 0"""
+    """G′/R and (G′/R)′/R of G = Σₙ (R² + 4n²h²)^(−1/2), at any R > 0; G is of R alone, d²G/dξdη is ξη (G′/R)′/R"""
     if math.isinf(depth):
         return -1.0 / R**3, 3.0 / R**5
     if math.pi * R.min() < depth:

@@ -6,9 +6,11 @@ import math
 
 import numpy as np
 
+from hakobune.bem.modes import words_of
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.mirror import folded
 from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.environment.spectra import GRAVITY
 from hakobune.mooring.passing import by_tests
 from hakobune.mooring.passing.passage import FAR, SQUEEZED, along_track
 from hakobune.mooring.passing.slender import Slender, wang
@@ -21,13 +23,12 @@ from ..results.provenance import provenance
 from ..results.quantity import quantities
 from ..results.result import Result, labels
 from ..solve.panel_counts import meshed
-from .study import PassingStudy, check_apart, make_study, read_study, size, track_of
+from .study import SHIPS, PassingStudy, check_apart, make_study, read_study, size, track_of
 
 BROKEN = 1.5  # of 1/√(1 − Fₕ²), from which linear theory of any kind is no estimate
-SHIPS = "moored", "passing"
 LARGEST = {"surge": 0, "sway": 1, "yaw": 5}
-DOFS = ["surge", "sway", "heave", "roll", "pitch", "yaw"]
-UNITS = ("N", "N", "N m")
+UNITS = ("N", "N", "N", "N m", "N m", "N m")
+MOST = 4  # times as many panels of a mesh file as are asked for
 FINE = 6  # times as many places where they cost little
 
 
@@ -42,14 +43,14 @@ def passing(study: File | Tables | PassingStudy) -> Result:
 
     study, text = given(study, PassingStudy, read_study, make_study)
     track, water = track_of(study), study.water
-    hulls = [_hull(study, name) for name in SHIPS]
+    hulls, middles = zip(*(_hull(study, name) for name in SHIPS), strict=True)
     sizes = np.array([size(getattr(study, name), hull) for name, hull in zip(SHIPS, hulls, strict=True)])
     lengths, beams = sizes[:, 0], sizes[:, 1]
     gap = check_apart(study, beams)
     if not track.froude(water.depth) < 1:
         raise StudyError(
             f"the passing ship makes {track.through_water:.3g} m/s through water of {water.depth:g} m, faster than "
-            f"waves there, {math.sqrt(9.80665 * water.depth):.3g} m/s; allowed: less"
+            f"waves there, {math.sqrt(GRAVITY * water.depth):.3g} m/s; allowed: less"
         )
     places = along_track(track, *lengths, study.track.lengths, 1 if study.method == "panels" else FINE)
     slender = [Slender(length, largest_section(hull)) for length, hull in zip(lengths, hulls, strict=True)]
@@ -64,7 +65,10 @@ def passing(study: File | Tables | PassingStudy) -> Result:
         found = by_tests.kriebel(
             *slender, track, places, factors, quay=study.quay, peaks=study.peaks, density=water.density
         )
-    axes = labels("motion", list(LARGEST)) | labels("time", found.in_time.times, "s") | labels("of_force", DOFS)
+    center = np.array(study.moored.rotation_center or (0.0, 0.0, 0.0))
+    found = found.about((center - middles[0]) * (1, 1, study.method == "panels"))  # the others know no height
+    axes = labels("motion", list(LARGEST)) | labels("time", found.in_time.times, "s")
+    axes |= labels("of_force", list(words_of(())))
     return Result(
         "passing",
         {**_largest(found), **_course(found)},
@@ -77,14 +81,18 @@ def passing(study: File | Tables | PassingStudy) -> Result:
 
 
 def _hull(study, name):
-    """A whole hull in coordinates of its own, its middle at the origin of x"""
+    """A whole hull with the middle of its waterline at the origin, and that middle (3,) m in coordinates of its own"""
     body = getattr(study, name)
-    if body.shape == "mesh":
-        hull = folded(read_mesh(body.file)).whole()
-        if len(hull) > 4 * study.panels:
-            raise StudyError(f"{body.file} has {len(hull)} panels; allowed: {4 * study.panels}, four times panels")
-        return hull
-    return meshed(body, None, panels=study.panels).whole()
+    if body.shape != "mesh":
+        return meshed(body, None, panels=study.panels).whole(), np.zeros(3)
+    hull = folded(read_mesh(body.file)).whole()
+    if len(hull) > MOST * study.panels:
+        raise StudyError(f"{body.file} has {len(hull)} panels; allowed: {MOST * study.panels}, {MOST} times panels")
+    if hull.draft >= study.water.depth:
+        raise StudyError(f"{body.file} is {hull.draft:g} m deep in water of {study.water.depth:g} m; allowed: less")
+    low, high = hull.points[:, :2].min(axis=0), hull.points[:, :2].max(axis=0)
+    x, y = 0.5 * (low + high)
+    return hull.moved(dx=-x, dy=-y), np.array([x, y, 0.0])
 
 
 def _with_progress(at, places):
@@ -98,12 +106,14 @@ def _largest(found):
     columns = list(LARGEST.values())
     force = found.force[:, columns]
     place, each = np.abs(force).argmax(axis=0), np.arange(3)
-    steady = np.abs(found.steady[:, columns]).max(axis=0) / np.abs(force).max(axis=0)
+    size = np.abs(force).max(axis=0)
+    steady = np.abs(found.steady[:, columns]).max(axis=0) / np.where(size > 0, size, np.inf)
+    units = tuple(UNITS[column] for column in columns)
     return quantities("largest while the ship passes", {
-        "largest.force": (force[place, each], UNITS, "force"),
+        "largest.force": (force[place, each], units, "force"),
         "largest.stagger": (found.stagger[place], "m", "passing ship ahead by"),
-        "largest.lowest": (force.min(axis=0), UNITS, "lowest"),
-        "largest.highest": (force.max(axis=0), UNITS, "highest"),
+        "largest.lowest": (force.min(axis=0), units, "lowest"),
+        "largest.highest": (force.max(axis=0), units, "highest"),
         "largest.steady": (steady, "%", "of it by squares of the flow"),
     }, "motion")  # fmt: skip
 
@@ -111,9 +121,9 @@ def _largest(found):
 def _course(found):
     table = found.in_time
     way = slice(None, None, -1) if found.track.opposite else slice(None)
-    force = {"course.force": (table.force, "", "force in N and N m, surge to yaw")}
-    return quantities("", {"course.stagger": (found.stagger[way], "m", "stagger")}, "time", record=True) | quantities(
-        "", force, "time", "of_force", record=True
+    stagger, force = (found.stagger[way], "m", "stagger"), (table.force.T, UNITS, "force on the moored ship")
+    return quantities("", {"course.stagger": stagger}, "time", record=True) | quantities(
+        "", {"course.force": force}, "of_force", "time", record=True
     )
 
 
@@ -145,7 +155,9 @@ def _notes(study, track, gap):
         yield f"both hulls under a rigid surface, about {study.panels} panels each; forces have all six components"
     else:
         yield "ships with parabolic section areas; surge, sway and yaw alone"
+    about = ", ".join(map(significant, study.moored.rotation_center or (0.0, 0.0, 0.0)))
     yield (
         f"{significant(track.through_water)} m/s through the water, {significant(gap)} m between the sides, depth "
-        f"Froude number {track.froude(study.water.depth):.2f}; x to the bow, y to port of the moored ship"
+        f"Froude number {track.froude(study.water.depth):.2f}"
     )
+    yield f"x to the bow, y to port of the moored ship; moments about its rotation_center [{about}]"

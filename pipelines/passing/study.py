@@ -1,5 +1,7 @@
 """A ship that passes a moored one, as typed TOML.
 
+Bodies are as in a scene; of a mesh file the middle of its length and beam is taken for the middle of the ship.
+
 [water]                [moored]               [passing]              [track]
 depth = 20.0           shape = "ship"         shape = "ship"         distance = 110.0
                        length = 243.5         length = 185.4         speed = 5.144
@@ -11,6 +13,7 @@ depth = 20.0           shape = "ship"         shape = "ship"         distance = 
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 
@@ -22,6 +25,7 @@ from ..common.weather.water import DepthTable
 from ..scene.checks import check_body
 from ..scene.tables import BodyTable
 
+SHIPS = "moored", "passing"
 METHODS = ("panels", "wang", "kriebel")
 PANELS = 12, 2000  # on each hull
 LENGTHS = 0.5, 20.0  # mean lengths of track
@@ -73,8 +77,11 @@ class PassingStudy(Table):
 
 
 def read_study(path):
-    """The PassingStudy of a TOML file and its text.  Raises StudyError."""
+    """The PassingStudy of a TOML file and its text, files of meshes beside it.  Raises StudyError."""
     raw, text = read_toml(path, "a study of a passing ship", StudyError)
+    for body in (raw.get(name) for name in SHIPS):
+        if isinstance(body, dict) and isinstance(body.get("file"), str):
+            body["file"] = str(Path(path).parent / body["file"])
     return make_study(raw), text
 
 
@@ -84,8 +91,8 @@ def make_study(raw):
     if not study.water.depth > 0:
         raise StudyError(f"water.depth is {study.water.depth:g} m; allowed: above 0, or inf")
     positive("water.density", study.water.density)
-    for name in ("moored", "passing"):
-        check_body(name, getattr(study, name), study.water.depth)
+    for name in SHIPS:
+        _check_ship(name, getattr(study, name), study.water.depth)
     if study.method not in METHODS:
         raise StudyError(f"method is {study.method!r}; allowed: {', '.join(METHODS)}")
     if not PANELS[0] <= study.panels <= PANELS[1]:
@@ -108,6 +115,19 @@ def _check_fits(study):
         raise StudyError(f"peaks are {list(study.peaks)}; allowed: above 0, below 100")
     if study.method == "kriebel" and not math.isfinite(study.water.depth):
         raise StudyError('the tests of method = "kriebel" are in shallow water; give a depth, or method = "wang"')
+
+
+def _check_ship(name, body, depth):
+    """Raise StudyError for a body that is none, or has what a passage does not ask for"""
+    check_body(name, body, depth)
+    if body.rotation_center is not None and name != "moored":
+        raise StudyError(f"{name}.rotation_center is given; allowed: of the moored ship, whose moments are about it")
+    others = {key: getattr(body, key) for key in ("mass", "gyration", "name", "place", "viscous")}
+    others |= {"center_of_gravity": any(body.center_of_gravity) or None, "trimmed": body.trimmed or None,
+               "fixed": body.fixed or None}  # fmt: skip
+    for key, value in others.items():
+        if value is not None:
+            raise StudyError(f"{name}.{key} is given; a passage asks for the hull alone: leave it out")
 
 
 def track_of(study):

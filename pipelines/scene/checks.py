@@ -11,7 +11,7 @@ import numpy as np
 from hakobune.meshing.surface.patches import counter_clockwise
 
 from .methods import check_method
-from .shapes import check_modes
+from .modes import check_modes
 from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, listed
 from .viscous_table import viscous_of
 

@@ -148,7 +148,10 @@ def _with_pairs(plan, study, db, reader):
     if db.bodies and level not in ("newman", "auto"):
         raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "auto"')
     if db.bodies:
-        return plan, ()
+        slow = weather.seas and drift != "none"
+        return plan, (f"{LEFT_OUT} the slow force of pairs of waves beside Newman's rule, of several bodies",) * bool(
+            slow
+        )
     try:
         found, notes = [], []
         for sea in weather.seas:

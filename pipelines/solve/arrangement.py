@@ -44,7 +44,7 @@ def own_hulls(scene, mesh):
 
 
 def own_hulls_of_modes(scene, mesh):
-    """What `bending.shapes` is given of the mesh of a scene: nothing without modes"""
+    """What `bending.modes` is given of the mesh of a scene: nothing without modes"""
     if not scene.modes:
         return ()
     return own_hulls(scene, mesh) if scene.several else [mesh]

@@ -15,7 +15,7 @@ from ..scene.identity import MESH_FILE, contents, fixed_part, scene_hash
 from ..scene.scene import SceneError
 from ..scene.text import to_toml
 from .arrangement import bodies_of, in_scene, own_hulls, own_hulls_of_modes
-from .bending.shapes import modes_of, with_modes
+from .bending.modes import modes_of, with_modes
 
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 

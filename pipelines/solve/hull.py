@@ -19,7 +19,7 @@ from ..common.typed import typed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
 from .arrangement import arranged, check_apart, own_hulls, own_hulls_of_modes
-from .bending.shapes import with_planes_of_modes
+from .bending.modes import with_planes_of_modes
 from .gaps.damping_lids import damping_lids_of, with_planes_of
 from .gaps.resonant_water import resonant_water
 from .large import shared_band

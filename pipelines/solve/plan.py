@@ -19,7 +19,7 @@ from ..scene.methods import check_method
 from ..scene.scene import Scene, SceneError
 from ..scene.text import to_toml
 from .arrangement import own_hulls_of_modes
-from .bending.shapes import modes_of
+from .bending.modes import modes_of
 from .header import body_properties, each_body, kochin_angles, make_header, named
 from .hull import make_hull, stored_hull
 from .large import check_database

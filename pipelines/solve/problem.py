@@ -12,7 +12,7 @@ from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 from ..scene.methods import METHODS
 from ..scene.viscous_table import viscous_of
 from .arrangement import bodies_of, own_hulls_of_modes
-from .bending.shapes import modes_of
+from .bending.modes import modes_of
 from .gaps.damping_lids import damping_lids_of
 from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band

@@ -7,7 +7,7 @@ from hakobune.bem.database.schema import NEEDS_MOTION
 from ..scene.methods import names_given
 from ..scene.products import expand
 from .arrangement import own_hulls_of_modes
-from .bending.shapes import mode_remarks
+from .bending.modes import mode_remarks
 from .header import each_body
 from .hull import panels_matter
 from .weight import weight_remarks

@@ -29,7 +29,18 @@ from ..common.typed import read_toml, typed
 SAMPLINGS = ("grid", "latin-hypercube")
 MOST = 100_000  # cases
 SOLVE = "solve"
-COMMANDS = (SOLVE, "moor", "response", "lines", "line-dynamics", "single-point", "berth", "breakwater", "simulate")
+COMMANDS = (
+    SOLVE,
+    "moor",
+    "response",
+    "lines",
+    "line-dynamics",
+    "single-point",
+    "berth",
+    "breakwater",
+    "simulate",
+    "passing",
+)
 
 
 class VaryTable(Table):

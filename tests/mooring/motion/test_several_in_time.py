@@ -9,9 +9,14 @@ from two_bodies import ASTERN, BODIES, DEPTH, G, two_bodies
 
 from hakobune.bem.drift import sum_about_origin
 from hakobune.bem.time_domain.memory import no_memory
+from hakobune.mooring.lines.catalogue import line_type
+from hakobune.mooring.lines.dynamics.simulation import FairleadMotion
+from hakobune.mooring.lines.dynamics.simulation import simulate as drive
 from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
 from hakobune.mooring.lines.system.moored_body import Leg, moored_bodies
-from hakobune.mooring.motion.line_loads import body_lines, line_loads, line_work
+from hakobune.mooring.lines.system.parts import UniformLine
+from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
+from hakobune.mooring.motion.moving_lines.prepare import dynamic_line
 from hakobune.mooring.motion.simulation import SimulationError, moored, simulate
 from hakobune.mooring.motion.wave_loads import no_wave_forces
 from hakobune.mooring.motion.weather import Settings, Weather
@@ -139,6 +144,33 @@ def test_a_pair_that_floats_freely_keeps_momentum_and_energy():
     energy += sum(0.5 * STIFFNESS[i, i] * (run.motion[:, i::6]) ** 2 for i in (2, 3, 4)).sum(axis=1)
     stretch = run.tension[:, 0] / 2e5
     assert np.ptp(energy + 0.5 * 2e5 * stretch**2) < 1e-4 * energy.max()
+
+
+def test_a_chain_of_either_body_pulls_as_the_same_chain_driven_alone(pair):
+    """In waves from abeam, along the course of its own fairlead, of the body that heads the other way too"""
+    chain = UniformLine("", line_type("R3 studless 76 mm"), 160.0, "", "")
+    legs = [
+        Leg(replace(chain, name=f"chain of {body}"), (x + 150.0, y, -DEPTH), (x, y, -1.0), body)
+        for body, x, y in (("ship", 40.0, 30.0), ("barge", 50.0, -30.0))
+    ]
+    held = replace(pair, system=system(*legs))
+    how = Settings(20.0, 20.0, 0.05, **STILL | {"tolerance": 1e-4}, dynamic_lines="all")
+    run = simulate(held, Weather(regular=Waves(2.0, 9.0, AROUND[4])), how)
+    lines, states = body_lines(held.system), np.stack([run.motion, run.velocity]).reshape(2, len(run.time), 2, 6)
+    for i, body in enumerate(("ship", "barge")):
+        assert lines.body[i] == i, body
+        own = np.concatenate(list(states[:, :, i]), axis=1)
+        heading = pair.reader.axes_at_rest[i, 5]  # a course in space, of motions along the body's axes at rest
+        own[:, :2] = own[:, :2] @ [[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]]
+        own[:, 5] += heading
+        place, velocity = fairlead_course(lines, i, own)
+        t = run.time - run.time[0]
+        line = dynamic_line(held.system.lines[i], lines.anchor[i], held.system, how.dynamic_elements)
+        alone = drive(line, FairleadMotion.table(t, place, velocity), t[-1], tolerance=1e-5, check_mesh=False)
+        pull = np.interp(t, alone.time, alone.tension_fairlead)
+        late = t > 10.0  # it begins at rest
+        off = np.sqrt(np.mean((run.tension[late, i] - pull[late]) ** 2))
+        assert off <= 1e-3 * pull.max() and pull[late].std() > 1e-2 * pull.max(), (body, off / pull.max())
 
 
 def test_what_there_is_not_yet_is_refused_in_a_line(pair):

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from hakobune.meshing.panels import structured
+from hakobune.meshing.shapes import box
 from hakobune.mooring.passing.by_tests import QUAY, beyond, depth_factors, kriebel, scale
 from hakobune.mooring.passing.double_body import double_body, largest_section
-from hakobune.mooring.passing.passage import Track, along_track
+from hakobune.mooring.passing.passage import Passage, Track, along_track
 from hakobune.mooring.passing.slender import Slender, wang
 
 FOOT, POUND, SLUG = 0.3048, 4.4482216, 515.37882  # m, N, kg/m³
@@ -52,7 +53,8 @@ def test_sway_that_changes_in_time_has_no_impulse():
     track = Track(50.0, 4.0)
     found = wang(Slender(100.0, 200.0), Slender(120.0, 300.0), track, np.linspace(-4e3, 4e3, 401))
     peak = np.abs(found.force[:, 1]).max()
-    assert abs(found.impulse[1]) < 1e-6 * peak * found.in_time.times[-1]
+    impulse = np.trapezoid(found.in_time.force[:, 1], found.in_time.times)
+    assert abs(impulse) < 1e-6 * peak * found.in_time.times[-1]
 
 
 def test_largest_forces_at_an_open_jetty_are_those_of_a_worked_example():
@@ -117,6 +119,22 @@ def test_force_between_hemispheres_is_that_of_their_dipoles():
     assert found.steady[k, :2] == pytest.approx(wanted, rel=0.2)  # next in (a/c)²
 
 
+def test_moments_about_another_place_are_by_lever():
+    """Of 2 N of surge and 3 N of sway 4 m ahead of, 5 m to port of and 6 m above the place, by hand"""
+    force = np.array([[2.0, 3.0, 0, 0, 0, 7.0]])
+    found = Passage(Track(40.0, 3.0), np.zeros(1), force, 0 * force).about([-4.0, -5.0, -6.0]).force
+    assert found[0] == pytest.approx([2, 3, 0, -18, 12, 7 + 4 * 3 - 5 * 2])
+
+
+def test_the_end_that_is_nearer_to_the_passing_ship_is_drawn_to_it():
+    """Squares of the flow: the bow of a long body towards a hemisphere off the bow, the stern to one off the stern"""
+    hulls, track = (box(8.0, 1.0, 0.5, panels=40).whole(), hemisphere(0.7, 4, 4)), Track(2.5, 1.0)
+    found = double_body(hulls, track, np.linspace(-6.0, 6.0, 9), math.inf)
+    at = [int(np.argmin(np.abs(found.stagger - x))) for x in (3.0, -3.0)]
+    assert found.steady[at[0], 5] > 0 > found.steady[at[1], 5]
+    assert found.steady[at, 1].min() > 0
+
+
 def test_a_mirrored_passage_gives_mirrored_forces():
     """To starboard sway and yaw change sign; on the opposite course time runs the other way along the track"""
     ships = Slender(100.0, 200.0), Slender(80.0, 150.0)
@@ -149,6 +167,4 @@ def test_a_track_that_is_none_is_refused(change):
 
 
 def test_largest_section_of_a_box_is_beam_times_draft():
-    from hakobune.meshing.shapes import box
-
     assert largest_section(box(20.0, 6.0, 2.0, panels=60).whole()) == pytest.approx(12.0)

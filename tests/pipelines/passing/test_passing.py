@@ -9,6 +9,8 @@ import tomli_w
 
 import hakobune
 from hakobune import pipelines
+from hakobune.meshing.files import write_mesh
+from hakobune.meshing.shapes import box
 from hakobune.mooring.motion.given_forces import read_force
 from hakobune.pipelines.cli import main
 
@@ -40,7 +42,7 @@ def test_panels_tell_the_same_in_file_picture_and_table(tmp_path, monkeypatch, c
     words = ["passing", "study.toml", "--forces", "forces.csv", "--output", "passing.h5", "--plot", "passing.png"]
     assert main(words) == 0
     found, table = hakobune.read("passing.h5"), read_force("forces.csv")
-    assert table.force == pytest.approx(found["course.force"], rel=1e-9, abs=1e-6)
+    assert table.force == pytest.approx(found["course.force"].T, rel=1e-9, abs=1e-6)
     assert table.force[:, 1].max() == pytest.approx(found["largest.highest"][1], rel=1e-9)
     assert found["largest.stagger"][1] == pytest.approx(0.0, abs=1e-6)  # equal ships: sway is largest abeam
     assert Path("passing.png").stat().st_size > 5000
@@ -51,6 +53,22 @@ def test_a_wall_behind_the_moored_ship_is_an_image():
     open_water, quay = (hakobune.passing(boxes(**more)) for more in ({}, {"wall": -8.0}))
     assert abs(quay["largest.force"][1]) < 0.7 * abs(open_water["largest.force"][1])
     assert abs(quay["largest.force"][0]) > abs(open_water["largest.force"][0])
+
+
+def test_a_hull_of_a_file_beside_the_study_is_that_of_its_shape_wherever_it_is_drawn(tmp_path, monkeypatch):
+    """Drawn 5 m ahead of its origin, its moments are about a place 5 m astern of its middle"""
+    hull = box(60.0, 12.0, 4.0, panels=24).whole().moved(dx=5.0)
+    write_mesh(hull, tmp_path / "hull.msh")
+    (tmp_path / "study.toml").write_text(
+        tomli_w.dumps(boxes(method="wang", moored={"shape": "mesh", "file": "hull.msh"})), encoding="utf-8"
+    )
+    monkeypatch.chdir("/")
+    found = hakobune.passing(tmp_path / "study.toml")
+    wanted = hakobune.passing(boxes(method="wang", moored=BOX | {"rotation_center": [-5.0, 0.0, 0.0]}))
+    assert found["course.force"] == pytest.approx(wanted["course.force"], rel=1e-9, abs=1e-6)
+    middle = hakobune.passing(boxes(method="wang"))
+    sway, yaw = middle["course.force"][[1, 5]]
+    assert found["course.force"][5] == pytest.approx(yaw + 5.0 * sway, rel=1e-9, abs=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -68,6 +86,12 @@ def test_a_wall_behind_the_moored_ship_is_an_image():
         ({"moored": BOX | {"draft": 10.0}}, "moored.draft is 10.0 in water 10.0 m deep"),
         ({"passing": {"shape": "box", "length": 60.0, "beam": 12.0}}, "passing.draft is missing"),
         ({"panels": 4}, "panels is 4; allowed: 12 to 2000"),
+        ({"moored": BOX | {"mass": 1e6}}, "moored.mass is given; a passage asks for the hull alone"),
+        ({"passing": BOX | {"place": [0.0, 40.0, 0.0]}}, "passing.place is given"),
+        (
+            {"passing": BOX | {"rotation_center": [0.0, 0.0, 1.0]}},
+            "passing.rotation_center is given; allowed: of the moored",
+        ),
     ],
 )
 def test_faults_are_one_line(change, line):

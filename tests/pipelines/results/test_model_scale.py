@@ -25,7 +25,7 @@ POWERS = {  # of keys, by their names
     0.5: "speed speed_knots period periods mean_period significant_period duration wind current tsunami_period "
     "wave_period duration_hours",
     1: "cohesion_kPa dolphin depth length beam draft height freeboard width start end growth position x z diameter "
-    "attachment attachment_height clearance spring_high spring_low surge tsunami wave_height heights "
+    "attachment attachment_height clearance distance spring_high spring_low surge tsunami wave_height heights "
     "amplitude anchor tide gyration clearance",
     2: "area weight_kg_per_m weight_N_per_m mass_kg_per_m",
     2.5: "damping",
@@ -37,7 +37,7 @@ PLAIN = (
     "added_yaw headings_deg angles_deg y beam_over_draft count acceleration coefficient drag_normal drag_tangential "
     "phase_deg allowable density gravity service_life probability ground regional averaging_s roll "
     "corner_headings_deg unit_weight_kN_per_m3 wind_driven drift_tonf_per_m2 after_segment "
-    "tolerance"
+    "tolerance panels block"
 )
 POWER = {name: power for power, names in POWERS.items() for name in names.split()} | dict.fromkeys(PLAIN.split(), 0)
 CHAIN = {"weight_kg_per_m": 111.3, "breaking_load_kN": 5000.0, "axial_stiffness_kN": 5e5}
@@ -91,6 +91,10 @@ def cross():
     return made
 
 
+def slender(tables):
+    tables["method"] = "wang"
+
+
 def measured(tables):
     for key in ("maxima", "averaging_s", "family"):
         tables["wind"].pop(key)
@@ -103,6 +107,7 @@ def measured(tables):
 COMMANDS = {  # tables of the study, keywords of the function, flags of the command
     "berth": (lambda: of("berth_tanker"), {}, ()),
     "members": (lambda: of("members_dolphin"), {}, ()),
+    "passing": (lambda: of("passing_tanker", slender), {}, ()),
     "earthquake": (lambda: of("earthquake_box"), {}, ()),
     "lines": (cross, {"broken": True}, ("--broken",)),
     "line-dynamics": (lambda: of("line_chain_60m", light), {"duration": 2.4}, ("--duration", "2.4")),

@@ -11,8 +11,8 @@ from hakobune.bem.modes import Mode, moving
 from hakobune.bem.panels.elements import elements
 from hakobune.meshing.panels import with_symmetry
 
+from ...scene.modes import names_of, owner, points_of
 from ...scene.scene import SceneError
-from ...scene.shapes import names_of, owner, points_of
 
 ALONG = np.polynomial.legendre.leggauss(200)  # places of mass along a beam
 RIGID = 1e-6  # of its largest displacement: what a shape that strains nothing differs from rigid motions by
