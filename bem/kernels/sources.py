@@ -1,7 +1,8 @@
 """The sources that a source imports, directly or through others, and a digest of them all.
 
 What a file imports and its own digest are kept beside the compiled kernels, by its time of change and size: reading all
-sources at every start took a third of the time of the smallest command.
+sources at every start took a third of the time of the smallest command.  A file that was read within `TICK` of its
+change is read again the next time, since a second change in the same tick of the file system's clock has the same time.
 """
 
 from __future__ import annotations
@@ -10,10 +11,12 @@ import hashlib
 import json
 import os
 import re
+import time
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
+TICK = 2_000_000_000  # ns, the coarsest clock of a file system that is common (FAT)
 PACKAGE = "hakobune."  # below which the folders of a root are imported
 # `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file
 _IMPORT = re.compile(
@@ -78,7 +81,7 @@ class Sources:
         return total.hexdigest()[:16]
 
     def _known(self, source):
-        """[time of change, size, digest, sources that it imports]"""
+        """[time of change or None, size, digest, sources that it imports]"""
         if source not in self._now:
             stat, known = os.stat(source), self._before.get(source)
             same = known and known[:2] == [stat.st_mtime_ns, stat.st_size] and all(map(os.path.isfile, known[3]))
@@ -87,7 +90,13 @@ class Sources:
 
     def _read(self, source, stat):
         own = hashlib.sha256(Path(source).read_bytes()).hexdigest()
-        return [stat.st_mtime_ns, stat.st_size, own, sorted({str(one) for one in imported(Path(source), self.root)})]
+        settled = time.time_ns() - stat.st_mtime_ns > TICK
+        return [
+            stat.st_mtime_ns if settled else None,
+            stat.st_size,
+            own,
+            sorted({str(one) for one in imported(Path(source), self.root)}),
+        ]
 
     def _keep(self):
         """Where that cannot be written all is read again the next time."""

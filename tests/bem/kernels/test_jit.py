@@ -4,6 +4,7 @@ import ast
 import os
 import runpy
 import sys
+import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -11,7 +12,7 @@ import numba  # noqa: F401 - loaded once: a second for each process that begins 
 import pytest
 
 from hakobune import bem
-from hakobune.bem.kernels.sources import imported
+from hakobune.bem.kernels.sources import Sources, imported
 
 ROOT = Path(bem.__file__).parents[1]
 
@@ -73,6 +74,18 @@ def called(x):
 
 print(called(1.0))
 """
+
+
+def test_a_second_change_in_one_tick_of_the_clock_is_seen(tmp_path):
+    file, kept = tmp_path / "constants.py", tmp_path / "sources.json"
+
+    def digest(text):
+        file.write_text(text)
+        os.utime(file, ns=(now, now))  # as a file system writes whose clock has not moved
+        return Sources(tmp_path, kept).digest(file)
+
+    now = time.time_ns()
+    assert digest("STEP = 1.0\n") != digest("STEP = 2.0\n")
 
 
 def test_a_changed_callee_or_constant_in_any_folder_changes_the_result_of_a_cached_caller(tmp_path):
