@@ -28,7 +28,9 @@ from warnings import warn
 import numpy as np
 
 from ..database.reader import Reader, reader, without_rows
+from ..kernels.threads import blas_threads
 from ..modes import words_of
+from .kept_fits import kept_fit
 from .passive_fit import MOVED, passive_fit
 from .rational import balanced, fitted
 from .sensitivity import sensitivity
@@ -158,6 +160,11 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
             f"memory needs radiation at {FEWEST} frequencies at least, {len(body.omega)} are stored; solve a band, "
             "as --omega auto:0.1:2"
         )
+    with blas_threads(1):  # many small matrices; and the same bits whatever the number of threads
+        return _memory(body, tolerance, motions)
+
+
+def _memory(body, tolerance, motions):
     goal = _goal(body, body.between.span, motions)
     if goal.deviation.max() > CLOSE[0]:
         goal = _shorter(body, goal, motions)
@@ -167,7 +174,7 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # where damping is a power that is supposed
     parts = [
-        _fitted(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
+        _kept(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
         for g in groups
     ]
     arrays, storage, loss = _joined(parts, groups, size)
@@ -227,7 +234,7 @@ def _shorter(body, goal, motions):
             f"added mass and damping above {best.band[1]:.3g} rad/s contradict those below by "
             f"{goal.deviation.max():.2g} of the largest, good: {CLOSE[0]:g}; the memory is made of those below: "
             "leave the higher frequencies out, or solve them to a smaller tolerance" + _ringing(body),
-            stacklevel=3,
+            stacklevel=4,
         )
     return best
 
@@ -289,7 +296,7 @@ def _check_deviation(deviation, band, damping, size, words, ringing=""):
     )
     if worst > CLOSE[1]:
         raise ValueError(line)
-    warn(line, stacklevel=3)
+    warn(line, stacklevel=4)
 
 
 def _groups(coupled):
@@ -305,6 +312,15 @@ def _groups(coupled):
         found.append(tuple(sorted(group)))
         left = [i for i in left if i not in group]
     return tuple(found)
+
+
+def _kept(omega, wanted, size, group, tolerance, answered, words):
+    """`_fitted`, made now or before"""
+    return kept_fit(
+        __file__,
+        lambda: _fitted(omega, wanted, size, group, tolerance, answered, words),
+        omega, wanted, size, tolerance, answered,
+    )  # fmt: skip
 
 
 def _fitted(omega, wanted, size, group, tolerance, answered, words):

@@ -109,7 +109,7 @@ class Scene(NamedTuple):
     current: Stream
     contacts: Contacts
     contact_work: ContactWork
-    hull: HullWater | None
+    hull: HullWater
     work: Work
 
 
@@ -227,7 +227,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
 def load(scene, hull, b, t, y, rate, force, work):
     """Waves, drift, what is given, wind and current on body b of a `Scene`, each grown by the ramp
 
-    hull : HullWater of a single body that slews, or None; y, rate : (BLOCK,), force : (6,) of it
+    hull : HullWater of a single body that slews, without rows of another; y, rate : (BLOCK,), force : (6,) of it
     """
     body = scene.body
     if work.window.shape[2] > 1:
@@ -244,7 +244,7 @@ def load(scene, hull, b, t, y, rate, force, work):
             force, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
             grown * (w[8] - d[4] * u - d[5] * v), BY_DRIFT,
         )  # fmt: skip
-    if hull is not None:
+    if hull.water.shape[0] > 0:
         work.moving[0], work.moving[1], work.moving[2], work.moving[3] = y[5], y[6], y[7], y[11]
         hull_water_force(hull, ramp(t, body.ramp), work.moving, work.weights, work.powers, work.stream, work.arm)
         x, across, lever = work.stream[0], work.stream[1], hull.lever

@@ -17,6 +17,7 @@ from ..moving_lines.at_rest import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
 from ..moving_lines.sea import line_sea
 from ..streams import calm
+from ..tables.hull_water import NO_HULL_WATER
 from ..wave_loads import Waves, no_waves, wave_table, waves_of
 from .body import body_of
 from .failures import SimulationError, failure
@@ -122,7 +123,7 @@ def _begun(moored, weather, settings, seed):
         mean, constant = frequency_of_coefficients(settings, components), settings.memory == "constant"
         findings += tuple(slow_damping.findings(moored, body, mean, constant, current is not None))
     flows = wind, calm(len(at_rest)) if current is None else current
-    hull = None if weather.on_hull is None else weather.on_hull.water
+    hull = NO_HULL_WATER if weather.on_hull is None else weather.on_hull.water
     contacts = moored.berth.arrays
     work = room(table.steps, len(at_rest))
     scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work)

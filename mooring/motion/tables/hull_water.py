@@ -24,7 +24,7 @@ from .interpolation import on_ring, ring_table
 
 
 class HullWater(NamedTuple):
-    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces; length : m
+    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces, none for none; length : m
 
     largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
     drift : (m + 3, 3) N, N, N m over headings; lever : m, from where the water pushes up to the centre of the motion
@@ -38,6 +38,11 @@ class HullWater(NamedTuple):
     carried: np.ndarray
     drift: np.ndarray
     lever: float
+
+
+NO_HULL_WATER = HullWater(
+    np.zeros((0, 15)), 0.0, 0.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), np.zeros((4, 3)), 0.0
+)  # of a body that does not slew: the same types, for which the same kernels serve
 
 
 class OnHull(NamedTuple):

@@ -15,13 +15,10 @@ from hakobune.mooring.lines.system.parts import LineType, MooredBody, UniformLin
 from hakobune.mooring.motion.buoy import FULL, BuoyBody, BuoyOnLines
 from hakobune.mooring.motion.given_forces import GivenForce
 from hakobune.mooring.motion.simulation import simulate
-from hakobune.mooring.motion.tables.hull_water import OnHull, hull_water
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Waves
 
 PULL, LENGTH, END = 1.5e5, 30.0, np.array([50.0, 0.0, 4.0])
-NO_WATER = hull_water(np.zeros((8, 5, 3)), 1.0, 0.5, np.zeros(2), None, np.zeros((3, 3)), False)
-CALM = OnHull(None, NO_WATER, False, 0.0)  # runs with a buoy have the water of a hull that slews; here without force
 BUOY, ROPE = BuoyBody(120e3, 8.0, 6.0, drag=(0.0, 0.0)), RopePart(2e7, 1.0)
 
 
@@ -98,7 +95,7 @@ def test_in_low_waves_body_and_buoy_move_as_nine_linear_equations(held, omega, d
     direction, height = np.radians(degrees), 0.002
     against = np.array([-PULL, 0.0, 0.0, 0.0, -END[2] * PULL, 0.0])  # holds the body against its hawser
     force = GivenForce(np.array([0.0, 1e4]), np.tile(against, (2, 1)))
-    weather = Weather(regular=Waves(height, 2 * np.pi / omega, direction), forces=(force,), on_hull=CALM)
+    weather = Weather(regular=Waves(height, 2 * np.pi / omega, direction), forces=(force,))
     settings = Settings(700.0, 0.0, 0.2, 1e-5, slow_drift="none", wave_ramp=(0.0, 400.0))
     run = simulate(body, weather, settings)
     late = run.time > 500.0

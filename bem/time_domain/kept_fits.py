@@ -1,0 +1,50 @@
+"""Fits of the memory that were made before, kept with the compiled kernels.
+
+A fit takes seconds, and every study of a database asks for the same one.  It is a function of arrays alone: a digest of
+them, of the sources that make it and of numpy and scipy names its file, so that nothing that changed is taken for it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+from contextlib import suppress
+from pathlib import Path
+from zipfile import BadZipFile
+
+import numpy as np
+import scipy
+
+from ..kernels.jit import ROOT, cache_folder
+from ..kernels.sources import put_file
+from .passive_fit import Passive
+
+MOST = 256  # files, of some 20 to 200 kB; the oldest go
+
+
+def kept_fit(source, make, *arrays):
+    """`Passive` that make() gives, or gave before for the same arrays; source : the file of code that makes it"""
+    file = _file(source, arrays)
+    with suppress(OSError, ValueError, KeyError, EOFError, BadZipFile), np.load(file, allow_pickle=False) as stored:
+        return Passive(*(stored[name] for name in Passive._fields))
+    made = make()
+    data = io.BytesIO()
+    np.savez(data, **made._asdict())
+    with suppress(OSError):  # where kernels cannot be kept either, and this is said of them
+        put_file(file, data.getvalue())
+        _drop_oldest(file.parent)
+    return made
+
+
+def _file(source, arrays):
+    total = hashlib.sha256(f"{np.__version__} {scipy.__version__}".encode())
+    for array in map(np.ascontiguousarray, arrays):
+        total.update(f"{array.dtype.str}{array.shape}".encode())
+        total.update(array.tobytes())
+    return cache_folder(Path(source), ROOT) / "fits" / f"{total.hexdigest()[:32]}.npz"
+
+
+def _drop_oldest(folder):
+    files = sorted(folder.glob("*.npz"), key=lambda one: one.stat().st_mtime_ns)
+    for file in files[:-MOST]:
+        file.unlink(missing_ok=True)

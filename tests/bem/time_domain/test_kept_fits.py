@@ -1,0 +1,55 @@
+"""A fit of the memory that is taken from its file is the one that was made, to the bit, and of the same question."""
+
+import numpy as np
+import pytest
+
+from hakobune.bem.time_domain import kept_fits
+from hakobune.bem.time_domain.kept_fits import kept_fit
+from hakobune.bem.time_domain.passive_fit import Passive
+
+ASKED = np.linspace(0.1, 2.0, 7), np.eye(2) * (1 + 0.3j), 1e-3
+
+
+@pytest.fixture
+def fits(tmp_path, monkeypatch):
+    """Function of a question: a `Passive` of random numbers, made or kept, and how many were made"""
+    monkeypatch.setenv("HAKOBUNE_CACHE", str(tmp_path))
+    monkeypatch.setattr(kept_fits, "cache_folder", lambda *_: tmp_path)
+    rng, made = np.random.default_rng(3), []
+
+    def make():
+        made.append(Passive(*(rng.normal(size=(3, 2)) for _ in Passive._fields)))
+        return made[-1]
+
+    return lambda *asked: (kept_fit(__file__, make, *asked), len(made))
+
+
+def test_what_is_read_back_is_what_was_made(fits):
+    (first, _), (second, made) = fits(*ASKED), fits(*ASKED)
+    assert made == 1
+    assert all(np.array_equal(one, other) for one, other in zip(first, second, strict=True))
+
+
+@pytest.mark.parametrize("place", range(len(ASKED)))
+def test_another_question_is_fitted_anew(fits, place):
+    fits(*ASKED)
+    changed = [np.nextafter(x.real, 9) + 1j * x.imag if np.iscomplexobj(x) else np.nextafter(x, 9) for x in ASKED]
+    assert fits(*(changed[i] if i == place else x for i, x in enumerate(ASKED)))[1] == 2
+
+
+def test_a_damaged_file_is_made_again_and_old_ones_go(fits, tmp_path, monkeypatch):
+    fits(*ASKED)
+    (file,) = (tmp_path / "fits").glob("*.npz")
+    for damage in (file.read_bytes()[:100], b"", b"PK"):
+        file.write_bytes(damage)
+        fits(*ASKED)
+    assert fits(*ASKED)[1] == 4
+    monkeypatch.setattr(kept_fits, "MOST", 2)
+    for tolerance in (1e-2, 2e-2, 3e-2):
+        fits(*ASKED[:2], tolerance)
+    assert len([*(tmp_path / "fits").iterdir()]) == 2
+
+
+def test_where_nothing_can_be_kept_fits_are_made(fits, tmp_path):
+    (tmp_path / "fits").write_text("")
+    assert fits(*ASKED)[1] == 1 and fits(*ASKED)[1] == 2
