@@ -223,7 +223,7 @@ def wave_table(forces, components, depth, center, gravity, drift=True, carrier=N
     turn = np.multiply.outer(omega, np.stack([times, times - step * count]))
     factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
     factor = np.ascontiguousarray(factor.swapaxes(0, 1))
-    middle, turn = np.asarray(center, float).reshape(-1, 3)[:, :2], np.asarray(heading, float)
+    middle, turn = np.asarray(center, float).reshape(-1, 3)[:, :2].copy(), np.asarray(heading, float)
     arm = middle * np.cos(turn)[:, None] + middle[:, ::-1] * np.multiply.outer(np.sin(turn), [1.0, -1.0])
     return WaveTable(
         omega, own, number, amplitude, phase, direction, force, factor, middle, arm, step, step * count,

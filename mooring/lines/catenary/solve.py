@@ -115,7 +115,7 @@ def span_at_tension(
     falls = np.asarray(bed_slope, float) < 0  # then the bed is below any fairlead, far enough from the anchor
     over = bool(np.all(falls)) or np.where(falls, np.inf, z).min() >= 0
     lines, shape = _lines(0.0 * H, z, length, weight, axial_stiffness, bed_friction, bed_slope, not over)
-    H = np.broadcast_to(H, shape).ravel()
+    H = np.broadcast_to(H, shape).flatten()
     if not np.all((H > 0) & np.isfinite(H)):
         raise ValueError(f"horizontal_tension is {H.min():g} N; allowed: finite values above 0")
     x, lying = spans_at_tension(lines, H).T

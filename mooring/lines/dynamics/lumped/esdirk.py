@@ -38,7 +38,10 @@ def tableau():
     d, w = 1 - np.sqrt(0.5), np.sqrt(0.125)
     a = np.array([[0, 0, 0], [d, d, 0], [w, w, d]])
     third = np.array([(1 - w) / 3, (3 * w + 1) / 3, d / 3])
-    return a, a[-1] - third, a.sum(axis=1)
+    made = a, a[-1] - third, a.sum(axis=1)
+    for array in made:
+        array.flags.writeable = False  # as constants of kernels are: for others each kernel would be compiled once more
+    return made
 
 
 @kernel()
