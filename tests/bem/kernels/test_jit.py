@@ -6,8 +6,8 @@ import runpy
 import sys
 import time
 from pathlib import Path
-from typing import NamedTuple
 
+import forked
 import numba  # noqa: F401 - loaded once: a second for each process that begins without it
 import pytest
 
@@ -17,39 +17,16 @@ from hakobune.bem.kernels.sources import Sources, imported
 ROOT = Path(bem.__file__).parents[1]
 
 
-class Done(NamedTuple):
-    status: int
-    stdout: str
-    stderr: str
-
-
 def ended(script, cache, path, *words, before=""):
     """What a process of its own, which knows no kernel yet, makes of a script; path : where it finds its modules"""
-    ends = [os.pipe(), os.pipe()]
-    sys.stdout.flush()
-    child = os.fork()
-    if child == 0:
-        status = 1
-        try:
-            for number, (_, end) in enumerate(ends, 1):
-                os.dup2(end, number)
-            sys.stdout, sys.stderr = os.fdopen(1, "w"), os.fdopen(2, "w")
-            os.environ["HAKOBUNE_CACHE"] = str(cache)
-            sys.argv, sys.path[:0] = [str(script), *map(str, words)], [str(path)]
-            exec(before, {})
-            runpy.run_path(str(script), run_name="__main__")
-            status = 0
-        except BaseException:
-            import traceback
 
-            traceback.print_exc()
-        finally:
-            sys.stdout.flush(), sys.stderr.flush()
-            os._exit(status)
-    for _, end in ends:
-        os.close(end)
-    told = [os.fdopen(end).read() for end, _ in ends]
-    return Done(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), *told)
+    def work():
+        os.environ["HAKOBUNE_CACHE"] = str(cache)
+        sys.argv, sys.path[:0] = [str(script), *map(str, words)], [str(path)]
+        exec(before, {})
+        runpy.run_path(str(script), run_name="__main__")
+
+    return forked.ended(work)
 
 
 CALLEE = """from hakobune.bem.kernels.jit import kernel

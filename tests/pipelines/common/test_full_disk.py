@@ -4,12 +4,13 @@ import os
 import shlex
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from forked import ended
 
 from hakobune.meshing.whole_files import NotWritten, keep_room
+from hakobune.pipelines.cli import main
 
 resource = pytest.importorskip("resource")
 
@@ -17,12 +18,6 @@ SCENES = Path(__file__).parents[3] / "pipelines" / "scenes"
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.6,29.4,32.3 --heading 0,210,240"
 SEA = "sea --height 3 --mean-period 8 --duration 600"
 SECTIONS = "sections --beam-draft 5 --depth-draft 2 --xi 1 --tolerance 1e-3"
-LIMITED = (
-    "import resource, sys\n"
-    "from hakobune.pipelines.cli import main\n"
-    "resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))\n"
-    "sys.exit(main(sys.argv[2:]))"
-)
 # command, its output, bytes a file may have
 COMMANDS = [
     (f"{BOX} --omega 0.5,1 --output new.h5", "new.h5", 8192),
@@ -42,11 +37,14 @@ COMMANDS = [
 def ran(words, folder, limit):
     """status and what was said by a command that may write `limit` bytes into a file"""
     words = [str(SCENES / word) if (SCENES / word).is_file() else word for word in shlex.split(words)]
-    # a limit cuts bytecode short, too, which other tests would read
-    environment = {**os.environ, "PYTHONPATH": str(SCENES.parents[1]), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-c", LIMITED, str(limit), *words]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, env=environment)
-    return done.returncode, done.stderr
+
+    def work():
+        os.chdir(folder)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
+        return main(words)
+
+    done = ended(work)
+    return done.status, done.stderr
 
 
 @pytest.fixture(scope="module")
