@@ -76,7 +76,8 @@ def _extremes(t, x):
         X = []
         for i, j in pairwise(ends):
             part = slice(i + 1 + (j - i) // 4, max(i + 4 + (j - i) // 4, j + 1 - (j - i) // 4))
-            c = np.polyfit(t[part] - t[i], y[part], 4 if part.stop - part.start > 8 else 2)
+            count = len(y[part])  # fewer than asked for at the end of the record
+            c = np.polyfit(t[part] - t[i], y[part], 4 if count > 8 else min(2, count - 1))
             fine = np.linspace(t[part][0] - t[i], t[part][-1] - t[i], 400)
             value = np.polyval(c, fine)
             X.append(value[np.abs(value).argmax()])
@@ -115,7 +116,7 @@ def _fitted(t, x, start, size, power=2):
             y = _solutions(both.T, t, power) / size
             return np.nan_to_num((y[:, :6] - y[:, 6:]) / (2 * DIFFERENCE), nan=0.0, posinf=FAR, neginf=-FAR)
 
-    found = least_squares(off, start / unit, jac=slope, method="lm", xtol=1e-13, ftol=1e-15, gtol=1e-15, max_nfev=50)
+    found = least_squares(off, start / unit, jac=slope, method="lm", xtol=1e-13, ftol=1e-15, gtol=1e-15, max_nfev=25)
     return found.x * unit, x + size * found.fun
 
 
