@@ -1,0 +1,170 @@
+"""Eight hours of two years, by hand: what limits are on, what stops which operation, when, from where, and how long."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.pipelines.simulate.file import STATISTICS
+from hakobune.mooring.response.points import KeelPoint, Point
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.downtime.answers import YEAR, Verdicts, answers, judged
+from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
+from hakobune.pipelines.downtime.one_state import _values
+from hakobune.pipelines.downtime.study import make_downtime
+
+NAN, INF = np.nan, np.inf
+WAVES = {"height": "hs", "peak_period": "tp", "direction_from": "dir"}
+POINTS = [Point("bow", (50.0, 0.0, 8.0), 8.0), KeelPoint("fore", (40.0, 0.0, -10.0), 6.0),
+          KeelPoint("aft", (-40.0, 0.0, -10.0), 5.0)]  # fmt: skip
+RESPONSES = {"heave": "m", "roll": "rad", "bow acceleration z": "m/s²"}
+
+
+def limits(*given):
+    hindcast = {"file": "h.csv", "x_axis_compass_deg": 0.0, "waves": [WAVES], "columns": {"level": "l"}}
+    return limits_of(
+        make_downtime({"hindcast": hindcast, "operations": [{"name": "work", "limits": list(given)}]}),
+        POINTS,
+        RESPONSES,
+    )
+
+
+def test_limits_are_on_the_largest_of_the_hour_and_what_it_leaves():
+    """n = e² waves in the hour: s = √(2 ln n) = 2 and x̄ = σ (2 + γ/2) = 2.2886 σ, of an amplitude"""
+    found = limits(
+        {"quantity": "heave", "at_most": 4.0},
+        {"quantity": "heave", "at_most": 4.0, "statistic": "significant"},
+        {"quantity": "roll", "at_most": 5.0, "statistic": "peak to peak"},
+        {"quantity": "air gap bow", "at_least": 2.0},
+        {"quantity": "under-keel clearance", "at_least": 1.0},
+        {"quantity": "significant height", "at_most": 3.0},
+        {"quantity": "level", "at_least": 0.5},
+    )
+    assert [one.label.removeprefix("work: ") for one in found] == [
+        "heave ≤ 4 m", "heave, significant ≤ 4 m", "roll, peak to peak ≤ 5 deg", "air gap bow ≥ 2 m",
+        "under-keel clearance ≥ 1 m", "significant height ≤ 3 m", "level ≥ 0.5 m",
+    ]  # fmt: skip
+    sigma = np.array([[2.0, np.radians(1.5), 1.0, 0.5, 1.0], [0.0] * 5, [NAN] * 5])
+    names = ("heave", "roll", "bow relative elevation", "fore displacement z", "aft displacement z")
+    hours = Hours(names, ("m", "rad", "m", "m", "m"), sigma**2, sigma**2, 2 * np.pi * np.e**2)
+    weather = SimpleNamespace(height=np.array([1.5, 4.5, 3.0]), columns={"level": np.array([0.25, 1.0, NAN])})
+    x = 2 + 0.5772157 / 2
+    by_hand = [
+        [2 * x, 0, NAN], [4, 0, NAN], [3 * x, 0, NAN], [8 - x, 8, NAN], [5.25 - x, 6, NAN], [1.5, 4.5, 3], [0.25, 1, NAN]
+    ]  # fmt: skip
+    for one, wanted in zip(found, by_hand, strict=True):
+        assert value_of(one, hours, weather) == pytest.approx(wanted, nan_ok=True), one.label
+    used = used_of(found, hours, weather)
+    shares = [2 * x / 4, 1, 3 * x / 5, 2 / (8 - x), 1 / (5.25 - x), 0.5, 2]
+    assert used[0] == pytest.approx(shares) and used[1] == pytest.approx([0, 0, 0, 0.25, 1 / 6, 1.5, 0.5])
+    assert np.isnan(used[2]).tolist() == [True] * 5 + [False, True]
+    deep = hours._replace(m0=25 * hours.m0, m2=25 * hours.m2)  # water over the point and none under the keel
+    assert np.isposinf(used_of(found, deep, weather)[0, 3:5]).all()
+
+
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [
+        ({"quantity": "heave", "at_least": 4.0}, "heave has a least value; allowed: at_most"),
+        ({"quantity": "level", "at_most": 4.0, "statistic": "significant"}, "level has no statistic 'significant'"),
+        ({"quantity": "heave"}, "neither is given; allowed: one of at_most"),
+        ({"quantity": "heave", "at_most": 1.0, "at_least": 1.0}, "both are given"),
+        ({"quantity": "heave", "at_most": 0.0}, "at_most is 0; allowed: above 0"),
+        ({"quantity": "ice", "at_most": 1.0}, "'ice', which needs a column in hindcast.columns; there are significant"),
+    ],
+)
+def test_limits_that_are_none_are_refused(limit, words):
+    with pytest.raises(StudyError, match=words):
+        limits(limit)
+
+
+@pytest.fixture(scope="module")
+def found():
+    """Cranes have two limits, arms one; the fourth hour of the one and the sixth of the other are not known"""
+    used = np.array([
+        [0.5, 0.5, 0.2], [1.5, 0.5, 1.2], [1.5, 2.0, 0.2], [0.5, 0.5, NAN],
+        [NAN, INF, 0.3], [NAN, 0.5, 0.3], [0.2, 0.2, 3.0], [0.5, 0.5, 0.5],
+    ])  # fmt: skip
+    asked = [SimpleNamespace(operation=number, label=str(i)) for i, number in enumerate((0, 0, 1))]
+    operations = [SimpleNamespace(name="cranes", window_hours=12.0), SimpleNamespace(name="arms", window_hours=6.0)]
+    study = SimpleNamespace(
+        operations=operations, windows_hours=[6.0, 12.0], hindcast=SimpleNamespace(x_axis_compass_deg=90.0)
+    )
+    going = np.radians([0.0, 0.0, 0.0, 90.0, 0.0, 90.0, -100.0, 90.0])
+    record = SimpleNamespace(
+        year=np.repeat([2001, 2002], 4), month=np.tile([1, 1, 2, 2], 2), slot=np.array([0, 1, 2, 3, 10, 11, 12, 13]),
+        hours=6.0, main=SimpleNamespace(direction=going, height=np.array([0.0] + [1.0] * 7)),
+    )  # fmt: skip
+    made, axes = answers(study, record, asked, judged(used, asked, 2))
+    return {name: np.asarray(one.values) for name, one in made.items()}, axes
+
+
+def test_hours_are_down_where_a_limit_is_passed_and_known_where_all_are_or_one_stops_them(found):
+    made, axes = found
+    assert made["downtime.hours"] == pytest.approx([YEAR * 3 / 7, YEAR * 2 / 7])
+    assert made["downtime.share"] == pytest.approx([3 / 7, 2 / 7]) and np.isnan(made["downtime.low"]).all()
+    assert made["downtime.known"] == pytest.approx([7 / 8, 7 / 8])
+    assert made["year.share"] == pytest.approx(np.array([[2 / 4, 1 / 3], [1 / 3, 1 / 4]]))
+    assert made["month.share"][:2] == pytest.approx(np.array([[2 / 3, 1 / 4], [1 / 4, 1 / 3]]))
+    assert np.isnan(made["month.share"][2:]).all()
+
+
+def test_causes_are_counted_alone_where_no_other_limit_of_the_operation_stops_it(found):
+    made, _ = found
+    assert made["cause.hours"] * 7 / YEAR == pytest.approx([2, 2, 2])
+    assert made["cause.alone"] * 7 / YEAR == pytest.approx([1, 1, 2])
+    assert made["cause.most"] == pytest.approx([1.5, 2.0, 3.0])
+
+
+def test_sectors_are_those_of_the_compass_that_waves_come_from(found):
+    """The x axis heads east: waves along it come from 270°, along y, to its left, from 180°; a calm has none"""
+    time, hours = np.zeros(12), np.zeros((12, 2))
+    time[[9, 6, 0]] = np.array([3, 2, 1]) / 7
+    hours[9], hours[0] = [YEAR * 3 / 7, YEAR / 7], [0, YEAR / 7]
+    assert found[0]["sector.time"] == pytest.approx(time) and found[0]["sector.hours"] == pytest.approx(hours)
+
+
+def test_windows_end_at_stops_gaps_and_unknown_hours(found):
+    made, _ = found
+    assert made["window.share"] == pytest.approx(np.array([[4, 5], [2, 2]]) / 7)
+    assert made["window.often"] == pytest.approx(np.array([[3, 4], [1, 1]]) * YEAR / 42)
+    assert made["wait.mean"][:2, 1] == pytest.approx([6 / 4, 6 / 3]) and made["wait.mean"][1, 0] == 0.0
+    assert np.isnan(made["wait.mean"][0, 0]) and np.isnan(made["wait.mean"][2:]).all()
+    assert made["wait.late"][:2, 1] == pytest.approx([0.7 * 6, 0.8 * 6])
+
+
+def test_what_is_not_known_of_hours_widens_the_interval_of_equal_years():
+    chance, known = np.full((5, 1), 0.5), np.ones((5, 1), bool)
+    record = SimpleNamespace(
+        year=np.arange(5), month=np.ones(5, int), slot=2 * np.arange(5), hours=1.0,
+        main=SimpleNamespace(direction=np.zeros(5), height=np.ones(5)),
+    )  # fmt: skip
+    study = SimpleNamespace(operations=[SimpleNamespace(name="a", window_hours=1.0)], windows_hours=[1.0],
+                            hindcast=SimpleNamespace(x_axis_compass_deg=0.0))  # fmt: skip
+    asked = [SimpleNamespace(operation=0, label="a")]
+    verdicts = Verdicts(known, np.zeros((5, 1), bool), chance, 0.5 * chance, chance, np.array([0.1]))
+    made = answers(study, record, asked, verdicts)[0]
+    assert made["downtime.low"].values == pytest.approx(0.5 - 0.1645)
+    assert made["downtime.high"].values == pytest.approx(0.5 + 0.1645)
+    assert made["downtime.hours_high"].values == pytest.approx(YEAR * 0.6645)
+
+
+def test_a_state_has_motions_from_their_mean_shares_of_strength_and_fenders():
+    names = ["surge", "sway", "heave", "roll", "pitch", "yaw", "wave", "wind", "line", "rope", "depth", "push"]
+    rows = {name: dict.fromkeys(STATISTICS, 0.0) for name in names}
+    rows["sway"] |= {"mean": 1.0, "largest": 3.0, "smallest": -2.0, "mean_third": 1.25}
+    rows["roll"] |= {"mean": 0.0, "largest": np.radians(2.0), "smallest": np.radians(-1.0)}
+    for name, value in {"line": 4e5, "rope": 3e5, "depth": 0.4, "push": 5e5}.items():
+        rows[name]["largest"] = value
+    line, rope, fender = (SimpleNamespace(name=name, breaking_load=5e5) for name in ("line", "rope", "fender"))
+    system = SimpleNamespace(line_names=["line"], breaking_load=np.array([1e6]))
+    body = SimpleNamespace(system=system, berth=SimpleNamespace(ropes=[rope], fenders=[fender]))
+    made = _values(body, [[rows[name][one] for one in STATISTICS] for name in names])
+    assert made["sway"] == pytest.approx({"largest": 3.0, "significant": 1.25, "peak to peak": 5.0})
+    assert made["roll"] == pytest.approx({"largest": 2.0, "significant": 0.0, "peak to peak": 3.0})
+    assert made["tension / breaking load"] == pytest.approx(0.6)
+    assert made["breaking load / tension"] == pytest.approx(1 / 0.6)
+    assert made["fender deflection"] == 0.4 and made["fender reaction"] == 500.0
+    system.breaking_load = np.array([INF])
+    rope.breaking_load = INF
+    assert "tension / breaking load" not in _values(body, [[rows[name][one] for one in STATISTICS] for name in names])
