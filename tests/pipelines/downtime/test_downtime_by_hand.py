@@ -5,13 +5,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.simulate.file import STATISTICS
 from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.downtime.answers import YEAR, Verdicts, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
 from hakobune.pipelines.downtime.study import make_downtime
+from hakobune.pipelines.simulate.file import STATISTICS
 
 NAN, INF = np.nan, np.inf
 WAVES = {"height": "hs", "peak_period": "tp", "direction_from": "dir"}
@@ -50,7 +50,8 @@ def test_limits_are_on_the_largest_of_the_hour_and_what_it_leaves():
     weather = SimpleNamespace(height=np.array([1.5, 4.5, 3.0]), columns={"level": np.array([0.25, 1.0, NAN])})
     x = 2 + 0.5772157 / 2
     by_hand = [
-        [2 * x, 0, NAN], [4, 0, NAN], [3 * x, 0, NAN], [8 - x, 8, NAN], [5.25 - x, 6, NAN], [1.5, 4.5, 3], [0.25, 1, NAN]
+        [2 * x, 0, NAN], [4, 0, NAN], [3 * x, 0, NAN], [8 - x, 8, NAN], [5.25 - x, 6, NAN], [1.5, 4.5, 3],
+        [0.25, 1, NAN],
     ]  # fmt: skip
     for one, wanted in zip(found, by_hand, strict=True):
         assert value_of(one, hours, weather) == pytest.approx(wanted, nan_ok=True), one.label
@@ -100,7 +101,7 @@ def found():
 
 
 def test_hours_are_down_where_a_limit_is_passed_and_known_where_all_are_or_one_stops_them(found):
-    made, axes = found
+    made, _ = found
     assert made["downtime.hours"] == pytest.approx([YEAR * 3 / 7, YEAR * 2 / 7])
     assert made["downtime.share"] == pytest.approx([3 / 7, 2 / 7]) and np.isnan(made["downtime.low"]).all()
     assert made["downtime.known"] == pytest.approx([7 / 8, 7 / 8])
@@ -156,7 +157,7 @@ def test_a_state_has_motions_from_their_mean_shares_of_strength_and_fenders():
     rows["roll"] |= {"mean": 0.0, "largest": np.radians(2.0), "smallest": np.radians(-1.0)}
     for name, value in {"line": 4e5, "rope": 3e5, "depth": 0.4, "push": 5e5}.items():
         rows[name]["largest"] = value
-    line, rope, fender = (SimpleNamespace(name=name, breaking_load=5e5) for name in ("line", "rope", "fender"))
+    rope, fender = (SimpleNamespace(name=name, breaking_load=5e5) for name in ("rope", "fender"))
     system = SimpleNamespace(line_names=["line"], breaking_load=np.array([1e6]))
     body = SimpleNamespace(system=system, berth=SimpleNamespace(ropes=[rope], fenders=[fender]))
     made = _values(body, [[rows[name][one] for one in STATISTICS] for name in names])

@@ -12,6 +12,7 @@ from hakobune.bem.motions import response as motions
 from hakobune.bem.stored_laws import broken_laws
 from hakobune.mooring.response.points import Point, Station, transfer_functions
 from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.bending.modes import _rigid
 from hakobune.pipelines.solve.run import solve
 from hakobune.pipelines.view.deflection import axis_rise, deflections
 
@@ -61,6 +62,13 @@ def test_structure_by_hand(barge):
     by_hand = RHO * G * 6 * 24 / 4 + mass * G * (-0.4 * (end - turned) - 0.5 * turned)  # z_B − z₀, z_G − z₀
     assert C[6, 6] == pytest.approx(by_hand, rel=1e-3) and np.abs(C - C.T).max() < 1e-6 * C[4, 4]
     assert C[2, 2] == pytest.approx(RHO * G * 144)
+
+
+def test_a_turn_leaves_its_centre_and_moves_the_rest_by_the_right_hand():
+    """Pitch about (1, 0, −2): 3 m ahead sink by 3 m per radian, 2 m up go ahead by 2 m"""
+    points = np.array([[1.0, 5.0, -2.0], [4.0, 0.0, -2.0], [1.0, 0.0, 0.0]])
+    assert _rigid(4, np.array([1.0, 0.0, -2.0]))(points).tolist() == [[0, 0, 0], [0, 0, -3], [2, 0, 0]]
+    assert _rigid(1, np.zeros(3))(points).tolist() == [[0, 1, 0]] * 3
 
 
 def test_a_body_that_cannot_bend_is_rigid(barge, tmp_path):
