@@ -1,12 +1,15 @@
 """Eight hours of two years, by hand: what limits are on, what stops which operation, when, from where, and how long."""
 
+from dataclasses import dataclass, field
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from hakobune.mooring.downtime.hindcast import WaveHours
 from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.downtime import result
 from hakobune.pipelines.downtime.answers import YEAR, Verdicts, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
@@ -169,3 +172,80 @@ def test_a_state_has_motions_from_their_mean_shares_of_strength_and_fenders():
     system.breaking_load = np.array([INF])
     rope.breaking_load = INF
     assert "tension / breaking load" not in _values(body, [[rows[name][one] for one in STATISTICS] for name in names])
+
+
+# ------------------------------------------------------------------ of the record as a whole
+
+
+@dataclass(frozen=True)
+class Record:
+    """Stand-in of a hindcast: its waves, and what of them a test asks for"""
+
+    waves: tuple
+    columns: dict = field(default_factory=dict)
+
+
+def waves(height, period=8.0, direction=0.0):
+    height = np.asarray(height, float)
+    return WaveHours(height, np.broadcast_to(period, height.shape), np.broadcast_to(direction, height.shape))
+
+
+def test_an_operation_that_stops_longer_than_it_may_is_told():
+    read = SimpleNamespace(operations=[SimpleNamespace(name=str(i), allowed_hours=one)
+                                       for i, one in enumerate((10.0, 12.0, None))])  # fmt: skip
+    (line,) = result._too_long(read, {"downtime.hours": SimpleNamespace(values=np.array([10.5, 11.9, 99.0]))})
+    assert "0 stops 10.5 h a year, limit 10 h" in str(line)
+
+
+def test_energy_beyond_the_stored_frequencies_is_told_above_a_hundredth_and_refused_above_half():
+    """H = 4 m is 1 m²: a fifth is beyond in one of three rows with waves, of both systems together"""
+    record = SimpleNamespace(hindcast=Record((waves([4.0, 0.0, 4.0, 0.0]), waves([0.0, 4.0, 0.0, 0.0]))))
+    body = SimpleNamespace(omega=2 * np.pi / np.array([20.0, 10.0, 5.0]))
+
+    def said(*kept):
+        return list(result._outside(body, record, SimpleNamespace(m0=np.array([[0.0, one] for one in kept]))))
+
+    assert said(0.991, 0.995, 1.0, 0.0) == []
+    (line,) = said(0.8, 0.995, 1.0, 0.0)
+    assert line.startswith("in 33.3 % of the rows with waves more than 1 % of their energy is beyond")
+    assert "the stored 5 to 20 s, at most 20 %" in line
+    with pytest.raises(StudyError, match=r"in 100 % of the rows.*allowed: at most 50 % in half of them"):
+        said(0.49, 0.4, 0.9, 0.0)
+
+
+def test_the_height_that_reaches_a_limit_is_the_room_over_what_a_metre_moves():
+    """Of a metre 2.2886 σ: 4 m of heave over it, 6 m of water less 1 m that is to be left, the least of two points"""
+    x = 2 + 0.5772157 / 2
+    sigma = np.array([[0.5, 0.2, 0.25], [0.0, 0.0, 0.0]])
+    hours = Hours(("heave", "fore displacement z", "aft displacement z"), ("m",) * 3, sigma**2, sigma**2,
+                  2 * np.pi * np.e**2)  # fmt: skip
+    heave, keel = limits({"quantity": "heave", "at_most": 4.0}, {"quantity": "under-keel clearance", "at_least": 1.0})
+    at_one = Record((waves([1.0, 1.0]),))
+    assert result._height(heave, hours, at_one) == pytest.approx([4 / (0.5 * x), np.inf])
+    assert result._height(keel, hours, at_one) == pytest.approx([4 / (0.25 * x), np.inf])
+
+
+def test_limiting_seas_come_from_the_directions_of_the_compass(monkeypatch):
+    """The x axis heads east: what comes from north goes to 270° from it, from west to 0°, from south to 90°"""
+    monkeypatch.setattr(result, "hours_of", lambda response, shapes, hindcast: hindcast.waves[0])
+    monkeypatch.setattr(result, "_height", lambda one, hours, at_one: hours.period + 100 * np.degrees(hours.direction))
+    record = SimpleNamespace(hindcast=Record((waves([1.0] * 3 + [0.0], [4.0, 6.0, 8.0, 99.0]),)), shapes=[None])
+    read = SimpleNamespace(hindcast=SimpleNamespace(x_axis_compass_deg=90.0), operations=[None])
+    made, axes = result._limiting(read, record, None, [SimpleNamespace(kind="keel", operation=0)])
+    height, periods = made["limiting.height"].values, axes["period"].values
+    assert periods[[0, -1]] == pytest.approx([4.0, 8.0], abs=5e-3) and len(periods) == 24
+    for place, towards in ((0, 270.0), (27, 0.0), (18, 90.0)):
+        assert axes["comes_from"].values[place] == 10.0 * place
+        assert height[:, place, 0] == pytest.approx(periods + 100 * towards)
+    assert result._limiting(read, record, None, [SimpleNamespace(kind="weather", operation=0)]) == ({}, {})
+
+
+def test_a_body_that_is_turned_clockwise_meets_waves_as_far_to_its_left(monkeypatch):
+    """Waves beyond half a turn stop the work: of 0, 100, 120 and 150° none, turned by 90° three, by −90° one"""
+    monkeypatch.setattr(result, "hours_of", lambda response, shapes, hindcast: hindcast.waves[0].direction)
+    monkeypatch.setattr(result, "used_of", lambda limits, hours, hindcast: hours[:, None] / np.pi)
+    record = SimpleNamespace(hindcast=Record((waves([1.0] * 4, 8.0, np.radians([0, 100, 120, 150.0])),)), shapes=None)
+    read = SimpleNamespace(turned_deg=[0.0, 90.0, -90.0], operations=[None])
+    made, axes = result._turned(read, record, None, [SimpleNamespace(operation=0)])
+    assert made["turned.hours"].values[:, 0] == pytest.approx(YEAR * np.array([0, 0.75, 0.25]))
+    assert axes["turned"].values.tolist() == [0.0, 90.0, -90.0]
