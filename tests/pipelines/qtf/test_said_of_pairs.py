@@ -216,3 +216,14 @@ def test_stored_forces_answer_a_question_of_the_same_waves_body_and_method_alone
         body.rough = "a coarser mesh"
     monkeypatch.setattr(running, "read_forces", lambda db, kind: there)
     assert running._of_same_waves(None, asked, body) is (there if changed is None else None)
+
+
+@pytest.mark.parametrize(("carried", "says"), [(0.6, None), (0.55, "0.6 rad/s, 171 m long, on panels of up to 4.5 m")])
+def test_panels_that_carry_the_waves_and_others_have_their_way_out(monkeypatch, carried, says):
+    """λ = 2πg/ω² in deep water: 171 m at 0.6 rad/s"""
+    monkeypatch.setattr(report, "_carried", lambda db: carried)
+    db = SimpleNamespace(mesh=SimpleNamespace(sizes=np.array([3.0, 4.5])), water_depth=np.inf, gravity=9.81)
+    told = report._smaller_panels(SimpleNamespace(omega=OMEGA), db)
+    assert told == "more panels bring them together" if says is None else says in told
+    assert says is None or "up to 0.55 rad/s" in told
+    assert report._smaller_panels(SimpleNamespace(omega=OMEGA), None) == "more panels bring them together"
