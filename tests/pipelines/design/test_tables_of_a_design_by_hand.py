@@ -1,6 +1,7 @@
 """Rows of the tables of a design, where a number is found again, and the cases of breakwaters and earthquakes."""
 
 from collections import namedtuple
+from contextlib import nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -8,10 +9,10 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.criteria import verdict as of
-from hakobune.pipelines.design import comparison, report_tables, running
+from hakobune.pipelines.design import comparison, project, report_tables, running
 from hakobune.pipelines.design.cases import LoadCase
 from hakobune.pipelines.design.fatigue import QUANTITY as FATIGUE
-from hakobune.pipelines.design.kinds import breakwater, earthquake
+from hakobune.pipelines.design.kinds import breakwater, earthquake, in_time
 from hakobune.pipelines.design.kinds.needs import COEFFICIENT, DOLPHIN, OF_ALLOWABLE, SCOPE, TOTAL
 
 CASE = LoadCase("storm, 30 deg", "storm", "abnormal", "high", 30.0, 0.0, 0.0, "line 3", 1.5, {}, apart=False)
@@ -222,3 +223,71 @@ def test_rule_sets_stand_side_by_side_by_what_they_use(monkeypatch):
 )
 def test_a_study_has_the_things_of_its_tables(study, has):
     assert {word for word, there in comparison._things(study).items() if there} == has
+
+
+# ------------------------------------------------------------------ weather of a site, runs in time
+
+
+def test_states_have_the_weather_of_their_site_and_the_project_its_life_where_it_gives_none(monkeypatch):
+    values = SimpleNamespace(
+        states={"storm": {"waves": {"height": 4.0}, "wind": {"speed": 30.0}}}, levels={"high": 2.0, "low": -1.0},
+        site={"service_life": 50.0, "probability": 0.3, "name": "port"},
+    )  # fmt: skip
+    monkeypatch.setattr(project, "site_file", lambda path: values)
+    raw = {"project": {"site": "port.json", "name": "berth"}, "levels": {"spring": 3.0}, "states": [
+        {"name": "a", "weather": "storm", "waves": {"incidence_deg": 30.0}, "levels": ["high", "mean"]},
+        {"name": "b", "waves": {"height": 1.0}},
+    ]}  # fmt: skip
+    made = project._at_site(raw, Path())
+    assert made["project"] == {"site": "port.json", "name": "berth", "service_life": 50.0, "probability": 0.3}
+    assert made["levels"] == {"high": 2.0, "spring": 3.0}
+    assert made["states"][0]["waves"] == {"height": 4.0, "incidence_deg": 30.0}
+    assert made["states"][0]["wind"] == {"speed": 30.0} and made["states"][1] == raw["states"][1]
+    raw["project"]["service_life"] = 25.0
+    assert "probability" not in project._at_site(raw, Path())["project"]
+    with pytest.raises(ValueError, match=r"project\.site is not given"):
+        project._at_site(raw | {"project": {}}, Path())
+    raw["states"][0]["waves"]["height"] = 3.0
+    with pytest.raises(ValueError, match=r"states\[0\]\.waves\.height is given by the study and by its site"):
+        project._at_site(raw, Path())
+
+
+def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_below_what_was_simulated(monkeypatch):
+    """Simulated 30 and 10 kN where statics has 20 and 40: times 1.5 and 1 of statics at the multiple"""
+    statics = {1.0: [[20.0, 40.0], [16.0, 32.0], [2.0, 4.0]], 1.5: [[30.0, 8.0], 0, 0], 0.5: [[10.0, 8.0], 0, 0]}
+    moved = []
+
+    def held(study, database, motion, tension, factor):
+        moved.append(factor)
+        return [np.array(one) for one in statics[factor]]
+
+    class File(dict):
+        pass
+
+    where = "hakobune.pipelines.simulate."
+    rows = {"tension a": {"mean": 12.0, "largest": 30.0}, "tension b": {"mean": 5.0, "largest": 10.0}}
+    file = File(
+        line=SimpleNamespace(asstr=lambda: {(): ["a", "b"]}), motion={(): np.zeros((1, 3, 6))},
+        tension={(): np.ones((1, 3, 2))}, time=np.array([0.0, 0.5, 1.0]),
+    )  # fmt: skip
+    file.attrs = {"breaking_load": [100.0, 200.0]}
+    monkeypatch.setattr(in_time, "_run", lambda *_: SimpleNamespace(interrupted=False, failures=[]))
+    monkeypatch.setattr(in_time, "_moved", held)
+    monkeypatch.setattr(in_time, "_largest_excursion", lambda file, motion: 7.0)
+    monkeypatch.setattr(in_time, "_largest_motions", lambda file: np.arange(6.0))
+    monkeypatch.setattr(f"{where}file.opened", lambda path: nullcontext(file))
+    monkeypatch.setattr(f"{where}file.summary_of", lambda file, name: rows[name])
+    monkeypatch.setattr(f"{where}file.told", lambda file: ["told", "twice"])
+    monkeypatch.setattr(f"{where}file.stored_findings", lambda file: ["twice"])
+    monkeypatch.setattr(f"{where}over_runs.overloads", lambda file, allowable: [f"over {allowable:g}"])
+    monkeypatch.setattr(f"{where}over_runs.rare_findings", lambda file: ["rare"])
+    monkeypatch.setattr(f"{where}over_runs.used_in_runs", lambda file: np.array([[0.3, 0.05]]))
+    found = in_time._simulated(None, None, None, [1.0, 1.5, 0.5])
+    assert moved == [1.0, 1.5, 0.5] and found["mean"].tolist() == [12.0, 5.0] and found["excursion"] == 7.0
+    assert found["largest"][1.0].tolist() == [30.0, 10.0] and found["largest"][1.5].tolist() == [45.0, 10.0]
+    assert found["largest"][0.5].tolist() == [15.0, 8.0]
+    assert found["horizontal"].tolist() == [24.0, 32.0] and found["uplift"].tolist() == [3.0, 4.0]
+    assert found["findings"] == ("told", "twice", "over 1", "rare") and found["cycles"][0][0] == 1.0
+    monkeypatch.setattr(in_time, "_run", lambda *_: SimpleNamespace(interrupted=False, failures=[(3, "it capsizes")]))
+    with pytest.raises(ValueError, match="seed 3: it capsizes"):
+        in_time._simulated(None, None, None, [1.0])

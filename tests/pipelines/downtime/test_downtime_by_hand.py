@@ -9,7 +9,7 @@ import pytest
 from hakobune.mooring.downtime.hindcast import WaveHours
 from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.downtime import result
+from hakobune.pipelines.downtime import result, simulated
 from hakobune.pipelines.downtime.answers import YEAR, Verdicts, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
@@ -249,3 +249,63 @@ def test_a_body_that_is_turned_clockwise_meets_waves_as_far_to_its_left(monkeypa
     made, axes = result._turned(read, record, None, [SimpleNamespace(operation=0)])
     assert made["turned.hours"].values[:, 0] == pytest.approx(YEAR * np.array([0, 0.75, 0.25]))
     assert axes["turned"].values.tolist() == [0.0, 90.0, -90.0]
+
+
+# ------------------------------------------------------------------ chances of simulated hours
+
+
+class Known:
+    """Stand-in of an interpolant that knows the chance of each hour; its sums are known to 2 and 3 hours of all"""
+
+    def predict(self, x, height):
+        return np.log(np.array([0.5, 2.0, 1.0, 0.1])), np.full(4, 0.2)
+
+    def spread_of_sum(self, x, height, mean, spread, free):
+        return 2.0 * free.sum(), 3.0
+
+    def chance(self, mean, spread):
+        return np.array([0.1, 0.9, 0.5, 0.0])
+
+
+def simulated_limits():
+    return [SimpleNamespace(operation=0, kind="simulated"), SimpleNamespace(operation=0, kind="weather"),
+            SimpleNamespace(operation=1, kind="weather"), SimpleNamespace(operation=0, kind="simulated")]  # fmt: skip
+
+
+def test_hours_by_states_are_the_chances_where_the_weather_does_not_stop_the_work_by_itself(monkeypatch):
+    """Of four hours one is too windy: 1 + 0.1 + 0.9 + 0 of them; the worst of both simulated limits is fitted"""
+    asked = []
+
+    def fitted(x, height, used):
+        asked.append((x.tolist(), height.tolist(), used.tolist()))
+        return Known()
+
+    monkeypatch.setattr(simulated, "fitted", fitted)
+    used = np.array([[[0.2, 0.9, 0.9, 0.4]], [[0.8, 0.9, 0.9, 0.3]]])  # two states, one seed
+    exact = np.array([[NAN, 0.5, 9.0, NAN], [NAN, 0.5, 0.1, NAN], [NAN, 1.5, 0.1, NAN], [NAN, 1.0, 0.1, NAN]])
+    read = SimpleNamespace(operations=[SimpleNamespace(name="cranes"), SimpleNamespace(name="arms")])
+    x, height = np.arange(8.0).reshape(4, 2), np.array([1.0, 2.0, 3.0, 4.0])
+    (fit,) = simulated._fits(read, simulated_limits(), x, height, np.array([3, 1]), used, exact)
+    assert asked == [([[6, 7], [2, 3]], [4, 2], [[0.4], [0.8]])]
+    assert (fit.name, fit.free.tolist()) == ("cranes", [True, True, False, True])
+    assert fit.hours == pytest.approx(YEAR / 4 * 2.0) and fit.error == pytest.approx(YEAR / 4 * 6)
+    assert fit.sea == pytest.approx(YEAR / 4 * 3)
+
+
+def test_verdicts_are_sure_by_the_weather_and_chances_by_states(monkeypatch):
+    """Five hours, of which the third has no waves: what is simulated is not known there, the weather alone is"""
+    monkeypatch.setattr(simulated, "fitted", lambda x, height, used: Known())
+    read = SimpleNamespace(operations=[SimpleNamespace(name="cranes"), SimpleNamespace(name="arms")])
+    exact = np.array([[NAN, 0.5, 9.0, NAN], [NAN, 0.5, 0.1, NAN], [NAN, 0.5, 0.1, NAN], [NAN, 1.5, 0.1, NAN],
+                      [NAN, 0.5, NAN, NAN]])  # fmt: skip
+    rows = np.array([0, 1, 3, 4])
+    fit = simulated.Fit("cranes", Known(), *Known().predict(0, 0), None, 0.0, 3.0, 4.0)
+    record = SimpleNamespace(time=np.arange(5))
+    made = simulated._verdicts(simulated_limits(), record, rows, exact, [fit], np.zeros((4, 1)), np.ones(4),
+                               np.array([0]), np.zeros((1, 1, 4)), read)  # fmt: skip
+    assert made.known.T.tolist() == [[True, True, False, True, True], [True, True, True, True, False]]
+    assert made.chance[[0, 1, 3, 4], 0].tolist() == [0.1, 0.9, 1.0, 0.0] and made.chance[:4, 1].tolist() == [1, 0, 0, 0]
+    assert made.used[rows, 0] == pytest.approx([0.5, 2.0, 1.0, 0.1]) and np.isnan(made.used[2, 0])
+    assert made.beyond[rows, 3].tolist() == [0.1, 0.9, 0.5, 0.0] and made.beyond[:4, 2].tolist() == [1, 0, 0, 0]
+    assert made.error == pytest.approx([5.0 / YEAR, 0.0])
+    assert made.down[3, 0] and not made.down[4, 0] and made.down[0, 1] and not made.down[2, 0]
