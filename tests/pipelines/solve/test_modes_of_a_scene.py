@@ -1,5 +1,6 @@
 """A scene of a body that bends, from its tables to its database and what studies take from it."""
 
+import math
 import re
 
 import numpy as np
@@ -159,6 +160,13 @@ def test_studies_of_rigid_bodies_say_so(barge):
         ([{"kind": "torsion"}], {}, "GJ is missing"),
         ([{**BENDING, "EI": -1.0}], {}, "EI is -1; allowed: above 0"),
         ([{**BENDING, "damping": 1.0}], {}, "damping is 1; allowed: 0 to below 1"),
+        ([{**BENDING, "damping": -0.1}], {}, "damping is -0.1; allowed: 0 to below 1"),
+        ([{**BENDING, "axis_height": math.inf}], {}, "axis_height is inf; allowed: finite"),
+        ([{**BENDING, "count": 41}], {}, "count is 41; allowed: 1 to 40"),
+        ([{**BENDING, "count": 0}], {}, "count is 0; allowed: 1 to 40"),
+        ([{**BENDING, "length": math.inf}], {}, "length is inf; allowed: above 0, finite"),
+        ([{"kind": "file", "name": "a__b", "file": "no.csv", "stiffness": 0.0}], {}, "name is 'a__b'; allowed: a word"),
+        ([{"kind": "file", "name": "one", "file": "no.csv", "stiffness": -1.0}], {}, "stiffness is -1; allowed"),
         ([BENDING, BENDING], {}, "'vertical_bending_1' twice"),
         ([{**BENDING, "body": "tug"}], {}, "there is one body"),
         ([{"kind": "file", "name": "Heave", "file": "no.csv", "stiffness": 1.0}], {}, "no rigid motion"),
