@@ -52,8 +52,10 @@ def test_rows_are_root_mean_squares_with_each_part_added(unread):
     rows, made = table(forces())
     assert [label for label in rows if "surge" in label] == ["180° surge, 0 rad/s", "180° surge, 0.1 rad/s"]
     by_hand = {"newman": 4e3, "newman_and_bound_wave": 5e3, "squares_and_bound_wave": 5e3, "body": math.hypot(6e3, 3e3)}
+    assert len(rows) == 6  # surge, sway and yaw at two differences
     for row in rows.values():
         assert row == pytest.approx(by_hand)
+    assert made.quantities["force.body"].units() == 4 * ("N/m2",) + 2 * ("N m/m2",)
     assert made.notes[0] == (
         "floating body, 3 frequencies 0.4 to 0.6 rad/s, differences to 0.1 rad/s, 1 headings and all their pairs"
     )
