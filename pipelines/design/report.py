@@ -51,14 +51,7 @@ def _context(read, verdict, advice, paths, folder):
         "word_class": CSS[verdict.word],
         "summary": words.summary(verdict),
         "advice": words.advice_words(advice, verdict),
-        "levels": [
-            {
-                "name": name,
-                "depth": f"{read.study['water']['depth'] + read.project.level(name):g}",
-                "link": "" if path is None else _relative(path, folder),
-            }
-            for name, path in paths.items()
-        ],
+        "levels": list(_levels(read, paths, folder)),
         "return_period": words.return_words(own, verdict),
         "in_time": words.time_words(read),
         "states": [words.state_row(state) for state in read.project.states],
@@ -84,6 +77,13 @@ def _context(read, verdict, advice, paths, folder):
         "inputs": {"project": read.text, "study": read.study_text, "scene": _scene_text(read)},
         "versions": ", ".join(f"{name} {version}" for name, version in versions().items()),
     }
+
+
+def _levels(read, paths, folder):
+    """Each level with its depth, m, and the address of its database"""
+    for name, path in paths.items():
+        depth = read.study["water"]["depth"] + read.project.level(name)
+        yield {"name": name, "depth": f"{depth:g}", "link": "" if path is None else _relative(path, folder)}
 
 
 def _found_in(read, verdict, folder):

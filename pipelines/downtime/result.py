@@ -215,7 +215,7 @@ def _outside(body, record, hours):
     if missed > 0:
         low, high = (2 * np.pi / body.omega[i] for i in (-1, 0))
         text = (
-            f"in {100 * missed:.2g} % of the rows with waves more than {100 * MISSED:g} % of their energy is beyond "
+            f"in {100 * missed:.3g} % of the rows with waves more than {100 * MISSED:g} % of their energy is beyond "
             f"the stored {low:.3g} to {high:.3g} s, at most {100 * np.nanmax(share):.0f} %; add periods to the scene "
             "and solve again"
         )

@@ -138,7 +138,7 @@ def _findings(study, track, found, slender):
         yield fails(line) if squeezed > BROKEN else line
     if found.left > FAR:
         yield (
-            f"{100 * found.left:.2g} % of the largest force is left at the ends of the track, limit {100 * FAR:g} %; "
+            f"{100 * found.left:.3g} % of the largest force is left at the ends of the track, limit {100 * FAR:g} %; "
             "give more track.lengths"
         )
     if study.method == "kriebel":

@@ -186,7 +186,7 @@ def _record(study, table, settings, omega, folder):
     share = float((found.amplitude[outside] ** 2).sum() / (found.amplitude**2).sum())
     if share > MISSED:
         return found, (
-            f"{100 * share:.2g} % of the record's energy lies outside the stored frequencies, {omega[0]:.3g} to "
+            f"{100 * share:.3g} % of the record's energy lies outside the stored frequencies, {omega[0]:.3g} to "
             f"{omega[-1]:.3g} rad/s, and moves nothing; solve {found.omega[0]:.3g} rad/s and more",
         )
     return found, ()

@@ -25,8 +25,10 @@ RAKED = {"shape": "outline", "points": [[-20, 1], [-17, -3], [17, -3], [20, 1]],
         ([BOX | {"size": [24, 20, 6]}, POOL], "xy", 3.0, 3.0 * (24 * 20 - np.pi * 81)),
         ([RAKED], "y", 3.0, 10 * 3 * (34 + 38.5) / 2),
         ([BOX | {"center": [0, y, 0], "size": [30, 6, 4]} for y in (-10, 10)], "", 3.0, 2 * 30 * 6 * 2.0),
+        ([BOX | {"center": [-90, -40, -2], "size": [10, 6, 4]}], "", 3.0, 10 * 6 * 4.0),
     ],
-    ids=["sphere beside a box", "semi-submersible", "cone", "lying cylinder", "moonpool", "raked barge", "catamaran"],
+    ids=["sphere beside a box", "semi-submersible", "cone", "lying cylinder", "moonpool", "raked barge", "catamaran",
+         "far off"],
 )  # fmt: skip
 def test_a_drawing_has_the_volume_of_its_parts_in_panels_without_a_finding(parts, symmetry, size, volume):
     mesh = meshed(drawing_of({"size": size, "symmetry": symmetry, "around": 16, "parts": parts}))

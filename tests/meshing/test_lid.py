@@ -274,3 +274,15 @@ def test_a_plan_keeps_corners_that_turn_either_way():
     middles = (plan + np.roll(plan, -1, axis=0)) / 2
     ring = np.stack([plan, middles], axis=1).reshape(-1, 2)
     assert {tuple(point) for point in _simplified(ring, 100.0)} == {tuple(point) for point in plan}
+
+
+def test_a_ring_of_equal_sides_is_regular_on_a_circle_alone():
+    """A square has its centre; a rhombus, and a square with a corner on a side more, have none"""
+    from hakobune.meshing.lid import _regular
+
+    square = np.array([[4.0, 1, 0], [2, 3, 0], [0, 1, 0], [2, -1, 0]])
+    ring, pole = _regular(square)
+    assert pole == pytest.approx([2.0, 1.0, 0.0]) and len(ring) == 5
+    rhombus = np.array([[4.0, 1, 0], [2, 2, 0], [0, 1, 0], [2, 0, 0]])
+    assert _regular(rhombus) == (None, None)
+    assert _regular(np.insert(square, 1, [[3.0, 2.0, 0.0]], axis=0)) == (None, None)

@@ -5,7 +5,7 @@ import pytest
 
 from hakobune.meshing.panels import joined
 from hakobune.meshing.quality import findings
-from hakobune.meshing.quality.overlap import _solid_angles, connected, overlaps
+from hakobune.meshing.quality.overlap import _solid_angles, connected, overlaps, winding
 from hakobune.meshing.shapes import box, buoy
 
 PONTOON = box(40, 10, 5, panels=120).whole()
@@ -64,3 +64,11 @@ def test_the_solid_angle_of_an_octant_is_an_eighth_of_all():
     assert _solid_angles(np.array([[0, 0, 0], [1 - 1e-9, 0, 0], [-1e6, 0, 0]]), face[[[0, 1, 2], [0, 2, 3]]]) == (
         pytest.approx([1 / 6, 1 / 2, 0.0], abs=1e-6)
     )
+
+
+def test_a_hull_and_its_image_wind_once_about_what_is_inside():
+    """The solid angle of a closed surface is 4π seen from inside it, wherever that is, and nothing from outside"""
+    panels = box(20, 10, 4, panels=40).whole().vertices
+    inside = np.array([[0.0, 0, -1], [9.5, 4.5, -3.5], [-6.0, 2.0, 3.0]])
+    assert np.abs(winding(inside, panels)) == pytest.approx([1.0] * 3, abs=1e-9)
+    assert winding(np.array([[11.0, 0, -1], [0, 0, -4.5], [0, 5.5, 2.0]]), panels) == pytest.approx([0.0] * 3, abs=1e-9)

@@ -165,3 +165,7 @@ def test_what_is_no_mesh_is_named():
         PanelMesh(np.zeros((3, 3)), [[0, 1, 2, 3]])
     with pytest.raises(ValueError, match="the mesh has points 0 to 2"):
         PanelMesh(np.zeros((3, 3)), [[0, 1, 2, -1]])
+
+
+def test_no_panels_are_no_round_hull():
+    assert not PanelMesh(np.zeros((0, 3)), np.zeros((0, 4), int)).is_round

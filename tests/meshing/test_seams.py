@@ -147,9 +147,11 @@ def test_dipole_panels_are_refused_by_name(tmp_path):
 
 
 def test_two_rings_on_a_border_are_rings_of_their_own():
-    """A border 0 → 1 → 6 with the rings 1 → 2 → 3 → 1 and 1 → 4 → 5 → 1, each a right triangle of 3, 4 and 5 m"""
-    points = np.array([[-2, 0, 0], [0, 0, 0], [3, 0, 1], [3, 4, 1], [-3, 0, 5], [-3, -4, 5], [0, 0, -2.0]])
-    points[2:4, 2] = points[4:6, 2] = 0
+    """A straight border 0 → 1 → 6 with the rings 1 → 2 → 3 → 1 and 1 → 4 → 5 → 1, right triangles of 3, 4 and 5 m
+
+    The second turns back at 1, the first turns aside there, and both are left before the border goes on.
+    """
+    points = np.array([[-2, 0, 0], [0, 0, 0], [0, 3, 0], [4, 3, 0], [-3, 0, 0], [-3, -4, 0], [2, 0, 0.0]])
     start, end = np.array([0, 1, 2, 3, 1, 4, 5, 1]), np.array([1, 2, 3, 1, 4, 5, 1, 6])
     found = rings(points, start, end)
     assert len(found.length) == 3 and sorted(found.length.tolist()) == [4.0, 12.0, 12.0]

@@ -61,7 +61,7 @@ def test_a_taut_line_pulls_on_with_its_stiffness_beyond_the_table_and_below_it_a
     found = solution(one, np.zeros(3), np.array([x, 0.0, 20.0]))
     pull = packed_pull(tables, 0, x, 20.0)
     assert pull[0] == pytest.approx(found.horizontal_fairlead, rel=0.01)
-    assert np.isnan(packed_pull(tables, 0, 300.0, 30.0)[0])
+    assert np.isnan(packed_pull(tables, 0, 300.0, 30.0)[0]) and np.all(np.isnan(packed_pull(tables, 0, np.inf, 20.0)))
     least = np.sqrt(table.ends[0, 0] ** 2 - 400.0)
     assert packed_pull(tables, 0, 100.0, 20.0) == pytest.approx(packed_pull(tables, 0, least, 20.0))
 

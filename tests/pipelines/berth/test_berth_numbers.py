@@ -2,10 +2,13 @@
 
 import math
 import tomllib
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 import hakobune
+from hakobune.pipelines.berth import result
 
 L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.3, 220_000.0, 0.12, 40.0  # m, t, m/s
 DOLPHIN = 34000.0  # kN/m
@@ -117,3 +120,31 @@ def test_a_makers_table_lies_beside_the_study_wherever_the_command_is_called(tmp
     result = hakobune.berth("study/berth.toml")
     assert result["fender.rated_energy"] == pytest.approx(20 * 250e3, rel=1e-9)
     assert result["fender.rated_reaction"] == pytest.approx(20e6, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("mass", "depth", "says"),
+    [
+        (1.021, 20.0, ["the body of a.h5 displaces 1000 t, the ship has 1021 t, which is what moves"]),
+        (1.019, 20.0, []), (0.981, 19.7, []), (1.0, None, []),
+        (1.0, 19.5, ["the memory of a.h5 is that of 20 m of water, depth is 19.5 m"]),
+    ],
+)  # fmt: skip
+def test_a_memory_of_another_mass_or_depth_is_told_beyond_two_hundredths(monkeypatch, mass, depth, says):
+    monkeypatch.setattr(result, "ship_of_database", lambda db, mass, gyration, center: (mass, gyration, center))
+
+    class Stored(dict):
+        path, density, water_depth = "a.h5", 1000.0, 20.0
+
+    ship = SimpleNamespace(mass=1e6 * mass, gyration=50.0)
+    study = SimpleNamespace(ship=SimpleNamespace(center=1.5), depth=depth)
+    made, told = result._ship(study, SimpleNamespace(ship=ship), Stored(displaced_volume=1000.0))
+    assert made == (1e6 * mass, 50.0, 1.5) and list(told) == says
+
+
+def test_without_a_database_the_water_has_the_virtual_mass_of_the_study(monkeypatch):
+    """C_M − 1 of the mass, at its own radius of gyration"""
+    monkeypatch.setattr(result, "without_memory", lambda mass, gyration, added: (mass, gyration, added))
+    approach = SimpleNamespace(ship=SimpleNamespace(mass=100.0, gyration=3.0), virtual_mass=1.8)
+    (mass, gyration, added), told = result._ship(None, approach, None)
+    assert (mass, gyration, told) == (100.0, 3.0, ()) and added == pytest.approx(np.diag([80.0, 720.0]))

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from hakobune.pipelines.design.report import _body_words, _checks, _whole
+from hakobune.pipelines.design.report import _body_words, _checks, _levels, _whole
 
 
 def test_every_check_that_fails_is_told_with_its_number_and_limit(monkeypatch):
@@ -36,3 +36,13 @@ def test_a_body_is_told_in_tonnes_metres_and_seconds():
     )
     assert _body_words(SimpleNamespace(**vars(db) | {"dimensions": {}})).startswith("A body from a mesh file; ")
     assert (_whole(1234567.0), _whole(999.4)) == ("1 235 000", "999")
+
+
+def test_levels_are_told_as_depths_of_water_over_the_bed():
+    """20 m, and 21.5 m at high water"""
+    project = SimpleNamespace(level={"mean": 0.0, "high": 1.5}.get)
+    read = SimpleNamespace(study={"water": {"depth": 20.0}}, project=project)
+    found = list(_levels(read, {"mean": None, "high": "/a/out/databases/high.h5"}, "/a/out"))
+    assert found == [
+        {"name": "mean", "depth": "20", "link": ""}, {"name": "high", "depth": "21.5", "link": "databases/high.h5"}
+    ]  # fmt: skip

@@ -51,3 +51,26 @@ def test_rows_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_
     assert endless == ["added_mass_infinity is that of the frequency next to it: HydroDyn needs rows of both limits"]
     (said,) = left_out("hams", added_mass_zero=None)
     assert said.startswith("added_mass_zero is that of the frequency next to it")
+
+
+@pytest.mark.parametrize(
+    ("to", "mesh", "files"),
+    [("wamit", "hull", ["a.1", "a.gdf", "a.12d"]), ("wamit", None, ["a.1", "a.12d"]), ("capytaine", "hull", ["a.1"])],
+)
+def test_an_export_to_wamit_has_its_hull_where_it_is_known_and_pairs(monkeypatch, tmp_path, capsys, to, mesh, files):
+    db, written = SimpleNamespace(bodies=(), path="a.h5"), []
+    module = SimpleNamespace(write=lambda values, output: [tmp_path / "a.1"])
+    monkeypatch.setattr(command, "open_database", lambda path: db)
+    monkeypatch.setattr(command, "values_of", lambda db, several: SimpleNamespace(mesh=mesh, bodies=()))
+    monkeypatch.setattr(command, "import_module", lambda name: module)
+    monkeypatch.setattr("hakobune.meshing.files.write_mesh", lambda mesh, path: written.append((mesh, path.name)))
+    monkeypatch.setattr(command, "_pairs_written", lambda db, values, output: [tmp_path / "a.12d"])
+    monkeypatch.setattr(command, "_left_out", lambda *_: [])
+    assert command.export(tmp_path / "a.h5", to, tmp_path / f"a{FORMATS[to].ending}", True) == 0
+    assert [line.rpartition("/")[2] for line in capsys.readouterr().out.split()] == files
+    assert written == ([("hull", "a.gdf")] if "a.gdf" in files else [])
+    db.bodies = ("one", "two")
+    if to == "wamit":
+        command.export(tmp_path / "a.h5", to, tmp_path / "a", True)
+    with pytest.raises(ValueError, match=r"a.h5 is of 2 bodies, which --to hams does not write; allowed: --to"):
+        command.export(tmp_path / "a.h5", "hams", tmp_path / "new", True)

@@ -115,3 +115,21 @@ def test_keys_are_found_by_command_table_and_name(capsys):
     assert cli.main(["keys", "scene", "nothing"]) == 2
     assert cli.main(["keys", "pasta"]) == 2
     assert "allowed: scene, bodies, study" in capsys.readouterr().err
+
+
+def test_entries_of_a_docstring_go_on_in_further_lines_and_end_at_a_paragraph():
+    class Table:
+        """A table
+
+        a, b : m, of two; c : kN
+        d : a text
+            that goes on
+        e : last
+        Words : that are none of it stand here
+        """
+
+    assert entries(Table) == {
+        "a": "m, of two", "b": "m, of two", "c": "kN", "d": "a text that goes on", "e": "last",
+        "Words": "that are none of it stand here",
+    }  # fmt: skip
+    assert summary(Table) == "A table"

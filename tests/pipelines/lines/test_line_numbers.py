@@ -5,11 +5,13 @@ T = H + w h at the fairlead, V = w s; at the anchor H − μ w (L − s); dH/dX 
 """
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.lines import lines_quantities
 
 W, L, DEPTH, Z, MU = 800.0, 300.0, 40.0, 5.0, 0.4  # N/m, m
 H_FAIRLEAD = DEPTH + Z
@@ -215,3 +217,25 @@ def test_a_fairlead_lies_above_the_bed(slope, height, refused, capsys):
     assert not refused or "allowed: from -15.5032 m, the bed 280 m from the anchor (--depth, --slope-deg)" in (
         capsys.readouterr().err
     )
+
+
+def test_the_loss_of_each_line_has_the_tensions_of_those_that_are_left(monkeypatch):
+    """Of three lines the second cannot be lost; the body moves from (1, 2, 0) to (4, 6, 0)"""
+    monkeypatch.setattr("hakobune.mooring.studies.system_at_rest.body_number", lambda system, name: 1)
+
+    def state(names, tension, used, place):
+        lines = SimpleNamespace(utilisation=np.array(used))
+        return SimpleNamespace(system=SimpleNamespace(line_names=names), tension=np.array(tension), lines=lines,
+                               position=np.array([[9.0] * 6, place]))  # fmt: skip
+
+    rest = state(["a", "b", "c"], [1.0, 2.0, 3.0], [0.1] * 3, [1.0, 2.0, 0, 0, 0, 0])
+    losses = {"a": state(["b", "c"], [5.0, 4.0], [0.5, np.nan], [4.0, 6.0, 0, 9, 9, 9]), "b": ValueError("none"),
+              "c": state(["a", "b"], [7.0, 8.0], [0.7, 0.8], [1.0, 2.0, 0, 0, 0, 0])}  # fmt: skip
+    made = {name: one.values for name, one in lines_quantities.lost(rest, losses, "ship").items()}
+    nan = np.nan
+    assert made["loss.line_tension"] == pytest.approx(np.array([[nan, 5, 4], [nan] * 3, [7, 8, nan]]), nan_ok=True)
+    assert made["loss.tension"] == pytest.approx([5, nan, 8], nan_ok=True)
+    assert made["loss.worst"].tolist() == ["b", "", "b"]
+    assert made["loss.used"] == pytest.approx([0.5, nan, 0.8], nan_ok=True)
+    assert made["loss.shift"] == pytest.approx([5.0, nan, 0.0], nan_ok=True)
+    assert np.isnan(lines_quantities.lost(rest, losses, None)["loss.shift"].values).all()

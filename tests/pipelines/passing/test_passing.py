@@ -2,6 +2,7 @@
 
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from hakobune.meshing.files import write_mesh
 from hakobune.meshing.shapes import box
 from hakobune.mooring.motion.given_forces import read_force
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.passing import result
 
 SCENE = tomllib.loads((Path(pipelines.__file__).parent / "scenes" / "passing_tanker.toml").read_text(encoding="utf-8"))
 BOX = {"shape": "box", "length": 60.0, "beam": 12.0, "draft": 4.0}
@@ -111,3 +113,39 @@ def test_speed_near_that_of_waves_is_told_and_fails(speed, told, status):
 def test_a_short_track_is_told():
     found = hakobune.passing(boxes(method="wang", track={"distance": 40.0, "speed": 2.0, "lengths": 0.5}))
     assert any("left at the ends of the track" in line for line in found.findings)
+
+
+def test_the_largest_of_a_passage_is_the_farther_from_nothing_and_told_where_the_other_ship_is():
+    """Surge falls to −30 kN 20 m ahead, sway rises to 50 kN abeam, yaw falls to −70 kN m astern"""
+    force = np.zeros((3, 6))
+    force[:, 0], force[:, 1], force[:, 5] = [20e3, 10e3, -30e3], [-40e3, 50e3, 0.0], [-70e3, 60e3, 0.0]
+    steady = np.zeros((3, 6))
+    steady[1, :2], steady[2, 0] = [-3e3, 5e3], 1e3
+    found = SimpleNamespace(force=force, steady=steady, stagger=np.array([-20.0, 0.0, 20.0]))
+    made = {name: one.values.tolist() for name, one in result._largest(found).items()}
+    assert made == {
+        "largest.force": [-30e3, 50e3, -70e3], "largest.stagger": [20.0, 0.0, -20.0],
+        "largest.lowest": [-30e3, -40e3, -70e3], "largest.highest": [20e3, 50e3, 60e3],
+        "largest.steady": [0.1, 0.1, 0.0],
+    }  # fmt: skip
+    assert result._largest(found)["largest.force"].units() == ("N", "N", "N m")
+    none = SimpleNamespace(force=0 * force, steady=steady, stagger=found.stagger)
+    assert result._largest(none)["largest.steady"].values.tolist() == [0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize(("opposite", "way"), [(False, [-20.0, 0.0, 20.0]), (True, [20.0, 0.0, -20.0])])
+def test_a_course_is_told_in_the_order_of_its_times(opposite, way):
+    table = SimpleNamespace(force=np.arange(18.0).reshape(3, 6))
+    found = SimpleNamespace(in_time=table, track=SimpleNamespace(opposite=opposite), stagger=[-20.0, 0.0, 20.0])
+    found.stagger = np.array(found.stagger)
+    made = result._course(found)
+    assert made["course.stagger"].values.tolist() == way and made["course.force"].values[1].tolist() == [1, 7, 13]
+
+
+@pytest.mark.parametrize(("draft", "told"), [(4.99, False), (5.01, True)])
+def test_a_ship_that_blocks_half_of_the_depth_is_told_to_slender_ships(draft, told):
+    study = SimpleNamespace(method="wang", water=SimpleNamespace(depth=10.0),
+                            moored=SimpleNamespace(shape="box", draft=draft))  # fmt: skip
+    track = SimpleNamespace(froude=lambda depth: 0.1)
+    said = list(result._findings(study, track, SimpleNamespace(left=0.0), None))
+    assert len(said) == told and all("blocks 50 % of the depth" in line for line in said)

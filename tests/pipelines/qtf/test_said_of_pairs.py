@@ -52,8 +52,10 @@ def test_rows_are_root_mean_squares_with_each_part_added(unread):
     rows, made = table(forces())
     assert [label for label in rows if "surge" in label] == ["180° surge, 0 rad/s", "180° surge, 0.1 rad/s"]
     by_hand = {"newman": 4e3, "newman_and_bound_wave": 5e3, "squares_and_bound_wave": 5e3, "body": math.hypot(6e3, 3e3)}
+    assert len(rows) == 6  # surge, sway and yaw at two differences
     for row in rows.values():
         assert row == pytest.approx(by_hand)
+    assert made.quantities["force.body"].units() == 4 * ("N/m2",) + 2 * ("N m/m2",)
     assert made.notes[0] == (
         "floating body, 3 frequencies 0.4 to 0.6 rad/s, differences to 0.1 rad/s, 1 headings and all their pairs"
     )
@@ -216,3 +218,14 @@ def test_stored_forces_answer_a_question_of_the_same_waves_body_and_method_alone
         body.rough = "a coarser mesh"
     monkeypatch.setattr(running, "read_forces", lambda db, kind: there)
     assert running._of_same_waves(None, asked, body) is (there if changed is None else None)
+
+
+@pytest.mark.parametrize(("carried", "says"), [(0.6, None), (0.55, "0.6 rad/s, 171 m long, on panels of up to 4.5 m")])
+def test_panels_that_carry_the_waves_and_others_have_their_way_out(monkeypatch, carried, says):
+    """λ = 2πg/ω² in deep water: 171 m at 0.6 rad/s"""
+    monkeypatch.setattr(report, "_carried", lambda db: carried)
+    db = SimpleNamespace(mesh=SimpleNamespace(sizes=np.array([3.0, 4.5])), water_depth=np.inf, gravity=9.81)
+    told = report._smaller_panels(SimpleNamespace(omega=OMEGA), db)
+    assert told == "more panels bring them together" if says is None else says in told
+    assert says is None or "up to 0.55 rad/s" in told
+    assert report._smaller_panels(SimpleNamespace(omega=OMEGA), None) == "more panels bring them together"

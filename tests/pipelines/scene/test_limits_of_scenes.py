@@ -25,6 +25,7 @@ LIMITS = [  # old, good, bad, what is said
     ("headings_deg = [0, 90]", "headings_deg = [359, 1]", "headings_deg = [360, 0]",
      "headings_deg has 0 twice, once as 360"),
     ("omegas = [0.5, 1.0]", "omegas = [0.5, 0.50000001]", "omegas = [0.5, 0.5]", "waves.omegas has 0.5 twice"),
+    ("omegas = [0.5, 1.0]", "periods = [5.0, 8.0]", "periods = [5.0, 8.0, 8.0]", "waves.periods has 8 twice"),
     ("omegas = [0.5, 1.0]", "periods = [5.0, 6.0]", "omegas = [1.0]\nperiods = [5.0]",
      "waves has omegas and periods; give one"),
     ("omegas = [0.5, 1.0]", "xi_B = [0.5]", "", "waves has no frequencies; give one of"),

@@ -72,7 +72,7 @@ def test_energy_of_a_record_outside_the_band_is_told_above_one_per_cent(tmp_path
     said = [line for line in made.findings if "of the record's energy" in line]
     assert bool(said) is told
     if told:
-        assert said[0].startswith(f"{100 * small**2 / (1 + small**2):.2g} % of the record's energy lies outside")
+        assert said[0].startswith(f"{100 * small**2 / (1 + small**2):.3g} % of the record's energy lies outside")
         assert "0.1 to 2 rad/s" in said[0] and said[0].endswith("solve 0.524 rad/s and more")
     waves = made.weather.components
     assert waves.amplitude[np.isclose(waves.omega, np.pi / 6)] == pytest.approx([1.0])

@@ -81,8 +81,6 @@ FAULTS = {
     "to none": ({"rope": [{**ROPE, "to": "tug"}]}, "rope R: to is 'tug'; allowed: another body, ship"),
     "a motion of none": ({"simulation": STUDY["simulation"] | {"spring": {"sway": 1.0}}}, "allowed: ship surge"),
     "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database is of several bodies"),
-    "pairs": ({"waves": {**STUDY["waves"], "method": "irregular", "spectrum": "issc"},
-               "simulation": STUDY["simulation"] | {"qtf": "bound-wave"}}, '"newman", "auto"'),
 }  # fmt: skip
 
 

@@ -10,9 +10,11 @@ from hakobune.mooring.loads.turning import FITTED
 from hakobune.mooring.single_point.equilibria import preferred
 from hakobune.mooring.single_point.history import Cycle, Record
 from hakobune.mooring.single_point.in_time import Run, largest_of
+from hakobune.pipelines.single_point import running
 from hakobune.pipelines.single_point.findings import findings, overloads
 from hakobune.pipelines.single_point.quantities import maps_of, rest_of, run_of
 from hakobune.pipelines.single_point.running import words
+from hakobune.pipelines.single_point.tables import SlewingTable
 
 
 def one(growth=-1e-3, heading=0.0, period=250.0, hawser=(1e5, 2e5), used=(0.3, np.nan), breaking=(1e6, np.inf)):
@@ -188,3 +190,26 @@ def test_a_map_has_the_share_of_its_answers_that_slews():
     made, axes = maps_of(SimpleNamespace(maps=[one]))
     assert made["map_1.slews"].values == 0.75 and axes["map_1_x"].values.tolist() == [0, 1, 2, 3, 4]
     assert made["map_1.heading"].values[0, 0] == pytest.approx(math.pi / 2)
+
+
+@pytest.mark.parametrize(
+    ("good", "bad", "says"),
+    [
+        ({"duration": 2e5, "step": 0.2}, {"duration": 2.01e5}, "more than 1000000 samples"),
+        ({"duration": 9e5, "step": 1.0}, {"duration": 1.1e6, "step": 1.0}, "more than 1000000 samples"),
+        ({"waves_after": 1200.0}, {"waves_after": 1201.0}, "waves_after is 1201 s; allowed: 0 to the duration of 1200"),
+        ({"waves_after": 0.0}, {"waves_after": -1.0}, "waves_after is -1 s"),
+        ({"offset_deg": -180.0}, {"offset_deg": 181.0}, "offset_deg is 181; allowed: −180 to 180"),
+        ({"components": 1, "seed": 0}, {"components": 0}, "components are at least 1"),
+        ({"scheme": "slow"}, {"seed": -1}, "the seed is a whole number from 0"),
+        ({"tolerance": 1e-9}, {"tolerance": 0.0}, "slewing.tolerance"),
+        ({"slow_step": 0.1}, {"slow_step": 0.0}, "slewing.slow_step"),
+        ({"step": 0.1}, {"step": 0.0}, "slewing.step"),
+        ({"scheme": "full"}, {"scheme": "fast"}, "slewing.scheme is 'fast'; allowed: "),
+    ],
+)
+def test_a_run_in_time_is_taken_up_to_its_limits(good, bad, says):
+    running._check(SlewingTable(**good))
+    with pytest.raises(ValueError) as refused:
+        running._check(SlewingTable(**bad))
+    assert says in str(refused.value)

@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.solve import report
+from hakobune.pipelines.solve import adaptive, checking, report
+from hakobune.pipelines.solve.arrangement import in_scene
 
 OMEGA = np.array([0.4, 0.5, 0.6])
 
@@ -88,3 +89,42 @@ def stored(names=(), rows=(True, True), about=(0, 0, 0), **values):
     db = Stored(values)
     db.rows, db.names, db.path, db.complete = np.array(rows), tuple(names), "box.h5", all(rows)
     return db, SimpleNamespace(rotation_center=np.array(about, float))
+
+
+def test_every_stored_number_is_read_for_its_checksum_and_a_broken_law_is_told(monkeypatch):
+    read = []
+
+    class Stored(dict):
+        omega, names, complete, attributes = OMEGA, ("added_mass", "rao", "mesh"), True, {"tolerance": 0.02}
+
+        def __getitem__(self, name):
+            read.append(name)
+
+    def broken(db, tolerance):
+        return [("energy", 0.3, 0.5, 10 * tolerance)]
+
+    monkeypatch.setattr(checking, "broken_laws", broken)
+    (said,) = checking._broken(Stored())
+    assert read == ["added_mass", "rao", "mesh"]
+    assert "energy is broken by 0.3 at ω = 0.5 rad/s; allowed: 0.2" in str(said)
+
+
+def test_a_point_of_a_body_is_turned_with_it_and_moved():
+    """30° to the left at (1, 2): 2 m ahead are √3 and 1 m, 4 m to the left −2 and 2√3 m"""
+    found = in_scene(SimpleNamespace(place=(1.0, 2.0, 30.0)), (2.0, 4.0, 0.5))
+    assert found == pytest.approx([1 + np.sqrt(3) - 2, 2 + 1 + 2 * np.sqrt(3), 0.5])
+
+
+def test_frequencies_are_looked_for_as_long_as_the_band_has_fewer_than_the_most(monkeypatch):
+    """Of the ends a billionth is rounding"""
+    scene = SimpleNamespace(waves=SimpleNamespace(band=SimpleNamespace(first=0.4, last=1.0)), accuracy=0.01)
+    monkeypatch.setattr(adaptive, "between", lambda db: None)
+    monkeypatch.setattr(adaptive, "_estimated", lambda scene, known: ("places", error))
+    monkeypatch.setattr(adaptive, "_next", lambda *_: np.array([0.7]))
+    monkeypatch.setattr(adaptive, "_unseen", lambda *_: np.array([0.8]))
+    few = np.linspace(0.4 * (1 - 1e-10), 1.0 + 1e-10, adaptive.MOST - 1)
+    outside = np.append(few, [0.3, 1.1])
+    for error, wanted in ((0.011, [0.7]), (0.009, [0.8])):
+        assert adaptive._missing(scene, SimpleNamespace(omega=outside))[1].tolist() == wanted
+        full = adaptive._missing(scene, SimpleNamespace(omega=np.linspace(0.4, 1.0, adaptive.MOST)))
+        assert full[0] == error and not len(full[1])

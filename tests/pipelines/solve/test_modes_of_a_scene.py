@@ -1,5 +1,6 @@
 """A scene of a body that bends, from its tables to its database and what studies take from it."""
 
+import math
 import re
 
 import numpy as np
@@ -12,6 +13,7 @@ from hakobune.bem.motions import response as motions
 from hakobune.bem.stored_laws import broken_laws
 from hakobune.mooring.response.points import Point, Station, transfer_functions
 from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.bending.modes import _rigid
 from hakobune.pipelines.solve.run import solve
 from hakobune.pipelines.view.deflection import axis_rise, deflections
 
@@ -61,6 +63,13 @@ def test_structure_by_hand(barge):
     by_hand = RHO * G * 6 * 24 / 4 + mass * G * (-0.4 * (end - turned) - 0.5 * turned)  # z_B − z₀, z_G − z₀
     assert C[6, 6] == pytest.approx(by_hand, rel=1e-3) and np.abs(C - C.T).max() < 1e-6 * C[4, 4]
     assert C[2, 2] == pytest.approx(RHO * G * 144)
+
+
+def test_a_turn_leaves_its_centre_and_moves_the_rest_by_the_right_hand():
+    """Pitch about (1, 0, −2): 3 m ahead sink by 3 m per radian, 2 m up go ahead by 2 m"""
+    points = np.array([[1.0, 5.0, -2.0], [4.0, 0.0, -2.0], [1.0, 0.0, 0.0]])
+    assert _rigid(4, np.array([1.0, 0.0, -2.0]))(points).tolist() == [[0, 0, 0], [0, 0, -3], [2, 0, 0]]
+    assert _rigid(1, np.zeros(3))(points).tolist() == [[0, 1, 0]] * 3
 
 
 def test_a_body_that_cannot_bend_is_rigid(barge, tmp_path):
@@ -151,6 +160,13 @@ def test_studies_of_rigid_bodies_say_so(barge):
         ([{"kind": "torsion"}], {}, "GJ is missing"),
         ([{**BENDING, "EI": -1.0}], {}, "EI is -1; allowed: above 0"),
         ([{**BENDING, "damping": 1.0}], {}, "damping is 1; allowed: 0 to below 1"),
+        ([{**BENDING, "damping": -0.1}], {}, "damping is -0.1; allowed: 0 to below 1"),
+        ([{**BENDING, "axis_height": math.inf}], {}, "axis_height is inf; allowed: finite"),
+        ([{**BENDING, "count": 41}], {}, "count is 41; allowed: 1 to 40"),
+        ([{**BENDING, "count": 0}], {}, "count is 0; allowed: 1 to 40"),
+        ([{**BENDING, "length": math.inf}], {}, "length is inf; allowed: above 0, finite"),
+        ([{"kind": "file", "name": "a__b", "file": "no.csv", "stiffness": 0.0}], {}, "name is 'a__b'; allowed: a word"),
+        ([{"kind": "file", "name": "one", "file": "no.csv", "stiffness": -1.0}], {}, "stiffness is -1; allowed"),
         ([BENDING, BENDING], {}, "'vertical_bending_1' twice"),
         ([{**BENDING, "body": "tug"}], {}, "there is one body"),
         ([{"kind": "file", "name": "Heave", "file": "no.csv", "stiffness": 1.0}], {}, "no rigid motion"),

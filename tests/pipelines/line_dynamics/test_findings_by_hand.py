@@ -1,0 +1,61 @@
+"""What is said of a run of a dynamic line, on both sides of each limit, from numbers that are made up."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.pipelines.line_dynamics.findings import findings
+
+
+def said(used=None, uniform=True, regime="none", fairlead=(1.0, 1.0), **more):
+    """Lines on a run of 1000 kN at the fairlead, 900 kN at the anchor and 1000 kN anywhere, which repeats"""
+    run = {"time": np.array([0.0, 1.0, 2.5]), "tension_fairlead": [1e6] * 3, "tension_anchor": [9e5] * 3,
+           "largest_tension": [1e6] * 3}  # fmt: skip
+    found = {"change": 0.0, "imbalance": 0.0, "exchanged": 1.0, "largest": 1e6} | {
+        key: value for key, value in more.items() if key not in run
+    }
+    result = SimpleNamespace(**{key: np.array(more.get(key, value)) for key, value in run.items()})
+    ratio, static = fairlead
+    figures = SimpleNamespace(
+        fairlead=SimpleNamespace(largest=found.pop("largest"), over_quasi_static=ratio, quasi_static=static),
+        regime=regime, **found,
+    )  # fmt: skip
+    strength = SimpleNamespace(most_used=lambda line, result: used, uniform=uniform, names=("chain", "wire"))
+    return [str(line) for line in findings(figures, result, strength, None)]
+
+
+@pytest.mark.parametrize(
+    ("quiet", "told", "words"),
+    [
+        ({"largest_tension": [0, 1.049e6, 0]}, {"largest_tension": [0, 1.0e6, 1.051e6]},
+         "between its ends the line has 1051 kN at t = 2.50 s"),
+        ({"largest": 0.9902e6}, {"largest": 0.99e6, "tension_fairlead": [1e6, 1.2e6, 1e6]},
+         "before the figures begin the fairlead had 1200 kN at t = 1.00 s"),
+        ({"change": 0.0199}, {"change": 0.0201}, "changes by 2.0% between the last two cycles, allowed 2%"),
+        ({"imbalance": -0.0199, "exchanged": 2.0}, {"imbalance": -0.0301, "exchanged": 2.0},
+         "1.5% of the work that goes in and out is neither lost nor stored, allowed 1%"),
+        ({"fairlead": (1.099, 1.0), "regime": SimpleNamespace(regime=1)},
+         {"fairlead": (0.89, 1.0), "regime": SimpleNamespace(regime=1)},
+         "calls this line quasi-static, but the run is -11% off statics, allowed 10%"),
+        ({"fairlead": (1.3, 1.0), "regime": SimpleNamespace(regime=2)}, {"fairlead": (1.0, np.nan)},
+         "the line has no static shape at any place of its fairlead"),
+        ({"fairlead": (1.3, 1.0), "regime": "not of this method"},
+         {"fairlead": (1.101, 1.0), "regime": SimpleNamespace(regime=1)}, "+10% off statics"),
+        ({"imbalance": 0.5, "exchanged": 0.0}, {"imbalance": 0.5, "exchanged": 1.0}, "50.0% of the work"),
+    ],
+)  # fmt: skip
+def test_each_finding_is_told_beyond_its_limit(quiet, told, words):
+    assert said(**quiet) == []
+    (line,) = said(**told)
+    assert words in line
+
+
+@pytest.mark.parametrize(("share", "parts"), [(0.999, False), (1.01, True)])
+def test_a_line_that_parts_is_named_with_its_segment(share, parts):
+    used = SimpleNamespace(share=share, tension=2.02e6, time=3.25, breaking=2e6, segment=1)
+    lines = said(used, uniform=False)
+    assert bool(lines) is parts
+    if parts:
+        assert "the tension of segment 2 (wire) is 2020 kN at t = 3.25 s, 101 % of the breaking load 2000" in lines[0]
+        assert "segment" not in said(used)[0]

@@ -1,0 +1,251 @@
+"""What a file of runs depends on, a row of a seed, pairs of waves, what runs use and how they are read: by hand."""
+
+import copy
+import hashlib
+import json
+from dataclasses import dataclass
+from types import SimpleNamespace
+
+import msgspec
+import numpy as np
+import pytest
+
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.simulate import beside, over_runs, run, work
+
+# ------------------------------------------------------------------ identity
+
+WORDS = {
+    "simulation": {
+        "seeds": 3, "keep_series": 1, "duration": 9.0, "duration_hours": 1.0, "tolerance": 1e-3, "sea": [],
+        "force": [{"file": "a.csv", "body": "", "to": ""}], "linear_damping": {}, "quadratic_damping": {},
+        "record": None, "constant_period": 0.0, "dynamic_lines": "auto", "dynamic_elements": 20,
+        "dynamic_water": "still",
+    },
+    "fender": [], "dolphin": [], "rope": [{"name": "r", "body": "", "to": "pier"}], "harbour": {"periods": [60.0]},
+    "quay": None, "lines": {"count": 4},
+}  # fmt: skip
+PLAIN = {
+    "simulation": {"tolerance": 1e-3, "force": [{"file": "a.csv"}]}, "rope": [{"name": "r", "to": "pier"}],
+    "lines": {"count": 4},
+}  # fmt: skip
+
+
+def changed(words, **more):
+    made = copy.deepcopy(words)
+    for key, value in more.items():
+        (made["simulation"] if key in made["simulation"] else made)[key] = value
+    return made
+
+
+@pytest.mark.parametrize(
+    ("more", "moving", "laid", "wanted"),
+    [
+        ({}, False, True, PLAIN),
+        ({"seeds": 99, "duration_hours": 3.0, "harbour": None, "keep_series": 0}, True, False, PLAIN),
+        ({}, True, True, changed(PLAIN) | {"simulation": PLAIN["simulation"] | {"dynamic_lines": "auto",
+                                                                               "dynamic_elements": 20}}),
+        ({"dynamic_water": "waves"}, False, True, changed(PLAIN) | {"simulation": PLAIN["simulation"] | {
+            "dynamic_water": "waves"}}),
+        ({"fender": [{"name": "f", "body": "ship", "to": ""}], "quay": {"y": 1.0}}, False, True,
+         PLAIN | {"fender": [{"name": "f", "body": "ship"}], "quay": {"y": 1.0}}),
+        ({"sea": [{"height": 1.0}], "record": {"file": "r.csv"}}, False, True, changed(PLAIN) | {
+            "simulation": PLAIN["simulation"] | {"sea": [{"height": 1.0}], "record": {"file": "r.csv"}}}),
+        ({"simulation": None}, False, True, {key: value for key, value in PLAIN.items() if key != "simulation"} | {
+            "simulation": None}),
+    ],
+)  # fmt: skip
+def test_results_depend_on_what_a_study_has_and_files_without_the_rest_keep_their_hash(
+    monkeypatch, tmp_path, more, moving, laid, wanted
+):
+    words = changed(WORDS, **more) if "simulation" not in more else WORDS | more
+    monkeypatch.setattr(run, "msgspec", SimpleNamespace(to_builtins=lambda study: copy.deepcopy(words)))
+    monkeypatch.setattr(run, "moving_lines", lambda simulation: moving)
+    (tmp_path / "a.csv").write_bytes(b"forces")
+    study = SimpleNamespace(simulation=words["simulation"], spreads=(), lines=("a",) if laid else ())
+    by_hand = hashlib.sha256(json.dumps([wanted, 60.0], sort_keys=True).encode())
+    by_hand.update(hashlib.sha256(b"forces").digest())
+    assert run._identity(study, [tmp_path / "a.csv"], 60.0) == by_hand.hexdigest()
+
+
+# ------------------------------------------------------------------ pairs of waves beside Newman's rule
+
+
+@dataclass(frozen=True)
+class Weather:
+    seas: tuple = ("first", "second")
+    beside_newman: tuple = ()
+
+
+@dataclass(frozen=True)
+class Plan:
+    settings: SimpleNamespace
+    weather: Weather = Weather()
+
+
+@pytest.fixture
+def pairs(monkeypatch):
+    where = "hakobune.mooring.response."
+    monkeypatch.setattr(f"{where}bound_wave_drift.left_out", lambda body, sea, *way: [f"{sea} lacks", *way])
+    known = {"first": (None, ("left out: said",)), "second": ("forces", ("told",))}
+    monkeypatch.setattr(f"{where}pair_levels.beside_newman", lambda db, sea, level, spread: known[sea])
+
+    def call(level, drift="newman", bodies=(), quay=None, seas=("first", "second")):
+        monkeypatch.setattr(work, "level_of_pairs", lambda study, there, slow: level)
+        db, reader = SimpleNamespace(bodies=bodies, path="a.h5"), SimpleNamespace(floating=lambda: None)
+        plan = Plan(SimpleNamespace(slow_drift=drift), Weather(seas))
+        made, said = work._with_pairs(plan, SimpleNamespace(quay=quay), db, reader)
+        return made.weather.beside_newman, tuple(said)
+
+    return call
+
+
+def test_pairs_are_of_each_sea_and_what_is_left_out_is_told_once_with_the_way_out(pairs):
+    assert pairs("auto") == ([None, "forces"], ("left out: said", "told"))
+    way = ("first lacks", "second lacks")
+    assert pairs("newman") == ([None, None], way)
+    assert pairs("newman", quay=1) == (
+        [None, None], ("first lacks", "before a quay there is nothing beside Newman's rule", "second lacks"),
+    )  # fmt: skip
+    assert pairs("newman", drift="none") == ([None, None], ())
+    assert (
+        "'hakobune qtf a.h5' stores them"
+        in work._way(SimpleNamespace(quay=None), SimpleNamespace(path="a.h5"), "auto")[0]
+    )
+
+
+def test_pairs_of_several_bodies_are_left_out(pairs):
+    (line,) = pairs("auto", bodies=("a", "b"))[1]
+    assert line.startswith("left out") and line.endswith("of several bodies")
+    assert pairs("auto", drift="none", bodies=("a", "b"))[1] == () == pairs("auto", seas=(), bodies=("a", "b"))[1]
+    with pytest.raises(StudyError, match=r"simulation\.qtf is 'squares' with several bodies"):
+        pairs("squares", bodies=("a", "b"))
+
+
+# ------------------------------------------------------------------ what runs use
+
+
+@pytest.fixture
+def file(monkeypatch):
+    """Three lines in four whole runs and a broken one; allowed is half of the breaking load"""
+    used = np.array([[0.2, 0.51, 1.2], [0.3, 0.7, 0.4], [9.0, 9.0, 9.0], [0.4, 0.3, 1.1], [0.1, np.nan, 0.2]])
+    made = {"used": {(): used}, "line": SimpleNamespace(asstr=lambda: {(): np.array(["a", "b", "c"])})}
+    file = type("File", (dict,), {"attrs": {"allowable": 0.5}})(made)
+    monkeypatch.setattr(over_runs, "whole_rows", lambda file: np.array([True, True, False, True, True]))
+    monkeypatch.setattr(over_runs, "told", lambda file: ())
+    return file
+
+
+def test_lines_that_part_and_lines_beyond_what_is_allowable_are_told_with_the_runs_they_do_it_in(file, monkeypatch):
+    used = file["used"][()]
+    used[4, 1] = 0.45
+    parts, over = map(str, over_runs.overloads(file))
+    assert (
+        "1 of 3 lines in the runs beyond the breaking load, limit 100 %, where they part: c 120 % in 2 of 4 runs"
+        in parts
+    )
+    assert "1 of 3 lines in the runs above the allowable 50 % of the breaking load: b 70 % in 2 of 4 runs" in over
+    assert len(list(over_runs.overloads(file, 1.0))) == 1 and over_runs.MOVE not in parts
+    monkeypatch.setattr(over_runs, "told", lambda file: (f"{over_runs.OF_LINES} of the lines",))
+    assert all(over_runs.MOVE in str(line) for line in over_runs.overloads(file))
+    assert over_runs.used_in_runs(file)[:, 0].tolist() == [0.2, 0.3, 0.4, 0.1]
+
+
+# ------------------------------------------------------------------ the simplified method beside
+
+
+@pytest.mark.parametrize(
+    ("more", "says"),
+    [
+        ({"at_berth": True}, "knows no fenders and ropes and is left out"), ({"quay": 1}, "knows no quay"),
+        ({"lines": ()}, "knows no body without lines"), ({"fault": "it\n drifts"}, "has no answer here: it drifts"),
+    ],
+)  # fmt: skip
+def test_where_the_simplified_method_has_no_answer_it_says_so(monkeypatch, more, says):
+    def refused(*_):
+        raise ValueError(more["fault"])
+
+    monkeypatch.setattr(beside, "multi_point", refused)
+    found = beside.simplified(study_of(**more), SimpleNamespace(bodies=()))
+    assert says in found.findings[0] and not found.tension.size and np.isnan([*found.period, *found.slow]).all()
+
+
+def study_of(at_berth=False, quay=None, lines=("a",), **_):
+    return SimpleNamespace(
+        at_berth=at_berth, quay=quay, lines=lines, spreads=(), hulls_of=lambda db: "hull", allowable=0.5, wind=None,
+        system_of=lambda db, hull: (db, hull), conditions=lambda: None,
+    )  # fmt: skip
+
+
+def test_the_simplified_method_has_periods_of_the_plane_and_slow_motion_of_one_body(monkeypatch):
+    state = SimpleNamespace(names=("Sway", "Yaw", "Heave", "Surge"), period=np.array([60.0, 40.0, 8.0, 90.0]))
+    found = SimpleNamespace(tension=np.array([1.0]), utilisation=np.array([0.3]), at_equilibrium=state)
+    monkeypatch.setattr(beside, "multi_point", lambda *_: found)
+    monkeypatch.setattr(beside, "_slow", lambda *_: np.array([1.0, 2.0, 3.0]))
+    made = beside.simplified(study_of(), SimpleNamespace(bodies=()))
+    assert made.period.tolist() == [90.0, 60.0, 40.0] and made.slow.tolist() == [1.0, 2.0, 3.0]
+    state.names = ("Sway", "Pitch", "Heave", "Surge")
+    assert np.isnan(beside.simplified(study_of(), SimpleNamespace(bodies=())).period[2])
+    several = beside.simplified(study_of(), SimpleNamespace(bodies=("a", "b")))
+    assert several.utilisation.tolist() == [0.3] and np.isnan([*several.period, *several.slow]).all()
+
+
+# ------------------------------------------------------------------ a row of a seed
+
+
+def test_a_row_has_statistics_after_the_ramp_in_the_order_of_its_quantities(monkeypatch):
+    """Two samples of ramp and two after it; ropes behind lines, each fender's depth beside its push"""
+    time = np.array([-2.0, -1.0, 0.0, 1.0])
+
+    def ramped(*last):
+        return np.array([[9e9] * len(last)] * 2 + [list(last), list(last)])
+
+    class Run(msgspec.Struct):
+        time: object
+        motion: object
+        wave: object
+        wind_speed: object
+        tension: object
+        pull: object
+        deflection: object
+        reaction: object
+        poses: object
+        estimated_error: float = 0.5
+        steps: int = 7
+        findings: tuple = ("found",)
+
+        def _replace(self, **more):
+            return msgspec.structs.replace(self, **more)
+
+    made = Run(time, ramped(1, 2, 3, 4, 5, 6), ramped(7)[:, 0], ramped(8)[:, 0], ramped(10), ramped(11),
+               ramped(12, 14), ramped(13, 15), None)  # fmt: skip
+    seen = []
+
+    def statistics(column, step, split, duration):
+        seen.append((column.tolist(), step, split, duration))
+        return SimpleNamespace(sigma=column[0])
+
+    reader = SimpleNamespace(words=("surge",) * 6, radius=50.0, inertia=np.diag([2.0]), gravity=10.0)
+    plan = SimpleNamespace(weather=SimpleNamespace(regular=None), settings=SimpleNamespace(step=0.5), split=0.3,
+                           mean_period=8.0, sides=())  # fmt: skip
+    monkeypatch.setattr("hakobune.mooring.motion.simulation.simulate", lambda *_: made)
+    monkeypatch.setattr(work, "prepared", lambda task: (SimpleNamespace(reader=reader), plan, None))
+    monkeypatch.setattr(work, "record_statistics", statistics)
+    monkeypatch.setattr(work, "gaps", lambda sides, poses: ramped(9))
+    monkeypatch.setattr(work, "_of_gaps", lambda sides, apart: (f"{len(apart)} samples",))
+    monkeypatch.setattr(work, "stillness", lambda sigma, units, length, weight: [length, weight] + [0.0] * 13)
+    monkeypatch.setattr(work, "without_rounding", lambda one, still: [one.sigma, still])
+    monkeypatch.setattr(work, "largest_use", lambda body, motion, tension: [len(motion), *tension[0]])
+    row = work.simulate_seed(None, 1, False)
+    assert [one[0] for one in seen] == [[k, k] for k in range(1, 16)] and seen[0][1:] == (0.5, 0.3, 8000.0)
+    assert row["statistics"][:3].tolist() == [[1, 100.0], [2, 20.0], [3, 0.0]]
+    assert row["used"] == [2, 10, 11] and row["steps"] == 7.0 and row["findings"] == b"found\n2 samples"
+    plan.weather.regular = 1
+    work.simulate_seed(None, 1, False)
+    assert seen[-1][3] == 0.0
+    plan.weather.regular, plan.mean_period = None, None
+    work.simulate_seed(None, 1, False)
+    assert seen[-1][3] is None
+    made.motion[3, 2] = np.nan
+    with pytest.raises(ValueError, match="not finite"):
+        work.simulate_seed(None, 1, False)
