@@ -192,7 +192,8 @@ def _read(file, name, which):
         "center_of_buoyancy": np.ravel(own["cb"][()]),
         "center_of_mass": np.ravel(own["cg"][()]),
         "displaced_volume": float(np.ravel(own["disp_vol"][()])[0]),
-        "hydrostatic_stiffness": rho * g * hydro["linear_restoring_stiffness"][()],
     }
+    if hydro["linear_restoring_stiffness"].size:  # empty where the program before gave none
+        known["hydrostatic_stiffness"] = rho * g * hydro["linear_restoring_stiffness"][()]
     return Values(omega, np.radians(degrees), depth, rho, g, quantities, known, known["center_of_mass"], name=name,
                   others=others)  # fmt: skip

@@ -41,6 +41,7 @@ FORCES = {
 }
 LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
 LIMITS_AT = {0.0: "added_mass_zero", np.inf: "added_mass_infinity"}
+NAMES_OF_HAMS = {".1": "AmssDamp", ".3": "ExcForce", ".4": "Motion", ".hst": "Hydrostat"}
 SIX = range(1, 7)
 POWER = np.array([0, 0, 0, 1, 1, 1])  # of ULEN, beyond that of translations
 SAME_PERIOD = 1e-5  # of it: programs print six digits, some the first of them as 0.1
@@ -194,9 +195,10 @@ class Columns(NamedTuple):
 
 
 def tables_beside(place):
-    """{suffix: Table} of the files of the name of `place`"""
+    """{suffix: Table} of the files of the name of `place`, or of the names that HAMS-MREL has beside AmssDamp.1"""
     widths = {".1": (4, 5), ".hst": (3,)} | dict.fromkeys(FORCES, (7,)) | dict.fromkeys(DRIFTS, (8,))
-    there = {suffix: beside(place, suffix) for suffix in widths}
+    names = NAMES_OF_HAMS if place.stem == NAMES_OF_HAMS[".1"] else {}
+    there = {suffix: beside(place.with_name(names.get(suffix, place.stem) + suffix), suffix) for suffix in widths}
     there = {
         suffix: path for suffix, path in there.items() if path and (suffix == ".1" or path.read_text("latin-1").strip())
     }

@@ -13,12 +13,10 @@ from pathlib import Path
 
 import numpy as np
 
-from .values import FormatError, body_of, lines_of
-from .wamit_inputs import Inputs, Table, beside
+from .values import FormatError, body_of
+from .wamit_inputs import NUMBER, PERIOD, Table, before_periods, listed_inputs, numbers_after
 
-PERIOD = re.compile(r"Wave period(?: \(sec\))?\s*=\s*(\S+)")
 HEADING = re.compile(r"Wave Heading\s*\(deg\)\s*:\s*(.*)")
-NUMBER = r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?"
 TITLES = (
     ("DIFFRACTION EXCITING", ".3"), ("HASKIND EXCITING", ".2"), ("RESPONSE AMPLITUDE", ".4"),
     ("DRIFT FORCES (Momentum", ".8"), ("DRIFT FORCES (Pressure", ".9"), ("DRIFT FORCES (Control", ".7"),
@@ -29,9 +27,8 @@ TITLES = (
 def read_out(place, known):
     """{suffix: Table}, `Inputs` and what is known of the body in SI.  Raises FormatError."""
     place = Path(place)
-    lines = lines_of(place)
-    start = next((i for i, line in enumerate(lines) if PERIOD.search(line)), None)
-    if start is None or not any("WAMIT" in line for line in lines[:20]):
+    lines, start = before_periods(place)
+    if start is None:
         raise FormatError(f"{place} is no output of WAMIT, or it ended before the first period")
     tables = {name: Table(place, np.array(rows)) for name, rows in _rows(lines[start:]).items() if rows}
     if ".1" not in tables:
@@ -78,28 +75,11 @@ def _period(text):
 
 def _still(place, lines, known):
     """`Inputs` and the body's values in SI, of the lines before the first period"""
-    text = "\n".join(lines)
-
-    def numbers(pattern, otherwise=None):
-        found = [[float(x) for x in re.findall(NUMBER, part)] for part in re.findall(pattern, text)]
-        return found or otherwise
-
-    places = numbers(r"XBODY\s*=.*", [[0.0, 0.0, 0.0, 0.0]])
+    given = listed_inputs(place, lines, known)
+    places = numbers_after(r"XBODY\s*=.*", lines) or [[0.0, 0.0, 0.0]]
     which = body_of(place, len(places), known)
-    if len(places[which]) > 3 and places[which][3]:
-        raise FormatError(f"{place}: PHIBODY turns the body by {places[which][3]:g}°; allowed: 0")
-    ((gravity, *rest),) = numbers(r"Gravity:.*", [[known["gravity"]]])[:1]
-    scale = known.get("length_unit") or (rest[0] if rest else 1.0)
-    depth = re.search(r"Water depth:\s*(\S+)", text)
-    depth = np.inf if depth is None or depth[1].lower().startswith("inf") else float(depth[1])
-    about = known.get("rotation_center")
-    about = tuple(places[which][:3]) if about is None else tuple(about)
-    names = re.findall(r"N=\s*\d+\s+(\S+\.gdf)", text, re.I)
-    hull = names[which] if which < len(names) and place.with_name(names[which]).is_file() else ""
-    gdf = beside(place, ".gdf")
-    given = Inputs(scale, about, "period", scale, (), known.get("water_depth") or depth, gravity, len(places),
-                   hull or (gdf.name if gdf else ""), True)  # fmt: skip
-    return given, _body(numbers, which, given, np.array(places[which][:3]), known["density"])
+    return given, _body(lambda pattern: numbers_after(pattern, lines), which, given, np.array(places[which][:3]),
+                        known["density"])  # fmt: skip
 
 
 def _body(numbers, which, given, origin, density):

@@ -83,6 +83,12 @@ def test_a_listing_of_wamit_is_read_as_its_files(tmp_path):
     )
     assert one.body["displaced_volume"] == 101.0 and one.body["center_of_mass"] == pytest.approx([0, 0, -0.75])
     assert (one.water_depth, one.gravity, one.others) == (30.0, 9.81, 1) and two.rotation_center[0] == 9.0
+    w = f"{w:.6E}"
+    (tmp_path / "two.1").write_text(f" {w} 3 3 2.0 0.1\n {w} 9 9 3.0 0.2\n")
+    beside = wamit.read(tmp_path / "two.1", KNOWN | {"body": 2})  # the listing says what the first column is
+    assert beside.omega == pytest.approx(two.omega, rel=1e-6) and beside.water_depth == 30.0
+    assert beside.get("added_mass")[0, 2, 2] == pytest.approx(two.get("added_mass")[0, 2, 2])
+    assert beside.rotation_center == pytest.approx(two.rotation_center)
     place.write_text(OUT.split(" Wave period =")[0])
     with pytest.raises(FormatError, match="ended before the first period"):
         wamit.read(place, KNOWN | {"body": 1})
@@ -270,6 +276,10 @@ def test_the_second_of_two_bodies_of_bemio_has_its_own_columns(single, tmp_path)
         bemio.read(place)
     assert bemio.read(place, {"body": 1}).get("added_mass") == pytest.approx(single.get("added_mass"))
     assert bemio.read(place, {"body": 2}).get("added_mass") == pytest.approx(2 * single.get("added_mass"))
+    with h5py.File(place, "a") as file:
+        del file["body2/hydro_coeffs/linear_restoring_stiffness"]
+        file["body2/hydro_coeffs/linear_restoring_stiffness"] = np.zeros((0, 0))
+    assert bemio.read(place, {"body": 2}).get("hydrostatic_stiffness") is None
     with pytest.raises(FormatError, match=r"--body is 3, .* has 2 bodies"):
         bemio.read(place, {"body": 3})
 
