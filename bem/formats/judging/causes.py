@@ -2,8 +2,8 @@
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
-A cause that has a number, as a length, a factor, or a point, takes it from the two by least squares first.  Causes are
-one at a time: two in one set are told as a difference without a cause.
+A cause that has a number, as a length, a factor, or a point, takes it from the two by least squares first.  Where none
+alone fits each is followed by every other: a unit and a point, a sign and a unit are told both.
 """
 
 from __future__ import annotations
@@ -48,12 +48,13 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, of `quantity`; cause : or None; left : what it leaves"""
+    """gap : the largest difference, of `quantity`; cause : or None; left : what it leaves, or the nearest one"""
 
     gap: float
     quantity: str
     cause: Cause | None
     left: float = np.inf
+    nearest: str = ""
 
 
 def finding(values, own):
@@ -84,8 +85,31 @@ def _finding(values, own):
         if deep < 0.8 * left:
             text = f"the set is of deep water, not of {values.water_depth:g} m"
             best, left = Cause(text, lambda one: replace(one, water_depth=np.inf), "--depth inf"), deep
-    certain = left <= FITS * off[quantity] and left <= 2.5 * AGREED
-    return Finding(off[quantity], quantity, best if certain else None, left)
+    if left <= FITS * off[quantity] and left <= 2.5 * AGREED:
+        return Finding(off[quantity], quantity, best, left)
+    pair, of_pair = _two(values, own)
+    if of_pair <= min(AGREED, FITS * off[quantity]):
+        return Finding(off[quantity], quantity, pair, of_pair)
+    return Finding(off[quantity], quantity, None, left, best.text if best and left < FITS * off[quantity] else "")
+
+
+def _two(values, own):
+    """The two causes, one after the other, that leave the least, as one, and what they leave"""
+    best, left = None, np.inf
+    for first in _causes(values, own):
+        part = first.correct(values)
+        for second in _causes(part, own):
+            now = max(gaps(second.correct(part), own).values())
+            if now < 0.8 * left:
+                best, left = (first, second), now
+        if left < 0.2 * AGREED:
+            break
+    if best is None:
+        return None, left
+    first, second = best
+    ways = [one.way_out for one in best]
+    return Cause(f"two causes: {first.text}; and then {second.text}", lambda one: second.correct(first.correct(one)),
+                 " and ".join(ways) if all(ways) else ""), left  # fmt: skip
 
 
 def _causes(values, own):

@@ -119,6 +119,19 @@ def test_a_single_change_is_named_and_corrected(words):
     assert again.omega == pytest.approx(OMEGA)
 
 
+@pytest.mark.parametrize("one, two", [
+    ("forces are 1000 times as large: kilo", "moments and rotations are about (5, 1, -3) m"),
+    ("damping are -1 times as large: the opposite sign", "phases are the conjugates of ours"),
+])  # fmt: skip
+def test_two_changes_are_named_both_and_corrected(one, two):
+    wrong = CHANGES[two](CHANGES[one](right()))
+    found = finding(wrong, Hull())
+    assert "two causes" in found.cause.text and one in found.cause.text and two in found.cause.text
+    again = corrected(wrong, found.cause)
+    for name, data in right().quantities.items():
+        assert again.quantities[name] == pytest.approx(data, rel=1e-6, abs=1e-6 * np.abs(data).max())
+
+
 def test_what_no_single_change_explains_has_no_cause():
     noise = np.random.default_rng(1).normal(size=(2, 4, 6))
     spoilt = changed(right(), FORCES, lambda X: X * (1 + noise))
