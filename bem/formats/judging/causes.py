@@ -8,6 +8,7 @@ alone fits each is followed by every other: a unit and a point, a sign and a uni
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
@@ -62,10 +63,14 @@ def finding(values, own):
     node, as of most programs, or with four, which are near the limit of many panels
     """
     found = _finding(values, own)
-    if found is None or found.gap > MESH:
+    if found is not None and found.gap > MESH:
+        sharp = _finding(values, own.sharper())
+        if sharp is None or sharp.gap < found.gap:
+            found, own = sharp, own.sharper()
+    if found is None or found.cause is not None:
         return found
-    sharp = _finding(values, own.sharper())
-    return None if sharp is None else min(found, sharp, key=lambda one: one.gap)
+    pair, left = _two(values, own)
+    return found._replace(cause=pair, left=left) if left <= min(AGREED, FITS * found.gap) else found
 
 
 def _finding(values, own):
@@ -87,21 +92,23 @@ def _finding(values, own):
             best, left = Cause(text, lambda one: replace(one, water_depth=np.inf), "--depth inf"), deep
     if left <= FITS * off[quantity] and left <= 2.5 * AGREED:
         return Finding(off[quantity], quantity, best, left)
-    pair, of_pair = _two(values, own)
-    if of_pair <= min(AGREED, FITS * off[quantity]):
-        return Finding(off[quantity], quantity, pair, of_pair)
     return Finding(off[quantity], quantity, None, left, best.text if best and left < FITS * off[quantity] else "")
 
 
 def _two(values, own):
-    """The two causes, one after the other, that leave the least, as one, and what they leave"""
-    best, left = None, np.inf
-    for first in _causes(values, own):
-        part = first.correct(values)
-        for second in _causes(part, own):
-            now = max(gaps(second.correct(part), own).values())
-            if now < 0.8 * left:
-                best, left = (first, second), now
+    """The two causes, one after the other, that leave the least, as one, and what they leave; the first has to help"""
+    best, left, before = None, np.inf, gaps(values, own)
+    groups = _about_units, _about_directions, _about_points  # of the water each cause would need solutions of its own
+    for one, other in itertools.product(groups, groups):
+        for first in () if one is other is _about_points else one(values, own):
+            part = first.correct(values)
+            after = gaps(part, own)
+            if not any(after[name] < 0.8 * before[name] for name in before):
+                continue
+            for second in other(part, own):
+                now = max(gaps(second.correct(part), own).values())
+                if now < 0.8 * left:
+                    best, left = (first, second), now
         if left < 0.2 * AGREED:
             break
     if best is None:
@@ -114,7 +121,7 @@ def _two(values, own):
 
 def _causes(values, own):
     yield from _about_units(values, own)
-    yield from _about_directions(values)
+    yield from _about_directions(values, own)
     yield from _about_points(values, own)
     yield from _about_water(values, own)
 
@@ -239,7 +246,7 @@ def turned(values, words):
     return replace(values, wave_direction=beta)
 
 
-def _about_directions(values):
+def _about_directions(values, own):
     if "excitation_force" not in values.quantities or not values.quantities["excitation_force"].size:
         return
     conjugate = ("phases are the conjugates of ours, of exp(+iωt) for exp(−iωt)", np.conj)

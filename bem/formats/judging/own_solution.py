@@ -61,7 +61,7 @@ class Own:
 
     def in_water(self, depth):
         """The same hull in other water"""
-        return replace(self, depth=depth, solved={})
+        return self.solved.setdefault(("water", depth), replace(self, depth=depth, solved={}))
 
     def sharper(self):
         """The same with four nodes a panel"""
