@@ -98,8 +98,8 @@ def _finding(values, own):
 def _two(values, own):
     """The two causes, one after the other, that leave the least, as one, and what they leave; the first has to help"""
     best, left, before = None, np.inf, gaps(values, own)
-    groups = _about_units, _about_directions, _about_points  # of the water each cause would need solutions of its own
-    for one, other in itertools.product(groups, groups):
+    groups = _about_units, _about_directions, _about_points  # of water each second cause would need its own solutions
+    for one, other in itertools.product((*groups, _about_water), groups):
         for first in () if one is other is _about_points else one(values, own):
             part = first.correct(values)
             after = gaps(part, own)
@@ -160,6 +160,15 @@ def _factor(pairs):
     return next((known for known in FACTORS if abs(factor / known - 1) < NEARLY), factor)
 
 
+def _factors(pairs):
+    """`_factor`, and where signs or phases are others the ratio of sizes, as far as they differ from 1"""
+    file, own = (sum(float(np.sum(np.abs(three[i] / three[2]) ** 2)) for three in pairs) for i in (0, 1))
+    signed, size = _factor(pairs), float(np.sqrt(file / own))
+    size = next((known for known in FACTORS if abs(size / known - 1) < NEARLY), size)
+    both = (signed,) if abs(abs(signed) - size) < NEARLY * size else (signed, size)
+    return [factor for factor in both if factor and abs(factor - 1) > NEARLY]
+
+
 def _said(factor):
     words = FACTORS.get(factor)
     return f"{factor:.4g} times as large" + (f": {words}" if words else "")
@@ -191,9 +200,11 @@ def _about_units(values, own):
     }
     ratio = {name: _factor([three]) for name, three in straight.items()}
     a, x = ratio.get("added_mass", 1.0), ratio.get("excitation_force")
-    length = np.sqrt(abs(x)) if x else abs(a) ** (1 / 3)
-    length = next((known for known in LENGTHS if abs(length / known - 1) < NEARLY), length)
-    if length > 0 and abs(length - 1) > NEARLY:
+    lengths = [np.sqrt(abs(x))] * bool(x) + [abs(a) ** (1 / 3)]
+    for length in lengths[: 1 if len(lengths) > 1 and abs(lengths[0] / lengths[1] - 1) < NEARLY else 2]:
+        length = next((known for known in LENGTHS if abs(length / known - 1) < NEARLY), length)
+        if not length > 0 or abs(length - 1) <= NEARLY:
+            continue
         yield Cause(
             f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken",
             lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
@@ -209,14 +220,12 @@ def _about_units(values, own):
         taken = forces if names == ("excitation_force",) else names + (forces if "excitation_force" in names else ())
         if "added_mass" in names:
             taken += ("added_mass_zero", "added_mass_infinity")
-        factor = _factor(chosen)
-        if factor and abs(factor - 1) > NEARLY:
+        for factor in _factors(chosen):
             yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n)(f))
     for words, names, power in (("moments", FORCES, ROTATION), ("rows of rotations", FORCES + MATRICES, ROTATION)):
         if "excitation_force" in parts:
             three = tuple(part[..., 3:] for part in parts["excitation_force"])
-            factor = _factor([three])
-            if factor and abs(factor - 1) > NEARLY:
+            for factor in _factors([three]):
                 yield Cause(
                     f"{words} are {_said(factor)}",
                     lambda one, n=names, f=factor, p=power: scaled(one, n, p)(f),
