@@ -6,7 +6,7 @@
     .4            the same                           ξ = ξ̄ L^(−p_I), rad for each metre of rotations
     .8 .9 .7      PER BETA BETA I Mod Pha Re Im      F = ρg L^(1 + p_I) F̄, of the mean drift by momentum, I = 1, 2, 6
     .hst          I J C̄                              C = ρg L^(2 + p_I + p_J) C̄
-    .mmx          volume, centres and mass (`wamit_mass`)
+    .mmx          volume, centres and mass (`wamit_out`)
 
 with p = 0 for translations and 1 for rotations, L = ULEN; PER as IPEROUT says, by default the period in s, −1 at ω = 0
 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.  Pairs
@@ -29,8 +29,7 @@ from ..database.schema import DOFS, DRIFT_DOFS
 from ..modes import moving
 from .values import FormatError, Values, body_of, gridded, omega_of, table_of
 from .wamit_inputs import Table, beside, inputs_of
-from .wamit_mass import mass_of
-from .wamit_out import read_out
+from .wamit_out import mass_of, read_out
 
 FORCES = {
     ".2": "excitation_force",

@@ -3,7 +3,15 @@
     Gravity, Length scale, Water depth; for each body XBODY, volumes, centres, C(3,3) … C(5,6) and radii of gyration
     for each period ADDED-MASS AND DAMPING COEFFICIENTS, EXCITING FORCES AND MOMENTS, … DRIFT FORCES (Momentum …)
 
-Phases are whole degrees there: forces are within 1 % in phase.  User manual, version 7.4, chapter 5.
+Phases are whole degrees there: forces are within 1 % in phase.  NAME.mmx has volume, centres and mass:
+
+    WAMIT  Ouputs for body N = …      each with volumes, centres in the body's axes, and one of
+    Normalized mass matrix:           I J M/ρ                IALTFRC = 1
+    External force matrices:          I J M D K              IALTFRC = 2 and 3; M in the units of ρ and lengths
+
+Modes beyond the six of a body are left out, and damping and stiffness of lines.  A matrix without inertia in rotation,
+as of a run that needs no motions, gives the mass alone.
+User manual, version 7.4, section 4.9 and chapter 5.
 """
 
 from __future__ import annotations
@@ -13,7 +21,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .values import FormatError, body_of
+from .values import FormatError, body_of, lines_of
 from .wamit_inputs import NUMBER, PERIOD, Table, before_periods, listed_inputs, numbers_after
 
 HEADING = re.compile(r"Wave Heading\s*\(deg\)\s*:\s*(.*)")
@@ -22,6 +30,9 @@ TITLES = (
     ("DRIFT FORCES (Momentum", ".8"), ("DRIFT FORCES (Pressure", ".9"), ("DRIFT FORCES (Control", ".7"),
     ("ADDED-MASS", ".1"), ("VELOCITY", ""), ("PRESSURE", ""), ("FIELD POINT", ""),
 )  # fmt: skip
+
+BODY = re.compile(r"body N =\s*(\d+)")
+CENTERS = {"Center of Buoyancy": "center_of_buoyancy", "Center of Gravity": "center_of_mass"}
 
 
 def read_out(place, known):
@@ -99,4 +110,32 @@ def _body(numbers, which, given, origin, density):
             C[i, j] = weight * x * L ** (2 + (i > 2) + (j > 2))
             C[j, i] = C[i, j] if j < 5 else 0.0
         body["hydrostatic_stiffness"] = C
+    return body
+
+
+def mass_of(path, which, density, origin):
+    """{name of `schema.BODY`: value} of body `which`, from 0; origin : (3,) m of its axes.  Raises FormatError."""
+    lines = lines_of(path)
+    starts = [n for n, line in enumerate(lines) if BODY.search(line)]
+    if which >= len(starts):
+        raise FormatError(f"{path} has {len(starts)} bodies; allowed: as many as the files beside it")
+    block = lines[starts[which] : [*starts, len(lines)][which + 1]]
+    body, scale, M = {}, None, np.zeros((6, 6))
+    for line in block:
+        title, _, rest = line.strip().partition(":")
+        found = [float(x.replace("D", "E")) for x in re.findall(NUMBER, rest)]
+        if title.startswith("Volumes"):
+            body["displaced_volume"] = float(np.median(found[-3:]))
+        elif title.startswith(tuple(CENTERS)):
+            body[CENTERS[title.partition(" (")[0]]] = np.array(found[-3:]) + origin
+        elif title in ("Normalized mass matrix", "External force matrices"):
+            scale = density if title.startswith("Normalized") else 1.0
+        elif scale and len(row := line.split()) >= 3 and row[0].isdigit() and row[1].isdigit():
+            i, j = (int(x) - 1 for x in row[:2])
+            if max(i, j) < 6:
+                M[i, j] = scale * float(row[2])
+    if M[0, 0] > 0:
+        body["mass"] = float(M[0, 0])
+        if np.all(M.diagonal() > 0):
+            body["inertia_matrix"] = M
     return body

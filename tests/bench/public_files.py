@@ -75,6 +75,8 @@ SETS = {
     ".nc": ("capytaine", netcdf, None),
     ".h5": ("bemio", lambda path: holds(path, b"simulation_parameters"), None),
     ".yml": ("orcaflex", lambda path: holds(path, b"VesselTypes:"), None),
+    ".rao": ("hydrostar", lambda path: path.stem == "AddedMass_11", lambda path: path.parent),
+    ".dat": ("hydrostar", lambda path: path.stem == "AddedMass_11", lambda path: path.parent),
     ".hdb": ("diodore", lambda path: True, None),
     ".ah1": ("aqwa", lambda path: True, None),
     ".lis": ("aqwa", lambda path: holds(path, b"AQWA"), None),
