@@ -100,7 +100,7 @@ def _two(values, own):
     best, left, before = None, np.inf, gaps(values, own)
     groups = _about_units, _about_directions, _about_points  # of water each second cause would need its own solutions
     for one, other in itertools.product((*groups, _about_water), groups):
-        for first in () if one is other is _about_points else one(values, own):
+        for first in one(values, own):
             part = first.correct(values)
             after = gaps(part, own)
             if not any(after[name] < 0.8 * before[name] for name in before):
