@@ -23,6 +23,7 @@ AGREED = 0.10  # of the size of a row: the largest difference that is none
 MESH = 2.0  # the same, that panels may make
 SHIFT = 0.02  # of half the hull's size: the least way from a point that is another one
 FITS = 0.5  # of the difference: what a cause leaves of it at most
+CLEARLY = 0.3  # of what one cause leaves: two have to leave less
 NEARLY = 0.03  # of a factor, within which it is a known one
 FACTORS = {
     1e3: "kilo instead of the unit", 1e-3: "the unit instead of kilo", 2.0: "per metre of wave height", 0.5: "halved",
@@ -67,10 +68,11 @@ def finding(values, own):
         sharp = _finding(values, own.sharper())
         if sharp is None or sharp.gap < found.gap:
             found, own = sharp, own.sharper()
-    if found is None or found.cause is not None:
+    if found is None or (found.cause is not None and found.left <= AGREED):
         return found
     pair, left = _two(values, own)
-    return found._replace(cause=pair, left=left) if left <= min(AGREED, FITS * found.gap) else found
+    most = AGREED if found.cause is None else min(AGREED, CLEARLY * found.left)
+    return found._replace(cause=pair, left=left) if left <= min(most, FITS * found.gap) else found
 
 
 def _finding(values, own):
@@ -103,7 +105,7 @@ def _two(values, own):
         for first in one(values, own):
             part = first.correct(values)
             after = gaps(part, own)
-            if not any(after[name] < 0.8 * before[name] for name in before):
+            if one is not _about_units and not any(after[name] < 0.8 * before[name] for name in before):
                 continue
             for second in other(part, own):
                 now = max(gaps(second.correct(part), own).values())
@@ -161,12 +163,20 @@ def _factor(pairs):
 
 
 def _factors(pairs):
-    """`_factor`, and where signs or phases are others the ratio of sizes, as far as they differ from 1"""
+    """`_factor`, and the ratio of sizes, where signs or phases are others"""
     file, own = (sum(float(np.sum(np.abs(three[i] / three[2]) ** 2)) for three in pairs) for i in (0, 1))
     signed, size = _factor(pairs), float(np.sqrt(file / own))
-    size = next((known for known in FACTORS if abs(size / known - 1) < NEARLY), size)
-    both = (signed,) if abs(abs(signed) - size) < NEARLY * size else (signed, size)
-    return [factor for factor in both if factor and abs(factor - 1) > NEARLY]
+    return (signed,) if abs(abs(signed) - size) < NEARLY * size else (signed, size)
+
+
+def _apart(numbers, known=FACTORS):
+    """Those of numbers that differ from 1 and from each other by more than `NEARLY`, known ones as they are known"""
+    kept = []
+    for number in numbers:
+        number = next((one for one in known if abs(number / one - 1) < NEARLY), number)
+        if number and all(abs(number / one - 1) > NEARLY for one in (1.0, *kept)):
+            kept.append(number)
+    return kept
 
 
 def _said(factor):
@@ -200,11 +210,8 @@ def _about_units(values, own):
     }
     ratio = {name: _factor([three]) for name, three in straight.items()}
     a, x = ratio.get("added_mass", 1.0), ratio.get("excitation_force")
-    lengths = [np.sqrt(abs(x))] * bool(x) + [abs(a) ** (1 / 3)]
-    for length in lengths[: 1 if len(lengths) > 1 and abs(lengths[0] / lengths[1] - 1) < NEARLY else 2]:
-        length = next((known for known in LENGTHS if abs(length / known - 1) < NEARLY), length)
-        if not length > 0 or abs(length - 1) <= NEARLY:
-            continue
+    lengths = ([np.sqrt(abs(x)), abs(a / x)] if x else []) + [abs(a) ** (1 / 3)]  # by forces, by both, by added mass
+    for length in _apart(lengths, LENGTHS):
         yield Cause(
             f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken",
             lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
@@ -220,12 +227,12 @@ def _about_units(values, own):
         taken = forces if names == ("excitation_force",) else names + (forces if "excitation_force" in names else ())
         if "added_mass" in names:
             taken += ("added_mass_zero", "added_mass_infinity")
-        for factor in _factors(chosen):
+        for factor in _apart([factor for three in (chosen, *([one] for one in chosen)) for factor in _factors(three)]):
             yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n)(f))
     for words, names, power in (("moments", FORCES, ROTATION), ("rows of rotations", FORCES + MATRICES, ROTATION)):
         if "excitation_force" in parts:
             three = tuple(part[..., 3:] for part in parts["excitation_force"])
-            for factor in _factors([three]):
+            for factor in _apart(_factors([three])):
                 yield Cause(
                     f"{words} are {_said(factor)}",
                     lambda one, n=names, f=factor, p=power: scaled(one, n, p)(f),
