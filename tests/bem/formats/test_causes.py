@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from hakobune.bem.formats.judging.causes import FORCES, MATRICES, changed, corrected, finding, of_length, turned
-from hakobune.bem.formats.judging.own_solution import gaps
+from hakobune.bem.formats.judging.own_solution import Own, gaps
 from hakobune.bem.formats.values import FormatError, Values, about
 from hakobune.bem.modes import reference_change
 from hakobune.bem.waves import wavenumber
+from hakobune.meshing.shapes import box
 
 RHO, G, DEPTH = 1025.0, 9.80665, 30.0
 OMEGA, BETA = np.array([0.5, 0.9]), np.radians([0.0, 40.0, 100.0, 160.0])
@@ -137,6 +138,16 @@ def test_what_no_single_change_explains_has_no_cause():
     spoilt = changed(right(), FORCES, lambda X: X * (1 + noise))
     found = finding(spoilt, Hull())
     assert found.cause is None and found.quantity == "excitation_force"
+
+
+def test_a_set_without_forces_is_held_against_its_hull_by_its_coefficients():
+    own = Own(box(8, 8, 4, panels=48), DEPTH, RHO, G)
+    A, B, X = own.at(0.9, np.zeros(0))
+    assert X.shape == (0, 6) and A[2, 2] > 0
+    alone = Values(np.array([0.9]), np.zeros(0), DEPTH, RHO, G, {"added_mass": A[None], "radiation_damping": B[None]})
+    assert finding(alone, own) is None
+    found = finding(changed(alone, MATRICES, lambda M: 1e3 * M), own)
+    assert "added mass and damping are 1000 times as large" in found.cause.text
 
 
 def test_motions_that_follow_from_what_is_wrong_are_left_out():
