@@ -151,6 +151,8 @@ def _listing(place, known):
             at = frequency if "ENCOUNTER" not in words else "low" if frequency < 1 else "high"
         elif "THE CENTRE OF GRAVITY AT" in words:
             center = np.array([float(x) for x in NUMBER.findall(words.split("AT", 1)[1])])
+        elif "C.O.G GX" in words and center is None:
+            center = np.array([float(x) for x in NUMBER.findall(words.split("GX", 1)[1])[:3]])
         elif words == "STIFFNESS MATRIX" and C is None:
             C = _matrix(own[i + 1 : i + 20])
         elif words in tables and at is not None:

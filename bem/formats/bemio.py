@@ -61,7 +61,7 @@ def _column(numbers):
 
 
 def _simulation(file, values):
-    file.create_dataset("bem_data/code", data="hakobune")
+    file.create_dataset("bem_data/code", data=np.bytes_("hakobune"))  # of fixed length, as BEMIO writes text
     group = file.create_group("simulation_parameters")
     _put(group, "scaled", 0, "", "")
     _put(group, "g", values.gravity, "m/s^2", "Gravitational acceleration")
@@ -72,11 +72,11 @@ def _simulation(file, values):
     if np.isfinite(values.water_depth):
         _put(group, "water_depth", values.water_depth, "m", "Water depth")
     else:
-        group.create_dataset("water_depth", data="infinite")
+        group.create_dataset("water_depth", data=np.bytes_("infinite"))
 
 
 def _properties(group, values):
-    group.create_dataset("name", data=values.name)
+    group.create_dataset("name", data=np.bytes_(values.name.encode()))
     for name, number in (("body_number", 1), ("dof", 6), ("dof_start", 1), ("dof_end", 6)):
         _put(group, name, number, "", "")
     cb, cg, volume = values.need("center_of_buoyancy", "center_of_mass", "displaced_volume")
@@ -192,7 +192,8 @@ def _read(file, name, which):
         "center_of_buoyancy": np.ravel(own["cb"][()]),
         "center_of_mass": np.ravel(own["cg"][()]),
         "displaced_volume": float(np.ravel(own["disp_vol"][()])[0]),
-        "hydrostatic_stiffness": rho * g * hydro["linear_restoring_stiffness"][()],
     }
+    if hydro["linear_restoring_stiffness"].size:  # empty where the program before gave none
+        known["hydrostatic_stiffness"] = rho * g * hydro["linear_restoring_stiffness"][()]
     return Values(omega, np.radians(degrees), depth, rho, g, quantities, known, known["center_of_mass"], name=name,
                   others=others)  # fmt: skip

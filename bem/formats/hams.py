@@ -2,7 +2,8 @@
 
 The results are in the files of WAMIT (`wamit`) with its time factor, made dimensionless by Reference_body_length, with
 a first column as Output_frequency_type says (`PERIOD_KINDS`); here it is written as 4, the period.  HAMS of Y. Liu
-(2019), J. Mar. Sci. Eng. 7(3).
+(2019), J. Mar. Sci. Eng. 7(3).  HAMS-MREL, for several bodies, has AmssDamp.1, ExcForce.3 …, Reference_body_center_1,
+HullMesh_1.pnl and Hydrostatic_1.in on, hulls in axes that LCS_1 … put into those of the water.
 """
 
 from __future__ import annotations
@@ -16,9 +17,10 @@ from hakobune.meshing.text_files import numbers_of
 from hakobune.meshing.whole_files import write_whole
 
 from . import wamit
-from .values import FormatError, lines_of
+from .values import FormatError, body_of, lines_of
 
 RESULTS = Path("Output", "Wamit_format", "Buoy")
+RESULTS_OF_SEVERAL = RESULTS.with_name("AmssDamp")
 WATER = ("density", "gravity")
 PERIOD_KINDS = {1: "deep wavenumber", 2: "wavenumber", 3: "frequency", 4: "period", 5: "wavelength"}
 
@@ -104,11 +106,20 @@ def read(place, known):
             f"{control}: Output_frequency_type is {number}; allowed: "
             + ", ".join(f"{key} ({name})" for key, name in PERIOD_KINDS.items())
         )
+    count = int(_one(control, said, "Number_of_bodies")) if "Number_of_bodies" in said else 1
+    body = body_of(place, count, known)
+    own = f"_{body + 1}" if count > 1 else ""
+    if numbers_of(said.get(f"LCS{own}", ""))[3:4] not in ([], [0.0]):
+        raise FormatError(f"{control}: LCS{own} turns the body about z; allowed: axes along those of the water")
     known = {"water_depth": depth if depth > 0 else np.inf} | {name: known[name] for name in WATER}
-    about = numbers_of(said.get("Reference_body_center", "0 0 0"))[:3]
-    inputs = {"length_unit": length, "rotation_center": about, "period_kind": PERIOD_KINDS[number]}
-    found = wamit.read(place / RESULTS, known | inputs)
-    return replace(found, body=dict(found.body) | _hydrostatic_of(place / "Input" / "Hydrostatic.in"), name=place.name)
+    about = numbers_of(said.get(f"Reference_body_center{own}", "0 0 0"))[:3]
+    inputs = {"length_unit": length, "rotation_center": about, "period_kind": PERIOD_KINDS[number], "body": body + 1}
+    results = place / RESULTS
+    if not results.with_suffix(".1").exists() and (place / RESULTS_OF_SEVERAL).with_suffix(".1").exists():
+        results = place / RESULTS_OF_SEVERAL
+    found = wamit.read(results, known | inputs)
+    masses = _hydrostatic_of(place / "Input" / f"Hydrostatic{own}.in")
+    return replace(found, body=dict(found.body) | masses, name=place.name)
 
 
 def _control_of(path):
@@ -130,7 +141,11 @@ def _one(path, said, key):
 
 
 def _hydrostatic_of(path):
-    """Centre of mass and inertia of Hydrostatic.in: three numbers and six rows of six, after their titles"""
+    """Centre of mass and inertia of Hydrostatic.in: three numbers and six rows of six, after their titles; {} without
+    the file, which results do not need
+    """
+    if not path.exists():
+        return {}
     rows = [numbers for line in lines_of(path) if (numbers := numbers_of(line))]
     if len(rows) < 7 or len(rows[0]) < 3 or any(len(row) < 6 for row in rows[1:7]):
         raise FormatError(f"{path}: allowed: the centre of gravity, then six rows of six of the body's mass")

@@ -221,12 +221,15 @@ def gridded(path, coordinates, values, modes=()):
     np.add.at(counts, places, 1)
     if modes:
         counts += counts.sum(axis=tuple(range(free)), keepdims=True) == 0
-    if not np.all(counts == 1):
-        where = np.argwhere(counts != 1)[0]
-        said = ", ".join(f"{axis[i]:.6g}" for axis, i in zip(axes, where, strict=True))
-        raise FormatError(f"{path}: {counts[tuple(where)]} values for {said}; allowed: one for each, of a full table")
     grid = np.zeros(shape + values.shape[1:], values.dtype)
     grid[places] = values
+    other = ((grid[places] != values) & ~np.isnan(values)).reshape(len(values), -1).any(axis=1)
+    twice = np.zeros(shape, bool)
+    twice[tuple(place[other] for place in places)] = True
+    if np.any(twice | (counts == 0)):  # a place that is filled again with the same is one
+        where = np.argwhere(twice | (counts == 0))[0]
+        said = ", ".join(f"{axis[i]:.6g}" for axis, i in zip(axes, where, strict=True))
+        raise FormatError(f"{path}: {counts[tuple(where)]} values for {said}; allowed: one for each, of a full table")
     return axes, grid
 
 

@@ -6,7 +6,7 @@
     .4            the same                           ξ = ξ̄ L^(−p_I), rad for each metre of rotations
     .8 .9 .7      PER BETA BETA I Mod Pha Re Im      F = ρg L^(1 + p_I) F̄, of the mean drift by momentum, I = 1, 2, 6
     .hst          I J C̄                              C = ρg L^(2 + p_I + p_J) C̄
-    .mmx          volume, centres and mass (`wamit_mass`)
+    .mmx          volume, centres and mass (`wamit_out`)
 
 with p = 0 for translations and 1 for rotations, L = ULEN; PER as IPEROUT says, by default the period in s, −1 at ω = 0
 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.  Pairs
@@ -29,8 +29,7 @@ from ..database.schema import DOFS, DRIFT_DOFS
 from ..modes import moving
 from .values import FormatError, Values, body_of, gridded, omega_of, table_of
 from .wamit_inputs import Table, beside, inputs_of
-from .wamit_mass import mass_of
-from .wamit_out import read_out
+from .wamit_out import mass_of, read_out
 
 FORCES = {
     ".2": "excitation_force",
@@ -41,6 +40,7 @@ FORCES = {
 }
 LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
 LIMITS_AT = {0.0: "added_mass_zero", np.inf: "added_mass_infinity"}
+NAMES_OF_HAMS = {".1": "AmssDamp", ".3": "ExcForce", ".4": "Motion", ".hst": "Hydrostat"}
 SIX = range(1, 7)
 POWER = np.array([0, 0, 0, 1, 1, 1])  # of ULEN, beyond that of translations
 SAME_PERIOD = 1e-5  # of it: programs print six digits, some the first of them as 0.1
@@ -194,9 +194,10 @@ class Columns(NamedTuple):
 
 
 def tables_beside(place):
-    """{suffix: Table} of the files of the name of `place`"""
+    """{suffix: Table} of the files of the name of `place`, or of the names that HAMS-MREL has beside AmssDamp.1"""
     widths = {".1": (4, 5), ".hst": (3,)} | dict.fromkeys(FORCES, (7,)) | dict.fromkeys(DRIFTS, (8,))
-    there = {suffix: beside(place, suffix) for suffix in widths}
+    names = NAMES_OF_HAMS if place.stem == NAMES_OF_HAMS[".1"] else {}
+    there = {suffix: beside(place.with_name(names.get(suffix, place.stem) + suffix), suffix) for suffix in widths}
     there = {
         suffix: path for suffix, path in there.items() if path and (suffix == ".1" or path.read_text("latin-1").strip())
     }

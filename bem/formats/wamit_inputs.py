@@ -3,6 +3,7 @@
     NAME.gdf   header / ULEN GRAV / …                          the length that results are made dimensionless by
     NAME.pot   header / HBOT / IRAD IDIFF / NPER / PER … / NBETA / BETA … / NBODY / gdf / XBODY(1-4) / IMODE
     NAME.cfg   KEY = value, in any order                       IPEROUT: what the first column of results is
+    NAME.out   the listing says all of this, and its periods what the first column of NAME.1 is
 
 Results are about the body's own axes, whose origin is XBODY(1-3) in those of the water; the .gdf is in the body's
 axes too.  Lengths are in feet where GRAV is; wavenumbers in the first column are times ULEN (chapter 4).  Lists are
@@ -21,8 +22,11 @@ import numpy as np
 from hakobune.meshing.text_files import numbers_of
 from hakobune.meshing.text_formats import length_unit
 
-from .values import FormatError, lines_of
+from .values import FormatError, body_of, lines_of, omega_of
 
+PERIOD = re.compile(r"Wave period(?: \(sec\))?\s*=\s*(\S+)")
+NUMBER = r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?"
+SAME_PERIOD = 2e-3  # of it, in a listing and in a file beside it
 PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumber"}  # IPEROUT
 
 
@@ -89,13 +93,78 @@ def inputs_of(place, known):
     if depth is None and potential:
         depth = potential.depth * unit if potential.depth > 0 else inf
         said.append(f"water depth {depth:g} m of {pot.name}")
+    listed = _listed(place, known)
+    if listed:
+        length, about = (
+            own if value is None else value for value, own in ((length, listed.length), (about, listed.about))
+        )
+        if depth is None:
+            depth = listed.depth
+            said.append(f"water depth {depth:g} m of {place.stem}.out")
     length, about = 1.0 if length is None else length, (0.0, 0.0, 0.0) if about is None else tuple(about)
-    bodies = len(potential.bodies) if potential else 1
-    rest = {"said": tuple(said), "depth": depth, "gravity": known.get("gravity") or 9.80665,
-            "bodies": bodies, "hull": gdf.name if gdf else "", "told": bool(potential)}  # fmt: skip
+    bodies = len(potential.bodies) if potential else listed.bodies if listed else 1
+    gravity = known.get("gravity") or 9.80665
+    rest = {"said": tuple(said), "depth": depth, "gravity": gravity, "bodies": bodies, "hull": gdf.name if gdf else "",
+            "told": bool(potential or listed)}  # fmt: skip
     if kind is None:
-        return Inputs(length, about, _period_kind(cfg) if cfg else "period", length, **rest)
+        kind = _period_kind(cfg) if cfg else _kind_listed(place, Inputs(wave_length=length, **rest)) if listed else ""
+        return Inputs(length, about, kind or "period", length, **rest)
     return Inputs(length, about, kind, **rest)
+
+
+def _listed(place, known):
+    """`listed_inputs` of the listing beside NAME.1, None without one"""
+    path = beside(place, ".out")
+    lines, start = before_periods(path) if path else ((), None)
+    return None if start is None else listed_inputs(path, lines[:start], known | {"body": known.get("body") or 1})
+
+
+def listed_inputs(place, lines, known):
+    """`Inputs` of the lines of NAME.out before its first period"""
+    places = numbers_after(r"XBODY\s*=.*", lines) or [[0.0, 0.0, 0.0, 0.0]]
+    which = body_of(place, len(places), known)
+    if len(places[which]) > 3 and places[which][3]:
+        raise FormatError(f"{place}: PHIBODY turns the body by {places[which][3]:g}°; allowed: 0")
+    gravity, *rest = (numbers_after(r"Gravity:.*", lines) or [[known.get("gravity") or 9.80665]])[0]
+    scale = known.get("length_unit") or (rest[0] if rest else 1.0)
+    text = "\n".join(lines)
+    depth = re.search(r"Water depth:\s*(\S+)", text)
+    depth = inf if depth is None or depth[1].lower().startswith("inf") else float(depth[1])
+    about = known.get("rotation_center")
+    about = tuple(places[which][:3]) if about is None else tuple(about)
+    names = re.findall(r"N=\s*\d+\s+(\S+\.gdf)", text, re.I)
+    hull = names[which] if which < len(names) and place.with_name(names[which]).is_file() else ""
+    gdf = beside(place, ".gdf")
+    return Inputs(scale, about, "period", scale, (), known.get("water_depth") or depth, gravity, len(places),
+                  hull or (gdf.name if gdf else ""), True)  # fmt: skip
+
+
+def numbers_after(pattern, lines):
+    """Lists of the numbers in each match of a pattern"""
+    text = "\n".join(lines)
+    return [[float(x) for x in re.findall(NUMBER, part)] for part in re.findall(pattern, text)]
+
+
+def before_periods(path):
+    """Lines of a listing of WAMIT, and how many of them stand before its first period, None of another file"""
+    lines = lines_of(path)
+    if not any("WAMIT" in line for line in lines[:20]):
+        return lines, None
+    return lines, next((i for i, line in enumerate(lines) if PERIOD.search(line)), None)
+
+
+def _kind_listed(place, given):
+    """The kind that makes the periods of the listing of the first column of NAME.1, "" where none does"""
+    periods = [m[1] for line in lines_of(beside(place, ".out")) if (m := PERIOD.search(line)) and m[1][0].isdigit()]
+    heads = {numbers[0] for line in lines_of(beside(place, ".1")) if len(numbers := numbers_of(line)) == 5}
+    if not periods or not heads:
+        return ""
+    listed = np.unique(2 * np.pi / np.array(periods, float))
+    for kind in PERIOD_KINDS.values():
+        found = np.unique(omega_of(sorted(heads), kind, given.depth, given.gravity, given.wave_length))
+        if len(found) == len(listed) and np.allclose(found, listed, rtol=SAME_PERIOD):
+            return kind
+    return ""
 
 
 def beside(place, suffix):

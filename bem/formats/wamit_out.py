@@ -3,7 +3,15 @@
     Gravity, Length scale, Water depth; for each body XBODY, volumes, centres, C(3,3) … C(5,6) and radii of gyration
     for each period ADDED-MASS AND DAMPING COEFFICIENTS, EXCITING FORCES AND MOMENTS, … DRIFT FORCES (Momentum …)
 
-Phases are whole degrees there: forces are within 1 % in phase.  User manual, version 7.4, chapter 5.
+Phases are whole degrees there: forces are within 1 % in phase.  NAME.mmx has volume, centres and mass:
+
+    WAMIT  Ouputs for body N = …      each with volumes, centres in the body's axes, and one of
+    Normalized mass matrix:           I J M/ρ                IALTFRC = 1
+    External force matrices:          I J M D K              IALTFRC = 2 and 3; M in the units of ρ and lengths
+
+Modes beyond the six of a body are left out, and damping and stiffness of lines.  A matrix without inertia in rotation,
+as of a run that needs no motions, gives the mass alone.
+User manual, version 7.4, section 4.9 and chapter 5.
 """
 
 from __future__ import annotations
@@ -14,24 +22,24 @@ from pathlib import Path
 import numpy as np
 
 from .values import FormatError, body_of, lines_of
-from .wamit_inputs import Inputs, Table, beside
+from .wamit_inputs import NUMBER, PERIOD, Table, before_periods, listed_inputs, numbers_after
 
-PERIOD = re.compile(r"Wave period(?: \(sec\))?\s*=\s*(\S+)")
 HEADING = re.compile(r"Wave Heading\s*\(deg\)\s*:\s*(.*)")
-NUMBER = r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?"
 TITLES = (
     ("DIFFRACTION EXCITING", ".3"), ("HASKIND EXCITING", ".2"), ("RESPONSE AMPLITUDE", ".4"),
     ("DRIFT FORCES (Momentum", ".8"), ("DRIFT FORCES (Pressure", ".9"), ("DRIFT FORCES (Control", ".7"),
     ("ADDED-MASS", ".1"), ("VELOCITY", ""), ("PRESSURE", ""), ("FIELD POINT", ""),
 )  # fmt: skip
 
+BODY = re.compile(r"body N =\s*(\d+)")
+CENTERS = {"Center of Buoyancy": "center_of_buoyancy", "Center of Gravity": "center_of_mass"}
+
 
 def read_out(place, known):
     """{suffix: Table}, `Inputs` and what is known of the body in SI.  Raises FormatError."""
     place = Path(place)
-    lines = lines_of(place)
-    start = next((i for i, line in enumerate(lines) if PERIOD.search(line)), None)
-    if start is None or not any("WAMIT" in line for line in lines[:20]):
+    lines, start = before_periods(place)
+    if start is None:
         raise FormatError(f"{place} is no output of WAMIT, or it ended before the first period")
     tables = {name: Table(place, np.array(rows)) for name, rows in _rows(lines[start:]).items() if rows}
     if ".1" not in tables:
@@ -78,28 +86,11 @@ def _period(text):
 
 def _still(place, lines, known):
     """`Inputs` and the body's values in SI, of the lines before the first period"""
-    text = "\n".join(lines)
-
-    def numbers(pattern, otherwise=None):
-        found = [[float(x) for x in re.findall(NUMBER, part)] for part in re.findall(pattern, text)]
-        return found or otherwise
-
-    places = numbers(r"XBODY\s*=.*", [[0.0, 0.0, 0.0, 0.0]])
+    given = listed_inputs(place, lines, known)
+    places = numbers_after(r"XBODY\s*=.*", lines) or [[0.0, 0.0, 0.0]]
     which = body_of(place, len(places), known)
-    if len(places[which]) > 3 and places[which][3]:
-        raise FormatError(f"{place}: PHIBODY turns the body by {places[which][3]:g}°; allowed: 0")
-    ((gravity, *rest),) = numbers(r"Gravity:.*", [[known["gravity"]]])[:1]
-    scale = known.get("length_unit") or (rest[0] if rest else 1.0)
-    depth = re.search(r"Water depth:\s*(\S+)", text)
-    depth = np.inf if depth is None or depth[1].lower().startswith("inf") else float(depth[1])
-    about = known.get("rotation_center")
-    about = tuple(places[which][:3]) if about is None else tuple(about)
-    names = re.findall(r"N=\s*\d+\s+(\S+\.gdf)", text, re.I)
-    hull = names[which] if which < len(names) and place.with_name(names[which]).is_file() else ""
-    gdf = beside(place, ".gdf")
-    given = Inputs(scale, about, "period", scale, (), known.get("water_depth") or depth, gravity, len(places),
-                   hull or (gdf.name if gdf else ""), True)  # fmt: skip
-    return given, _body(numbers, which, given, np.array(places[which][:3]), known["density"])
+    return given, _body(lambda pattern: numbers_after(pattern, lines), which, given, np.array(places[which][:3]),
+                        known["density"])  # fmt: skip
 
 
 def _body(numbers, which, given, origin, density):
@@ -119,4 +110,32 @@ def _body(numbers, which, given, origin, density):
             C[i, j] = weight * x * L ** (2 + (i > 2) + (j > 2))
             C[j, i] = C[i, j] if j < 5 else 0.0
         body["hydrostatic_stiffness"] = C
+    return body
+
+
+def mass_of(path, which, density, origin):
+    """{name of `schema.BODY`: value} of body `which`, from 0; origin : (3,) m of its axes.  Raises FormatError."""
+    lines = lines_of(path)
+    starts = [n for n, line in enumerate(lines) if BODY.search(line)]
+    if which >= len(starts):
+        raise FormatError(f"{path} has {len(starts)} bodies; allowed: as many as the files beside it")
+    block = lines[starts[which] : [*starts, len(lines)][which + 1]]
+    body, scale, M = {}, None, np.zeros((6, 6))
+    for line in block:
+        title, _, rest = line.strip().partition(":")
+        found = [float(x.replace("D", "E")) for x in re.findall(NUMBER, rest)]
+        if title.startswith("Volumes"):
+            body["displaced_volume"] = float(np.median(found[-3:]))
+        elif title.startswith(tuple(CENTERS)):
+            body[CENTERS[title.partition(" (")[0]]] = np.array(found[-3:]) + origin
+        elif title in ("Normalized mass matrix", "External force matrices"):
+            scale = density if title.startswith("Normalized") else 1.0
+        elif scale and len(row := line.split()) >= 3 and row[0].isdigit() and row[1].isdigit():
+            i, j = (int(x) - 1 for x in row[:2])
+            if max(i, j) < 6:
+                M[i, j] = scale * float(row[2])
+    if M[0, 0] > 0:
+        body["mass"] = float(M[0, 0])
+        if np.all(M.diagonal() > 0):
+            body["inertia_matrix"] = M
     return body

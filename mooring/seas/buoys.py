@@ -7,6 +7,9 @@
     Datawell   .spt: twelve lines, the second Hm0 in cm, the fourth the largest density in m²/Hz; rows of Hz, share of
                the largest density, direction from, spread, skewness, kurtosis
     Triaxys    NONDIRSPEC: Hz, m²/Hz; DIRSPEC: rows of frequencies, columns of directions from, m²/Hz/degree
+               .his: a history of heights, periods and directions, which is told and is no spectrum
+    TRDI       WavesMon's DSpec….txt: rows of frequencies, columns of slices of directions from, mm²/Hz/degree; PSpec…,
+               SSpec… and VSpec….txt: a root of density in a row, mm/√Hz
     Spotter    .csv: columns f_i, varianceDensity_i, direction_i (from), directionalSpread_i and Significant Wave Height
 
 Where a file has a height of its own its spectrum is held against it.
@@ -44,6 +47,10 @@ def kind(text):
         return triaxys
     if "varianceDensity_0" in text[:20000] and "f_0" in text[:20000]:
         return spotter
+    if "Frequency Bands are" in head:
+        return trdi
+    if re.match(r"\d{4}-\d\d-\d\dT[\d:.]+Z?[,\t ]", head) and len(re.findall(r"[-+.\dEe]+", lines[0][20:])) > 14:
+        return history
     if len(lines) > 14 and all(re.fullmatch(r"\s*[-+.\dEe]+\s*", line) for line in lines[:12]) and "," in lines[12]:
         return datawell
     return None
@@ -76,6 +83,41 @@ def datawell(path, text, x_axis, time):
     frequency, share, alpha, spread = rows.T
     spread = directions.of_spread(np.radians(alpha), np.radians(spread))
     return _held(path, _spread(path, frequency, most * share, spread, x_axis), height)
+
+
+def history(path, text, x_axis, time):
+    """Raise TableError: a .his has no densities; its first row, or that of the time, is told"""
+    rows = [re.split(r"[,\t ]+", line.strip()) for line in text.splitlines() if line.strip()]
+    rows = [row for row in rows if time is None or row[0].startswith(str(time).strip().replace(" ", "T"))]
+    if not rows:
+        raise TableError(f"{path} is a history of Datawell and has no time {time}")
+    at, peak, direction, _, _, height = rows[0][:6]
+    raise TableError(
+        f"{path} is a history of Datawell, no spectrum; at {at} it has a height of {float(height) / 100:.4g} m, a peak "
+        f"period of {peak} s from {direction}°: give height, peak period and direction, or the .spt"
+    )
+
+
+def trdi(path, text, x_axis, time):
+    """Sea of a DSpec, PSpec, SSpec or VSpec"""
+    number = r"\s+([\d.]+)"
+    lines = text.splitlines()
+    head = "\n".join(line for line in lines if line.lstrip().startswith("%"))
+    found = re.search(rf"Bands are{number} Hz wide\s*\(first frequency band is centered at{number}", head)
+    start = re.search(rf"first direction slice begins at{number}", head)
+    try:
+        step, first = map(float, found.groups())
+        rows = [[float(word) for word in line.split()] for line in lines if line.strip() and "%" not in line]
+        values = np.array(rows if start else [[x] for row in rows for x in row], float)
+    except (AttributeError, ValueError):
+        raise TableError(f"{path}: WavesMon's head says its frequency bands, then come numbers; it does not") from None
+    frequency = first + step * np.arange(len(values))
+    if start is None:
+        return _plain(path, frequency, (values[:, 0] / 1e3) ** 2)
+    if x_axis is None:
+        raise _no_axis(path)
+    alpha = np.radians(float(start[1])) + (np.arange(values.shape[1]) + 0.5) * (2 * np.pi / values.shape[1])
+    return _plane(path, frequency, np.radians(x_axis) - alpha - np.pi, np.degrees(values / 1e6))
 
 
 def triaxys(path, text, x_axis, time):

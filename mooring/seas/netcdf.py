@@ -3,8 +3,12 @@
     WAVEWATCH III   efth(time, station, frequency, direction) m² s/rad, directions towards
     ERA5            d2fd(time, frequency, direction, place): log₁₀ of m² s/rad; 30 frequencies from 0.03453 Hz, each
                     1.1 times the one before; 24 directions towards, from 7.5°
-    SWAN            density(time, points, frequency, direction) m² s/rad, directions in rad from (or towards)
+    SWAN            density(time, points, frequency, direction) m² s/rad, directions in rad from (or towards); in one
+                    dimension energy_1d m² s, theta_1d and spread_1d degrees
+    WWM             AC(ocean_time, ndir, nfreq, nbstation) m² s²/rad, action: spsig times it is energy by spsig rad/s
+                    and spdir rad, anticlockwise from east, towards
     wavespectra     efth(…, freq, dir) m² s/degree, directions from
+    Sofar           variance_density(time, frequency) m² s, moments a1, b1, a2, b2 anticlockwise from east, towards
     NDBC            spectral_wave_density(time, frequency) m²/Hz, mean_wave_dir, principal_wave_dir, wave_spectrum_r1,
                     wave_spectrum_r2
 
@@ -18,10 +22,14 @@ import numpy as np
 from ..environment.tables import TableError
 from . import buoys, directions
 
-DENSITIES = ("efth", "d2fd", "density", "spectral_wave_density")
-AXES = {"frequency": "f", "freq": "f", "frequencyNumber": "f", "direction": "d", "dir": "d", "directionNumber": "d"}
-TIMES = ("time", "valid_time")
-HEIGHTS = ("hs", "swh", "VHM0")
+DENSITIES = ("efth", "d2fd", "density", "spectral_wave_density", "AC", "variance_density", "energy_1d")
+AXES = dict.fromkeys(("frequency", "freq", "frequencyNumber", "nfreq"), "f") | dict.fromkeys(
+    ("direction", "dir", "directionNumber", "ndir"), "d"
+)
+TIMES = ("time", "valid_time", "ocean_time")
+HEIGHTS = ("hs", "swh", "VHM0", "HS")
+MOMENTS = ("a1", "b1", "a2", "b2")
+MEANS = ("theta_1d", "spread_1d")
 NDBC = ("mean_wave_dir", "principal_wave_dir", "wave_spectrum_r1", "wave_spectrum_r2")
 ERA5 = 0.03453, 1.1  # Hz, and from one frequency to the next (ECMWF, 2D wave spectra)
 INTEGRALS = {"swh": "m high", "hs": "m high", "VHM0": "m high", "pp1d": "s of peak", "mwp": "s mean", "mwd": "° from"}
@@ -63,6 +71,9 @@ def _sea(path, data, x_axis, time, location):
     if name == "d2fd":
         frequency = ERA5[0] * ERA5[1] ** np.arange(values.sizes["f"])
         values = 10**values
+    elif name == "AC":
+        sigma = np.asarray(data["spsig"], float)
+        frequency, values = sigma / (2 * np.pi), values.transpose("d", "f") * (2 * np.pi * sigma)
     else:
         frequency = np.asarray(data[old["f"]], float)
     frequency, order = np.sort(frequency), np.argsort(frequency)
@@ -83,16 +94,36 @@ def _towards(data, name, axis):
     if name == "d2fd":
         count = data.sizes[axis]
         return (np.arange(count) + 0.5) * (2 * np.pi / count)
-    values, attrs = np.asarray(data[axis], float), data[axis].attrs
+    if name == "AC":
+        return 0.5 * np.pi - np.asarray(data["spdir"], float)
+    return _clockwise(data[axis])
+
+
+def _clockwise(angles):
+    """rad clockwise from north towards, of angles that say their unit, and whether they are towards or from"""
+    values, attrs = np.asarray(angles, float), angles.attrs
     values = values if str(attrs.get("units", "")).startswith("rad") else np.radians(values)
     return values if "to_direction" in str(attrs.get("standard_name", "")) else values + np.pi
 
 
 def _measured(path, data, frequency, order, density, x_axis):
-    if x_axis is None or any(name not in data for name in NDBC):
+    def of(names):
+        return (np.asarray(data[name], float)[order] for name in names)
+
+    if x_axis is None:
         return buoys._plain(path, frequency, density[order])
-    a1, a2, r1, r2 = (np.asarray(data[name], float)[order] for name in NDBC)
-    spread = directions.of_moments(r1, r2, np.radians(a1), np.radians(a2))
+    if all(name in data for name in NDBC):
+        a1, a2, r1, r2 = of(NDBC)
+        spread = directions.of_moments(r1, r2, np.radians(a1), np.radians(a2))
+    elif all(name in data for name in MOMENTS):
+        a1, b1, a2, b2 = of(MOMENTS)
+        c1, c2 = a1 + 1j * b1, a2 + 1j * b2
+        west = 1.5 * np.pi  # whence waves come that travel east
+        spread = directions.of_moments(abs(c1), abs(c2), west - np.angle(c1), west - 0.5 * np.angle(c2))
+    elif all(name in data for name in MEANS):
+        spread = directions.of_spread(_clockwise(data["theta_1d"])[order] - np.pi, np.radians(next(of(MEANS[1:]))))
+    else:
+        return buoys._plain(path, frequency, density[order])
     return buoys._spread(path, frequency, density[order], spread, x_axis)
 
 

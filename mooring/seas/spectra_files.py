@@ -1,7 +1,7 @@
 """Spectra as buoys, hindcasts and wave models give them, in one and in two dimensions.
 
-    SWAN (`swan`);  NDBC, Datawell, Triaxys, Spotter (`buoys`);  WAVEWATCH III's transfer file (`wavewatch`)
-    netCDF of WAVEWATCH III, ERA5, SWAN, NDBC and wavespectra (`netcdf`);  a table of densities (.csv)
+    SWAN (`swan`);  NDBC, Datawell, TRDI, Triaxys, Spotter (`buoys`);  WAVEWATCH III's transfer file (`wavewatch`)
+    netCDF of WAVEWATCH III, ERA5, SWAN, WWM, NDBC, Sofar and wavespectra (`netcdf`);  a table of densities (.csv)
 
 Nautical directions are where waves come from, clockwise from north; with the x axis of the body towards ψ of the
 compass waves travel to β = ψ − (N + 180°).  Cartesian ones are where they travel to, from the x axis of the model,
@@ -54,8 +54,8 @@ def read_sea(path, x_axis=None, time=None, location=1):
         except ValueError as error:
             raise TableError(f"{path}: {error}") from None
     raise TableError(
-        f"{path} is no spectrum of SWAN, NDBC or WAVEWATCH III, of Datawell (.spt), Triaxys or Spotter (.csv), or "
-        f"netCDF; allowed: a first line SWAN, #YY MM DD hh mm .0200 …, or {HEAD}; of others the package wavespectra "
+        f"{path} is no spectrum of SWAN, NDBC or WAVEWATCH III, of Datawell (.spt), TRDI, Triaxys or Spotter (.csv), "
+        f"or netCDF; allowed: a first line SWAN, #YY MM DD hh mm .0200 …, or {HEAD}; of others the package wavespectra "
         "makes one: read_…(file).spec.to_swan(…)"
     )
 

@@ -1,4 +1,6 @@
-"""Spectra as SWAN writes them (.spc, .sp1, .sp2, .s1d, .s2d): AFREQ or RFREQ, NDIR or CDIR, VaDens or EnDens.
+"""Spectra as SWAN writes them (.spc, .sp1, .sp2, .s1d, .s2d, .hot): AFREQ or RFREQ, NDIR or CDIR, VaDens or EnDens.
+
+AcDens, of the file that a run starts again from, is VaDens over ω.
 
 1-D with mean direction and spread, or 2-D with FACTOR, ZERO, NODATA; of several quantities in a 2-D file the first is
 taken (SWAN user manual, appendix D).  Remarks stand behind single numbers.
@@ -138,10 +140,10 @@ class Swan:
         if values is None:
             raise TableError(f"{self.path} has no data there (NODATA); take another location or time")
         names = [name for name, *_ in head["QUANT"]]
-        if names[0] not in ("VADENS", "ENDENS"):
-            raise TableError(f"{self.path} begins with {names[0]}; allowed: VaDens, EnDens")
-        per = ENERGY if names[0] == "ENDENS" else 1.0
         omega, name = head["omega"], self.path.stem
+        per = {"VADENS": 1.0, "ENDENS": ENERGY, "ACDENS": 1 / omega[:, None]}.get(names[0])
+        if per is None or (names[0] == "ACDENS" and "angle" not in head):
+            raise TableError(f"{self.path} begins with {names[0]}; allowed: VaDens, EnDens, and AcDens by direction")
         try:
             if "angle" in head:
                 kind, degrees = head["angle"]

@@ -48,6 +48,7 @@ FORMATS = {
     "orcaflex": Format("orcaflex", ".yml", silent=("gravity",)),
     "aqwa": Format("aqwa", "", read_only=True),
     "diodore": Format("diodore", "", silent=WATER, read_only=True),
+    "hydrostar": Format("hydrostar", "", read_only=True),
 }
 
 

@@ -32,7 +32,7 @@ def import_(
     place: Annotated[Path, Parameter(help="file or folder of another program")],
     /,
     *,
-    from_: Annotated[str, Parameter(name="--from", help=f"{FORMATS}, aqwa or diodore")],
+    from_: Annotated[str, Parameter(name="--from", help=f"{FORMATS}, aqwa, diodore or hydrostar")],
     mesh: Annotated[Path | None, Parameter(help="of the hull [what lies with the results]")] = None,
     depth: Annotated[float | None, Parameter(help="m or inf, of files that do not say it")] = None,
     density: Annotated[float, Parameter(help="kg/m³, of files that do not say it")] = 1025.0,

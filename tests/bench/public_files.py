@@ -75,6 +75,8 @@ SETS = {
     ".nc": ("capytaine", netcdf, None),
     ".h5": ("bemio", lambda path: holds(path, b"simulation_parameters"), None),
     ".yml": ("orcaflex", lambda path: holds(path, b"VesselTypes:"), None),
+    ".rao": ("hydrostar", lambda path: path.stem == "AddedMass_11", lambda path: path.parent),
+    ".dat": ("hydrostar", lambda path: path.stem == "AddedMass_11", lambda path: path.parent),
     ".hdb": ("diodore", lambda path: True, None),
     ".ah1": ("aqwa", lambda path: True, None),
     ".lis": ("aqwa", lambda path: holds(path, b"AQWA"), None),
@@ -115,7 +117,7 @@ def rows_of_set(path, kind, place, solve):
     body = None
     while True:
         try:
-            values, remark = read(path, module, place, body)
+            yield checked(*read(path, module, place, body), module, place, solve, body)
         except FormatError as error:
             if "allowed: --body 1 to" in str(error) and body is None:
                 body = 1
@@ -125,8 +127,6 @@ def rows_of_set(path, kind, place, solve):
             yield "", "", f"refused: {str(error).replace(str(place), place.name)}"
         except Exception as error:  # a traceback is a fault of ours, and told as that
             yield "", "", f"TRACEBACK {type(error).__name__}: {error}"
-        else:
-            yield checked(values, remark, module, place, solve, body)
         if body is None or body >= MOST_BODIES:
             return
         body += 1

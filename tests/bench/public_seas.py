@@ -19,7 +19,7 @@ from hakobune.mooring.seas.spectra_files import read_sea
 
 SPECTRA = (
     *(".spc", ".spec", ".sp1", ".sp2", ".s1d", ".s2d", ".swn", ".hot"),
-    *(".spt", ".dirspec", ".nondirspec", ".data_spec", ".swden", ".nc", ".nc4"),
+    *(".his", ".spt", ".dirspec", ".nondirspec", ".data_spec", ".swden", ".nc", ".nc4"),
 )
 HEADS = ("SWAN ", "'WAVEWATCH III SPECTRA'", "TRIAXYS", "#YY  MM DD hh", "#YY MM DD hh", "YYYY MM DD hh", "YY MM DD hh")
 TIME = re.compile(r"\d{8}[. ]\d{6}|\d{4}-\d\d-\d\dT\d\d:\d\d|(?<=first is )\S+")

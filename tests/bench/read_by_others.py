@@ -2,7 +2,8 @@
 
     python tests/bench/read_by_others.py --peer PYTHON
 
-PYTHON has, as far as they install, pyHAMS, RAFT, mafredo (from Python 3.12 on), xarray with netCDF4, and Capytaine.
+PYTHON has, as far as they install, pyHAMS, RAFT, mafredo (from Python 3.12 on), xarray with netCDF4, Capytaine, MoorPy,
+and WEC-Sim's port to Python by PYTHONPATH.
 Added mass, damping and forces over the largest of their kind, forces with their phases; of a mesh volume and area.
 """
 
@@ -15,7 +16,11 @@ from pathlib import Path
 import numpy as np
 
 from hakobune.bem.database import open_database
+from hakobune.mooring.formats.moordyn import write_moordyn
+from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
+from hakobune.mooring.lines.system.equilibrium import held_at, rest
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.lines.system_file import read_system
 
 HERE = Path(__file__).parent
 BOX = "--length 100 --beam 50 --draft 10 --depth 20 --gyration 15.6,29.4,32.3 --omega 0.3:1.2:10 --heading 0:180:7"
@@ -28,8 +33,18 @@ READS = (
     ("capytaine", "box.nc", "netcdf_by_xarray", False, False),
     ("capytaine", "box.nc", "netcdf_by_mafredo", False, False),
     ("orcaflex", "box.yml", "orcaflex_by_mafredo", False, False),
+    ("bemio", "box_bemio.h5", "bemio_by_wecsim", True, True),
     ("wamit", "box.gdf", "mesh_by_capytaine", False, False),
 )
+SPREAD = """
+[water]
+depth = 60.0
+[types]
+chain = {{ catalogue = "R3 studless 76 mm" }}
+wire = {{ catalogue = "wire 6x36 IWRC 1960 60 mm" }}
+[[bodies]]
+name = "barge"
+{parts}"""
 
 
 def differences(db, found, over, conjugate):
@@ -88,7 +103,30 @@ def campaign(python):
             else:
                 worst = differences(db, found, over, conjugate)
                 print(f"{form} | {reader} | " + " | ".join(f"{value:.1e}" for value in worst))
+        print("moordyn | moordyn_by_moorpy | " + tensions(python, folder))
     return 0
+
+
+def tensions(python, folder):
+    """The largest difference of a tension that MoorPy finds of a MoorDyn file of ours, over the largest, in words"""
+    parts = ""
+    for i, (kind, length, *xy) in enumerate(
+        (("chain", 306, -330, 0), ("wire", 300, 280, 190), ("chain", 312, 280, -190))
+    ):
+        x, y = np.array(xy) * 40 / np.hypot(*xy)
+        ends = f'[[anchors]]\nname = "A{i}"\nposition = [{xy[0]}, {xy[1]}, -60]\n[[fairleads]]\nname = "F{i}"\n'
+        ends += f'body = "barge"\nposition = [{x}, {y}, -2]\n[[lines]]\nname = "L{i}"\ntype = "{kind}"\n'
+        parts += f'{ends}length = {length}\nfrom = "A{i}"\nto = "F{i}"\n'
+    (folder / "spread.toml").write_text(SPREAD.format(parts=parts))
+    system = read_system(folder / "spread.toml")
+    system = held_at(system, {"barge": (0.0,) * 6})
+    write_moordyn(moordyn_of_system(system), folder / "spread.dat")
+    found = read(python, "moordyn_by_moorpy", folder / "spread.dat", folder)
+    if found is None:
+        return "not installed"
+    ours = rest(system).lines
+    ours = np.stack([ours.tension_a, ours.tension_b], axis=1)
+    return f"tension {np.abs(found['A'][0, :3, :2] - ours).max() / ours.max():.1e}"
 
 
 if __name__ == "__main__":

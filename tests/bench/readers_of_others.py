@@ -90,6 +90,40 @@ def netcdf_by_xarray(place):
     return data.omega.values[keep], np.degrees(data.wave_direction.values), A[keep], B[keep], F[keep]
 
 
+def bemio_by_wecsim(place):
+    """The body class of WEC-Sim's port to Python (source/objects of its repository on PYTHONPATH, numpy 1)"""
+    import bodyClass
+
+    found = bodyClass.BodyClass(str(place))
+    found.bodyNumber, found.bodyTotal = 1, [1]
+    rows = []
+    found.readH5file()
+    water = found.hydroData["simulation_parameters"]
+    omega, headings = water["w"][0], water["wave_dir"][0]
+    for w in omega:
+        found.readH5file()  # its methods change what was read
+        found.constAddedMassAndDamping(w, 1, 1.0, 0)
+        force = []
+        for beta in headings:
+            found.readH5file()
+            found.regExcitation([w], beta, 1.0, 1.0)
+            force.append(found.hydroForce["fExt"]["re"] + 1j * found.hydroForce["fExt"]["im"])
+        rows.append((found.hydroForce["fAddedMass"], found.hydroForce["fDamping"] / w, force))
+    return omega, headings, *map(np.array, zip(*rows, strict=True))
+
+
+def moordyn_by_moorpy(place):
+    """Tensions at both ends of each line, N, as A of one frequency"""
+    import moorpy
+
+    system = moorpy.System(file=str(place))  # depth and water are in the file
+    system.initialize()
+    A = np.zeros((1, 6, 6))
+    for n, line in enumerate(system.lineList):
+        A[0, n, :2] = line.TA, line.TB
+    return np.zeros(1), np.zeros(1), A, A, 0.0
+
+
 def mesh_by_capytaine(place):
     """Volume and wetted area of the mesh file, as A and B of one frequency"""
     import capytaine

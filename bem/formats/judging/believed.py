@@ -31,7 +31,12 @@ def believed(values, mesh, correct=False):
     named = found.quantity.replace("_", " ")
     off = f"{named} differs from our own solution of the hull by {100 * found.gap:.3g} %, allowed: {100 * AGREED:g} %"
     if found.cause is None:
-        return values, [], [f"{off}, and no single change of unit, point, sign or heading explains it", *doubts]
+        near = f"; the nearest, {found.nearest}, leaves {100 * found.left:.3g} %" if found.nearest else ""
+        return (
+            values,
+            [],
+            [f"{off}, and no one or two changes of unit, point, sign or heading explain it{near}", *doubts],
+        )
     if not correct:
         way = f"give {found.cause.way_out}, or {WAY_OUT}" if found.cause.way_out else WAY_OUT
         raise FormatError(f"{off}: {found.cause.text}; {way}")

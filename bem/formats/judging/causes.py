@@ -2,12 +2,13 @@
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
-A cause that has a number, as a length, a factor, or a point, takes it from the two by least squares first.  Causes are
-one at a time: two in one set are told as a difference without a cause.
+A cause that has a number, as a length, a factor, or a point, takes it from the two by least squares first.  Where none
+alone fits each is followed by every other: a unit and a point, a sign and a unit are told both.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
@@ -22,6 +23,7 @@ AGREED = 0.10  # of the size of a row: the largest difference that is none
 MESH = 2.0  # the same, that panels may make
 SHIFT = 0.02  # of half the hull's size: the least way from a point that is another one
 FITS = 0.5  # of the difference: what a cause leaves of it at most
+CLEARLY = 0.3  # of what one cause leaves: two have to leave less
 NEARLY = 0.03  # of a factor, within which it is a known one
 FACTORS = {
     1e3: "kilo instead of the unit", 1e-3: "the unit instead of kilo", 2.0: "per metre of wave height", 0.5: "halved",
@@ -48,12 +50,13 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, of `quantity`; cause : or None; left : what it leaves"""
+    """gap : the largest difference, of `quantity`; cause : or None; left : what it leaves, or the nearest one"""
 
     gap: float
     quantity: str
     cause: Cause | None
     left: float = np.inf
+    nearest: str = ""
 
 
 def finding(values, own):
@@ -61,10 +64,15 @@ def finding(values, own):
     node, as of most programs, or with four, which are near the limit of many panels
     """
     found = _finding(values, own)
-    if found is None or found.gap > MESH:
+    if found is not None and found.gap > MESH:
+        sharp = _finding(values, own.sharper())
+        if sharp is None or sharp.gap < found.gap:
+            found, own = sharp, own.sharper()
+    if found is None or (found.cause is not None and found.left <= AGREED):
         return found
-    sharp = _finding(values, own.sharper())
-    return None if sharp is None else min(found, sharp, key=lambda one: one.gap)
+    pair, left = _two(values, own)
+    most = AGREED if found.cause is None else min(AGREED, CLEARLY * found.left)
+    return found._replace(cause=pair, left=left) if left <= min(most, FITS * found.gap) else found
 
 
 def _finding(values, own):
@@ -84,13 +92,38 @@ def _finding(values, own):
         if deep < 0.8 * left:
             text = f"the set is of deep water, not of {values.water_depth:g} m"
             best, left = Cause(text, lambda one: replace(one, water_depth=np.inf), "--depth inf"), deep
-    certain = left <= FITS * off[quantity] and left <= 2.5 * AGREED
-    return Finding(off[quantity], quantity, best if certain else None, left)
+    if left <= FITS * off[quantity] and left <= 2.5 * AGREED:
+        return Finding(off[quantity], quantity, best, left)
+    return Finding(off[quantity], quantity, None, left, best.text if best and left < FITS * off[quantity] else "")
+
+
+def _two(values, own):
+    """The two causes, one after the other, that leave the least, as one, and what they leave; the first has to help"""
+    best, left, before = None, np.inf, gaps(values, own)
+    groups = _about_units, _about_directions, _about_points  # of water each second cause would need its own solutions
+    for one, other in itertools.product((*groups, _about_water), groups):
+        for first in one(values, own):
+            part = first.correct(values)
+            after = gaps(part, own)
+            if one is not _about_units and not any(after[name] < 0.8 * before[name] for name in before):
+                continue
+            for second in other(part, own):
+                now = max(gaps(second.correct(part), own).values())
+                if now < 0.8 * left:
+                    best, left = (first, second), now
+        if left < 0.2 * AGREED:
+            break
+    if best is None:
+        return None, left
+    first, second = best
+    ways = [one.way_out for one in best]
+    return Cause(f"two causes: {first.text}; and then {second.text}", lambda one: second.correct(first.correct(one)),
+                 " and ".join(ways) if all(ways) else ""), left  # fmt: skip
 
 
 def _causes(values, own):
     yield from _about_units(values, own)
-    yield from _about_directions(values)
+    yield from _about_directions(values, own)
     yield from _about_points(values, own)
     yield from _about_water(values, own)
 
@@ -129,6 +162,23 @@ def _factor(pairs):
     return next((known for known in FACTORS if abs(factor / known - 1) < NEARLY), factor)
 
 
+def _factors(pairs):
+    """`_factor`, and the ratio of sizes, where signs or phases are others"""
+    file, own = (sum(float(np.sum(np.abs(three[i] / three[2]) ** 2)) for three in pairs) for i in (0, 1))
+    signed, size = _factor(pairs), float(np.sqrt(file / own))
+    return (signed,) if abs(abs(signed) - size) < NEARLY * size else (signed, size)
+
+
+def _apart(numbers, known=FACTORS):
+    """Those of numbers that differ from 1 and from each other by more than `NEARLY`, known ones as they are known"""
+    kept = []
+    for number in numbers:
+        number = next((one for one in known if abs(number / one - 1) < NEARLY), number)
+        if number and all(abs(number / one - 1) > NEARLY for one in (1.0, *kept)):
+            kept.append(number)
+    return kept
+
+
 def _said(factor):
     words = FACTORS.get(factor)
     return f"{factor:.4g} times as large" + (f": {words}" if words else "")
@@ -160,9 +210,8 @@ def _about_units(values, own):
     }
     ratio = {name: _factor([three]) for name, three in straight.items()}
     a, x = ratio.get("added_mass", 1.0), ratio.get("excitation_force")
-    length = np.sqrt(abs(x)) if x else abs(a) ** (1 / 3)
-    length = next((known for known in LENGTHS if abs(length / known - 1) < NEARLY), length)
-    if length > 0 and abs(length - 1) > NEARLY:
+    lengths = ([np.sqrt(abs(x)), abs(a / x)] if x else []) + [abs(a) ** (1 / 3)]  # by forces, by both, by added mass
+    for length in _apart(lengths, LENGTHS):
         yield Cause(
             f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken",
             lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
@@ -178,14 +227,12 @@ def _about_units(values, own):
         taken = forces if names == ("excitation_force",) else names + (forces if "excitation_force" in names else ())
         if "added_mass" in names:
             taken += ("added_mass_zero", "added_mass_infinity")
-        factor = _factor(chosen)
-        if factor and abs(factor - 1) > NEARLY:
+        for factor in _apart([factor for three in (chosen, *([one] for one in chosen)) for factor in _factors(three)]):
             yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n)(f))
     for words, names, power in (("moments", FORCES, ROTATION), ("rows of rotations", FORCES + MATRICES, ROTATION)):
         if "excitation_force" in parts:
             three = tuple(part[..., 3:] for part in parts["excitation_force"])
-            factor = _factor([three])
-            if factor and abs(factor - 1) > NEARLY:
+            for factor in _apart(_factors([three])):
                 yield Cause(
                     f"{words} are {_said(factor)}",
                     lambda one, n=names, f=factor, p=power: scaled(one, n, p)(f),
@@ -215,7 +262,7 @@ def turned(values, words):
     return replace(values, wave_direction=beta)
 
 
-def _about_directions(values):
+def _about_directions(values, own):
     if "excitation_force" not in values.quantities or not values.quantities["excitation_force"].size:
         return
     conjugate = ("phases are the conjugates of ours, of exp(+iωt) for exp(−iωt)", np.conj)

@@ -31,6 +31,7 @@ FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness
 FEW = 2  # frequencies, that tell a ratio
 NOISE = 0.02  # of ω A, under which damping may be below 0
 OFTEN = 0.1  # of the frequencies, that break a law: fewer are irregular ones
+SCATTERS = 0.5  # of a ratio, between a tenth and nine tenths of its frequencies
 FAINT = 1e-3  # of the largest damping, which is that of rounding
 CANCELS = 0.1  # of a force at an arm as long as the body, below which a moment is a difference of two
 EVEN = 1e-3  # of the largest diagonal, of terms that symmetry makes zero
@@ -182,11 +183,11 @@ def _haskind(values):
     i, (ratio, omega) = off[0], found[off[0]]
     others = [f"B_{j + 1}{j + 1}" for j in found if j not in off]
     middle = float(np.median(ratio))
-    why = not values.others and _of_depth(values)
+    why = _of_channel(values, found) or (not values.others and _of_depth(values))
     if not why and others:  # a wrong unit or length would show in these too
         why = f"{', '.join(others)} agrees, so that units do: panels are too few for mode {i + 1}"
     return [f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "
-            + (why or _why(middle, _slope(omega, ratio)))]  # fmt: skip
+            + (why or _why(middle, _slope(omega, ratio), ratio))]  # fmt: skip
 
 
 def _agrees(ratio, omega):
@@ -225,7 +226,20 @@ def _of_depth(values):
     return f"they agree in {where}, not in {values.water_depth:g} m (--depth)"
 
 
-def _why(ratio, slope):
+def _of_channel(values, found):
+    """In words the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else "" """
+    widths = []
+    for mode, (ratio, omega) in found.items():
+        if mode in (SURGE, HEAVE) and len(ratio) >= 5:
+            k = wavenumber(omega, values.water_depth, values.gravity)
+            widths.append((2.0 if mode == SURGE else 1.0) / np.maximum(k * ratio, 1e-300))
+    widths = np.concatenate(widths) if widths else np.zeros(0)
+    if len(widths) < 5 or np.ptp(np.quantile(widths, [0.1, 0.9])) > 0.25 * np.median(widths):
+        return ""
+    return f"it is that of waves in a channel {np.median(widths):.3g} m wide, and not of open water"
+
+
+def _why(ratio, slope, ratios):
     if 0.7 < slope < 1.3:
         return "it goes with ω: damping is that times ω"
     if -1.3 < slope < -0.7:
@@ -236,12 +250,16 @@ def _why(ratio, slope):
                           (1 / 1025, "the factor ρ"), (1025.0, "the factor ρ")):  # fmt: skip
         if abs(np.log(abs(ratio / factor))) < 0.25:
             return words
+    if np.ptp(np.quantile(ratios, [0.1, 0.9])) > SCATTERS * abs(ratio):
+        return "it scatters from frequency to frequency, which no unit does: panels are too few, or there are sheets"
     return "units of damping and forces, the length that one is made dimensionless by, density or water depth differ"
 
 
 def _long_waves(values):
     X, C = values.get("excitation_force"), values.get("hydrostatic_stiffness")
-    if X is None or not X.size or values.others:  # beside others the water does not move as it would alone
+    if (
+        X is None or not X[:, :, HEAVE].any() or values.others
+    ):  # beside others the water does not move as it would alone
         return None
     _, kL = _waves(values)
     n = int(np.argmin(kL))

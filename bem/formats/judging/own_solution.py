@@ -47,10 +47,11 @@ class Own:
         known = self.solved.get(key)
         if known is None or not set(turned.tolist()) <= set(known[2]):
             wanted = np.unique(np.concatenate([turned, np.round(np.mod(_images(turned), 2 * np.pi), 6)]))
+            wanted = wanted if len(wanted) else np.zeros(1)  # of a set without forces
             result = self._prepared().run(float(omega), wanted, frozenset(WANT), None, _dofs()).result()
             A, B, X = (result[name] for name in WANT)
             known = self.solved[key] = (A, B, dict(zip(wanted.tolist(), X, strict=True)))
-        return known[0], known[1], np.array([known[2][angle] for angle in turned.tolist()])
+        return known[0], known[1], np.array([known[2][angle] for angle in turned.tolist()]).reshape(-1, 6)
 
     def _prepared(self):
         if "prepared" not in self.solved:
@@ -61,7 +62,7 @@ class Own:
 
     def in_water(self, depth):
         """The same hull in other water"""
-        return replace(self, depth=depth, solved={})
+        return self.solved.setdefault(("water", depth), replace(self, depth=depth, solved={}))
 
     def sharper(self):
         """The same with four nodes a panel"""

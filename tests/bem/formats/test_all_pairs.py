@@ -71,3 +71,11 @@ def test_wamit_s_files_have_rows_of_both_limits_whatever_is_known(values, tmp_pa
     wamit.write(values, tmp_path / "a.1")
     again = wamit.read(tmp_path / "a.1", WATER).get("added_mass_infinity")
     assert again == pytest.approx(values.get("added_mass_infinity"), rel=1e-5, abs=1.0)
+    one, three = ([line.split() for line in (tmp_path / f"a{end}").open()] for end in (".1", ".3"))
+    periods = list(dict.fromkeys(row[0] for row in one if float(row[0]) > 0))
+    assert [len(row) for row in one] == [5 if float(row[0]) > 0 else 4 for row in one] and {len(r) for r in three} == {
+        7
+    }
+    assert list(dict.fromkeys(row[0] for row in three)) == periods  # HydroDyn takes them in the order of the .1 file
+    headings = {period: list(dict.fromkeys(row[1] for row in three if row[0] == period)) for period in periods}
+    assert all(listed == headings[periods[0]] for listed in headings.values())

@@ -220,6 +220,33 @@ def test_a_control_file_of_hams_ends_at_its_last_line(values, tmp_path):
     assert found.water_depth == DEPTH and np.allclose(found.omega, values.omega)
 
 
+def test_a_body_of_hams_mrel_is_read_by_its_number(values, tmp_path):
+    """Rows 7 to 12 are of the second body, about its own point; results have the names of that program"""
+    hams.write(values, tmp_path)
+    (tmp_path / "Input" / "Hydrostatic.in").unlink()
+    control = tmp_path / "Input" / "ControlFile.in"
+    control.write_text(
+        control.read_text().replace(
+            "Reference_body_center ",
+            "Number_of_bodies 2\nLCS_1 0 0 0 0\nLCS_2 9 0 0 0\nReference_body_center_2 9.0 0.0 -1.0 #",
+        )
+    )
+    for old, new in wamit.NAMES_OF_HAMS.items():
+        place = (tmp_path / hams.RESULTS).with_suffix(old)
+        if place.exists():
+            shift, rows = {".1": (1, 2), ".hst": (0, 1)}.get(old, (2,)), [line.split() for line in place.open()]
+            moved = [" ".join(str(int(x) + 6) if i in shift else x for i, x in enumerate(row)) for row in rows]
+            place.with_name(new + old).write_text("\n".join(moved))
+            place.unlink()
+    found = hams.read(tmp_path, WATER | {"body": 2})
+    assert found.rotation_center == pytest.approx([9, 0, -1]) and found.others == 1
+    for name in ("added_mass", "excitation_force", "hydrostatic_stiffness"):
+        assert np.allclose(found.get(name), values.get(name), rtol=1e-5, atol=1e-5 * np.abs(values.get(name)).max())
+    control.write_text(control.read_text().replace("LCS_2 9 0 0 0", "LCS_2 9 0 0 30"))
+    with pytest.raises(FormatError, match="LCS_2 turns the body"):
+        hams.read(tmp_path, WATER | {"body": 2})
+
+
 def test_a_model_of_orcaflex_in_kg_and_newton_or_in_feet_and_kips_is_that_in_tonnes(values, tmp_path):
     """1 kip is 453.59237 kg or 4448.2216 N, 1 ft 0.3048 m"""
     orcaflex.write(values, tmp_path / "si.yml")

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from hakobune.bem.formats.judging.causes import FORCES, MATRICES, changed, corrected, finding, of_length, turned
-from hakobune.bem.formats.judging.own_solution import gaps
+from hakobune.bem.formats.judging.own_solution import Own, gaps
 from hakobune.bem.formats.values import FormatError, Values, about
 from hakobune.bem.modes import reference_change
 from hakobune.bem.waves import wavenumber
+from hakobune.meshing.shapes import box
 
 RHO, G, DEPTH = 1025.0, 9.80665, 30.0
 OMEGA, BETA = np.array([0.5, 0.9]), np.radians([0.0, 40.0, 100.0, 160.0])
@@ -119,11 +120,34 @@ def test_a_single_change_is_named_and_corrected(words):
     assert again.omega == pytest.approx(OMEGA)
 
 
+@pytest.mark.parametrize("one, two", [
+    ("forces are 1000 times as large: kilo", "moments and rotations are about (5, 1, -3) m"),
+    ("damping are -1 times as large: the opposite sign", "phases are the conjugates of ours"),
+])  # fmt: skip
+def test_two_changes_are_named_both_and_corrected(one, two):
+    wrong = CHANGES[two](CHANGES[one](right()))
+    found = finding(wrong, Hull())
+    assert "two causes" in found.cause.text and one in found.cause.text and two in found.cause.text
+    again = corrected(wrong, found.cause)
+    for name, data in right().quantities.items():
+        assert again.quantities[name] == pytest.approx(data, rel=1e-6, abs=1e-6 * np.abs(data).max())
+
+
 def test_what_no_single_change_explains_has_no_cause():
     noise = np.random.default_rng(1).normal(size=(2, 4, 6))
     spoilt = changed(right(), FORCES, lambda X: X * (1 + noise))
     found = finding(spoilt, Hull())
     assert found.cause is None and found.quantity == "excitation_force"
+
+
+def test_a_set_without_forces_is_held_against_its_hull_by_its_coefficients():
+    own = Own(box(8, 8, 4, panels=48), DEPTH, RHO, G)
+    A, B, X = own.at(0.9, np.zeros(0))
+    assert X.shape == (0, 6) and A[2, 2] > 0
+    alone = Values(np.array([0.9]), np.zeros(0), DEPTH, RHO, G, {"added_mass": A[None], "radiation_damping": B[None]})
+    assert finding(alone, own) is None
+    found = finding(changed(alone, MATRICES, lambda M: 1e3 * M), own)
+    assert "added mass and damping are 1000 times as large" in found.cause.text
 
 
 def test_motions_that_follow_from_what_is_wrong_are_left_out():

@@ -107,6 +107,7 @@ def test_bemio_has_the_shapes_that_its_writer_makes(values, tmp_path):
         exact = 2 / np.pi * np.trapezoid(np.interp(fine, w, B[:, 2, 2]) * fine, fine) / RHO
         assert np.isclose(K, exact, rtol=1e-5)
         assert file["simulation_parameters/w"].shape == (n, 1) and file["body1/properties/cg"].shape == (3, 1)
+        assert file["body1/properties/name"].dtype.kind == "S"  # text of fixed length, which WEC-Sim's readers take
 
 
 def test_xarray_reads_the_file_of_capytaine_by_labels(values, tmp_path):

@@ -88,6 +88,15 @@ def test_the_depth_that_a_set_is_of_is_found():
     assert "they agree in deep water, not in 6 m" in said(replace(body(depth=np.inf), water_depth=6.0))
 
 
+def test_the_walls_of_a_channel_are_told_by_the_damping_of_surge_and_heave():
+    """(B³³, B¹¹)·(1, 2)/kw, by the energy of two plane waves between walls w apart"""
+    k = wavenumber(body().omega, DEPTH, G)
+    walls = np.diag([2.0, 2.0, 1.0, 0, 0, 0]) / (k * 5.0)[:, None, None]
+    assert "waves in a channel 5.0" in said(changed(body(), radiation_damping=lambda B: B * walls)).replace(
+        "5 m", "5.0 m"
+    )
+
+
 def test_beside_other_bodies_long_waves_tell_nothing():
     turned = changed(body(), excitation_force=np.conj)
     assert said(replace(turned, others=1)) == ""
@@ -100,6 +109,8 @@ def test_what_does_not_float_has_no_crest_to_follow():
     X[:, :, 2] = (-4000.0 * under.omega**2)[:, None]
     under = replace(changed(under, excitation_force=lambda _: X), body={"hydrostatic_stiffness": np.zeros((6, 6))})
     assert "surge" not in said(under) and "heave force" not in said(under)
+    X[:, :, 2] = 0.0  # a mode that is not in the files has no force to be weighed
+    assert "heave force" not in said(replace(under, body=body().body))
 
 
 def test_added_mass_falls_by_what_damping_makes_of_it():

@@ -4,9 +4,9 @@ import h5py
 import numpy as np
 import pytest
 
-from hakobune.bem.formats import aqwa, bemio, capytaine, diodore, nemoh, wamit
+from hakobune.bem.formats import aqwa, bemio, capytaine, diodore, hydrostar, nemoh, wamit
 from hakobune.bem.formats.values import FormatError, Values
-from hakobune.bem.formats.wamit_mass import mass_of
+from hakobune.bem.formats.wamit_out import mass_of
 
 RHO, G = 1000.0, 9.81
 KNOWN = {"water_depth": None, "density": RHO, "gravity": G}
@@ -83,6 +83,12 @@ def test_a_listing_of_wamit_is_read_as_its_files(tmp_path):
     )
     assert one.body["displaced_volume"] == 101.0 and one.body["center_of_mass"] == pytest.approx([0, 0, -0.75])
     assert (one.water_depth, one.gravity, one.others) == (30.0, 9.81, 1) and two.rotation_center[0] == 9.0
+    w = f"{w:.6E}"
+    (tmp_path / "two.1").write_text(f" {w} 3 3 2.0 0.1\n {w} 9 9 3.0 0.2\n")
+    beside = wamit.read(tmp_path / "two.1", KNOWN | {"body": 2})  # the listing says what the first column is
+    assert beside.omega == pytest.approx(two.omega, rel=1e-6) and beside.water_depth == 30.0
+    assert beside.get("added_mass")[0, 2, 2] == pytest.approx(two.get("added_mass")[0, 2, 2])
+    assert beside.rotation_center == pytest.approx(two.rotation_center)
     place.write_text(OUT.split(" Wave period =")[0])
     with pytest.raises(FormatError, match="ended before the first period"):
         wamit.read(place, KNOWN | {"body": 1})
@@ -270,6 +276,10 @@ def test_the_second_of_two_bodies_of_bemio_has_its_own_columns(single, tmp_path)
         bemio.read(place)
     assert bemio.read(place, {"body": 1}).get("added_mass") == pytest.approx(single.get("added_mass"))
     assert bemio.read(place, {"body": 2}).get("added_mass") == pytest.approx(2 * single.get("added_mass"))
+    with h5py.File(place, "a") as file:
+        del file["body2/hydro_coeffs/linear_restoring_stiffness"]
+        file["body2/hydro_coeffs/linear_restoring_stiffness"] = np.zeros((0, 0))
+    assert bemio.read(place, {"body": 2}).get("hydrostatic_stiffness") is None
     with pytest.raises(FormatError, match=r"--body is 3, .* has 2 bodies"):
         bemio.read(place, {"body": 3})
 
@@ -325,3 +335,39 @@ def test_nemoh_s_input_is_read_by_its_lines_and_two_bodies_by_their_zones(single
 
     k = wavenumber(single.omega, 20.0, G)  # phases are of a crest 3 m ahead of the origin
     assert second.get("excitation_force")[:, 0, 4] == pytest.approx(2 * np.exp(0.25j + 3j * k))
+
+
+def test_a_folder_of_hydrostar_has_a_triangle_and_the_other_time_factor(tmp_path):
+    """A₅₁ stands for A₁₅; a surge at +90° of exp(+iωt) is −i of ours, turned by the crest at 5 m: exp(5ik)"""
+    head = """# Project :
+#     Water density (rho)  :  1000.0000
+#     Gravity acceleration :     9.8100
+#     Waterdepth           :     inf
+#     Ref.pt incident wave : (   5.0000   0.0000)
+#            Forward speed :   {speed}  m/s
+# Reference point of body 1: (   1.0000   0.0000  -2.0000)
+#RAOTYPE    :  {kind}
+#COMPONENT  : {mode}
+#HEADING          0.00
+"""
+    files = {("ADDED-MASS", "11"): (7.0, 0), ("ADDED-MASS", "51"): (3.0, 0), ("WAVE-DAMPING", "11"): (2.0, 0),
+             ("LOAD", "1"): (4.0, 90), ("MOTION", "1"): (9.0, 0)}  # fmt: skip
+    for (kind, mode), (size, phase) in files.items():
+        rows = f"  2.0 {2 * size} {phase}.0\n  1.0  {size}  {phase}.0\n#ENDFILE\n"
+        (tmp_path / f"{kind}_{mode}.rao").write_text(head.format(speed="0.0000", kind=kind, mode=mode) + rows)
+    found = hydrostar.read(tmp_path)
+    assert (
+        found.omega.tolist() == [1, 2] and np.isinf(found.water_depth) and found.rotation_center.tolist() == [1, 0, -2]
+    )
+    A = found.get("added_mass")
+    assert (A[0, 0, 0], A[0, 4, 0], A[1, 0, 4]) == (7, 3, 6) and found.get("radiation_damping")[0, 0, 0] == 2
+    k = np.array([1.0, 4.0]) / 9.81
+    assert found.get("excitation_force")[:, 0, 0] == pytest.approx(np.array([4, 8]) * -1j * np.exp(5j * k))
+    (tmp_path / "ADDED-MASS_11.rao").write_text(
+        head.format(speed="1.5", kind="ADDED-MASS", mode="11") + "1.0 1.0 0.0\n"
+    )
+    with pytest.raises(FormatError, match=r"forward speed of 1.5 m/s"):
+        hydrostar.read(tmp_path)
+    (tmp_path / "ADDED-MASS_11.rao").write_text("#RAOTYPE : ADDED-MASS\n#COMPONENT : 11\n1.0 1.0 0.0\n")
+    with pytest.raises(FormatError, match="has not the head and the rows of HydroStar"):
+        hydrostar.read(tmp_path / "LOAD_1.rao")

@@ -102,6 +102,27 @@ def test_moments_beside_the_last_days_of_ndbc_are_its_directions(tmp_path):
         read_sea(tmp_path / "b.txt")
 
 
+def test_wavesmon_has_slices_of_directions_or_roots_of_densities(tmp_path):
+    head = "% Directional Spectrum\n% from 2 to 3\n%\n% 4 Directions and 4 Frequencies\n"
+    bands = "% Frequency Bands are 0.1 Hz wide(first frequency band is centered at 0.1)\n"
+    rows = "".join(f" 0 {1e6 * s / 90:.4f} 0 0\n" for s in S)
+    (tmp_path / "DSpec2601010000.txt").write_text(
+        f"{head}{bands}% The first direction slice begins at 315 degrees\n{rows}"
+    )
+    sea = read_sea(tmp_path / "DSpec2601010000.txt", 0.0)  # slices of 90° about 0°, 90°, …
+    assert height(sea) == pytest.approx(4 * math.sqrt(M0), rel=1e-6)
+    assert mean(sea, HZ * 0.2) == pytest.approx(math.pi / 2, abs=1e-6)
+    (tmp_path / "SSpec.txt").write_text("%\n% 4 Frequencies\n" + bands + "".join(f" {1e3 * s**0.5:.6f}\n" for s in S))
+    assert height(read_sea(tmp_path / "SSpec.txt")) == pytest.approx(4 * math.sqrt(M0), rel=1e-6)
+
+
+def test_a_history_of_datawell_is_no_spectrum_and_told(tmp_path):
+    row = "2026-01-01T00:30:00.000Z,11.1,213,28,6.1,245,7,6,5,8,9,10.8,0.4,0.8,1.9,0.04,19,18,4"
+    (tmp_path / "a.his").write_text(row + "\n")
+    with pytest.raises(TableError, match=r"a height of 2.45 m, a peak period of 11.1 s from 213°: give height"):
+        read_sea(tmp_path / "a.his", 0.0, "2026-01-01 00:30")
+
+
 def spt(hm0):
     rows = "\n".join(f"{f:.3f},{s / 4:.4E},180.0,30.0,0.1,2.0" for f, s in zip(F, S, strict=True))
     return f"10\n{100 * hm0:.1f}\n4.5\n4.0\n25.1\n19.7\n7\n-0.2\n0.4\n0.3\n213.8\n68.2\n{rows}\n"
@@ -171,6 +192,12 @@ def planes(xarray, tmp_path):
                  "hs": (("time", "station"), [[0.0], [4 * math.sqrt(M0)]])},
         "wavespectra": {"efth": (("time", "station", "freq", "dir"), np.radians(two), {"units": "m^{2}.s.degree^{-1}"}),
                         "freq": ("freq", F), "dir": ("dir", FROM), "time": time},
+    }  # fmt: skip
+    sigma, two = HZ * F, np.stack([0 * plane, plane])
+    made["wwm"] = {
+        "AC": (("ocean_time", "ndir", "nfreq", "nbstation"), (two / HZ / sigma[:, None]).swapaxes(1, 2)[..., None]),
+        "spsig": ("nfreq", sigma), "spdir": ("ndir", np.radians(270 - FROM)),  # anticlockwise from east, towards
+        "ocean_time": ("ocean_time", time[1]), "HS": (("ocean_time", "nbstation"), [[0.0], [4 * math.sqrt(M0)]]),
     }  # fmt: skip
     for name, variables in made.items():
         engine = "scipy" if name == "ww3" else "h5netcdf"
@@ -243,3 +270,14 @@ def test_the_netcdf_of_a_buoy_has_moments(xarray, tmp_path):
     assert height(sea) == pytest.approx(4 * math.sqrt(M0))
     assert mean(sea, HZ * 0.2) == pytest.approx(0, abs=1e-6)
     assert read_sea(tmp_path / "a.nc").spreading is None
+    others = (
+        {"variance_density": S, "a1": 0 * S, "b1": 0.5 + 0 * S, "a2": -0.2 + 0 * S, "b2": 0 * S},  # Sofar, to north
+        {"energy_1d": S, "theta_1d": 180 + 0 * S, "spread_1d": 30 + 0 * S},  # SWAN, from south
+    )
+    for quantities in others:
+        xarray.Dataset({name: (axes, [value]) for name, value in quantities.items()}, coords).to_netcdf(
+            tmp_path / "b.nc"
+        )
+        sea = read_sea(tmp_path / "b.nc", 0.0)
+        assert height(sea) == pytest.approx(4 * math.sqrt(M0))
+        assert mean(sea, HZ * 0.2) == pytest.approx(0, abs=1e-6)

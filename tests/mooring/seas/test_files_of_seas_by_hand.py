@@ -118,6 +118,8 @@ def test_a_plane_of_energy_is_divided_by_the_weight_of_water(tmp_path):
     """1025 · 9.81 J/m³"""
     sea = plane(tmp_path, name="EnDens")
     assert sea.spectrum.values == pytest.approx(np.array([1.0, 8.0, 3.0]) * 45 / HZ / (1025 * 9.81))
+    action = plane(tmp_path, name="AcDens")  # energy over ω
+    assert action.spectrum.values == pytest.approx(np.array([1.0, 8.0, 3.0]) * 45 / HZ * action.spectrum.omega)
 
 
 def test_a_plane_from_the_compass_travels_the_other_way_round(tmp_path):

@@ -1,0 +1,100 @@
+"""A folder of HydroStar's files of one quantity each (.rao, .dat), as it and HAMS write them, read only.
+
+    # … Water density, Gravity acceleration, Waterdepth, Ref.pt incident wave, Forward speed, Reference point of body 1
+    #RAOTYPE AddedMass | WaveDamping | LOAD, Excitation   #COMPONENT ij, of a force i   #HEADING degrees
+    ω rad/s   values for each heading   phases in degrees for each heading
+
+SI, of exp(+iωt): the conjugates of ours; waves travel to the heading.  Of matrices the lower triangle may be there
+alone.  Read off files of HydroStar 8 and of HAMS, whose numbers stand in WAMIT's files beside them.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from ..waves import wavenumber
+from .values import FormatError, Values, lines_of, omega_of
+
+KINDS = {"addedmass": "added_mass", "wavedamping": "radiation_damping", "damping": "radiation_damping",
+         "load": "excitation_force", "excitation": "excitation_force"}  # fmt: skip
+HEAD = {"density": r"Water density \(rho\)\s*:\s*(\S+)", "gravity": r"Gravity acceleration\s*:\s*(\S+)",
+        "depth": r"Waterdepth\s*:\s*(\S+)", "speed": r"Forward speed\s*:\s*(\S+)"}  # fmt: skip
+POINTS = {"crest": r"Ref\.pt incident wave\s*:\s*\(([^)]*)\)", "about": r"Reference point of body 1\s*:\s*\(([^)]*)\)"}
+
+
+def read(place, known=None):
+    """The Values of a folder, or of the one that a file lies in.  Raises FormatError."""
+    place = Path(place)
+    place = place if place.is_dir() else place.parent
+    files = [found for path in sorted(place.iterdir()) if (found := _file(path))]
+    tables = {(kind, mode): rows for kind, mode, _, rows, _ in files}
+    water = next((water for kind, _, water, _, _ in files if kind == "added_mass"), None)
+    if water is None or not any(kind == "radiation_damping" for kind, _ in tables):
+        raise FormatError(
+            f"{place} has no files of added mass and damping; allowed: AddedMass_11.rao, WaveDamping_11.rao …"
+        )
+    if water["speed"]:
+        raise FormatError(f"{place} is of a forward speed of {water['speed']:g} m/s; allowed: 0")
+    at = omega_of(tables["added_mass", min(m for k, m in tables if k == "added_mass")][:, 0], "frequency", 1.0, 9.81)
+    good = (at > 0) & np.isfinite(at)
+    order = np.argsort(at[good])
+    omega, quantities = at[good][order], {}
+    for name in ("added_mass", "radiation_damping"):
+        whole = np.zeros((len(at), 6, 6))
+        for (kind, mode), rows in tables.items():
+            if kind == name:
+                i, j = (int(digit) - 1 for digit in mode)
+                whole[:, i, j] = _same(place, rows, at, 1)[:, 1]
+                if (name, mode[::-1]) not in tables:
+                    whole[:, j, i] = whole[:, i, j]
+        quantities[name] = whole[good][order]
+        if name == "added_mass":
+            limits = {"added_mass_zero": at == 0, "added_mass_infinity": np.isinf(at)}
+            quantities |= {limit: whole[row][0] for limit, row in limits.items() if row.any()}
+    headings = next((beta for kind, _, _, _, beta in files if kind == "excitation_force"), np.zeros(0))
+    m, k = len(headings), wavenumber(omega, water["depth"], water["gravity"])
+    if m:
+        X = np.zeros((len(omega), m, 6), complex)
+        for (kind, mode), rows in tables.items():
+            if kind == "excitation_force":
+                own = _same(place, rows, at, 2 * m)[good][order]
+                X[:, :, int(mode[-1]) - 1] = own[:, 1 : m + 1] * np.exp(-1j * np.radians(own[:, m + 1 :]))
+        crest = water["crest"][0] * np.cos(headings) + water["crest"][1] * np.sin(headings)
+        quantities["excitation_force"] = X * np.exp(1j * k[:, None] * crest)[..., None]
+    return Values(omega, headings, water["depth"], water["density"], water["gravity"], quantities,
+                  rotation_center=water["about"], name=place.name)  # fmt: skip
+
+
+def _same(place, rows, at, columns):
+    """Rows at the frequencies of all.  Raises FormatError."""
+    if len(rows) != len(at) or rows.shape[1] < columns + 1:
+        raise FormatError(f"{place} has tables of other frequencies or headings; allowed: of one run")
+    return rows
+
+
+def _file(path):
+    """(quantity, mode, {of the head}, rows, headings (m,) rad) of a file of one of KINDS, else None"""
+    if path.suffix.lower() not in (".rao", ".dat") or not path.is_file():
+        return None
+    lines = lines_of(path)
+    text = "\n".join(line for line in lines if line.startswith("#"))
+    kind = re.search(r"#RAOTYPE\s*:\s*([\w-]+)", text)
+    mode = re.search(r"#COMPONENT\s*:\s*(\d+)", text)
+    name = KINDS.get(kind[1].replace("-", "").lower()) if kind and mode else None
+    if name is None:
+        return None
+    try:
+        water = {key: re.search(pattern, text)[1] for key, pattern in HEAD.items()}
+        water = {key: float(word) if re.match(r"[-+.\d]", word) else np.inf for key, word in water.items()}
+        water |= {key: np.array(re.search(p, text)[1].split(), float) for key, p in POINTS.items()}
+        rows = np.array([line.split() for line in lines if line.strip() and not line.startswith("#")], float)
+        beta = np.radians(np.array(re.search(r"#HEADING\s+(.*)", text)[1].split(), float))
+    except (TypeError, ValueError):
+        raise FormatError(
+            f"{path} has not the head and the rows of HydroStar; allowed: as its files of one quantity"
+        ) from None
+    water["depth"] = water["depth"] if water["depth"] > 0 else np.inf
+    return name, mode[1], water, rows, beta
