@@ -73,6 +73,7 @@ def prepared(task, db=None, waves=None):
         calm = not weather.seas and weather.waves is None and weather.components is None
         exposed = None if not (study.hull or study.hulls or weather.wind or weather.current) else hull
         check_names(plan.settings, () if system is None else system.line_names)
+        study.anchors_on(() if system is None else system.line_names)
         berth = study.berth_of(db, hull)
         reader, of_quay = body_of(study, db)
         memory = task.memory
@@ -206,6 +207,8 @@ def simulate_seed(task, seed, kept, progress=None):
             .encode()
         ),
     }
+    if task.study.anchors:
+        row["anchor_pull"] = anchor_pulls(body, run.motion[late], run.tension[late])
     if kept:
         row |= {name: getattr(run, name)[late] for name in SERIES}
     return row
@@ -217,18 +220,34 @@ def largest_use(body, motion, tension):
     Of a line of segments also that of each of them, where the pull on the body is largest: below a buoy that is under
     water the line pulls more than at the body.
     """
-    from hakobune.mooring.lines.system.equilibrium import held_at, rest
-    from hakobune.mooring.motion.simulation.realisation import poses_of
-
     system = body.system
     load = [*(() if system is None else system.breaking_load), *(one.breaking_load for one in body.berth.ropes)]
     used = tension.max(axis=0) / np.where(np.isfinite(load), load, np.nan)
     for i in () if system is None else (one.number for one in system.composites):
-        poses = poses_of(motion[tension[:, i].argmax()], body.reader.axes_at_rest)
-        held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(system.bodies, poses, strict=True)}
-        at = rest(held_at(system, held))
-        used[i] = np.fmax(used[i], at.lines.utilisation[i])
+        used[i] = np.fmax(used[i], _at_rest_in(body, motion[tension[:, i].argmax()]).utilisation[i])
     return used
+
+
+def anchor_pulls(body, motion, tension):
+    """(lines, 2) N: pull along the bed and up at the anchor of each line, where its pull on the body is largest; nan of
+    ropes.  As `largest_use`; static ones, times what the largest tension is over the static one if that is less.
+    """
+    found = np.full((tension.shape[1], 2), np.nan)
+    for i in range(0 if body.system is None else len(body.system.lines)):
+        lines = _at_rest_in(body, motion[tension[:, i].argmax()])
+        more = max(tension[:, i].max() / max(lines.tension_b[i], 1e-300), 1.0)
+        found[i] = lines.horizontal_a[i] * more, -lines.vertical_a[i] * more
+    return found
+
+
+def _at_rest_in(body, motion):
+    """`LineForces` of the lines with the bodies held in motion (6,), m, rad"""
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.motion.simulation.realisation import poses_of
+
+    poses = poses_of(motion, body.reader.axes_at_rest)
+    held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(body.system.bodies, poses, strict=True)}
+    return rest(held_at(body.system, held)).lines
 
 
 def sample_times(settings):
