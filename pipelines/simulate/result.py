@@ -189,7 +189,13 @@ def _of_lines(file, rows):
         share = np.asarray(file.attrs["simplified_utilisation"], float)
         made["tension.used_simplified"] = Quantity(share, ("line",), "", "used, simplified", LINES, share=True)
     breaking = np.asarray(file.attrs["breaking_load"], float)
-    made["line.breaking_load"] = Quantity(breaking, ("line",), "N", "breaking load")
+    berth, allowable = "fender_height" in file.attrs, float(file.attrs["allowable"])  # of fenders or ropes
+    made["line.breaking_load"] = Quantity(breaking, ("line",), "N", *(("MBL", LINES) if berth else ("breaking load",)))
+    if berth:
+        made["line.working_load"] = Quantity(allowable * breaking, ("line",), "N", "WLL", LINES)
+        made["tension.used_of_working"] = Quantity(
+            used.max(axis=0) / allowable, ("line",), "", "used of WLL", LINES, share=True
+        )
     largest = largest_in_runs(file, "tension")[0]
     made["tension.largest_of_seed"] = Quantity(largest, ("seed", "line"), "N", "largest in each run")
     return made
@@ -216,6 +222,11 @@ def _of_fenders(file, names, values):
             made[f"{what}.{key}"] = Quantity([row[key] for row in rows], ("fender",), unit, words, FENDERS)
         further = [row["upper_median"] for row in rows]
         made[f"{what}.extreme_median"] = Quantity(further, ("fender",), unit, f"median extreme of the {what}")
+    if "fender_rated_reaction" in file.attrs:
+        rated = np.asarray(file.attrs["fender_rated_reaction"], float)
+        made["reaction.rated"] = Quantity(rated, ("fender",), "N", "rated reaction", FENDERS)
+        share = made["reaction.largest"].values / rated
+        made["reaction.used"] = Quantity(share, ("fender",), "", "used of rated", FENDERS, share=True)
     strains = fender_strains(file)
     if strains is not None:
         share, allowable = strains
