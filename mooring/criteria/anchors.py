@@ -106,7 +106,7 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
         named = shares(names, np.where(over, used, np.nan))
         yield fails(
             f"{over.sum()} of {len(known)} anchors {where} use more than they hold, limit 100 %: {named}; give a "
-            "larger one, or a longer line; needed stands in the table of the anchors"
+            "larger one, of the size that the table of the anchors has, or a longer line"
         )
     lifted = [i for i in known if anchors[i].kind == "drag" and up[i] > LIFTED * along[i]]
     if lifted:

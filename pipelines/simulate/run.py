@@ -154,6 +154,7 @@ def _identity(study, files, duration):
         "quadratic_damping",
         "record",
         "constant_period",
+        "motions",
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)

@@ -20,7 +20,7 @@ from ..response.study import ONE_BODY
 from ..results.given import database_of
 from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
-from .study import check_names, damping, level_of_pairs, plan_of, quadratic, spring
+from .study import check_names, damping, level_of_pairs, motions_of, plan_of, quadratic, spring
 
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 STATIC = (
@@ -86,7 +86,7 @@ def prepared(task, db=None, waves=None):
         with heard() as caught:
             body = moored(
                 reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
-                spring=spring(study, words),
+                spring=spring(study, words), motions=motions_of(study, words),
                 waves=no_wave_forces(reader) if calm else waves, linearised_in=plan.weather.waves,
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
@@ -95,7 +95,11 @@ def prepared(task, db=None, waves=None):
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before there is a file
         _check_start(sides_of(db), body, plan.settings)
-        told = *choice.left_out, *left, *choice.words
+        held = [word for i, word in enumerate(words) if i not in body.free]
+        still = (
+            (f"{LEFT_OUT} {', '.join(held)}: held where the body rests, as simulation.motions asks",) if held else ()
+        )
+        told = *choice.left_out, *left, *still, *choice.words
         plan = replace(
             plan, sides=sides_of(db), settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told)
         )

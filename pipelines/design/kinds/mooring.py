@@ -220,7 +220,7 @@ def draw(study, database, numbers, path):
 
     known = np.isfinite(numbers.breaking)
     used = np.where(known, numbers.largest / numbers.breaking, np.nan)
-    draw_plan(studied(made, db)[0], path, used)
+    draw_plan(studied(made, db)[0], db, path, used)
 
 
 def line_tables(raw):

@@ -35,7 +35,7 @@ ROPE = {
 }  # fmt: skip
 
 
-def without_memory(body):
+def without_memory(body, motions=None):
     """Memory without states, so that none has to be fitted, and the added mass of the longest waves; no findings"""
     return replace(no_memory(body), added_mass_infinity=body.coefficients(body.omega[:1])[0][0]), ()
 
