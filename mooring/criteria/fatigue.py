@@ -21,6 +21,7 @@ from hakobune.meshing.text_files import csv_rows
 from ..lines.catalogue import CHAIN
 from .strength import chain_factor
 
+BASES = ("stress", "share")
 YEAR = 365.25 * 86400.0  # s
 
 

@@ -1,7 +1,8 @@
 """Strength of chain and rope: what wear leaves, the smallest size that carries a load, the equipment number.
 
 Chain loses diameter by wear and corrosion, break and proof loads follow d² (44 − 0.08 d) of what is left
-(`lines.catalogue`).  SR179 report (1982), chapter 4, 2.2 and 3.1; equipment numbers table 4.3.1.
+(`lines.catalogue`).  SR179 report (1982), chapter 4, 2.2 and 3.1; equipment numbers table 4.3.1.  Terminations: TM
+5-3810-305-10, table 4, with steel or fibre core; splices by hand, 0.86 there at 13 mm, lose more in thicker rope.
 """
 
 from __future__ import annotations
@@ -14,6 +15,9 @@ SIZES = {  # mm, sizes that are made
     "chain": (*range(20, 100, 2), *range(100, 220, 5)),
     "rope": (*range(16, 64, 4), *range(64, 264, 8)),
 }
+TERMINATIONS = {  # what is left of a wire rope's breaking load at its end, the lower value of each
+    "socket": 1.0, "swaged socket": 0.95, "sleeve": 0.925, "splice": 0.80, "wedge socket": 0.75, "clips": 0.80,
+}  # fmt: skip
 SOCIETIES = ("LR", "AB", "NV", "BV", "GL", "NK", "NK semisubmersible")
 
 

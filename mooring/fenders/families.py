@@ -19,6 +19,7 @@ from hakobune.meshing.text_files import csv_rows, read_text
 from .fender import FenderError, fender_of_points
 from .pneumatic import pneumatic
 
+WITHOUT = ("pi", "cylinder", "circle", "arch", "unit element")  # made, but with no public curve
 MARKS = ("rated", "allowable", "limit", "return_length")
 
 
@@ -49,7 +50,10 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
     raises : FenderError
     """
     if family not in names():
-        raise FenderError(f"family {family!r} is unknown; allowed: {', '.join(names())}")
+        way = "table, the maker's CSV of strain and reaction_kN"
+        if family in WITHOUT:
+            raise FenderError(f"family {family!r} has no public curve; give {way}, with height and rated_strain")
+        raise FenderError(f"family {family!r} is unknown; allowed: {', '.join(names())}; or {way}")
     label = f"{family} {height:g} m" + (f" × {length:g} m" if length else "")
     if family == "pneumatic":
         if length is None:

@@ -9,10 +9,13 @@ Chain, d in mm, loads in kN:  break = c_b d² (44 − 0.08 d),  proof = c_p d² 
     modulus over both bars   5.6e10 N/m² studlink; studless R3 (5.40 − 0.0040 d)e10, R4 (5.45 − 0.0025 d)e10,
                        R5 (6.00 − 0.0033 d)e10, DNV-OS-E301 (2013) ch. 2 sec. 2; R3S is given that of R3, R4S of R4
 
-Wire:  break = K d² R / 1000 kN, mass = W d² / 100 kg/m, EN 12385-4 (2002); modulus over the nominal circle 7.0e10 N/m²
-six strands, 1.13e11 spiral strand, DNV-OS-E301.  Fibre rope and the loads of spiral strand: coefficients drawn from
-makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to 2024); stiffness quasi-static,
-a multiple of the breaking load.  Submerged weight counts the volume of the material, water fills the gaps.
+Wire:  break = K d² R / 1000 kN, mass = W d² / 100 kg/m, EN 12385-4 (2002), 6x24 with its seven fibre cores ISO 2408
+(2004) as makers quote it; R that of the wires, class societies take 1370 to 1960 N/mm², JIS G 3525 E 1320, G 1470, A
+1620, B 1770 N/mm² (its own 6x24 A break with 0.304 d² R, a twelfth more, by a maker's table); modulus over the nominal
+circle 7.0e10 N/m² six strands, 1.13e11 spiral strand, DNV-OS-E301. Fibre rope and the loads of spiral strand:
+coefficients drawn from makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to 2024);
+stiffness quasi-static, a multiple of the breaking load. Submerged weight counts the volume of the material, water
+fills the gaps.
 
 Drag: coefficients on the nominal diameter of DNV-OS-E301 (2013) ch. 2 sec. 2, which gives none along ropes; added mass
 along a chain 0.5 of the water it displaces, as in NREL's library.
@@ -61,10 +64,12 @@ WIRE = {  # construction and core: K, W
     ("6x7", "iwrc"): (0.359, 0.384),
     ("6x19", "fc"): (0.330, 0.359),
     ("6x19", "iwrc"): (0.356, 0.400),
+    ("6x24", "fc"): (0.280, 0.318),
     ("6x36", "fc"): (0.330, 0.367),
     ("6x36", "iwrc"): (0.356, 0.409),
 }
-WIRE_STRENGTH = (1570, 1770, 1960, 2160)  # N/mm²
+WIRE_STRENGTH = (1320, 1370, 1420, 1470, 1570, 1620, 1670, 1770, 1960, 2160)  # N/mm²
+JIS = {"e": 1320, "g": 1470, "a": 1620, "b": 1770}  # N/mm², of JIS G 3525
 
 
 class Fibre(NamedTuple):
@@ -86,7 +91,7 @@ FORMS = (
     "R3|R3S|R4|R4S|R5 studlink|studless 76 mm",
     "grade 1|2|3 76 mm",
     "ORQ 76 mm",
-    "wire 6x7|6x19|6x36 FC|IWRC [1570|1770|1960|2160] 60 mm",
+    "wire 6x7|6x19|6x24|6x36 FC|IWRC [1370|1470|1570|1770|1960|2160 or JIS E|G|A|B] 60 mm",
     "spiral strand 90 mm",
     "polyester|nylon|HMPE 160 mm",
 )
@@ -167,12 +172,13 @@ def _chain(name, words, d):
 
 def _wire(name, words, d):
     strength = 1770
-    if words and words[-1].isdigit():
-        strength, words = int(words[-1]), words[:-1]
+    if words and (words[-1].isdigit() or words[-1] in JIS):
+        strength, words = JIS.get(words[-1]) or int(words[-1]), words[:-1]
     if tuple(words) not in WIRE or strength not in WIRE_STRENGTH:
         known = ", ".join(sorted({" ".join(key).upper().replace("X", "x") for key in WIRE}))
         raise LineSystemError(
-            f"wire {name!r}: allowed: {known}, and a strength of {', '.join(map(str, WIRE_STRENGTH))} N/mm²"
+            f"wire {name!r}: allowed: {known}, and a strength of "
+            f"{', '.join(map(str, WIRE_STRENGTH))} N/mm², or E, G, A, B"
         )
     K, W = WIRE[tuple(words)]
     return _steel(0.01 * W * d * d, K * d * d * strength, 7.0e4 * np.pi / 4 * d * d, (STRANDED,))

@@ -42,11 +42,11 @@ DEEP = 8.0  # H/d from which the tests with other L/B are used
 
 
 class OutsideTests(ValueError):
-    """A proportion that the tests do not cover; proportion : "L/B", "B/d" or "H/d", limits : in words"""
+    """Proportions that the tests do not cover; proportions : "L/B", "B/d" or "H/d" of each, limits : in words"""
 
-    def __init__(self, proportion, limits):
+    def __init__(self, proportions, limits):
         super().__init__(f"{limits}; give a TurningCoefficients of your own")
-        self.proportion, self.limits = proportion, limits
+        self.proportions, self.limits = proportions, limits
 
 
 class Term(NamedTuple):
@@ -113,16 +113,18 @@ def turning_coefficients(length_over_beam, beam_over_draft, depth_over_draft):
     raises : ValueError outside these tests, where coefficients have to be given
     """
     slender, wide, relative = length_over_beam, beam_over_draft, depth_over_draft
-    _require("H/d", relative, 1.2, np.inf)
+    tested = {"H/d": (relative, 1.2, np.inf)}
     if abs(slender / 2.0 - 1) <= SAME:
-        _require("B/d", wide, 10.0 * (1 - SAME), 20.0 * (1 + SAME))
+        _require(tested | {"B/d": (wide, 10.0 * (1 - SAME), 20.0 * (1 + SAME))})
         share = np.clip((wide - 10.0) / 10.0, 0.0, 1.0)
         x, y, m = ((1 - share) * _over_depth(c, 10.0, relative) + share * _over_depth(c, 20.0, relative) for c in "xym")
         return TurningCoefficients(x, y, m)
-    _require("L/B", slender, 1.0, 3.0)
-    where = " of L/B other than 2"
-    _require("B/d", wide, 10.0 * (1 - SAME), 10.0 * (1 + SAME), where)
-    _require("H/d", relative, DEEP, np.inf, where)
+    tested = {
+        "L/B": (slender, 1.0, 3.0),
+        "B/d": (wide, 10.0 * (1 - SAME), 10.0 * (1 + SAME)),
+        "H/d": (relative, DEEP, np.inf),
+    }
+    _require(tested, " of L/B other than 2")
     return TurningCoefficients(*(_over_slenderness(c, slender) for c in "xym"), tuple(_notes(slender)))
 
 
@@ -167,10 +169,16 @@ def _first_quadrant(beta, n, parity):
     return np.where(beta <= FITTED, np.minimum(beta, FITTED) ** n, value + slope * s + bend * s**2)
 
 
-def _require(name, value, low, high, where=""):
-    if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-        limits = f"{name} = {value:.4g} is outside the turning tests{where} ({low:.4g} to {high:.4g})"
-        raise OutsideTests(name, limits)
+def _require(tested, where=""):
+    """Raise OutsideTests with every proportion of {name: (value, lowest, highest)} that is outside"""
+    out = [
+        (name, f"{name} = {value:.4g} is outside the turning tests{where} ({low:.4g} to {high:.4g})")
+        for name, (value, low, high) in tested.items()
+        if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9)
+    ]
+    if out:
+        names, limits = zip(*out, strict=True)
+        raise OutsideTests(names, ", ".join(limits))
 
 
 @cache

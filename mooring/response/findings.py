@@ -32,8 +32,14 @@ def waves_outside(body, spectrum):
         if share > MISSED:
             yield (
                 f"{100 * share:.1f} % of the wave energy is in waves {words} than the stored "
-                f"{2 * np.pi / body.omega[end]:.3g} s; limit {100 * MISSED:g} %; add periods to the scene, solve again"
+                f"{2 * np.pi / body.omega[end]:.3g} s; limit {100 * MISSED:g} %; {_solve_to(spectrum, end, MISSED)}"
             )
+
+
+def _solve_to(spectrum, end, share):
+    """Words on the frequency beyond which no more than a share of the energy lies; end : 0, of long waves, or -1"""
+    omega = float(spectrum.quantile(share if end == 0 else 1 - share))
+    return f"solve {'from' if end == 0 else 'to'} {omega:.3g} rad/s ({2 * np.pi / omega:.3g} s) too"
 
 
 def missed_response(body, spectrum, transfer, weights):
@@ -70,12 +76,15 @@ class Errors(NamedTuple):
     motions : (n,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
     moment; damping : of wave drift damping.  Those of drift are None without drift, the moment's of at least LEVER
     times the radius times the force.  words : (n,) names of the motions
+    at : rad/s, where those of motions, drift and damping are largest; gap : rad, between the headings beside the waves
     """
 
     motions: np.ndarray
     drift: np.ndarray | None
     damping: float | None
     words: tuple[str, ...] = words_of(())
+    at: tuple[float, ...] = ()
+    gap: float = 0.0
 
     def named(self, limit):
         """Words "roll 2 %" and so on, of errors above `limit`"""
@@ -104,45 +113,54 @@ def errors_between(body, sea, omega, m0, drift, damping):
         np.trapezoid(over_headings(np.abs(X) * part, weights) * density, places, axis=0) for part in (wrong, np.abs(X))
     ]
     motions = np.where(m0 > 0, OF_MOTION * both[0] / np.maximum(both[1], 1e-300), 0.0)
+    at = [float(places[(over_headings(wrong, weights) * density)[:, motions.argmax()].argmax()])]
     if drift is None:
-        return Errors(motions, None, None, body.words)
+        return Errors(motions, None, None, body.words, tuple(at))
     ring = body.ring_of("drift_force")
     gap = max(ring.gap(beta + side) for beta in heading for side in (-TURN, TURN))
     aside = heading + np.array([0.0, -gap / 4, gap / 4]) if damping is not None and len(heading) == 1 else heading
     wrong = body.at(places, "drift_force", aside)[1]
-    first = 2 * np.trapezoid(over_headings(wrong[:, : len(heading)], weights) * density, places, axis=0)
+    each = over_headings(wrong[:, : len(heading)], weights) * density
+    first = 2 * np.trapezoid(each, places, axis=0)
+    at.append(float(places[each[:, :2].max(axis=1).argmax()]))
     force = max(np.abs(drift[:2]).max(), 1e-300)
     scale = np.array([force, max(abs(drift[2]), LEVER * body.radius * force)])
     errors = np.array([first[:2].max(), OF_MOMENT * first[2]]) / scale
     if damping is None:
-        return Errors(motions, errors, None, body.words)
+        return Errors(motions, errors, None, body.words, tuple(at), gap)
     widest = wrong.max(axis=1) if len(heading) == 1 else over_headings(wrong, weights)
     k = wavenumber(places, body.depth, body.gravity)
     slow, swing = 1 / (group_factor(k, body.depth) * places / k), 2 * np.pi / gap if gap else 0.0
     turned = 2 * np.trapezoid((2 + swing) * widest[:, :2] * (slow * density[:, 0])[:, None], places, axis=0)
     share = float(turned.max() / max(np.abs(damping[:2]).max(), 1e-300))
-    return Errors(motions, errors, share, body.words)
+    at.append(float(places[(widest[:, :2].max(axis=1) * slow * density[:, 0]).argmax()]))
+    return Errors(motions, errors, share, body.words, tuple(at), gap)
 
 
 def between_waves(body, errors):
     """What of `Errors` is worth a warning"""
     named = errors.named(UNSURE)
     if named:
-        advice = "" if errors.drift is None or body.rebuilds_drift else " or Kochin functions (--only kochin,drift)"
+        advice = "" if errors.drift is None or body.rebuilds_drift else ", or Kochin functions (--only kochin,drift)"
+        worst = [part.max() if np.ndim(part) else part for part in errors[:3] if part is not None]
+        near = f" near {errors.at[int(np.argmax(worst))]:.3g} rad/s" if errors.at else ""
+        apart = f", headings closer than {np.degrees(errors.gap):.3g}°" if errors.gap else ", headings"
         yield (
             f"results are uncertain between stored waves: {', '.join(named)}; limit {100 * UNSURE:g} %; "
-            f"add frequencies, headings{advice} to the database"
+            f"add frequencies{near}{apart}{advice} to the database"
         )
 
 
-def drift_outside(body, inside, beyond):
-    """Part of the mean drift that is from waves beyond the stored band"""
+def drift_outside(body, spectrum, inside, beyond):
+    """Part of the mean drift that is from waves beyond the stored band, which they push as much as at its end"""
     total = np.abs(inside) + np.abs(beyond).sum(axis=0)
     share = np.abs(beyond).sum(axis=0)[:2].max() / max(total[:2].max(), 1e-300)
     if share > MISSED:
+        end = -int(np.argmax(np.abs(beyond)[:, :2].max(axis=1)))  # 0 or −1, where most of it is
         yield (
             f"{100 * share:.1f} % of the mean drift force is from waves beyond the stored frequencies, with drift held "
-            f"at its value at {body.omega[-1]:.3g} rad/s; add frequencies to the scene and solve again"
+            f"at its value at {body.omega[end]:.3g} rad/s; limit {100 * MISSED:g} %; "
+            f"{_solve_to(spectrum, end, energy_outside(body.omega, spectrum)[end] * MISSED / share)}"
         )
 
 

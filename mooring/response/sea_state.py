@@ -193,7 +193,7 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
         warnings += findings.current_along_waves(carrier, heading, weights, slow.damping)
         warnings += findings.drift_of_each(body, slow)
         inside = slow.drift - slow.beyond.sum(axis=0)
-        warnings += findings.drift_outside(body, inside, slow.beyond)
+        warnings += findings.drift_outside(body, sea.spectrum, inside, slow.beyond)
     errors = findings.errors_between(body, sea, omega, found.m0[: len(body.words)], inside, slow and slow.damping)
     warnings += findings.between_waves(body, errors)
     return SeaState(

@@ -58,9 +58,11 @@ def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database
 def _results(study, asked, db):
     found, wanted = results(asked, asked_anchors(study)), study.optimisation
     if wanted is not None:
-        from hakobune.mooring.studies.breakwater.pareto import front
+        from hakobune.mooring.studies.breakwater.pareto import beside_resonances, front
 
-        found = found._replace(front=front(changing(asked), ranges_of(wanted), wanted.samples, wanted.limits))
+        changed = changing(asked)
+        best = front(changed, ranges_of(wanted), wanted.samples, wanted.limits)
+        found = found._replace(front=best, warned=[*found.warned, *beside_resonances(changed, best)])
     if db is not None:
         from hakobune.mooring.studies.breakwater.lee import Row, lee
 

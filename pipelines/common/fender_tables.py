@@ -25,7 +25,7 @@ BATCH = ("manufacture",)  # what fenders of one batch differ by: 0.9 to 1.1, Ued
 class FenderTable(Table):
     """A generic fender of a family, or the table of its maker, and the dolphin behind it
 
-    family : cell, v, h, cone, foam, tyre or pneumatic; or give table
+    family : cell, v, h, cone, foam, tyre or pneumatic; or give table, as of π and cylindrical ones
     table : CSV of the maker, of deflection and reaction, beside the study
     height : m, in the direction it is pressed; the diameter of a pneumatic one
     length : m, along the quay
@@ -37,6 +37,7 @@ class FenderTable(Table):
     return_length : m, over which a fender of a maker's table falls back to its unloading curve
     count : fenders side by side, 1 to 1000
     factor : on the reaction
+    causes : what softest and stiffest differ by: manufacture, ageing, velocity, repetition, temperature; by default all
     angle_deg : inclination of the face that presses it, 0 to 45
     width : m, over which that face presses it, across the inclination; its length where that is given
     dolphin : kN/m, stiffness of the dolphin behind it
@@ -56,6 +57,7 @@ class FenderTable(Table):
     return_length: float | None = None
     count: int = 1
     factor: float = 1.0
+    causes: list[str] | None = None
     angle_deg: float = 0.0
     width: float | None = None
     dolphin: float | None = None
@@ -124,6 +126,10 @@ def pair_of(table, fender, where="fender"):
 
 def causes_of(table):
     """What the reaction of a fender varies by; of pneumatic ones only ±10 % of manufacture is known (SR179, 3.3.2)"""
+    if table.causes is not None:
+        if not table.causes:
+            raise StudyError(f"fender.causes is empty; allowed: some of {', '.join(bands())}, or left out for all")
+        return table.causes
     return ["manufacture"] if table.family == "pneumatic" else list(bands())
 
 

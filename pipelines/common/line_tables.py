@@ -25,6 +25,10 @@ class MaterialTable(Table):
     weight : submerged, for each metre
     axial_stiffness : EA; left out: inextensible
     breaking_load : of a new line
+    termination : of a wire rope, which takes of its breaking load: "socket", "swaged socket", "sleeve", "splice",
+        "wedge socket" or "clips"
+    efficiency : of the termination, above 0, at most 1, in place of its name
+    corrosion_mm : of the diameter of a chain of the catalogue, lost by wear and corrosion
     """
 
     catalogue: str | None = None
@@ -34,6 +38,9 @@ class MaterialTable(Table):
     axial_stiffness_kN: float | None = None
     breaking_load_tonf: float | None = None
     breaking_load_kN: float | None = None
+    termination: str | None = None
+    efficiency: float | None = None
+    corrosion_mm: float | None = None
 
 
 class TypeTable(MaterialTable):
@@ -129,9 +136,36 @@ def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineT
         force(where, table, "axial_stiffness") or (known.axial_stiffness if known else math.inf),
         known.mass if known else None,
         known.diameter if known else None,
-        force(where, table, "breaking_load") or (known.breaking_load if known else math.inf),
+        _strength_left(where, table)
+        * (force(where, table, "breaking_load") or (known.breaking_load if known else math.inf)),
         dynamics=known.dynamics if known else None,
     )
+
+
+def _strength_left(where, table):
+    """Share of the breaking load that the termination and corrosion of a MaterialTable leave.  Raises StudyError."""
+    from hakobune.mooring.criteria.strength import TERMINATIONS, kind_and_size, worn_breaking_load
+    from hakobune.mooring.lines.catalogue import line_type as of_catalogue
+
+    if table.termination is not None and table.efficiency is not None:
+        raise StudyError(f"{where}: termination and efficiency are given; allowed: one of them")
+    if table.termination is not None and table.termination not in TERMINATIONS:
+        raise StudyError(
+            f"{where}.termination is {table.termination!r}; allowed: {', '.join(TERMINATIONS)}, or efficiency"
+        )
+    left = TERMINATIONS.get(table.termination, 1.0)
+    if table.efficiency is not None:
+        left = below(f"{where}.efficiency", table.efficiency, 1.0)
+    if table.corrosion_mm is None:
+        return left
+    if table.catalogue is None or of_catalogue(table.catalogue).proof_load is None:
+        raise StudyError(
+            f'{where}.corrosion_mm is given without a chain; allowed: of one of the catalogue, "R3 studless 76 mm"'
+        )
+    try:
+        return left * worn_breaking_load(1.0, kind_and_size(table.catalogue)[1], table.corrosion_mm, 1.0)
+    except ValueError as error:
+        raise StudyError(f"{where}.corrosion_mm: {error}") from None
 
 
 def bed_friction(where, table):

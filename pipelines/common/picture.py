@@ -41,6 +41,22 @@ def save(figure, path, dpi):
     write_whole(path, drawn.getvalue())
 
 
+def draw_streams(axes, towards):
+    """Arrows of {name: rad that it travels to}, one below the other left of what is drawn on matplotlib axes"""
+    import numpy as np
+
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    size = 0.06 * max(right - left, high - low)
+    for i, (name, angle) in enumerate(towards.items()):
+        to = size * np.array([np.cos(angle), np.sin(angle)])
+        middle = np.array([left - 1.5 * size, high - (1 + 2.5 * i) * size])
+        axes.annotate("", middle + to, middle - to, arrowprops={"arrowstyle": "-|>", "color": f"C{i}", "lw": 2})
+        axes.plot([], [], color=f"C{i}", lw=2, label=name)
+    if towards:
+        axes.set_xlim(left - 3 * size, right)
+        axes.set_ylim(min(low, high - 2.5 * len(towards) * size), high)
+
+
 def font_file(text):
     """Path of an installed font with the letters of a text for VTK, whose own has none but Latin, or None for that"""
     if text.isascii():

@@ -190,6 +190,10 @@ def _dolphins(fenders, dolphins):
 def _fender(where, table, dolphin, hull):
     from hakobune.mooring.motion.contacts import QuayFender
 
+    if table.causes is not None:
+        raise StudyError(
+            f"{where}.causes is given; a simulation has one fender of each: give factor, as hakobune fender finds"
+        )
     if dolphin is not None:
         if table.dolphin is not None:
             raise StudyError(f"{where}: on and dolphin are given; allowed: one of them")

@@ -27,6 +27,7 @@ OTHER_NAMES = {  # of keys, in other programs and books
     "waves": "sea seas wave",
     "sea": "waves wave",
     "center_of_gravity": "kg cog vcg center_of_mass centre_of_gravity",
+    "GM": "gm gmt metacentric_height",
     "breaking_load_kN": "mbl mbs minimum_breaking_load",
     "axial_stiffness_kN": "ea stiffness",
     "pretension_kN": "t0 tension",

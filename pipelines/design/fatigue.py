@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.mooring.criteria.fatigue import YEAR, curves, miner
+from hakobune.mooring.criteria.fatigue import YEAR, Curve, curves, miner
 from hakobune.mooring.criteria.rules import OWN, Criterion
 from hakobune.mooring.criteria.strength import kind_and_size
 from hakobune.mooring.criteria.verdict import Judged, Use
@@ -26,7 +26,8 @@ def fatigue(read, ran):
     """Judged of the damage of the lines of a Read project by its Ran cases; None where no fatigue is asked for"""
     if read.project.fatigue is None:
         return None
-    curve, own = curves()[read.project.fatigue.curve], read.project.fatigue
+    own = read.project.fatigue
+    curve = curve_of(own)
     criterion = Criterion(
         OWN, "", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
         f"rainflow and Miner's sum, curve {curve.name} ({curve.source}), factor {own.factor:g}", "read",
@@ -54,6 +55,14 @@ def fatigue(read, ran):
         )  # fmt: skip
     name = max(parts, key=lambda part: part[1][worst])[0]
     return Judged(criterion, (Use(name, one.numbers.names[worst], float(total[worst]), float(total[worst])),))
+
+
+def curve_of(table):
+    """The Curve of a FatigueTable: of the table of curves, or the user's own"""
+    if table.curve is not None:
+        return curves()[table.curve]
+    name = f"{table.constant:.4g} s^−{table.exponent:g}"
+    return Curve(name, table.basis, table.exponent, table.constant, chain=table.chain)
 
 
 def _is_regular(read, state):

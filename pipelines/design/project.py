@@ -292,6 +292,9 @@ def _check_wear(project, study):
         raise StudyError("wear: for how many years is not said; give wear.years or project.service_life")
     if wear.years is not None:
         positive("wear.years", wear.years)
+    twice = [name for name, table in study.get("types", {}).items() if "corrosion_mm" in table]
+    if twice:
+        raise StudyError(f"[wear] is given, and types.{twice[0]}.corrosion_mm; allowed: one of them")
     unnamed = [name for name, table in study.get("types", {}).items() if "catalogue" not in table]
     if unnamed:
         raise StudyError(
@@ -301,7 +304,7 @@ def _check_wear(project, study):
 
 
 def _check_fatigue(project, study):
-    from hakobune.mooring.criteria.fatigue import curves
+    from hakobune.mooring.criteria.fatigue import BASES, curves
 
     shares = [state.share for state in project.states]
     if any(not 0 <= share <= 1 for share in shares) or sum(shares) > 1 + 1e-9:
@@ -309,7 +312,15 @@ def _check_fatigue(project, study):
     own = project.fatigue
     if own is None:
         return
-    _one("fatigue.curve", own.curve, tuple(curves()))
+    numbers = (own.exponent, own.constant)
+    if (own.curve is None) == (None in numbers) or (own.curve is not None and any(numbers)):
+        raise StudyError("fatigue: allowed: either curve, or exponent and constant of N = constant · s^−exponent")
+    if own.curve is not None:
+        _one("fatigue.curve", own.curve, tuple(curves()))
+    else:
+        positive("fatigue.exponent", own.exponent)
+        positive("fatigue.constant", own.constant)
+        _one("fatigue.basis", own.basis, BASES)
     if not own.factor >= 1:
         raise StudyError(f"fatigue.factor is {own.factor:g}; allowed: at least 1")
     if project.simulation is None or project.project.service_life is None or not any(shares):

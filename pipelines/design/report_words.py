@@ -135,7 +135,13 @@ def state_row(state):
 
 
 def line_rows(read, verdict):
-    """Cells of a line of the table of lines, ropes and hawsers, as they are in the first case that ran"""
+    """Cells of a line of the table of lines, ropes and hawsers, as they are in the first case that ran, and the largest
+    tension of all cases, with what it uses of the breaking load
+    """
+    pulled, used = {}, {}
+    for case in (one for one in verdict.ran if one.numbers is not None and one.case.factor == 1):
+        for name, load, breaking in zip(case.numbers.names, case.largest, case.numbers.breaking, strict=True):
+            pulled[name], used[name] = max(pulled.get(name, 0.0), load), max(used.get(name, 0.0), load / breaking)
     kinds = {
         name: f"{name}: {table['catalogue']}"
         for name, table in read.study.get("types", {}).items()
@@ -151,6 +157,8 @@ def line_rows(read, verdict):
             _place(one.anchor[i]),
             f"{one.pretension[i] / 1e3:.4g}",
             f"{one.breaking[i] / 1e3:.5g}" if np.isfinite(one.breaking[i]) else "not given",
+            f"{pulled[name] / 1e3:.4g}",
+            percent(used[name]) if np.isfinite(one.breaking[i]) else "",
         )
 
 

@@ -18,6 +18,7 @@ from hakobune.mooring.criteria.verdict import Case, Tensions
 
 from ..common.quantities import StudyError
 from ..common.typed import read_toml
+from ..moor.study import make_study
 from .cases import LoadCase, file_name, intact_cases, without_line
 from .kinds.needs import SCOPE
 from .kinds.numbers import Numbers
@@ -228,10 +229,6 @@ def worst_of(ran, among=None):
 
 def _tensions(read, ran, largest):
     numbers, in_time = ran.numbers, ran.runs is not None
-    anchors = read.project.anchors
-    holding = None
-    if anchors is not None:
-        holding = np.array([1e3 * anchors.lines.get(name, anchors.holding_kN) for name in numbers.names])
     return Tensions(
         numbers.names,
         numbers.pretension,
@@ -240,9 +237,23 @@ def _tensions(read, ran, largest):
         numbers.breaking,
         _worn_loads(read, numbers),
         ran.at_anchors[0],
-        holding,
+        _holding(read, ran),
         numbers.hawsers,
     )
+
+
+def _holding(read, ran):
+    """(n,) N that the anchors hold, by the project or by the study's own [[anchors]]; None where one is not known"""
+    anchors, names = read.project.anchors, ran.numbers.names
+    if anchors is not None:
+        return np.array([1e3 * anchors.lines.get(name, anchors.holding_kN) for name in names])
+    if not isinstance(ran.case.study.get("anchors"), list):
+        return None
+    lines = [name for name, types in zip(names, ran.numbers.types, strict=True) if types != ("rope",)]
+    own = dict(zip(lines, make_study(ran.case.study).anchors_on(lines), strict=True))
+    up = ran.at_anchors[1]
+    held = np.array([own[name].capacity(up[i]) if own.get(name) else np.inf for i, name in enumerate(names)])
+    return None if np.isnan(held).any() else held
 
 
 def _worn_loads(read, numbers):

@@ -168,11 +168,20 @@ class AnchorsTable(Table):
 class FatigueTable(Table):
     """Fatigue of the lines by their tensions in time
 
-    curve : name of a curve of cycles to failure, such as "DNV studless chain"
+    curve : name of a curve of cycles to failure, such as "DNV studless chain"; or give one's own, N = a s^−m
+    exponent : m of one's own
+    constant : a of one's own
+    basis : of its s: "stress", MPa over the nominal area, of both legs of a chain; "share", the tension range over the
+        breaking load, of a chain over that of grade ORQ of its size
+    chain : whether one's own is of chain
     factor : by which the damage over the service life is multiplied, at least 1
     """
 
-    curve: str
+    curve: str | None = None
+    exponent: float | None = None
+    constant: float | None = None
+    basis: str = "stress"
+    chain: bool = False
     factor: float = 3.0
 
 

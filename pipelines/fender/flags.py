@@ -20,6 +20,7 @@ def fender(
     pressure: Annotated[float | None, Parameter(help="kPa, of a pneumatic one [50]", allow_leading_hyphen=True)] = None,
     overload: Annotated[float | None, Parameter(help="kN/m beyond the table", allow_leading_hyphen=True)] = None,
     count: Annotated[int, Parameter(help="side by side", allow_leading_hyphen=True)] = 1,
+    causes: Annotated[str | None, Parameter(help="of softest and stiffest, as temperature,velocity [all]")] = None,
     dolphin: Annotated[float | None, Parameter(help="kN/m, stiffness behind it", allow_leading_hyphen=True)] = None,
     angle: Annotated[float, Parameter(help="degrees, inclination of the face on it", allow_leading_hyphen=True)] = 0.0,
     width: Annotated[float | None, Parameter(help="m, inclined [length]", allow_leading_hyphen=True)] = None,
@@ -40,5 +41,5 @@ def fender(
 
     given = {"family": family, "table": table, "length": length, "rated_reaction": rated_reaction}
     given |= {"pressure": pressure, "overload": overload, "count": count, "dolphin": dolphin}
-    given |= {"angle_deg": angle, "width": width}
+    given |= {"angle_deg": angle, "width": width, "causes": causes and causes.split(",")}
     return fender(FenderTable(height=height, **given), strain, deflection, energy, plot)

@@ -16,20 +16,21 @@ def moor(study, database, output=None):
     raises : ValueError, one line, before anything is written
     """
     check_result(output, "moor", [study, database])
-    result = found(study, open_database(database))
-    written = [] if output is None else _written(result, output)
+    db = open_database(database)
+    result = found(study, db)
+    written = [] if output is None else _written(result, db, output)
     status = printed(result)
     if written:
         print(f"written: {', '.join(written)}")
     return status
 
 
-def _written(result, output):
+def _written(result, db, output):
     """Names of the files"""
     from .plan_picture import draw_plan
 
     made, _ = result.detail
     plan = output.with_name(output.stem + "_plan.png")
     write_result(result, output)
-    draw_plan(made, plan)
+    draw_plan(made, db, plan)
     return str(output), plan.name

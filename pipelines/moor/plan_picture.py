@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
+from hakobune.bem.bodies.one_of_several import body_named
 from hakobune.mooring.lines.system.shapes import joints_of_lines, loads_on_lines
 from hakobune.mooring.studies.multi_point import line_ends
 
-from ..common.picture import save
+from ..common.picture import draw_streams, save
 
 LABEL = 0.3  # of a line from its anchor, where lines are apart
+AT_SURFACE = 1e-3  # of the draft
 UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
 
 
-def draw_plan(result, path, used=None):
-    """Write the plan of a MultiPoint result as a picture.
+def draw_plan(result, db, path, used=None):
+    """Write the plan of a MultiPoint result on a database as a picture.
 
     used : (n,) largest tension over breaking load of the lines, nan where it is unknown; by default of the result
     """
@@ -45,23 +47,41 @@ def draw_plan(result, path, used=None):
     axes.plot(hung[:, 0], hung[:, 1], "o", color="0.2", ms=5)
     joints = joints_of_lines(result.equilibrium)
     axes.plot(joints[:, 0], joints[:, 1], "|", color="0.2", ms=7)
-    for i, (at_rest, moved) in enumerate(_outlines(result)):
+    for i, (at_rest, moved) in enumerate(_outlines(result, db)):
         axes.plot(at_rest[:, 0], at_rest[:, 1], color="0.6", ls="--", label="" if i else "at rest")
         axes.plot(moved[:, 0], moved[:, 1], color="k", label="" if i else "under steady forces")
-    _draw_loads(axes, result)
+    w = result.conditions
+    streams = {"wind": w.wind, "current": w.current, "waves": w.waves}
+    draw_streams(axes, {name: one.direction for name, one in streams.items() if one})
     figure.colorbar(colours, ax=axes, label="largest tension / breaking load", shrink=0.8)
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=_title(result))
     figure.legend(loc="outside lower center", ncols=5, fontsize=8)
     save(figure, path, 150)
 
 
-def _outlines(result):
-    """Corners (5, 3) m of every hull at rest, and under the steady forces"""
-    corners = 0.5 * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0]], float)
+def _outlines(result, db):
+    """Outline (k, 3) m of every hull at rest, and under the steady forces"""
     then, now = result.rest.pose, result.equilibrium.pose
     for i, one in enumerate(result.hulls):
-        at_rest = corners * [one.box.length, one.box.beam, 0.0] @ one.axes.T + (*one.place, 0.0)
+        at_rest = _outline(one, db) @ one.axes.T + (*one.place, 0.0)
         yield at_rest, now.place[i] + (at_rest - then.place[i]) @ then.turn[i] @ now.turn[i].T
+
+
+def _outline(one, db):
+    """(k, 3) m, closed, of an `Afloat` in its own coordinates: around its waterline, of a database without panels or of
+    a hull under water its box
+    """
+    if db.mesh is not None and len(db.mesh):
+        from scipy.spatial import ConvexHull
+
+        points = (body_named(db, one.name).mesh if db.bodies else db.mesh).whole().points
+        top = points[points[:, 2] > -AT_SURFACE * one.box.draft]
+        if len(top) > 2:
+            own = (top - (*one.place, 0.0)) @ one.axes
+            around = own[ConvexHull(own[:, :2]).vertices] * [1.0, 1.0, 0.0]
+            return around[[*range(len(around)), 0]]
+    corners = 0.5 * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0]], float)
+    return corners * [one.box.length, one.box.beam, 0.0]
 
 
 def _colour(colours, share):
@@ -71,22 +91,6 @@ def _colour(colours, share):
 
 def _words(share):
     return "unknown" if np.isnan(share) else "beyond reach" if np.isinf(share) else f"{100 * share:.0f} %"
-
-
-def _draw_loads(axes, result):
-    """Arrows of the directions wind, current and waves travel to, side by side left of the plan"""
-    conditions = result.conditions
-    loads = {"wind": conditions.wind, "current": conditions.current, "waves": conditions.waves}
-    loads = {name: load for name, load in loads.items() if load is not None}
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    size = 0.06 * max(right - left, high - low)
-    for i, (name, load) in enumerate(loads.items()):
-        to = size * np.array([np.cos(load.direction), np.sin(load.direction)])
-        middle = np.array([left - 1.5 * size, high - (1 + 2.5 * i) * size])
-        axes.annotate("", middle + to, middle - to, arrowprops={"arrowstyle": "-|>", "color": f"C{i}", "lw": 2})
-        axes.plot([], [], color=f"C{i}", lw=2, label=name)
-    if loads:
-        axes.set_xlim(left - 3 * size, right)
 
 
 def _title(result):

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hakobune.mooring.criteria.anchors import anchor_findings
 from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
+from .anchors import quantities_of_anchors
 from .notes import notes, resonant
 from .study import Study, make_study, read_study
 
@@ -57,22 +59,33 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
     read, text = given(study, Study, read_study, make_study)
     db = database_of(database)
     made, hull = studied(read, db)
-    return result_of(made, hull, text, db, read.remarks(hull, db))
+    return result_of(made, hull, text, db, read.remarks(hull, db), read.anchors_on(made.system.line_names))
 
 
 def studied(study, db):
     """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
     hull = study.without_berth("moor").hulls_of(db)
     system = study.system_of(db, hull)
+    anchors = study.anchors_on(system.line_names)
     result = multi_point(db, system, hull, study.conditions(), study.allowable)
-    return replace(result, warnings=(*study.remarks(hull, db), *result.warnings)), hull
+    found = anchor_findings(system.line_names, anchors, *_at_anchors(result))
+    return replace(result, warnings=(*study.remarks(hull, db), *result.warnings, *found)), hull
 
 
-def result_of(made, hull, text, db, first=()):
-    """Result of a MultiPoint and its hull or hulls; text : of its study; db : of the body; first : said before all"""
+def _at_anchors(made):
+    """(n,) N, largest pulls along the bed and up"""
+    return made.extreme.horizontal_a, -made.extreme.vertical_a
+
+
+def result_of(made, hull, text, db, first=(), anchors=()):
+    """Result of a MultiPoint and its hull or hulls
+
+    text : of its study; db : of the body; first : said before all; anchors : `Study.anchors_on` its lines
+    """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)
     quantities = {**_steady(made), **_periods(made), **_lines(made), **_waves(made), **_place(made)}
+    quantities |= quantities_of_anchors(anchors, *_at_anchors(made))
     axes = labels("mode", db.bodies_reader.words) | labels("line", made.system.line_names)
     axes |= labels("load", of_each([*made.loads, "sum"])) | labels("motion", db.bodies_reader.words)
     axes |= labels("force", of_each(FORCES)) | labels("plane", of_each(["x", "y", "yaw"]))

@@ -30,6 +30,7 @@ from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
 from ..common.weather.water import DepthTable, check_solved_depth
 from ..site.link import SiteLink, read_study_at_site
+from .anchors import AnchorTable, anchors_of
 from .lines_file import with_lines
 from .tables import (
     HarbourTable,
@@ -59,6 +60,7 @@ class Study(Table):
     lines_file: str | None = None
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
+    anchors: list[AnchorTable] = msgspec.field(default_factory=list)
     wind: WindTable | None = None
     current: CurrentTable | None = None
     waves: WavesTable | None = None
@@ -183,6 +185,10 @@ class Study(Table):
                 f"{command} knows no [quay]; allowed: with hakobune simulate, or a database solved with --wall"
             )
         return self
+
+    def anchors_on(self, names):
+        """[`mooring.criteria.anchors.Anchor` or None] of each line by its name in results.  Raises StudyError."""
+        return anchors_of(self.anchors, names, [line.name for line in self.lines if line.bollard is not None])
 
     def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
         """System of one hull on all spreads and lines, None where a berth alone holds it, or nothing in time

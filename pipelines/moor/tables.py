@@ -115,6 +115,8 @@ class SimulationTable(Table):
     wave_drift_damping : whether slow velocities change the drift
     qtf : slow force of pairs of waves: "auto" for what the database has of it where Newman's rule is not enough,
         "newman", "bound-wave", "body" or "full", as in a response study
+    motions : names of those that the body has, by default all; the others are held where it rests, and nothing is
+        asked of their water
     memory : "states", or "constant" for added mass and damping at one frequency
     constant_period : s, of that frequency, by default the mean one of the waves
     dynamic_lines : which lines have inertia, drag and a motion of their own: "auto" for all where a trial asks for it,
@@ -142,6 +144,7 @@ class SimulationTable(Table):
     slow_drift: str = "newman"
     wave_drift_damping: bool = True
     qtf: str = "auto"
+    motions: list[str] = msgspec.field(default_factory=list)
     memory: str = "states"
     constant_period: float | None = None
     dynamic_lines: str | list[str] = "auto"

@@ -122,7 +122,7 @@ def _check_ship(name, body, depth):
     check_body(name, body, depth)
     if body.rotation_center is not None and name != "moored":
         raise StudyError(f"{name}.rotation_center is given; allowed: of the moored ship, whose moments are about it")
-    others = {key: getattr(body, key) for key in ("mass", "gyration", "name", "place", "viscous")}
+    others = {key: getattr(body, key) for key in ("mass", "GM", "gyration", "name", "place", "viscous")}
     others |= {"center_of_gravity": any(body.center_of_gravity) or None, "trimmed": body.trimmed or None,
                "fixed": body.fixed or None}  # fmt: skip
     for key, value in others.items():

@@ -101,6 +101,10 @@ def check_body(key, body, depth):
     for value in body.gyration or ():
         _within(f"{key}.gyration", value, EXTENT)
     _check_point(f"{key}.center_of_gravity", body.center_of_gravity)
+    if body.GM is not None:
+        _check_point(f"{key}.GM", (body.GM, 0.0, 0.0))
+        if body.center_of_gravity[2]:
+            raise SceneError(f"{key}.GM is given, and z of center_of_gravity; allowed: one of them, z as 0")
 
 
 def _check_one(body):

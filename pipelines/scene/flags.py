@@ -38,6 +38,7 @@ class SceneFlags:
     gravity: Annotated[float | None, _flag("m/s² [9.80665]")] = None
     mass: Annotated[float | None, _flag("kg [that of the displaced water]")] = None
     center_of_gravity: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
+    gm: Annotated[float | None, Parameter(name="--GM", help="m, in place of z", allow_leading_hyphen=True)] = None
     gyration: Annotated[str | None, _flag("kxx,kyy,kzz m about it; without them no motions")] = None
     trimmed: Annotated[bool, Parameter(help="held as it is drawn, whatever its weight does", negative="")] = False
     rotation_center: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
@@ -78,11 +79,11 @@ def overlaid(raw, flags, body):
                 waves[key] = numbers(f"--{flag}", text)
     if flags.heading is not None:
         waves["headings_deg"] = numbers("--heading", flags.heading)
-    given = [key for key in ("mass", "center_of_gravity", "gyration") if getattr(flags, key) is not None]
+    given = [key for key in ("mass", "center_of_gravity", "gm", "gyration") if getattr(flags, key) is not None]
     if len(bodies) > 1 and (given or body):
         key = next(iter((*given, *body))).replace("_", "-")
         raise SceneError(f"--{key} is of one body, the scene has {len(bodies)}; give it under [[bodies]]")
-    _put(bodies[0], mass=flags.mass, trimmed=flags.trimmed or None, **body)
+    _put(bodies[0], mass=flags.mass, GM=flags.gm, trimmed=flags.trimmed or None, **body)
     for key in ("center_of_gravity", "gyration"):
         _put(bodies[0], **{key: _triple(key, getattr(flags, key))})
     _put(raw, method=flags.method, wall=flags.wall, rotation_center=_triple("rotation_center", flags.rotation_center))

@@ -21,7 +21,7 @@ from .scene import Scene, SceneError
 MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
 FILE = re.compile(r"(bodies|modes)\[\d+\]\.file")
 FREE = re.compile(  # of the free body alone
-    r"bodies\[\d+\]\.(mass|center_of_gravity|gyration|viscous)|viscous\."
+    r"bodies\[\d+\]\.(mass|center_of_gravity|GM|gyration|viscous)|viscous\."
     r"|modes\[\d+\]\.(EI|GJ|mass|stiffness|damping|mass_per_length|inertia_per_length)$"
 )
 SAME = 1e-6  # of the hull: what is left of its points in mesh files

@@ -29,6 +29,8 @@ def check_modes(scene):
         return
     if scene.wall is not None:
         raise SceneError("modes are there and a wall; allowed: one of them")
+    if any(body.GM is not None for body in scene.bodies):
+        raise SceneError("modes are there and a GM of a body; allowed: z in center_of_gravity, where its masses lie")
     for number, mode in enumerate(scene.modes):
         _check(f"modes[{number}]", mode, scene)
     names = [(owner(scene, mode), name) for mode in scene.modes for name in names_of(mode)]

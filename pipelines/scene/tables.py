@@ -72,6 +72,7 @@ class BodyTable(SceneTable):
     file : of a mesh, beside the scene: .gdf .msh .vtu .pnl …
     mass : kg, left out: that of the displaced water
     center_of_gravity : m, x, y, z; z above still water
+    GM : m, transverse metacentric height, in place of z of the centre of gravity
     gyration : m, [kxx, kyy, kzz] about the centre of gravity; without them no motions
     trimmed : whether something holds the body as it is drawn, though its weight would turn it
     name : of one of several bodies, before the names of its motions
@@ -93,6 +94,7 @@ class BodyTable(SceneTable):
     file: str | None = None
     mass: float | None = None
     center_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    GM: float | None = None
     gyration: tuple[float, float, float] | None = None
     trimmed: bool = False
     name: str | None = None

@@ -84,6 +84,7 @@ def of_berth(study, db, body):
     own = {
         "fender_height": [one.fender.height for one in fenders],
         "fender_allowable": [one.fender.own_allowable for one in fenders],
+        "fender_rated_reaction": [one.fender.rated_reaction for one in fenders],
         "fender_strains": json.dumps([_strains(one.fender) for one in fenders]),
     }
     if db.bodies:

@@ -51,6 +51,7 @@ ROWS = {
     "estimated_error": (("seed", "dof"), "m, m, m, rad, rad, rad", "root mean square error of the motions"),
     "steps": (("seed",), "1", "steps of the integrator"),
     "used": (("seed", "line"), "1", "largest share of a breaking load in one run, nan where none is known"),
+    "anchor_pull": (("seed", "line", "pull"), "N", "pull along the bed and up at the largest tension of one run"),
 }
 
 
@@ -78,6 +79,12 @@ class Header:
     motions: tuple[str, ...] = DOFS
 
     @property
+    def datasets(self):
+        """Names of SERIES and ROWS of such a file"""
+        none = {*(() if self.fenders else ("fender",)), *(() if "anchors" in self.attributes else ("pull",))}
+        return [name for name, (axes, _, _) in {**SERIES, **ROWS}.items() if not none & set(axes)]
+
+    @property
     def slow(self):
         """Names of slow motions"""
         return tuple(name for name in self.motions if name.endswith(SLOW))
@@ -85,8 +92,7 @@ class Header:
 
 def create(path, header, seeds, kept, old=None):
     """A new file for seeds, with records of the first `kept`; rows of `old`, an open file, are taken over."""
-    filled = [name for name in SERIES if header.fenders or "fender" not in SERIES[name][0]]
-    with beside(path, (*filled, *ROWS, *FILLED)) as file:
+    with beside(path, (*header.datasets, *FILLED)) as file:
         _lay_out(file, header, np.array(seeds), min(kept, len(seeds)))
         for row in () if old is None else np.flatnonzero(whole_rows(old)):
             _take_over(old, file, int(row))
@@ -112,7 +118,7 @@ def _lay_out(file, header, seeds, kept):
     axes = {
         "seed": seeds, "kept_seed": seeds[:kept], "time": header.time, "dof": header.motions, "slow_dof": header.slow,
         "line": header.lines, "quantity": header.quantities, "statistic": STATISTICS, "summary_statistic": SUMMARY,
-        "xyz": ("x", "y", "z"),
+        "xyz": ("x", "y", "z"), **({"pull": ("along", "up")} if "anchors" in header.attributes else {}),
     }  # fmt: skip
     for name, values in axes.items():
         text = len(values) == 0 or isinstance(values[0], str)
@@ -121,9 +127,8 @@ def _lay_out(file, header, seeds, kept):
     file["quantity"].attrs["quantity_units"] = json.dumps(header.units)
     if header.fenders:
         file.create_dataset("fender", data=header.fenders, dtype=h5py.string_dtype()).make_scale("fender")
-    for name, (dims, unit, words) in {**SERIES, **ROWS}.items():
-        if not header.fenders and "fender" in dims:
-            continue
+    for name in header.datasets:
+        dims, unit, words = {**SERIES, **ROWS}[name]
         kind = np.float32 if name in SERIES else float
         data = np.full([len(file[axis]) for axis in dims], np.nan, kind)
         _dataset(file, name, dims, data, unit, words)
@@ -178,9 +183,9 @@ def row_values(file, row):
 
 
 def _stored_names(file, row):
-    """Names of what is stored of a row; deflections only where there are fenders"""
+    """Names of what is stored of a row; deflections only where there are fenders, pulls where there are anchors"""
     series = [name for name in SERIES if name in file] if row < len(file["kept_seed"]) else []
-    return [*ROWS, "findings", *series]
+    return [*(name for name in ROWS if name in file), "findings", *series]
 
 
 def put(file, row, values):

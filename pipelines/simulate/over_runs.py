@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import tomllib
 
 import numpy as np
 
+from hakobune.mooring.criteria.anchors import anchor_findings, stored_anchor
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.criteria.overuse import HELP
 from hakobune.mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
@@ -51,6 +53,20 @@ def overloads(file, allowable=None):
         if named:
             way = MOVE if any(line.startswith(OF_LINES) for line in told(file)) else HELP
             yield fails(f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
+
+
+def anchors_in_runs(file):
+    """Anchors of the lines, and the largest pulls on them in all runs, (lines,) N along the bed and up; () without"""
+    if "anchor_pull" not in file:
+        return ()
+    anchors = [one and stored_anchor(one) for one in json.loads(file.attrs["anchors"])]
+    return anchors, *file["anchor_pull"][()][whole_rows(file)].max(axis=0).T
+
+
+def on_anchors(file):
+    """What fails, and what has to be known, of the anchors"""
+    found = anchors_in_runs(file)
+    return tuple(anchor_findings(list(file["line"].asstr()[()]), *found, "in the runs")) if found else ()
 
 
 def notes(file):

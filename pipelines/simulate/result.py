@@ -14,6 +14,7 @@ from hakobune.mooring.motion.extremes import CONFIDENCE
 from hakobune.mooring.motion.statistics import windows
 
 from ..executors.choice import executor_of
+from ..moor.anchors import quantities_of_anchors
 from ..results.given import File, Tables, database_of
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
@@ -22,7 +23,7 @@ from .berth import fender_strains, findings_on_fenders, findings_on_periods
 from .file import LEFT_OUT, SUMMARY, bodies_of, fender_names, opened, stored_findings, units_of, whole_rows, words_of
 from .file import told as file_told
 from .findings import findings
-from .over_runs import largest_in_runs, notes, overloads, used_in_runs
+from .over_runs import anchors_in_runs, largest_in_runs, notes, on_anchors, overloads, used_in_runs
 from .run import input_of
 from .run import simulate as fill
 
@@ -125,6 +126,7 @@ def result_of(file, window=None, more=()):
         **_statistics("record", MOTIONS, "record", [values[name] for name in records], units_of(file)[: len(records)]),
         **_of_gaps(names, values),
         **_of_lines(file, [values[f"tension {name}"] for name in lines]),
+        **quantities_of_anchors(*(anchors_in_runs(file) or ((), (), ()))),
         **_of_fenders(file, fenders, values),
         **_of_berth(file),
         **_scalars(file),
@@ -141,7 +143,7 @@ def result_of(file, window=None, more=()):
     used = {axis for one in quantities.values() for axis in one.axes}
     told, first = file_told(file), tuple(line for line in file_told(file) if line.startswith(LEFT_OUT))
     found = (*stored_findings(file), *findings(file), *findings_on_periods(file), *overloads(file),
-             *findings_on_fenders(file), *more)  # fmt: skip
+             *on_anchors(file), *findings_on_fenders(file), *more)  # fmt: skip
     return Result(
         KIND,
         quantities,
@@ -187,7 +189,13 @@ def _of_lines(file, rows):
         share = np.asarray(file.attrs["simplified_utilisation"], float)
         made["tension.used_simplified"] = Quantity(share, ("line",), "", "used, simplified", LINES, share=True)
     breaking = np.asarray(file.attrs["breaking_load"], float)
-    made["line.breaking_load"] = Quantity(breaking, ("line",), "N", "breaking load")
+    berth, allowable = "fender_height" in file.attrs, float(file.attrs["allowable"])  # of fenders or ropes
+    made["line.breaking_load"] = Quantity(breaking, ("line",), "N", *(("MBL", LINES) if berth else ("breaking load",)))
+    if berth:
+        made["line.working_load"] = Quantity(allowable * breaking, ("line",), "N", "WLL", LINES)
+        made["tension.used_of_working"] = Quantity(
+            used.max(axis=0) / allowable, ("line",), "", "used of WLL", LINES, share=True
+        )
     largest = largest_in_runs(file, "tension")[0]
     made["tension.largest_of_seed"] = Quantity(largest, ("seed", "line"), "N", "largest in each run")
     return made
@@ -214,6 +222,11 @@ def _of_fenders(file, names, values):
             made[f"{what}.{key}"] = Quantity([row[key] for row in rows], ("fender",), unit, words, FENDERS)
         further = [row["upper_median"] for row in rows]
         made[f"{what}.extreme_median"] = Quantity(further, ("fender",), unit, f"median extreme of the {what}")
+    if "fender_rated_reaction" in file.attrs:
+        rated = np.asarray(file.attrs["fender_rated_reaction"], float)
+        made["reaction.rated"] = Quantity(rated, ("fender",), "N", "rated reaction", FENDERS)
+        share = made["reaction.largest"].values / rated
+        made["reaction.used"] = Quantity(share, ("fender",), "", "used of rated", FENDERS, share=True)
     strains = fender_strains(file)
     if strains is not None:
         share, allowable = strains

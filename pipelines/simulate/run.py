@@ -144,7 +144,7 @@ def _identity(study, files, duration):
     words = msgspec.to_builtins(study)
     for name in ("seeds", "keep_series", "duration", "duration_hours"):
         (words.get("simulation") or {}).pop(name, None)
-    for name in ("fender", "dolphin", "rope", "harbour", "quay"):
+    for name in ("anchors", "fender", "dolphin", "rope", "harbour", "quay"):
         if not words[name] or name == "harbour":
             words.pop(name)
     for name in (
@@ -154,9 +154,14 @@ def _identity(study, files, duration):
         "quadratic_damping",
         "record",
         "constant_period",
+        "motions",
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
+    for one in words["types"].values():
+        for name in ("termination", "efficiency", "corrosion_mm"):
+            if one.get(name) is None:
+                one.pop(name, None)
     for one in (
         *(words.get("fender") or ()),
         *(words.get("rope") or ()),
@@ -267,6 +272,9 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
     }  # fmt: skip
     if isinstance(ready.settings.dynamic_lines, tuple):
         attributes["moving_lines"] = "\n".join(ready.settings.dynamic_lines)
+    if task.study.anchors:
+        held = task.study.anchors_on(() if body.system is None else body.system.line_names)
+        attributes["anchors"] = json.dumps([*held, *(None for _ in ropes)])
     if db.bodies:
         attributes["heading"] = at_rest[:, 5]
     if body.berth.names:

@@ -75,6 +75,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     table = SimulationTable() if table is None else table
     settings = _settings(table, _duration(table, duration), words)
     _check_damping(table, words)
+    _check_held(settings, motions_of(study, words), words)
     if study.harbour is not None:
         check_harbour(study.harbour.periods)
     conditions = study.conditions()
@@ -198,6 +199,24 @@ def damping(study, body):
         return np.zeros_like(body.damping)
     ratios = damping_of("simulation", study.simulation.damping_ratio, body)
     return ratios + np.diag(_by_motion("linear_damping", study.simulation.linear_damping, body.words))
+
+
+def motions_of(study, words=ONE_BODY):
+    """Numbers of the motions that a study has, by default all.  Raises StudyError."""
+    asked = study.simulation.motions if study.simulation else []
+    known = [word.lower() for word in words]
+    for name in asked:
+        if name.lower() not in known:
+            raise StudyError(f"simulation.motions: there is no motion {name!r}; allowed: {', '.join(words)}")
+    return tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
+
+
+def _check_held(settings, motions, words):
+    """Raises StudyError for a start of a motion that is held"""
+    for key in ("offset", "velocity"):
+        for i, value in enumerate(getattr(settings, key) or ()):
+            if value and i not in motions:
+                raise StudyError(f"simulation.{key}.{words[i]} is given, and motions holds it; allowed: name it there")
 
 
 def _check_damping(table, words):

@@ -20,7 +20,7 @@ from ..response.study import ONE_BODY
 from ..results.given import database_of
 from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
-from .study import check_names, damping, level_of_pairs, plan_of, quadratic, spring
+from .study import check_names, damping, level_of_pairs, motions_of, plan_of, quadratic, spring
 
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 STATIC = (
@@ -73,6 +73,7 @@ def prepared(task, db=None, waves=None):
         calm = not weather.seas and weather.waves is None and weather.components is None
         exposed = None if not (study.hull or study.hulls or weather.wind or weather.current) else hull
         check_names(plan.settings, () if system is None else system.line_names)
+        study.anchors_on(() if system is None else system.line_names)
         berth = study.berth_of(db, hull)
         reader, of_quay = body_of(study, db)
         memory = task.memory
@@ -85,7 +86,7 @@ def prepared(task, db=None, waves=None):
         with heard() as caught:
             body = moored(
                 reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
-                spring=spring(study, words),
+                spring=spring(study, words), motions=motions_of(study, words),
                 waves=no_wave_forces(reader) if calm else waves, linearised_in=plan.weather.waves,
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
@@ -94,7 +95,11 @@ def prepared(task, db=None, waves=None):
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before there is a file
         _check_start(sides_of(db), body, plan.settings)
-        told = *choice.left_out, *left, *choice.words
+        held = [word for i, word in enumerate(words) if i not in body.free]
+        still = (
+            (f"{LEFT_OUT} {', '.join(held)}: held where the body rests, as simulation.motions asks",) if held else ()
+        )
+        told = *choice.left_out, *left, *still, *choice.words
         plan = replace(
             plan, sides=sides_of(db), settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told)
         )
@@ -206,6 +211,8 @@ def simulate_seed(task, seed, kept, progress=None):
             .encode()
         ),
     }
+    if task.study.anchors:
+        row["anchor_pull"] = anchor_pulls(body, run.motion[late], run.tension[late])
     if kept:
         row |= {name: getattr(run, name)[late] for name in SERIES}
     return row
@@ -217,18 +224,34 @@ def largest_use(body, motion, tension):
     Of a line of segments also that of each of them, where the pull on the body is largest: below a buoy that is under
     water the line pulls more than at the body.
     """
-    from hakobune.mooring.lines.system.equilibrium import held_at, rest
-    from hakobune.mooring.motion.simulation.realisation import poses_of
-
     system = body.system
     load = [*(() if system is None else system.breaking_load), *(one.breaking_load for one in body.berth.ropes)]
     used = tension.max(axis=0) / np.where(np.isfinite(load), load, np.nan)
     for i in () if system is None else (one.number for one in system.composites):
-        poses = poses_of(motion[tension[:, i].argmax()], body.reader.axes_at_rest)
-        held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(system.bodies, poses, strict=True)}
-        at = rest(held_at(system, held))
-        used[i] = np.fmax(used[i], at.lines.utilisation[i])
+        used[i] = np.fmax(used[i], _at_rest_in(body, motion[tension[:, i].argmax()]).utilisation[i])
     return used
+
+
+def anchor_pulls(body, motion, tension):
+    """(lines, 2) N: pull along the bed and up at the anchor of each line, where its pull on the body is largest; nan of
+    ropes.  As `largest_use`; static ones, times what the largest tension is over the static one if that is less.
+    """
+    found = np.full((tension.shape[1], 2), np.nan)
+    for i in range(0 if body.system is None else len(body.system.lines)):
+        lines = _at_rest_in(body, motion[tension[:, i].argmax()])
+        more = max(tension[:, i].max() / max(lines.tension_b[i], 1e-300), 1.0)
+        found[i] = lines.horizontal_a[i] * more, -lines.vertical_a[i] * more
+    return found
+
+
+def _at_rest_in(body, motion):
+    """`LineForces` of the lines with the bodies held in motion (6,), m, rad"""
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.motion.simulation.realisation import poses_of
+
+    poses = poses_of(motion, body.reader.axes_at_rest)
+    held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(body.system.bodies, poses, strict=True)}
+    return rest(held_at(body.system, held)).lines
 
 
 def sample_times(settings):

@@ -134,10 +134,11 @@ def _turning(study, given, density, center, findings):
     try:
         found = turning_coefficients(*taken.values())
     except OutsideTests as error:
-        tested = PROPORTIONS[error.proportion]
+        tested = ", ".join(PROPORTIONS[name] for name in error.proportions)
+        one = len(error.proportions) == 1
+        what = "proportion to take in its place" if one else "proportions to take in their place"
         raise StudyError(
-            f"current: {error.limits}; give current.turning the proportion to take in its place ({tested}), or "
-            "coefficients, or file"
+            f"current: {error.limits}; give current.turning the {what} ({tested}), or coefficients, or file"
         ) from None
     findings += found.notes
     return turning_table(found, h.length, h.draft, density)

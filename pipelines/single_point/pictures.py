@@ -6,10 +6,12 @@ import numpy as np
 
 from hakobune.mooring.single_point.equilibria import bow, preferred
 
-from ..common.picture import save
+from ..common.picture import draw_streams, save
 from ..common.quantities import direction
 from ..common.units import KN
 from ..common.weather.seas import sea_with_swell
+
+NAMED = 0.15  # of a line from its anchor, where its name stands
 
 
 def draw_plan(study, point, found, path):
@@ -28,7 +30,7 @@ def draw_plan(study, point, found, path):
                   f"{'stable' if stable else 'not stable'}")  # fmt: skip
         for end in ends_in_space(point, one.place, one.heading):
             axes.plot(*np.stack([end, one.buoy]).T, color=colour, lw=0.8)
-    _draw_streams(axes, study, best)
+    _draw_streams(axes, study)
     s = best.slewing
     state = "stable" if s.stable else "slews" if np.isfinite(s.period) else "turns away"
     period = f", period {s.period:.0f} s" if np.isfinite(s.period) else ""
@@ -38,11 +40,15 @@ def draw_plan(study, point, found, path):
 
 
 def draw_lines(axes, lines):
-    """Lines of a SystemEquilibrium of the buoy, and the buoy"""
+    """Lines of a SystemEquilibrium of the buoy with their names, and the buoy"""
     anchors, tops = lines.points[lines.system.arrays.ends].swapaxes(0, 1)
-    for a, b in zip(anchors, tops, strict=True):
+    for name, a, b in zip(lines.system.line_names, anchors, tops, strict=True):
         axes.plot([a[0], b[0]], [a[1], b[1]], color="0.75", lw=1.2, zorder=0)
         axes.plot(*a[:2], "^", color="0.5", ms=5, zorder=0)
+        axes.annotate(
+            name, a[:2] + NAMED * (b[:2] - a[:2]), fontsize=8, ha="center", va="center", color="0.3",
+            bbox={"boxstyle": "round,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.8}, zorder=3,
+        )  # fmt: skip
     axes.plot(*lines.position[0, :2], "o", color="tab:red", ms=6, label="buoy")
 
 
@@ -62,17 +68,13 @@ def ends_in_space(point, place, heading):
     return place + point.ends @ np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
 
 
-def _draw_streams(axes, study, best):
-    """Arrows of the directions that wind, current and waves travel to, beside the buoy"""
-    size = 0.5 * study.hull.length
-    for i, name in enumerate(("wind", "current", "waves")):
+def _draw_streams(axes, study):
+    """Arrows of the directions that wind, current and waves travel to, left of the plan"""
+    towards = {}
+    for name in ("wind", "current", "waves"):
         table = getattr(study, name)
-        if table is None:
-            continue
-        whole = name == "waves" and (table.file is not None or table.swell)
-        to = sea_with_swell(name, table, study.water.depth).direction if whole else direction(name, table)
-        along = np.array([np.cos(to), np.sin(to)])
-        end = best.buoy - 0.5 * size * along + 0.15 * size * (i - 1) * np.array([-along[1], along[0]])
-        axes.annotate("", end, end - size * along, arrowprops={"arrowstyle": "-|>", "color": f"C{i}", "lw": 2})
-        axes.plot(*(end - 1.1 * size * along), alpha=0)  # within the axes
-        axes.plot([], [], color=f"C{i}", lw=2, label=name)
+        if table is not None:
+            whole = name == "waves" and (table.file is not None or table.swell)
+            sea = sea_with_swell(name, table, study.water.depth) if whole else None
+            towards[name] = direction(name, table) if sea is None else sea.direction
+    draw_streams(axes, towards)

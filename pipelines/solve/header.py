@@ -90,17 +90,15 @@ def _of_several(scene, mesh):
 
 def _of_one(scene, mesh):
     body, water = scene.body, scene.water
-    still = hydrostatics(
-        mesh,
-        center_of_mass=body.center_of_gravity,
-        density=water.density,
-        gravity=water.gravity,
-        mass=body.mass,
-        rotation_center=scene.rotation_center,
-    )
+    given = {"density": water.density, "gravity": water.gravity, "mass": body.mass}
+    given |= {"rotation_center": scene.rotation_center}
+    center = body.center_of_gravity
+    if body.GM is not None:
+        center = (*center[:2], hydrostatics(mesh, center, **given).transverse_metacentric_height - body.GM)
+    still = hydrostatics(mesh, center, **given)
     mass = water.density * still.volume if body.mass is None else body.mass
     known = {
-        "center_of_mass": np.array(body.center_of_gravity),
+        "center_of_mass": np.array(center),
         "mass": mass,
         "hydrostatic_stiffness": still.stiffness,
         "displaced_volume": still.volume,
@@ -111,7 +109,7 @@ def _of_one(scene, mesh):
         "longitudinal_metacentric_height": still.longitudinal_metacentric_height,
     }
     if scene.motions_known:
-        known["inertia_matrix"] = inertia_matrix(mass, body.center_of_gravity, body.gyration, scene.rotation_center)
+        known["inertia_matrix"] = inertia_matrix(mass, center, body.gyration, scene.rotation_center)
     return known
 
 

@@ -26,7 +26,7 @@ def check_weight(scene, mesh, body):
     """
     _check_place(mesh, body)
     _check_gyration(scene.body.gyration)
-    if not (scene.motions_known or any(scene.body.center_of_gravity)):
+    if not (scene.motions_known or any(scene.body.center_of_gravity) or scene.body.GM is not None):
         return  # nothing was said of the weight, and no motion follows from it
     for name, axis, arm, moment, angle in _tilts(scene, body):
         if angle > TILT and not scene.body.trimmed:

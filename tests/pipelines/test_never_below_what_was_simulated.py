@@ -20,7 +20,7 @@ from hakobune.mooring.single_point.in_time import pulls, used_in
 from hakobune.pipelines.design.kinds.berth import _steady_of_few
 from hakobune.pipelines.design.kinds.numbers import strength
 from hakobune.pipelines.moor.study import make_study
-from hakobune.pipelines.simulate.work import largest_use
+from hakobune.pipelines.simulate.work import anchor_pulls, largest_use
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 BREAKING = 4e6  # N
@@ -172,6 +172,8 @@ def below_a_buoy(folder):
     at = rest(held_at(system, {hull.name: hull.position})).lines
     found = largest_use(body, np.zeros((1, 6)), at.tension_b[None])
     lift, rope = (1025.0 * 20.0 - 2000.0) * 9.80665, 80.0 * 300.0
+    pulls = anchor_pulls(body, np.zeros((1, 6)), 1.5 * at.tension_b[None])
+    assert pulls == pytest.approx(1.5 * np.column_stack([at.horizontal_a, -at.vertical_a]))
     below = np.hypot(at.horizontal_b, at.vertical_b - rope + lift)
     assert np.all(below > 1.2 * at.tension_b)
     return found, below / 3e6

@@ -12,17 +12,19 @@ COUPLED, ONE_PLANE = 1e-6, 12  # share of added mass, and how many entries besid
 WANTED = 1e-3  # without a finding
 
 
-def fitted_memory(body):
+def fitted_memory(body, motions=None):
     """The `Memory` of a Reader to the smallest of TOLERANCES that it allows, and findings, where that is not WANTED.
 
+    motions : numbers of those that it has, None for all
     raises : ValueError where no tolerance is met
     """
     A = body.held_added_mass(0.0)[0]
+    A = A if motions is None else A[np.ix_(motions, motions)]
     size = np.sqrt(np.diag(A))
     coupled = np.count_nonzero(np.abs(A) > COUPLED * np.outer(size, size)) - len(A)
     for tolerance in TOLERANCES[2 * (coupled > ONE_PLANE) :]:
         try:
-            memory = memory_of_database(body, tolerance)
+            memory = memory_of_database(body, tolerance, motions)
         except ValueError as error:
             refused = error
             continue

@@ -85,7 +85,7 @@ class Moored:
 
 def moored(
     db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None,
-    linearised_in=None,
+    linearised_in=None, motions=None,
 ):  # fmt: skip
     """`Moored` of an opened database or `Reader`, a `System` of its bodies, axes at their rotation centres, and hulls
 
@@ -95,12 +95,13 @@ def moored(
     waves : WaveForces, memory : a Memory, by default those of the database
     spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; both beside the viscous damping of the database's scene
     linearised_in : waves as of `response.viscous.in_time`, for what of that is no drag, and for the drift
+    motions : numbers of those that are not held where it rests, None for all
     raises : ValueError naming what is missing or does not fit
     """
     reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()
     body, viscous = reader.floating(), in_time(reader, linearised_in, damping, quadratic)
     if memory is None:
-        memory, findings = fitted_memory(body)
+        memory, findings = fitted_memory(body, motions)
     spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
     findings = (*findings, *_of_viscous(reader, linearised_in))
     start, stiffness, tables = np.zeros(len(spring)), body.stiffness + spring, ((), ())
@@ -114,10 +115,13 @@ def moored(
     if berth.names:
         start = _rest_at_berth(berth, system, tables, body, spring, start)
         stiffness = stiffness + berth_stiffness(berth, start)
-    _check_upright(stiffness, body)
+    free = tuple(range(len(start))) if motions is None else tuple(motions)
+    _check_upright(stiffness, body, free)
     slow = body.held_added_mass(0.0)[0]
     rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
-    return Moored(body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it)
+    return Moored(
+        body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it, free=free
+    )
 
 
 def _of_viscous(reader, waves):
@@ -135,7 +139,7 @@ def _of_viscous(reader, waves):
 
 def with_memory(moored):
     """A `Moored` body with the memory of its water fitted.  Raises ValueError where that is not to be had."""
-    memory, findings = fitted_memory(moored.reader)
+    memory, findings = fitted_memory(moored.reader, moored.free)
     return replace(moored, memory=memory, findings=(*moored.findings, *findings))
 
 
@@ -185,17 +189,23 @@ def _rest_at_berth(berth, system, tables, body, spring, start):
     return at_rest(berth, others, start, np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel())
 
 
-def _check_upright(stiffness, body):
-    """Raise ValueError for a body that capsizes at rest, by its stiffness (n, n) with springs, lines and fenders"""
+def _check_upright(stiffness, body, free):
+    """Raise ValueError for a body that capsizes at rest, by its stiffness (n, n) with springs, lines and fenders
+
+    free : numbers of the motions that are not held
+    """
     names = [one.name for one in body.bodies if not one.fixed] or ["the body"]
-    for name, K, M in zip(names, of_each(stiffness), of_each(body.inertia), strict=True):
-        scale = np.sqrt(np.diag(M)[FLOATS])
-        values, ways = np.linalg.eigh((0.5 * (K + K.T))[np.ix_(FLOATS, FLOATS)] / np.outer(scale, scale))
+    for i, (name, K, M) in enumerate(zip(names, of_each(stiffness), of_each(body.inertia), strict=True)):
+        floats = [motion for motion in FLOATS if 6 * i + motion in free]
+        if not floats:
+            continue
+        scale = np.sqrt(np.diag(M)[floats])
+        values, ways = np.linalg.eigh((0.5 * (K + K.T))[np.ix_(floats, floats)] / np.outer(scale, scale))
         if values[0] < -CAPSIZED * values[-1]:
             worst = int(np.argmax(np.abs(ways[:, 0])))
-            unit = ("kN/m", "kN m/rad", "kN m/rad")[worst]
+            unit = "kN/m" if floats[worst] == 2 else "kN m/rad"
             raise ValueError(
-                f"{name} capsizes: its restoring in {DOFS[FLOATS[worst]].lower()}, with springs, lines and fenders, is "
+                f"{name} capsizes: its restoring in {DOFS[floats[worst]].lower()}, with springs, lines and fenders, is "
                 f"{1e-3 * values[0] * scale[worst] ** 2:.4g} {unit}, limit 0; lower center_of_gravity"
             )
 

@@ -23,6 +23,7 @@ from .tides import pretension_of, tides_of
 FEW_PERIODS, FEW_CELLS, FEW_WAYS = 10, 16, 4  # of a trial; what is reported has all
 TRIALS = 20  # for a limit
 OUT = 1e6
+BESIDE, STEEP = 0.05, 0.2  # of a period, and of K_T, which changes by as much only where something resonates
 
 
 class Front(NamedTuple):
@@ -91,6 +92,29 @@ def _refine(trial, holding, low, high, limits):
             lower, start, method="COBYLA", bounds=[(0, 1)] * len(low), constraints={"type": "ineq", "fun": spare},
             options={"rhobeg": 0.1, "maxiter": TRIALS},
         )  # fmt: skip
+
+
+def beside_resonances(changed, found):
+    """A line on designs of a `Front` that stand beside a resonance, with K_T at the periods beside the steepest"""
+    steep = []
+    for number, values in enumerate(found.designs, 1):
+        made = changed(**dict(zip(found.names, map(float, values), strict=True)))
+        period = np.outer([1 - BESIDE, 1.0, 1 + BESIDE], made.waves.period)
+        order = np.argsort(period.ravel())
+        passed = np.empty(period.size)
+        passed[order] = abs(response(made, *made.design, 0.0, 2 * np.pi / period.ravel()[order]).transmission)
+        spread = np.ptp(passed.reshape(period.shape), axis=0)
+        worst = int(spread.argmax())
+        steep.append((spread[worst], number, period[:, worst], passed.reshape(period.shape)[:, worst]))
+    beside = [row for row in steep if row[0] > STEEP]
+    if beside:
+        _, number, period, passed = max(beside)
+        told = ", ".join(f"{K:.2f} at {T:.3g} s" for T, K in zip(period, passed, strict=True))
+        yield (
+            f"{len(beside)} of {len(steep)} of the best designs stand beside a resonance, most design {number}: K_T is "
+            f"{told}; a little more draft or period changes what passes by more than {STEEP:g}: take another, or give "
+            "waves.period closer together there"
+        )
 
 
 def _better(one, other):

@@ -55,7 +55,7 @@ READ = {  # what of JSON is not an array
 
 def _simulated(study, database, path, factors):
     from ...simulate.file import opened, stored_findings, summary_of, told
-    from ...simulate.over_runs import overloads, rare_findings, used_in_runs
+    from ...simulate.over_runs import on_anchors, overloads, rare_findings, used_in_runs
 
     outcome = _run(study, database, path)
     if outcome.interrupted:
@@ -67,7 +67,8 @@ def _simulated(study, database, path, factors):
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
         excursion = _largest_excursion(file, motion)
         motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
-        found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *rare_findings(file))
+        found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *on_anchors(file),
+                 *rare_findings(file))  # fmt: skip
         load, used = np.asarray(file.attrs["breaking_load"], float), used_in_runs(file).max(axis=0)
     largest = {1.0: np.array([row["largest"] for row in rows])}
     held, along, up = _moved(study, database, motion, tension, 1.0)

@@ -56,7 +56,7 @@ IN_TIME_SOURCES = (
     "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
 )
 BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."
-KEPT = ("hull", "types", "fender", "dolphin", "rope", "harbour", "quay")
+KEPT = ("hull", "types", "anchors", "fender", "dolphin", "rope", "harbour", "quay")
 
 
 def read(path):
@@ -141,11 +141,15 @@ def lost(study):
 
 
 def without(study, name):
-    """Tables without a line or rope"""
-    return {
-        **deepcopy(study),
-        **{key: [table for table in study[key] if table["name"] != name] for key in HELD if key in study},
-    }
+    """Tables without a line or rope, and without the anchor of that line alone"""
+    left = deepcopy(study)
+    left |= {key: [table for table in study[key] if table["name"] != name] for key in HELD if key in study}
+    if "anchors" in left:
+        kept = [one for one in left["anchors"] if one.get("lines") != [name]]
+        left["anchors"] = [
+            one | ({"lines": [line for line in one["lines"] if line != name]} if "lines" in one else {}) for one in kept
+        ]
+    return left
 
 
 def laid_lines(raw, db):
@@ -216,7 +220,7 @@ def draw(study, database, numbers, path):
 
     known = np.isfinite(numbers.breaking)
     used = np.where(known, numbers.largest / numbers.breaking, np.nan)
-    draw_plan(studied(made, db)[0], path, used)
+    draw_plan(studied(made, db)[0], db, path, used)
 
 
 def line_tables(raw):

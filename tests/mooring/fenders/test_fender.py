@@ -154,6 +154,7 @@ X, UP = [0.0, 0.2, 0.5], np.array([0.0, 1e6, 1.5e6])
         (lambda: fender_of_points("f", 1, X, UP).reaction(0.6), "beyond its table, which ends at 0.5 m"),
         (lambda: fender_of_points("f", 1, X, UP).deflection_at_energy(1e9), "take a larger fender"),
         (lambda: fender_of_family("bow", 1.0), "unknown; allowed: cell, v, h"),
+        (lambda: fender_of_family("pi", 1.0), "'pi' has no public curve; give table, the maker's CSV of strain and"),
         (lambda: fender_of_family("cone", 1.0), "give the rated reaction of the maker"),
         (lambda: fender_of_family("v", 1.0), "its length is missing"),
         (lambda: chosen(["weather"]), "allowed: manufacture, ageing"),

@@ -136,6 +136,7 @@ def test_a_box_at_rest_feels_nothing():
     [
         ((2.0, 5.0, 3.0), "B/d = 5 is outside the turning tests .9.75 to 20.5"),
         ((2.0, 10.0, 1.1), "H/d = 1.1 is outside"),
+        ((4.0, 5.0, 3.0), "L/B = 4 .*, B/d = 5 .*, H/d = 3 is outside"),
         ((1.5, 10.0, 3.0), "H/d = 3 is outside the turning tests of L/B other than 2"),
         ((3.5, 10.0, 20.0), "L/B = 3.5 .* give a TurningCoefficients of your own"),
         ((np.nan, 10.0, 20.0), "L/B = nan"),

@@ -534,7 +534,7 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
     """Tried from 3e-4 on, a body without planes of symmetry from 3e-3 on; beyond 1e-3 it is told"""
     tried = []
 
-    def fit(body, tolerance):
+    def fit(body, tolerance, motions):
         tried.append(tolerance)
         if tolerance < body.allows:
             raise ValueError(f"not to {tolerance:g}")

@@ -409,3 +409,20 @@ def test_a_body_that_capsizes_is_refused_before_it_is_moved(database, on_springs
     taken = on_springs.spring - np.diag([0, 0, 0, share * database.reader.floating().stiffness[3, 3], 0, 0])
     with pytest.raises(ValueError, match="the body capsizes: its restoring in roll") if capsizes else nullcontext():
         moored(database, spring=taken, memory=on_springs.memory)
+
+
+def test_motions_that_are_not_asked_for_are_held_and_their_water_is_not_fitted(database, on_springs):
+    """Surge alone, from 1 m: T = 2π √((M + A)/K) with A at that frequency; a roll that capsizes is held too"""
+    taken = on_springs.spring - np.diag([0, 0, 0, 2 * database.reader.floating().stiffness[3, 3], 0, 0])
+    alone = moored(database, spring=taken, motions=(0,))
+    assert alone.memory.groups == ((0,),)
+    settings = replace(CALM, offset=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0), duration=300.0, step=0.25)
+    run = simulate(alone, Weather(), settings)
+    assert np.all(run.motion[:, 1:] == alone.start[1:])
+    omega = np.sqrt(on_springs.spring[0, 0] / 1e8)
+    for _ in range(20):
+        A, _ = database.reader.coefficients(np.array([omega]))
+        omega = np.sqrt(on_springs.spring[0, 0] / (database.reader.inertia[0, 0] + A[0, 0, 0]))
+    down = np.flatnonzero((run.motion[:-1, 0] > 0) & (run.motion[1:, 0] <= 0))
+    crossed = run.time[down] + 0.25 * run.motion[down, 0] / (run.motion[down, 0] - run.motion[down + 1, 0])
+    assert np.diff(crossed) == pytest.approx(2 * np.pi / omega, rel=0.01)

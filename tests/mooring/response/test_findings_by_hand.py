@@ -8,7 +8,7 @@ import pytest
 
 from hakobune.bem.modes import words_of
 from hakobune.mooring.environment.sea import Sea
-from hakobune.mooring.environment.spectra import tabulated
+from hakobune.mooring.environment.spectra import issc, tabulated
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.response.findings import (
     Errors,
@@ -63,15 +63,26 @@ def test_a_twentieth_of_a_result_between_waves_is_told(error, told, rebuilds):
         assert "mean drift 5 %; limit 5 %" in said[0] and ("Kochin" in said[0]) is not rebuilds
 
 
+def test_an_error_between_waves_is_told_with_the_frequency_and_headings_it_is_largest_at():
+    errors = Errors(np.zeros(6), np.array([0.01, 0.0]), 0.47, at=(0.5, 0.6, 0.712), gap=np.radians(30.0))
+    (said,) = between_waves(SimpleNamespace(rebuilds_drift=True), errors)
+    assert "wave drift damping 47 %" in said and "add frequencies near 0.712 rad/s, headings closer than 30°" in said
+
+
 @pytest.mark.parametrize("beyond, told", [(0.98, False), (1.03, True)])
 def test_a_hundredth_of_the_drift_force_from_waves_beyond_is_told(beyond, told):
     """Inside 99 kN of surge, of both bands together `beyond`: a hundredth of all of it at 1; moments do not count"""
+    spectrum = issc(2.0, mean_period=6.0)
     body = SimpleNamespace(omega=np.array([0.3, 1.25]))
     parts = np.array([[0.3 * beyond, 0.0, 50.0], [-0.7 * beyond, 0.0, 50.0]])
-    said = list(drift_outside(body, np.array([-99.0, 10.0, 1.0]), parts))
+    said = list(drift_outside(body, spectrum, np.array([-99.0, 10.0, 1.0]), parts))
     assert len(said) == told and (
         not told or (said[0].startswith("1.0 % of the mean drift force") and "1.25 rad/s" in said[0])
     )
+    if told:  # nearly all of what is beyond: the same share of the energy above 1.25 rad/s is beyond that frequency
+        to = float(said[0].split("solve to ")[1].split(" ")[0])
+        kept = beyond / (99 + beyond)
+        assert spectrum.moment(0, to, np.inf) == pytest.approx(0.01 / kept * spectrum.moment(0, 1.25, np.inf), rel=0.02)
 
 
 @pytest.mark.parametrize("degrees, told", [(1.1, False), (1.2, True)])

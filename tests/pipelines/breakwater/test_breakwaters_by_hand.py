@@ -5,11 +5,13 @@ made of them follows Kihara, Kitatani & Todoroki (1975), chapter 6.
 """
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import hakobune
+from hakobune.mooring.studies.breakwater import pareto
 from hakobune.pipelines.cli import main
 
 RHO, G, BEAM, DRAFT, DEPTH, ANGLE = 1025.0, 9.80665, 10.0, 5.0, 10.0, math.radians(60)
@@ -348,3 +350,23 @@ def test_what_lies_beyond_a_limit_is_refused(tmp_path, capsys, change, says):
 ])  # fmt: skip
 def test_what_lies_within_a_limit_is_run(tmp_path, change):
     assert main(["breakwater", str(written(tmp_path, change))]) in (0, 1)
+
+
+def test_best_designs_beside_a_resonance_are_told_with_what_passes_at_the_periods_beside_it(monkeypatch):
+    """K_T = 1/√(1 + ((T − T₀)/0.3)²): 1 at 6 s and 1/√2 at 5.7 and 6.3 s where T₀ is 6 s; flat where it is 60 s"""
+
+    def changed(draft):
+        return SimpleNamespace(
+            draft=draft, design=("taut", "exact"), waves=SimpleNamespace(period=np.array([4.0, 6.0]))
+        )
+
+    def passed(made, holding, theory, rise, omega):
+        T = 2 * np.pi / omega
+        return SimpleNamespace(transmission=1 / np.sqrt(1 + ((T - made.draft) / 0.3) ** 2))
+
+    monkeypatch.setattr(pareto, "response", passed)
+    front = pareto.Front(("draft",), np.array([[60.0], [6.0]]), np.ones(2), np.ones(2), 2)
+    (told,) = pareto.beside_resonances(changed, front)
+    assert told.startswith("1 of 2 of the best designs stand beside a resonance, most design 2")
+    assert "K_T is 0.71 at 5.7 s, 1.00 at 6 s, 0.71 at 6.3 s" in told
+    assert list(pareto.beside_resonances(changed, front._replace(designs=front.designs[:1]))) == []

@@ -35,6 +35,22 @@ def test_weights_stiffnesses_and_loads_come_in_kilograms_tonnes_force_newtons_an
     assert (chain.weight, chain.axial_stiffness, chain.breaking_load) == pytest.approx((100 * G, 5e7 * G, 5e5 * G))
     wire = line_type("types.wire", typed(MaterialTable, {k: v for k, v in WIRE.items() if k != "bed_friction"}))
     assert (wire.weight, wire.axial_stiffness, wire.breaking_load) == (300.0, 1e8, 2e6)
+    spliced = line_type(
+        "types.wire", typed(MaterialTable, {"catalogue": "wire 6x24 FC G 40 mm", "termination": "splice"})
+    )
+    assert spliced.breaking_load == pytest.approx(0.8 * 0.28 * 1600 * 1470)
+    chain = {"catalogue": "R3 studless 80 mm", "corrosion_mm": 8.0, "efficiency": 0.5}  # half of what 72 mm carry
+    worn = line_type("types.chain", typed(MaterialTable, chain))
+    assert worn.breaking_load == pytest.approx(0.5 * 0.0223e3 * 72**2 * (44 - 0.08 * 72))
+    for wrong, words in (
+        ({"termination": "knot"}, "termination is 'knot'; allowed: socket, .*, or efficiency"),
+        ({"termination": "clips", "efficiency": 0.9}, "termination and efficiency are given"),
+        ({"efficiency": 1.1}, "efficiency is 1.1; allowed: above 0, at most 1"),
+        ({"corrosion_mm": 1.0}, "corrosion_mm is given without a chain"),
+        ({**chain, "corrosion_mm": 50.0}, "corrosion_mm: .*at least half of the diameter"),
+    ):
+        with pytest.raises(StudyError, match=words):
+            line_type("types.x", typed(MaterialTable, {"weight_N_per_m": 1.0, "breaking_load_kN": 1.0} | wrong))
     bare = line_type("types.bare", typed(MaterialTable, {"weight_N_per_m": 1.0}))
     assert math.isinf(bare.axial_stiffness) and math.isinf(bare.breaking_load)
 

@@ -261,6 +261,10 @@ def test_fatigue_is_the_sum_of_equal_cycles_over_the_time_of_each_state(folder):
     by_hand = 5.0 * seconds / 10.0 / 6e10 * whole * sum(w * (s / area) ** 3 for w, s in ((0.01, 2e6), (0.1, 1e6)))
     assert found.governing.value == pytest.approx(by_hand, rel=1e-6) and found.governing.item == "one"
     assert found.met == (by_hand <= 1)
+    own = {"factor": 5.0, "exponent": 3.0, "constant": 6e10, "chain": True}  # the same curve as one's own
+    (folder / "tired.toml").write_text(tomli_w.dumps({**project, "fatigue": own}))
+    same = fatigue(read_project(folder / "tired.toml"), ran)
+    assert same.governing.value == pytest.approx(by_hand, rel=1e-6) and "6e+10 s^−3" in same.criterion.source
     ran[0] = SimpleNamespace(case=ran[0].case, numbers=None, runs=None, fault="no rest")
     assert fatigue(read, ran).met is None
 
@@ -371,6 +375,7 @@ def test_changes_are_of_pretension_number_ropes_and_sizes():
         (lambda p: p.update(rules=[{"rule": "API RP 2SK"}]), "nobody has checked in the book"),
         (lambda p: p.update(wear={"mm_per_year": -1.0}), "wear.mm_per_year is -1"),
         (lambda p: p.update(fatigue={"curve": "steel"}), "fatigue.curve is 'steel'; allowed: DNV studlink chain"),
+        (lambda p: p.update(fatigue={"exponent": 3.0}), "either curve, or exponent and constant"),
         (lambda p: p.update(fatigue={"curve": "DNV polyester"}), r"fatigue needs \[simulation\]"),
         (lambda p: p["states"][0].update(share=1.5), "shares of the time are .* together at most 1"),
         (

@@ -10,7 +10,7 @@ from hakobune.mooring.fenders.dolphin import bilinear, in_series
 from hakobune.mooring.fenders.fender import fender_of_points
 from hakobune.pipelines.design.kinds import berth, breakwater, in_time, mooring
 from hakobune.pipelines.design.kinds.needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
-from hakobune.pipelines.design.running import Ran, factors_of, given_parts, repeated
+from hakobune.pipelines.design.running import Ran, _holding, factors_of, given_parts, repeated
 from hakobune.pipelines.simulate.file import SUMMARY
 
 K = 1e6  # N/m of a linear fender of 2 m, its table to 1 m, rated at 0.8, allowed to 0.9 m
@@ -143,6 +143,22 @@ def test_the_largest_of_a_case_is_that_of_its_runs_where_there_are_some():
     runs = {"largest": {1.0: np.array([7.0, 8.0]), 1.5: np.array([9.0, 9.0])}, "horizontal": [1, 1], "uplift": [2, 2]}
     moving = Ran(None, None, numbers, runs)
     assert list(moving.largest) == [7.0, 8.0] and moving.at_anchors.tolist() == [[1, 1], [2, 2]]
+
+
+def test_anchors_of_a_study_hold_what_its_lines_are_judged_by_and_go_with_a_line_that_is_lost():
+    """A sinker of 600 kN at μ = 0.5, lifted by 100 kN, holds 250 kN; a rope to a bollard has no anchor to judge"""
+    sinker = {"kind": "sinker", "friction": 0.5, "weight_kN": 600.0, "lines": ["fore"]}
+    line = {"name": "fore", "type": "chain", "length": 1.0, "fairlead": [0.0, 0.0, 0.0], "anchor": [1.0, 0.0]}
+    study = {"water": {"depth": 20.0}, "lines": [line], "anchors": [sinker]}
+    numbers = SimpleNamespace(names=("fore", "head"), types=(("chain",), ("rope",)),
+                              _asdict=lambda: {"horizontal": [0.0, 0.0], "uplift": [100e3, 0.0]})  # fmt: skip
+    read, ran = SimpleNamespace(project=SimpleNamespace(anchors=None)), Ran(SimpleNamespace(study=study), None, numbers)
+    assert _holding(read, ran).tolist() == [250e3, np.inf]
+    del sinker["weight_kN"]
+    assert _holding(read, ran) is None
+    assert mooring.without(study, "fore")["anchors"] == []
+    sinker["lines"] = ["fore", "aft"]
+    assert mooring.without(study, "fore")["anchors"][0]["lines"] == ["aft"]
 
 
 def test_tensions_of_a_breakwater_are_of_the_curve_with_its_holding_and_theory():

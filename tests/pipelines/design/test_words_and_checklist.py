@@ -189,14 +189,17 @@ def test_a_line_is_told_in_metres_and_kilonewtons():
         fairlead=[np.array([50.04, -25.0, -0.02])],
         anchor=[np.array([300.0, -200.0, -20.0])], pretension=np.array([392.3e3]), breaking=np.array([4.884e6]),
     )  # fmt: skip
-    verdict = SimpleNamespace(ran=[SimpleNamespace(numbers=None), SimpleNamespace(numbers=numbers)])
+    case = SimpleNamespace(factor=1)
+    ran = [SimpleNamespace(numbers=numbers, largest=[load], case=case) for load in (1e6, 2.442e6)]
+    verdict = SimpleNamespace(ran=[SimpleNamespace(numbers=None), *ran])
     study = {"types": {"chain": {"catalogue": "R3 studless 76 mm"}, "wire": {}}}
     (row,) = report_words.line_rows(SimpleNamespace(study=study), verdict)
     assert row == (
-        "fore", "260", "chain: R3 studless 76 mm, wire", "50, -25, 0", "300, -200, -20", "392.3", "4884"
+        "fore", "260", "chain: R3 studless 76 mm, wire", "50, -25, 0", "300, -200, -20", "392.3", "4884",
+        "2442", "50 %",
     )  # fmt: skip
     numbers.breaking = np.array([np.inf])
-    assert next(report_words.line_rows(SimpleNamespace(study=study), verdict))[-1] == "not given"
+    assert next(report_words.line_rows(SimpleNamespace(study=study), verdict))[-3:] == ("not given", "2442", "")
 
 
 @pytest.mark.parametrize("passes_from, count", [(1, 1), (1, 9), (2, 9), (5, 9), (9, 9), (7, 8)])

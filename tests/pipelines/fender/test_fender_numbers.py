@@ -157,3 +157,13 @@ def test_only_manufacture_is_known_of_a_pneumatic_fender():
     R = found["rated.reaction"]
     assert R[1:] / R[0] == pytest.approx([0.9, 1.1])
     assert found.notes[0].endswith(" are of manufacture")
+
+
+def test_softest_and_stiffest_differ_by_the_causes_that_are_asked_for():
+    """0.95 to 1.25 by temperature and 1 to 1.1 by velocity (SR179 report 1982, 3.4.7)"""
+    cell = {"family": "cell", "height": 2.0}
+    found = hakobune.fender({**cell, "causes": ["temperature", "velocity"]})
+    assert found["factor"] == pytest.approx([1.0, 0.95, 1.25 * 1.1])
+    for causes, words in ([], "causes is empty"), (["wear"], "variation by 'wear' is unknown; allowed: manufacture"):
+        with pytest.raises(ValueError, match=words):
+            hakobune.fender({**cell, "causes": causes})

@@ -38,6 +38,16 @@ length = {LENGTH}
 fairlead = [-50.0, 0.0, 0.0]
 heading_deg = 180
 pretension_kN = {PRETENSION / 1e3}
+[[anchors]]
+kind = "sinker"
+friction = 0.5
+weight_kN = 2000.0
+lines = ["bow"]
+[[anchors]]
+kind = "drag"
+type = "Stevpris Mk6"
+soil = "sand"
+safety = 1.5
 """
 
 
@@ -130,3 +140,8 @@ def test_the_bed_and_the_anchors_have_what_the_chains_leave_them(found):
         assert result[f"fairlead[{name}].place"] == pytest.approx([side * 50.0, 0.0, 0.0], abs=1e-6)
         place = [side * (50.0 + span(PRETENSION, DEPTH)), 0.0, -DEPTH]
         assert result[f"anchor[{name}].place"] == pytest.approx(place, rel=1e-6, abs=1e-6)
+    pulled = [result[f"anchor[{name}].largest_horizontal"] for name in ("bow", "stern")]
+    assert result["anchor[bow].used"] == pytest.approx(pulled[0] / 0.5 / 2e6)
+    assert result["anchor[bow].needed_weight"] == pytest.approx(pulled[0] / 0.5)
+    assert result["anchor[stern].needed_mass"] == pytest.approx(1e3 * (1.5 * pulled[1] / 904.21e3) ** (1 / 0.92))
+    assert "anchors at the largest pull" in found[1]

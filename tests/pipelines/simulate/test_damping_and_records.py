@@ -13,7 +13,7 @@ from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.response.study import ONE_BODY
 from hakobune.pipelines.simulate import study as simulate_study
-from hakobune.pipelines.simulate.study import damping, plan_of, quadratic
+from hakobune.pipelines.simulate.study import damping, motions_of, plan_of, quadratic
 
 OMEGA = np.linspace(0.1, 2.0, 20)
 SHIP = {"water": {"depth": 20}, "hull": {"freeboard": 10}, "fender": [FENDER]}
@@ -29,6 +29,15 @@ def test_ratios_and_kilonewtons_of_damping_add_up():
     assert quadratic(made) == pytest.approx([0, 0, 0, 0, 0, 7e3])
     bare = make_study(SHIP)
     assert np.all(damping(bare, body) == 0) and damping(bare, body).shape == (6, 6) and np.all(quadratic(bare) == 0)
+
+
+def test_motions_of_a_study_are_named_and_one_that_is_held_does_not_start_elsewhere():
+    study = lambda **table: make_study(SHIP | {"simulation": {"duration": 9.0, "memory": "constant"} | table})  # noqa: E731
+    assert motions_of(study()) == (0, 1, 2, 3, 4, 5) and motions_of(study(motions=["yaw", "Surge"])) == (0, 5)
+    with pytest.raises(StudyError, match="motions: there is no motion 'sorge'; allowed: surge, sway"):
+        plan_of(study(motions=["sorge"]), OMEGA)
+    with pytest.raises(StudyError, match="heave is given, and motions holds it"):
+        plan_of(study(motions=["surge"], offset={"heave": 1.0}), OMEGA)
 
 
 @pytest.mark.parametrize("key", ["linear_damping", "quadratic_damping"])

@@ -35,7 +35,7 @@ ROPE = {
 }  # fmt: skip
 
 
-def without_memory(body):
+def without_memory(body, motions=None):
     """Memory without states, so that none has to be fitted, and the added mass of the longest waves; no findings"""
     return replace(no_memory(body), added_mass_infinity=body.coefficients(body.omega[:1])[0][0]), ()
 
@@ -61,6 +61,10 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     assert values["method.sway"][0] == values["method.sway"][1]  # the box divided is the box
     assert found["axes"]["window"]["values"] == [0.0, 30.0] and values["natural_period"][0] > 0
     assert values["strain.allowable"] == [0.5] * 4 and 0 < max(values["strain.largest"]) < 0.5
+    load, most = np.array(values["line.breaking_load"]), np.array(values["tension.largest"])
+    assert values["line.working_load"] == pytest.approx(0.4 * load)
+    assert values["tension.used_of_working"] == pytest.approx(most / (0.4 * load))
+    assert values["reaction.used"] == pytest.approx(np.divide(values["reaction.largest"], values["reaction.rated"]))
     assert any("knows no fenders" in one["text"] for one in found["findings"])
     assert main([*words, *more]) == failing
     told = capsys.readouterr().out
@@ -160,6 +164,7 @@ def test_waves_of_a_record_beside_the_study_move_the_ship(tmp_path):
     [
         ({"fender": [FENDER | {"position": [60, 30, 0]}]}, "fender[0] (F): the body cannot reach it at 60, 30, 0 m"),
         ({"fender": [FENDER | {"position": [0, 40, 0]}]}, "at most 10 m off"),
+        ({"fender": [FENDER | {"causes": ["ageing"]}]}, "fender[0] (F).causes is given"),
         ({"fender": [FENDER | {"on": "D"}]}, "there is no dolphin 'D'; allowed: none is given"),
         ({"dolphin": [{"name": "D", "stiffness": 1.0}]}, "dolphin 'D' carries no fender"),
         ({"fender": [FENDER, FENDER]}, "'F' is the name of two fenders or ropes"),

@@ -455,6 +455,19 @@ def test_what_lines_use_is_never_less_than_in_any_run_and_a_line_that_broke_in_o
     assert "tension.simplified" not in found
 
 
+def test_anchors_use_what_the_largest_pull_of_all_runs_asks_for(folder, monkeypatch):
+    """Runs pull one after another with 100, 200 and 300 kN, half of it upwards: (300/0.5 + 150)/600 is 125 %"""
+    sinker = '[[anchors]]\nkind = "sinker"\nfriction = 0.5\nweight_kN = 600.0\n'
+    Path("study.toml").write_text(Path("study.toml").read_text() + sinker)
+    pulls = iter([1e5, 3e5, 2e5])
+    monkeypatch.setattr(work, "anchor_pulls", lambda *given: next(pulls) * np.tile([1.0, 0.5], (12, 1)))
+    simulate()
+    found = read_run("run.h5")
+    assert found["anchor.used"] == pytest.approx(np.full(12, 1.25)) and found["anchor.holding"][0] == 0.5 * 450e3
+    assert any(line.startswith("FAILS: 12 of 12 anchors in the runs") and "125 %" in line for line in found.findings)
+    assert simulate().made == 0
+
+
 def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(folder, monkeypatch):
     """Statics at the displacement give 1.5 MN, at 1.5 times it 2 MN; run 4, which is not kept, pulled with 20 MN
 

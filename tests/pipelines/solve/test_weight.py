@@ -31,6 +31,20 @@ def test_a_centre_of_gravity_off_the_centre_of_buoyancy_is_told_with_its_moment_
     assert all(f"trim moment of {moment:.4g} N m, {angle:.3g}° of static trim" in line for line in said)
 
 
+def test_a_metacentric_height_places_the_centre_of_gravity():
+    """KM of a box is T/2 + B²/12T: with GM of 3 m the centre of gravity is B²/12T − T/2 − 3 above still water"""
+    raw = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "GM": 3.0, "gyration": [15.0, 29.0, 32.0]}
+    scene = make_scene({"water": {"depth": 20.0}, "bodies": [raw], "waves": {"omegas": [0.5]}})
+    found = make_header(scene, MeshedHull(MESH, None)).body
+    above = 50.0**2 / 120 - 5.0 - 3.0
+    assert found["center_of_mass"] == pytest.approx([0, 0, above]) and found["transverse_metacentric_height"] == (
+        pytest.approx(3.0)
+    )
+    assert found["inertia_matrix"][0, 4] == pytest.approx(1025 * 50_000 * above)
+    with pytest.raises(SceneError, match="GM is given, and z of center_of_gravity"):
+        told(GM=3.0, center_of_gravity=[0.0, 0.0, 1.0])
+
+
 @pytest.mark.parametrize("place", [[15.0, 0.0, 0.0], [-15.0, 0.0, 0.0], [0.0, 2.0, 0.0], [50.0, 0.0, 5.0]])
 def test_coordinates_from_the_stern_are_refused_unless_the_body_is_held(place):
     with pytest.raises(SceneError, match=r"off the centre of buoyancy in [xy]: .* limit 2°; .*--trimmed"):

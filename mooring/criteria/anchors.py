@@ -1,0 +1,126 @@
+"""What an anchor uses of its holding capacity, and the size that holds a pull; H, V : N, along and up, s : a factor.
+
+    drag anchor    used = s H/H_u,   H_u = H_R (m/m_R)^b,    m = m_R (s H/H_R)^(1/b)     a pull upwards lifts it
+    sinker         used = s (H/μ + V)/W,  W its weight in water
+    pile           used = s max(H/H_u, V/V_u),  by friction V_u = ψ L c of its girth, length in the bed and cohesion
+
+UFC 4-159-03 (2005), equation 26, of drag anchors by type and soil, `tables/drag_anchors.csv`; Kihara et al. (1975),
+chapter 6, of sinkers and piles.  A drag anchor has no capacity for a pull upwards in any chart: it is told.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.meshing.text_files import csv_rows
+
+from .failing import fails
+from .overuse import shares
+
+KINDS = ("drag", "sinker", "pile")
+LIFTED = 1e-3  # of the pull along the bed, below which a pull upwards is rounding
+
+
+class Chart(NamedTuple):
+    """H_u = holding (m/reference)^exponent; reference : kg; holding : N"""
+
+    reference: float
+    holding: float
+    exponent: float
+    source: str
+    status: str
+
+
+class Anchor(NamedTuple):
+    """An anchor, nan for what is not known: then it is sized, and uses nan of nothing.
+
+    holding, uplift : N, along and up, of a drag anchor and a pile; weight : N in water, friction : of a sinker
+    chart : of a drag anchor whose mass is to be found, else None; safety : s
+    """
+
+    kind: str
+    holding: float = np.nan
+    uplift: float = np.nan
+    weight: float = np.nan
+    friction: float = np.nan
+    chart: Chart | None = None
+    safety: float = 1.0
+
+    def capacity(self, up):
+        """N that it holds along the bed, without the factor, with a pull of `up` N"""
+        return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
+
+    def used(self, along, up):
+        """Share of what it holds, with the factor, at pulls of N"""
+        up = np.maximum(up, 0.0)
+        if self.kind == "sinker":
+            return self.safety * (along / self.friction + up) / self.weight
+        lifted = up / self.uplift if self.kind == "pile" and np.any(up > LIFTED * along) else 0.0
+        return self.safety * np.maximum(along / self.holding, lifted)
+
+    def needed(self, along, up):
+        """What it has to have: kg of a drag anchor in a chart, N in water of a sinker; nan of others"""
+        if self.kind == "sinker":
+            return self.safety * (along / self.friction + np.maximum(up, 0.0))
+        if self.chart is None:
+            return np.nan
+        return self.chart.reference * (self.safety * along / self.chart.holding) ** (1 / self.chart.exponent)
+
+
+@cache
+def charts():
+    """{(type, soil): Chart} of drag anchors"""
+    rows = csv_rows(files(__package__).joinpath("tables", "drag_anchors.csv").read_text(encoding="utf-8"))
+    return {
+        (row["type"], row["soil"]): Chart(
+            float(row["reference_kg"]),
+            1e3 * float(row["holding_kN"]),
+            float(row["exponent"]),
+            row["source"],
+            row["status"],
+        )
+        for row in rows
+    }
+
+
+def holding_of(chart, mass):
+    """N that a drag anchor of `mass`, kg in air, holds"""
+    return chart.holding * (mass / chart.reference) ** chart.exponent
+
+
+def stored_anchor(row):
+    """The Anchor of its values in a list, as JSON has them"""
+    return Anchor(*row)._replace(chart=row[5] and Chart(*row[5]))
+
+
+def anchor_findings(names, anchors, along, up, where="at the largest tension"):
+    """What fails or has to be known of anchors: (n,) Anchor or None, pulls (n,) N; a line of text each"""
+    known = [i for i, one in enumerate(anchors) if one is not None]
+    used = np.array([np.nan if one is None else one.used(along[i], up[i]) for i, one in enumerate(anchors)])
+    over = used > 1
+    if np.any(over):
+        named = shares(names, np.where(over, used, np.nan))
+        yield fails(
+            f"{over.sum()} of {len(known)} anchors {where} use more than they hold, limit 100 %: {named}; give a "
+            "larger one, of the size that the table of the anchors has, or a longer line"
+        )
+    lifted = [i for i in known if anchors[i].kind == "drag" and up[i] > LIFTED * along[i]]
+    if lifted:
+        worst = max(lifted, key=lambda i: up[i] / along[i])
+        angle = np.degrees(np.arctan2(up[worst], along[worst]))
+        yield (
+            f"{len(lifted)} of {len(known)} anchors are drag anchors that are lifted {where}, most {names[worst]} by "
+            f"{up[worst] / 1e3:.3g} kN, {angle:.3g}° off the bed: their holding capacity is of a horizontal pull; give "
+            "more chain, or a sinker or pile"
+        )
+    charted = [anchors[i].chart for i in known if anchors[i].chart]
+    unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")
+    if unsure:
+        yield (
+            f"holding capacity of drag anchors by {'; '.join(unsure)}, which nobody has checked in the book: look "
+            "there, or give holding_kN"
+        )

@@ -1,0 +1,157 @@
+"""Anchors of lines as tables of a study, what is found of them, in quantities and in words.
+
+[[anchors]]                [[anchors]]                 [[anchors]]
+kind = "drag"              kind = "sinker"             kind = "pile"
+type = "stockless"         friction = 0.5              holding_kN = 1500.0
+soil = "sand"              weight_kN = 400.0           uplift_kN = 600.0
+mass = 9000.0              lines = ["fore 1"]          safety = 2.0
+
+Without mass or weight_kN an anchor is sized: what its pull asks for stands in the result.
+"""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+
+from hakobune.mooring.criteria.anchors import KINDS, Anchor, charts, holding_of
+
+from ..common.quantities import StudyError, Table, below, positive
+from ..results.quantity import Quantity
+
+TABLE = "anchors at the largest pull"
+LARGEST = 10.0  # safety factor
+OF_KIND = {
+    "drag": {"type", "soil", "mass", "holding_kN"},
+    "sinker": {"friction", "weight_kN"},
+    "pile": {"holding_kN", "uplift_kN", "girth", "length", "cohesion_kPa"},
+}
+
+
+class AnchorTable(Table):
+    """The anchors of lines, of one kind and size
+
+    kind : "drag", "sinker" or "pile"
+    lines : names of the lines that end at such an anchor; by default all on the bed that no other table names
+    safety : factor on the pull, above 0
+    type : of a drag anchor in the charts, such as "stockless", "Danforth", "Stevin", "Stevpris Mk6"
+    soil : of a drag anchor in the charts: "mud", "sand" or "medium clay"
+    mass : kg in air, of a drag anchor in the charts; left out: sized
+    holding_kN : along the bed, of a pile, or of a drag anchor that is in no chart
+    uplift_kN : of a pile
+    friction : coefficient of a sinker on the bed
+    weight_kN : of a sinker in water; left out: sized
+    girth : m, of a pile that holds by friction, in place of uplift_kN
+    length : m, of it in the bed
+    cohesion_kPa : of the bed along it
+    """
+
+    kind: str
+    lines: list[str] = msgspec.field(default_factory=list)
+    safety: float = 1.0
+    type: str | None = None
+    soil: str | None = None
+    mass: float | None = None
+    holding_kN: float | None = None
+    uplift_kN: float | None = None
+    friction: float | None = None
+    weight_kN: float | None = None
+    girth: float | None = None
+    length: float | None = None
+    cohesion_kPa: float | None = None
+
+
+def anchors_of(tables, names, bollards=()):
+    """[Anchor or None] of each of the lines by name; bollards : names of those that end at none.  Raises StudyError."""
+    made = [_anchor(f"anchors[{i}]", table) for i, table in enumerate(tables)]
+    found = {}
+    for i, (table, one) in enumerate(zip(tables, made, strict=True)):
+        for name in table.lines:
+            if name not in names or name in bollards or name in found:
+                state = "in two tables" if name in found else "on no anchor" if name in bollards else "unknown"
+                allowed = ", ".join(other for other in names if other not in (*bollards, *found))
+                raise StudyError(f"anchors[{i}].lines: {name!r} is {state}; allowed: {allowed or 'none is left'}")
+            found[name] = one
+    rest = [i for i, table in enumerate(tables) if not table.lines]
+    if len(rest) > 1:
+        raise StudyError(f"anchors[{rest[0]}] and anchors[{rest[1]}] have no lines; allowed: one, for all others")
+    others = made[rest[0]] if rest else None
+    return [None if name in bollards else found.get(name, others) for name in names]
+
+
+def _anchor(where, table):
+    if table.kind not in KINDS:
+        raise StudyError(f"{where}.kind is {table.kind!r}; allowed: {', '.join(KINDS)}")
+    every = set().union(*OF_KIND.values())
+    given = [key for key in table.__struct_fields__ if key in every and getattr(table, key) is not None]
+    for key in given:
+        if key not in OF_KIND[table.kind]:
+            own = ", ".join(name for name in table.__struct_fields__ if name in OF_KIND[table.kind])
+            raise StudyError(f"{where}.{key} is given with kind = {table.kind!r}; allowed: {own}")
+        if key not in ("type", "soil"):
+            positive(f"{where}.{key}", getattr(table, key))
+    return {"drag": _drag, "sinker": _sinker, "pile": _pile}[table.kind](
+        where, table, below(f"{where}.safety", table.safety, LARGEST)
+    )
+
+
+def _drag(where, table, safety):
+    if table.holding_kN is not None:
+        if table.type is not None or table.soil is not None or table.mass is not None:
+            raise StudyError(f"{where}: allowed: either holding_kN, or type, soil and mass of a chart")
+        return Anchor("drag", 1e3 * table.holding_kN, safety=safety)
+    known = charts()
+    if (table.type, table.soil) not in known:
+        soils = [soil for name, soil in known if name == table.type]
+        allowed = f"soil {', '.join(soils)}" if soils else f"type {', '.join(dict.fromkeys(name for name, _ in known))}"
+        raise StudyError(
+            f"{where}: no chart of a drag anchor of type {table.type!r} in soil {table.soil!r}; allowed: {allowed}; or "
+            "give holding_kN"
+        )
+    chart = known[table.type, table.soil]
+    holding = np.nan if table.mass is None else holding_of(chart, table.mass)
+    return Anchor("drag", holding, chart=chart, safety=safety)
+
+
+def _sinker(where, table, safety):
+    if table.friction is None:
+        raise StudyError(f"{where}.friction is missing; allowed: coefficient of the sinker on the bed, above 0")
+    weight = np.nan if table.weight_kN is None else 1e3 * table.weight_kN
+    return Anchor("sinker", weight=weight, friction=table.friction, safety=safety)
+
+
+def _pile(where, table, safety):
+    skin = table.girth, table.length, table.cohesion_kPa
+    if table.holding_kN is None:
+        raise StudyError(f"{where}.holding_kN is missing; allowed: kN that the pile holds along the bed")
+    if (None in skin) == (table.uplift_kN is None) or (table.uplift_kN is not None and any(skin)):
+        raise StudyError(f"{where}: allowed: either uplift_kN, or girth, length and cohesion_kPa of the pile")
+    uplift = table.uplift_kN if table.uplift_kN is not None else skin[0] * skin[1] * skin[2]
+    return Anchor("pile", 1e3 * table.holding_kN, 1e3 * uplift, safety=safety)
+
+
+def quantities_of_anchors(anchors, along, up):
+    """{name: Quantity} over the lines of what anchors hold, use and need at pulls (n,) N; {} where there are none"""
+    if all(one is None for one in anchors):
+        return {}
+    rows = list(zip(anchors, along, up, strict=True))
+    of_kind = {  # what is asked for, nan of other kinds
+        kind: np.array([np.nan if one is None or one.kind != kind else one.needed(h, v) for one, h, v in rows], float)
+        for kind in KINDS
+    }
+    columns = {
+        "holding": ("N", "holds along the bed", _of(rows, lambda one, h, v: one.capacity(v))),
+        "used": ("", "used", _of(rows, lambda one, h, v: one.used(h, v))),
+        "needed_mass": ("kg", "needed, drag anchor", of_kind["drag"]),
+        "needed_weight": ("N", "needed, sinker in water", of_kind["sinker"]),
+    }
+    return {
+        f"anchor.{name}": Quantity(values, ("line",), unit, words, TABLE, share=name == "used")
+        for name, (unit, words, values) in columns.items()
+        if np.any(np.isfinite(values))
+    }
+
+
+def _of(rows, of):
+    """(n,) of (Anchor, along, up) rows, nan where there is no anchor"""
+    return np.array([np.nan if row[0] is None else of(*row) for row in rows], float)
