@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from made_up_body import INERTIA, OMEGA, STIFFNESS
-from two_bodies import ASTERN, BODIES, DEPTH, G, two_bodies
+from two_bodies import ASTERN, BODIES, DEPTH, G, coupled_bodies, two_bodies
 
 from hakobune.bem.drift import sum_about_origin
 from hakobune.bem.time_domain.memory import no_memory
@@ -42,11 +42,7 @@ def hawser(name, body, fairlead, end, to="", stiffness=2e5, slack=0.9):
 @pytest.fixture(scope="module")
 def pair():
     """Two bodies whose motions are coupled by the water, the second heading the other way, on springs"""
-    other = np.diag([0.1, -0.05, 0.2, 0.05, 0.1, 0.1]) * INERTIA
-    added = np.array([np.kron(np.eye(2), (0.5 + 0.2 * w) * INERTIA) for w in OMEGA])
-    added[:, :6, 6:] = added[:, 6:, :6] = other
-    damping = np.array([np.kron([[1, 0.2], [0.2, 1]], (0.01 + 0.02 * w) * INERTIA) for w in OMEGA])
-    body = two_bodies(AROUND, added_mass=added, radiation_damping=damping)
+    body = coupled_bodies(AROUND)
     return moored(
         body, memory=no_memory(body), spring=np.kron(np.eye(2), SPRING), damping=np.kron(np.eye(2), 0.05 * INERTIA)
     )
