@@ -29,33 +29,40 @@ def twice(matrix):
     return np.kron(np.eye(2), matrix)
 
 
-def held(*links, spring=0.0):
-    body = coupled_bodies(AROUND).linked(links)
-    return moored(body, memory=no_memory(body), spring=twice(SPRING) + spring, damping=twice(DRAG))
+@pytest.fixture(scope="module")
+def held(coupled):
+    """Function of links and a spring (12, 12) beside that of both"""
+    body, waves = coupled
+
+    def made(*links, spring=0.0):
+        spring = twice(SPRING) + spring
+        return moored(body.linked(links), memory=no_memory(body), spring=spring, damping=twice(DRAG), waves=waves)
+
+    return made
 
 
-def test_regular_waves_move_hinged_bodies_as_in_the_frequency_domain():
+def test_regular_waves_move_hinged_bodies_as_in_the_frequency_domain(held):
     """Amplitudes, phases and what the hinge holds; after the ramp, by least squares over four periods"""
     w, a = OMEGA[I], 1e-3
     T = 2 * np.pi / w
     bodies = held(JOINT)
-    run = simulate(bodies, Weather(regular=Waves(2 * a, T, AROUND[J])), Settings(84 * T, 20 * T, T / 20, **STILL))
+    run = simulate(bodies, Weather(regular=Waves(2 * a, T, AROUND[J])), Settings(44 * T, 20 * T, T / 20, **STILL))
     (A,), (B,) = bodies.reader.coefficients(np.array([w]))
     D = -(w**2) * (twice(INERTIA) + A) - 1j * w * (B + twice(DRAG)) + twice(STIFFNESS + SPRING)
     F = bodies.reader.between.quantities["excitation_force"][I, J]
     G = rows_at(links_of(bodies.reader), bodies.reader.axes_at_rest * [0, 0, 0, 0, 0, 1])[0]
     exact = np.linalg.solve(np.block([[D, -G.T], [G, np.zeros((5, 5))]]), np.concatenate([F, np.zeros(5)]))
-    late = run.time >= 80 * T
+    late = run.time >= 40 * T
     t = run.time[late] + 20 * T
     turn = np.stack([np.cos(w * t), np.sin(w * t), np.ones_like(t)], axis=1)
     series = np.column_stack([run.motion, run.links[:, 0, :3]])[late]
     found = np.linalg.lstsq(turn, series / a, rcond=None)[0]
     off = np.abs(found[0] + 1j * found[1] - exact[:15])
-    assert off[:12].max() < 1e-5 * np.abs(exact[:12]).max() and off[12:].max() < 1e-5 * np.abs(exact[12:15]).max()
+    assert off[:12].max() < 5e-5 * np.abs(exact[:12]).max() and off[12:].max() < 5e-5 * np.abs(exact[12:15]).max()
     assert np.abs(run.links[:, 0, 3]).max() < 1e-9 * np.abs(run.links[:, 0, 4]).max()  # none about its axis
 
 
-def test_a_hinge_is_where_springs_grow_stiff_to_first_order():
+def test_a_hinge_is_where_springs_grow_stiff_to_first_order(held):
     """On a pier: springs of k at the same point, and k (30 m)² against turning about x and y"""
     waves, how = Weather(regular=Waves(2e-3, 2 * np.pi / OMEGA[I], AROUND[J])), Settings(10.0, 10.0, 1.0, **STILL)
     bodies = held(POST)
@@ -63,7 +70,6 @@ def test_a_hinge_is_where_springs_grow_stiff_to_first_order():
     G[3:] *= 30.0
     exact = simulate(bodies, waves, how).motion
     errors = [np.abs(simulate(held(spring=k * G.T @ G), waves, how).motion - exact).max() for k in (5e8, 2e9)]
-    print(errors, np.abs(exact).max())
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
 
 
@@ -98,11 +104,10 @@ def test_a_hinged_pair_that_floats_freely_keeps_energy_and_its_hinge():
     energy = sum(0.75 * INERTIA[i, i] * run.velocity[:, i::6] ** 2 for i in range(6)).sum(axis=1)
     energy += sum(0.5 * STIFFNESS[i, i] * (run.motion[:, i::6]) ** 2 for i in (2, 3, 4)).sum(axis=1)
     gaps = [np.abs(rows_at(links_of(quiet), pose)[1]).max() for pose in run.poses]
-    print(np.ptp(energy) / energy.max(), max(gaps), np.ptp(run.motion, axis=0))
     assert np.ptp(energy) < 1e-6 * energy.max() and max(gaps) < 1e-6 and np.ptp(run.motion[:, 5]) > 0.1
 
 
-def test_a_hinge_to_a_pier_holds_and_an_offset_is_carried_to_where_it_can_be():
+def test_a_hinge_to_a_pier_holds_and_an_offset_is_carried_to_where_it_can_be(held):
     bodies = held(JOINT, POST)
     offset = np.zeros(12)
     offset[5] = 0.3
@@ -119,5 +124,5 @@ def test_a_top_heavy_pair_is_refused():
     bodies = coupled_bodies(AROUND).linked([JOINT])
     C = twice(STIFFNESS)
     C[3, 3] = C[9, 9] = -C[3, 3]
-    with pytest.raises(ValueError, match="hinges joint: .* roll leaves its place at rest by itself"):
+    with pytest.raises(ValueError, match=r"hinges joint: .* roll leaves its place at rest by itself"):
         moored(replace(bodies, stiffness=C), memory=no_memory(bodies))

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from made_up_body import INERTIA, OMEGA, STIFFNESS
-from two_bodies import ASTERN, BODIES, DEPTH, G, coupled_bodies, two_bodies
+from two_bodies import ASTERN, BODIES, DEPTH, G, two_bodies
 
 from hakobune.bem.drift import sum_about_origin
 from hakobune.bem.time_domain.memory import no_memory
@@ -40,12 +40,11 @@ def hawser(name, body, fairlead, end, to="", stiffness=2e5, slack=0.9):
 
 
 @pytest.fixture(scope="module")
-def pair():
+def pair(coupled):
     """Two bodies whose motions are coupled by the water, the second heading the other way, on springs"""
-    body = coupled_bodies(AROUND)
-    return moored(
-        body, memory=no_memory(body), spring=np.kron(np.eye(2), SPRING), damping=np.kron(np.eye(2), 0.05 * INERTIA)
-    )
+    body, waves = coupled
+    spring, damping = (np.kron(np.eye(2), one) for one in (SPRING, 0.05 * INERTIA))
+    return moored(body, memory=no_memory(body), spring=spring, damping=damping, waves=waves)
 
 
 def test_regular_waves_move_both_as_in_the_frequency_domain(pair):
