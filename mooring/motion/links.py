@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.hinges import end_of
 from hakobune.bem.kernels.jit import kernel
 
 from .line_loads import rotation_of
@@ -76,9 +77,9 @@ def links_of(reader):
         return None
     ends, points, backs, helds, shown = [], [], [], [], []
     for link in reader.links:
-        bodies = [reader.body_named(name) for name in link.bodies]
+        bodies, moves = zip(*(end_of(reader, name) for name in link.bodies), strict=True)
         place, axes = bodies[0].in_scene(link.position), [np.eye(3) if one.fixed else one.axes for one in bodies]
-        ends.append([-1 if one.fixed else reader.columns_of(one).start // 6 for one in bodies])
+        ends.append([-1 if own is None else own.start // 6 for own in moves])
         points.append([place if one.fixed else one.axes.T @ (place - one.rotation_center) for one in bodies])
         own = axes[0].T @ bodies[0].axes  # of the first, in those that it is turned in here
         held = np.zeros((3, 3))

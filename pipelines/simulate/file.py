@@ -44,7 +44,13 @@ SERIES = {  # name: (axes, unit, long name)
     "wind_speed": (("kept_seed", "time"), "m/s", "wind speed with its gusts"),
     "tension": (("kept_seed", "time", "line"), "N", "line tension at the body"),
     "deflection": (("kept_seed", "time", "fender"), "m", "deflection of a fender"),
+    "links": (
+        ("kept_seed", "time", "hinge"),
+        "N, N, N, N m, N m, N m",
+        "what the first body of a hinge holds the second with",
+    ),
 }
+ONLY_WITH = "fender", "hinge"  # axes that are there only where they have a name
 FILLED = ("findings", "stored", "summary", "summary_checksum")
 ROWS = {
     "statistics": (("seed", "quantity", "statistic"), "unit of the quantity; T in s", "statistics of one run"),
@@ -62,6 +68,7 @@ class Header:
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
+    hinges : names, of which each has a force and a moment along the axes of its first body
     """
 
     identity: str
@@ -76,6 +83,13 @@ class Header:
     attributes: dict = field(default_factory=dict)
     fenders: tuple[str, ...] = ()
     motions: tuple[str, ...] = DOFS
+    hinges: tuple[str, ...] = ()
+
+    @property
+    def some(self):
+        """{axis of ONLY_WITH: names}"""
+        forces = [f"{one} {word} {axis}" for one in self.hinges for word in ("force", "moment") for axis in "xyz"]
+        return dict(zip(ONLY_WITH, (self.fenders, tuple(forces)), strict=True))
 
     @property
     def slow(self):
@@ -85,7 +99,7 @@ class Header:
 
 def create(path, header, seeds, kept, old=None):
     """A new file for seeds, with records of the first `kept`; rows of `old`, an open file, are taken over."""
-    filled = [name for name in SERIES if header.fenders or "fender" not in SERIES[name][0]]
+    filled = [name for name in SERIES if header.some.get(SERIES[name][0][-1], True)]
     with beside(path, (*filled, *ROWS, *FILLED)) as file:
         _lay_out(file, header, np.array(seeds), min(kept, len(seeds)))
         for row in () if old is None else np.flatnonzero(whole_rows(old)):
@@ -119,10 +133,11 @@ def _lay_out(file, header, seeds, kept):
         file.create_dataset(name, data=np.array(values, dtype=h5py.string_dtype() if text else None)).make_scale(name)
     file["time"].attrs["units"] = "s"
     file["quantity"].attrs["quantity_units"] = json.dumps(header.units)
-    if header.fenders:
-        file.create_dataset("fender", data=header.fenders, dtype=h5py.string_dtype()).make_scale("fender")
+    for axis, names in header.some.items():
+        if names:
+            file.create_dataset(axis, data=names, dtype=h5py.string_dtype()).make_scale(axis)
     for name, (dims, unit, words) in {**SERIES, **ROWS}.items():
-        if not header.fenders and "fender" in dims:
+        if not header.some.get(dims[-1], True):
             continue
         kind = np.float32 if name in SERIES else float
         data = np.full([len(file[axis]) for axis in dims], np.nan, kind)
@@ -178,7 +193,7 @@ def row_values(file, row):
 
 
 def _stored_names(file, row):
-    """Names of what is stored of a row; deflections only where there are fenders"""
+    """Names of what is stored of a row; deflections only where there are fenders, and so with hinges"""
     series = [name for name in SERIES if name in file] if row < len(file["kept_seed"]) else []
     return [*ROWS, "findings", *series]
 
