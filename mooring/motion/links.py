@@ -104,6 +104,28 @@ def link_work(links, states=0, samples=0):
     )  # fmt: skip
 
 
+def rows_at(links, poses):
+    """(r, 6N) of G and (r,) of what is held to zero, of `links.Links` with the bodies at poses (N, 6)"""
+    work, poses = link_work(links), np.ascontiguousarray(poses, float)
+    fill_rows(links, work, poses)
+    G = np.zeros((len(work.gap), poses.size))
+    for k, ends in enumerate(links.ends):
+        rows = slice(links.first[k], links.first[k + 1])
+        for e, b in enumerate(ends):
+            if b >= 0:
+                G[rows, 6 * b : 6 * b + 6] = work.rows[rows, 6 * e : 6 * e + 6]
+    return G, work.gap.copy()
+
+
+def held_by(links, poses, mu):
+    """(k, 6) N, N m with which the first body of each link holds the second, along the axes of the first, of μ (r,)"""
+    work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(6 * len(links.ends))
+    fill_rows(links, work, poses)
+    work.mu[:] = mu
+    put_forces(links, work, poses, out)
+    return out.reshape(-1, 6)
+
+
 @kernel()
 def fill_rows(links, work, poses):
     """work.rows, gap and axis with the bodies at poses (N, 6)"""

@@ -15,13 +15,13 @@ from ...lines.system.bodies import axes_in_space
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
-from ..contacts import at_rest, berth_force, berth_stiffness, no_berth
+from ..contacts import at_rest, berth_force, berth_stiffness, no_berth, rest_together, stiffness_together
 from ..force_tables import TOLERANCE
 from ..line_loads import body_lines, line_loads, line_work, tables_of
 from ..links import links_of
 from ..wave_loads import WaveForces, wave_forces
 from .body import in_space, of_each
-from .linked import check_held, rest_together, stiffness_together
+from .linked import check_held
 from .memory import fitted_memory
 
 FLOATS = [2, 3, 4]  # heave, roll, pitch

@@ -9,9 +9,9 @@ from two_bodies import coupled_bodies, two_bodies
 
 from hakobune.bem.hinges import Link
 from hakobune.bem.time_domain.memory import no_memory
-from hakobune.mooring.motion.links import links_of
+from hakobune.mooring.motion.links import links_of, rows_at
 from hakobune.mooring.motion.simulation import moored, simulate
-from hakobune.mooring.motion.simulation.linked import begin_together, rows_at
+from hakobune.mooring.motion.simulation.linked import begin_together
 from hakobune.mooring.motion.wave_loads import no_wave_forces
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Waves

@@ -58,6 +58,22 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
     assert main(film) == 2 and "is of ship, barge; allowed: a run of one body" in capsys.readouterr().err
 
 
+def test_moor_finds_the_rest_between_fenders_ropes_and_hinges(database):
+    """The barge hangs on the ship alone: hawser and rope, 45° off its side, press it on the fender; a hinge holds what
+    waves push it with"""
+    rope = {**ROPE, "bollard": [-1.0, -2.5, 1.0]}
+    made = hakobune.moor({**STUDY, "rope": [rope]}, database)
+    fender, rope = made["contact.force_at_rest"]
+    assert fender == pytest.approx(np.sqrt(0.5) * (rope + made["tension.at_rest"][-1]), rel=0.03)
+    assert rope == pytest.approx(made["tension.at_rest"][-1], rel=0.05) and rope > 1e3
+    made = hakobune.moor({**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}, database)
+    barge, held, yaw = made.labels["load"].values.tolist().index("barge sum"), made["hinge.steady"], made["pose.yaw"][0]
+    pushed = made["load.Fx"][barge] + 1j * made["load.Fy"][barge]
+    assert (held[0] + 1j * held[1]) * np.exp(1j * yaw) == pytest.approx(-pushed, rel=1e-4)
+    assert np.abs(made["hinge.at_rest"]).max() < 1e-6 and abs(held[3]) < 1e-6 * abs(held[4])
+    assert len(made["period.at_rest"]) == 7
+
+
 def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
     run = tmp_path / "run.h5"
     made = hakobune.simulate({**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}, database, run)
