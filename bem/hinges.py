@@ -3,7 +3,8 @@
     G X = 0,    D X = F + Gᵀμ,    X = Z q,  G Z = 0,    (Zᵀ D Z) q = Zᵀ F,    μ = (G Gᵀ)⁻¹ G (D X − F)
 
 A row of G says that the point of the link on the second body moves as that on the first along an axis of the first, or
-that both turn alike about one.  μ is the force and moment with which the first body holds the second.
+that both turn alike about one.  μ is the force and moment with which the first body holds the second.  One of them may
+be SPACE, in coordinates of the scene, and a body that is alone is called ALONE.
 """
 
 from __future__ import annotations
@@ -12,6 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .modes import Body
+
+SPACE, ALONE = "space", "body"
 KINDS = ("hinge", "ball", "rigid")
 SAME = 1e-9  # of the largest singular value: a constraint that the others already are
 
@@ -37,14 +41,23 @@ class Link(NamedTuple):
         return np.linalg.svd(along[None])[2][1:]
 
 
+def end_of(reader, name):
+    """`bem.modes.Body` of a name and the slice of its motions, None where it is still.  Raises BetweenError."""
+    if name == SPACE:
+        return Body(SPACE, fixed=True), None
+    if name == ALONE and not reader.bodies:
+        return Body(ALONE, tuple(map(float, reader.rotation_center))), slice(0, 6)
+    body = reader.body_named(name)
+    return body, reader.columns_of(body)
+
+
 def rows_of(reader, link):
     """(3 + k, n) of G for the motions of a `bem.database.reader.Reader`.  Raises BetweenError for unknown bodies."""
-    first, second = (reader.body_named(name) for name in link.bodies)
+    (first, own_of_first), (second, own_of_second) = (end_of(reader, name) for name in link.bodies)
     place = first.in_scene(link.position)
     turn = first.axes.T @ second.axes
     rows = np.zeros((6, len(reader.words)))
-    for body, sign, axes in ((first, -1.0, np.eye(3)), (second, 1.0, turn)):
-        own = reader.columns_of(body)
+    for body, sign, axes, own in ((first, -1.0, np.eye(3), own_of_first), (second, 1.0, turn, own_of_second)):
         if own is not None:
             x, y, z = body.axes.T @ (place - (*body.place, 0.0)) - body.own_center
             rows[:3, own] += sign * axes @ np.hstack([np.eye(3), [[0, z, -y], [-z, 0, x], [y, -x, 0]]])

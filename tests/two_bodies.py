@@ -1,4 +1,4 @@
-"""A Reader of two bodies of known coefficients that do not see each other, and a third that is fixed."""
+"""Readers of two bodies of known coefficients, that see each other or not, and a third that is fixed."""
 
 import numpy as np
 from made_up_body import HEADINGS, INERTIA, OMEGA, STIFFNESS, coefficients, force
@@ -44,3 +44,12 @@ def two_bodies(headings=HEADINGS, **quantities):
     return Reader(
         between, 1025.0, np.zeros(3), twice(INERTIA), twice(STIFFNESS), np.zeros((12, 12)), bodies=BODIES
     )  # fmt: skip
+
+
+def coupled_bodies(headings):
+    """Reader of the same whose motions are coupled by the water"""
+    other = np.diag([0.1, -0.05, 0.2, 0.05, 0.1, 0.1]) * INERTIA
+    added = np.array([np.kron(np.eye(2), (0.5 + 0.2 * w) * INERTIA) for w in OMEGA])
+    added[:, :6, 6:] = added[:, 6:, :6] = other
+    damping = np.array([np.kron([[1, 0.2], [0.2, 1]], (0.01 + 0.02 * w) * INERTIA) for w in OMEGA])
+    return two_bodies(headings, added_mass=added, radiation_damping=damping)

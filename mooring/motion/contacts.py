@@ -1,4 +1,4 @@
-"""Fenders and ropes of bodies at a berth or side by side, as values, and where the bodies rest between them."""
+"""Fenders and ropes of bodies at a berth or side by side, as values, and where bodies rest between them, or hinged."""
 
 from __future__ import annotations
 
@@ -9,11 +9,15 @@ import numpy as np
 from ..fenders.fender import Fender, FenderError
 from ..fenders.hysteresis import contact_table
 from ..lines.system.bodies import axes_in_space, rotation
+from ..lines.system.graph import Pose
 from .contact_loads import Contacts, contact_loads, contact_work, contacts_along
+from .line_loads import generalized
+from .links import rows_at
 
 SIDES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0)}
 STEP = np.array([1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6])  # m, rad, of a difference quotient
 RESTS = 1e-6  # residual over the largest force of a fender or rope
+TOGETHER = 1e-12  # m, rad: apart by less is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,6 +144,85 @@ def at_rest(berth, others, start, unit):
             "force is left; give ropes that hold it from both sides"
         )
     return found.x * unit
+
+
+def rest_together(links, forces, start, unit, headings):
+    """(n,) places where forces, a function of the place (n,) in space, and links balance, and (r,) what these hold
+
+    forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
+    raises : ValueError where they do not
+    """
+    from scipy.optimize import least_squares
+
+    size = max(np.abs(forces(np.asarray(start)) * unit).max(), 1.0)
+
+    def parts(place):
+        G, gap = rows_at(links, poses_at(place, headings))
+        F = forces(place)
+        mu = np.linalg.lstsq((G * unit).T, -F * unit, rcond=None)[0]
+        return F + G.T @ mu, gap, mu
+
+    def residual(x):
+        left, gap, _ = parts(x * unit)
+        return np.concatenate([left * unit / size, gap])
+
+    x = np.asarray(start) / unit
+    if np.abs(residual(x)).max() > TOGETHER:
+        found = least_squares(residual, x, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        if not np.abs(found.fun).max() <= RESTS:
+            raise ValueError(
+                f"the bodies come to no rest with their hinges: {np.abs(found.fun).max():.2g} of the largest force, or "
+                "m, is left; look at lines and fenders that pull a hinge apart"
+            )
+        x = found.x
+    return x * unit, parts(x * unit)[2]
+
+
+def stiffness_together(links, forces, place, mu, headings):
+    """(n, n) along the axes of the bodies, of forces as of `rest_together` and of what links hold there, μ (r,)"""
+    out, along = np.empty((len(place), len(place))), axes_in_space(headings)
+
+    def total(at):
+        return forces(at) + rows_at(links, poses_at(at, headings))[0].T @ mu
+
+    for j, h in enumerate(np.tile(STEP, len(place) // 6)):
+        out[:, j] = (total(place - h * along[:, j]) - total(place + h * along[:, j])) / (2 * h)
+    return out
+
+
+def rest_between(system, berth, links, water, load):
+    """(n,) places in space where lines of a `System`, fenders, ropes, links, water and a load balance, μ (r,) of links
+
+    links : `links.Links`, None for none; water : (n, n) stiffness along the axes of the bodies; load : (n,) in space
+    raises : ValueError where they do not
+    """
+    given = np.array([one.position for one in system.bodies], float)
+    headings = given[:, 5]
+    turn = axes_in_space(headings)
+
+    def forces(place):
+        poses = given + place.reshape(-1, 6)
+        turns = np.array([rotation(*pose[3:]) for pose in poses])
+        pulls = system.load(Pose(poses[:, :3], turns, np.zeros((0, 3)))).force + load
+        out = np.zeros((len(poses), 6))
+        for pose, pull, own in zip(poses, pulls.reshape(-1, 6), out, strict=True):
+            generalized(pose, *pull, own)
+        return out.ravel() - water @ (turn.T @ place)
+
+    arms = np.array([np.abs(system.arrays.position[system.arrays.owner == i]).max(initial=1.0)
+                     for i in range(len(given))])[:, None]  # fmt: skip
+    unit = np.concatenate([np.ones((len(arms), 3)), 1 / np.repeat(arms, 3, axis=1)], axis=1).ravel()
+    if links is None:
+        return at_rest(berth, forces, np.zeros(len(unit)), unit), np.zeros(0)
+    both = (lambda place: forces(place) + berth_force(berth, place)) if berth.names else forces
+    return rest_together(links, both, np.zeros(len(unit)), unit, headings)
+
+
+def poses_at(place, headings):
+    """(N, 6) of displacements in space (n,)"""
+    poses = np.array(place, float).reshape(-1, 6)
+    poses[:, 5] += headings
+    return poses
 
 
 def contact_forces(berth, position):

@@ -7,6 +7,7 @@
 may be any.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow velocity
 (after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew, so that
 it does no work; with a current its moment on the added mass (Munk's) is in the current coefficients and left out here.
+Hinges between bodies (`links`) add to the forces what holds these together.
 The memory is a linear system that is driven by ν (`bem.time_domain.memory`).  A buoy with mass between hawsers and
 lines of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation.
 Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
@@ -30,6 +31,7 @@ from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
 from .buoy import buoy_rates
 from .contact_loads import Contacts, ContactWork, contact_loads
 from .line_loads import Lines, LineWork, line_loads
+from .links import hold_together
 from .streams import Stream, stream_force
 from .tables.hull_water import HullWater, hull_water_force
 from .tables.interpolation import EDGE, between_samples, on_ring
@@ -100,7 +102,10 @@ class Work(NamedTuple):
 
 
 class Scene(NamedTuple):
-    """All that acts on a body, and room for work: what `rates` takes beside time and state"""
+    """All that acts on a body, and room for work: what `rates` takes beside time and state
+
+    links : (`links.Links`, LinkWork), None where there are none, and then nothing of them is compiled
+    """
 
     body: Body
     lines: Lines
@@ -111,6 +116,7 @@ class Scene(NamedTuple):
     contact_work: ContactWork
     hull: HullWater
     work: Work
+    links: tuple | None = None
 
 
 def room(columns, bodies=1):
@@ -327,6 +333,17 @@ def of_moorings(scene, y, rate):
     return good
 
 
+@kernel(inline=True)
+def of_links(scene, links, y):
+    """What hinges hold between the bodies of a `Scene` in the state y (n,), into the forces"""
+    if links is not None:
+        held, kept = links
+        for b in range(scene.body.heading.size):
+            for j in range(6):
+                kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
+        hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
+
+
 @kernel()
 def rates(scene, buoy, t, y, rate):
     """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
@@ -348,6 +365,7 @@ def rates(scene, buoy, t, y, rate):
         at, place = (t - work.span[0]) / work.span[1] + EDGE, y[first : first + 6]
         good = buoy_rates(floating, kept, y, place, work.R[0], at, share, grown, rate[first : first + 6]) and good
         give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
+    of_links(scene, scene.links, y)
     for b in range(count):
         move(body, b, y, rate, work.force)
     return good

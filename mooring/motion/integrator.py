@@ -23,6 +23,7 @@ from .buoy import keep_pulls, open_water
 from .contact_loads import settle
 from .equation import BLOCK, SAMPLED, SLOW, SLOW_RATE, rates
 from .line_loads import fairlead_of, hold
+from .links import put_forces
 from .moving_lines.sea import sea_ahead
 from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions, sea_for_step
 from .wave_loads import fill_rows, fill_window
@@ -330,6 +331,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
         later = limit if cut else t + h
         if scene.contact_work.beyond[0] >= 0:
             return BEYOND
+        keep_links(scene, scene.links, buoy, clock, t, h, later)
         settle(scene.contact_work)
         first = counts[SAMPLES]
         put_samples(clock, t, h, later, samples)
@@ -373,3 +375,23 @@ def put_samples(clock, t, h, later, samples):
             put_sample(clock, b, t, h, at, row[SAMPLED * b : SAMPLED * b + SAMPLED])
         put_buoy(clock, t, h, at, row[SAMPLED * bodies :])
         counts[SAMPLES] += 1
+
+
+@kernel()
+def keep_links(scene, links, buoy, clock, t, h, later):
+    """Forces of links at the samples of the step from t to `later`, s, from the state there; the last as `put_samples`
+
+    What fenders remember is then that of the end of the step, as before.
+    """
+    if links is not None:
+        held, kept = links
+        row, k, n = clock.counts[SAMPLES], clock.stages, 0
+        while row < kept.kept.shape[0] and row * clock.sample_step <= later + ROUNDING * clock.sample_step:
+            s = (row * clock.sample_step - t) / h
+            for i in range(kept.state.size):
+                kept.state[i] = hermite(s, clock.y[i], clock.trial[i], h * k[0, i], h * k[6, i])
+            rates(scene, buoy, t + s * h, kept.state, kept.rate)
+            put_forces(held, kept, scene.work.place, kept.kept[row])
+            row, n = row + 1, n + 1
+        if n > 0:
+            rates(scene, buoy, t + h, clock.trial, kept.rate)

@@ -142,7 +142,7 @@ def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
             names.append(relative_name(point))
             units.append("m")
             values.append((next(levels) - d[..., 2])[..., None])
-    if body.bodies and body.links:
+    if body.links:
         values.append(body.link_forces(given, heading, motion).reshape(*motion.shape[:2], -1))
         for link in body.links:
             names += [f"{link.name} {word} {axis}" for word in ("force", "moment") for axis in "xyz"]

@@ -10,7 +10,8 @@ Motions of slow drift are not in the method.
 
 Several bodies are held by lines to anchors and to each other: forces and motions are six for each that moves, one body
 after another, in one equilibrium and one set of natural periods.  A line between two of them is tightened by the
-largest motions of both.
+largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are in the rest, the equilibrium
+and the periods; of the motions in waves hinges alone change those of the free bodies.
 """
 
 from __future__ import annotations
@@ -27,6 +28,8 @@ from ..lines.system.bodies import rotation
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.graph import LineForces, System
 from ..lines.system.parts import Anchor, Fairlead
+from ..motion.contacts import berth_stiffness, courses, no_berth, rest_between, stiffness_together
+from ..motion.links import held_by, links_of
 from .conditions import Conditions, afloat, in_motions
 from .multi_point_findings import HORIZONTAL, findings
 from .places import check_places, place_findings
@@ -46,7 +49,9 @@ class MultiPoint:
     waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
     amplitudes : (n,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
         the amplitudes
-    hulls : `conditions.Afloat` of every body
+    hulls : `conditions.Afloat` of every body; berth : `motion.contacts.Berth`, None for none
+    contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
+    held : (2, k, 6) N, N m with which the first body of each of k `hinges` holds the second, along its axes, at both
     warnings : what a reader has to know, a line each; of what fails as `criteria.failing.fails` marks it
     """
 
@@ -65,6 +70,10 @@ class MultiPoint:
     extreme: LineForces
     warnings: tuple[str, ...]
     hulls: tuple = ()
+    berth: object = None
+    contact: np.ndarray | None = None
+    held: np.ndarray | None = None
+    hinges: tuple[str, ...] = ()
 
     def __repr__(self):
         worst = int(np.argmax(self.tension))
@@ -106,27 +115,39 @@ class MultiPoint:
         return self.extreme.utilisation
 
 
-def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
+def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=None) -> MultiPoint:
     """Study of a body, its stored wave database `db`, and its lines; or of several.
 
     system : of bodies whose axes have their origin at their rotation centres, and of lines from anchors to them and
         between them, as `lines.system.moored_body` makes one
     hull : `conditions.ExposedBox`, of several bodies {name: ExposedBox}; allowable : fraction of the breaking load
+    berth : `motion.contacts.Berth` of fenders and ropes; body : `Reader` with hinges, by default that of the database
     raises : ValueError naming what does not fit or has no solution
     """
-    hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader
+    hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader if body is None else body
+    berth = no_berth() if berth is None else berth
     if body.modes:
         db.require_rigid()
     _check(db, system, hulls, allowable)
     if not db.bodies:
         conditions = with_coefficients(conditions, hull, system.depth)
-    at_rest = rest(held_at(system, {one.name: one.position for one in system.bodies}))
-    periods_at_rest = natural_periods(body.restrained(stiffness=in_motions(at_rest.stiffness, hulls)))
-    waves = wave_effects(db, conditions) if conditions.waves else {}
+    stays = rest(held_at(system, {one.name: one.position for one in system.bodies}))
+    hydrostatic = [body.stiffness[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(hulls))]
+    waves = wave_effects(db, conditions, body) if conditions.waves else {}
     effects = waves.get(conditions.method, WaveEffects(None, np.zeros(6 * len(hulls))))
     loads = _loads(hulls, conditions, system.depth, effects.drift)
-    hydrostatic = [body.stiffness[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(hulls))]
-    equilibrium = _heeled(system, at_rest, hydrostatic, sum(loads.values(), np.zeros(6 * len(hulls))))
+    steady, links = sum(loads.values(), np.zeros(6 * len(hulls))), links_of(body)
+    if berth.names or links is not None:
+        given = system, stays, berth, links, body.stiffness
+        (at_rest, *first), (equilibrium, *second) = _between(*given, 0 * steady), _between(*given, steady)
+    else:
+        first = second = 0.0, np.zeros((2, 0)), np.zeros((0, 6))
+        at_rest, equilibrium = stays, _heeled(system, stays, hydrostatic, steady)
+    beside, contact, held = zip(first, second, strict=True)
+    periods = [
+        natural_periods(body.restrained(stiffness=in_motions(state.stiffness, hulls) + more))
+        for state, more in zip((at_rest, equilibrium), beside, strict=True)
+    ]
     outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
@@ -134,8 +155,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         system,
         conditions,
         allowable,
-        periods_at_rest,
-        natural_periods(body.restrained(stiffness=in_motions(equilibrium.stiffness, hulls))),
+        *periods,
         loads,
         waves,
         at_rest,
@@ -146,6 +166,10 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         system.forces_between(anchors, moved),
         (),
         hulls,
+        berth,
+        np.array(contact),
+        np.array(held),
+        tuple(link.name for link in body.links),
     )
     return replace(result, warnings=(*place_findings(system, hulls), *findings(result, db)))
 
@@ -178,6 +202,26 @@ def _heeled(system, at_rest, hydrostatic, load):
     found = rest(replace(system, bodies=tuple(floating)))
     lines = rest(held_at(system, {body.name: found.position[i] for i, body in enumerate(system.bodies)}))
     return replace(found, stiffness=lines.stiffness)
+
+
+def _between(system, stays, berth, links, water, load):
+    """SystemEquilibrium of bodies under a load (n,) as `_heeled`, that fenders, ropes and links hold too, its stiffness
+    that of the lines; (n, n) stiffness of the others along the axes of the bodies; `MultiPoint.contact` and held, there
+    """
+    count = len(system.bodies)
+    balanced = load - np.tile([0, 0, 1, 1, 1, 0], count) * np.asarray(stays.force)[: 6 * count]
+    place, mu = rest_between(system, berth, links, water, balanced)
+    given = np.array([one.position for one in system.bodies], float)
+    poses = given + place.reshape(-1, 6)
+    lines = rest(held_at(system, {one.name: pose for one, pose in zip(system.bodies, poses, strict=True)}))
+    others, contact, held = np.zeros((6 * count, 6 * count)), np.zeros((2, 0)), np.zeros((0, 6))
+    if berth.names:
+        others = berth_stiffness(berth, place)
+        contact = np.concatenate(courses(berth, (poses - given * [1, 1, 1, 0, 0, 0])[None]))
+    if links is not None:
+        others = others + stiffness_together(links, np.zeros_like, place, mu, given[:, 5])
+        held = held_by(links, poses - given * [1, 1, 1, 0, 0, 0], mu)
+    return lines, others, contact, held
 
 
 def line_ends(state):

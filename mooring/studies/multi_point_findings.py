@@ -96,10 +96,11 @@ def _undamped(result, db, waves):
     low, high = NEAR
     body = db.bodies_reader
     weak = {one.mode for one in known_resonances(body) if one.damping < WEAK}
-    for mode in range(len(body.words)):
-        if mode % 6 != 3 and not (mode in weak and mode % 6 in (2, 4)):
+    periods = dict(zip(result.at_equilibrium.names, result.at_equilibrium.period, strict=True))
+    for mode, name in enumerate(body.names):  # hinges leave fewer modes than motions
+        if name not in periods or (mode % 6 != 3 and not (mode in weak and mode % 6 in (2, 4))):
             continue
-        period, amplitude = result.at_equilibrium.period[mode], result.amplitudes[mode]
+        period, amplitude = periods[name], result.amplitudes[mode]
         unit = "m" if mode % 6 == 2 else "rad"
         if amplitude > MOVING * 0.5 * waves.height and low <= period / waves.period <= high:
             yield (

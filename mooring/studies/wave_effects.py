@@ -44,19 +44,21 @@ class WaveEffects(NamedTuple):
     by_current: np.ndarray | None = None
 
 
-def wave_effects(db, conditions):
+def wave_effects(db, conditions, body=None):
     """{method: WaveEffects} of a database in the waves of `Conditions`: the method of the conditions, and the other one
     where the database has what it needs.
 
-    Raises ValueError or BetweenError where the method of the conditions is not possible.
+    body : `Reader` of it, by default as it is stored
+    raises : ValueError or BetweenError where the method of the conditions is not possible
     """
     if conditions.method not in METHODS:
         raise ValueError(f"method of the waves is {conditions.method!r}; allowed: {', '.join(METHODS)}")
     makers = {"irregular": _irregular, "regular_wave": _regular}
-    found = {conditions.method: makers.pop(conditions.method)(db, conditions)}
+    reader = db.bodies_reader if body is None else body
+    found = {conditions.method: makers.pop(conditions.method)(reader, conditions)}
     ((other, make),) = makers.items()
     with suppress(ValueError):  # BetweenError among them
-        found[other] = make(db, conditions)
+        found[other] = make(reader, conditions)
     return found
 
 
@@ -68,12 +70,12 @@ def sea_of(conditions):
     return Sea(issc(w.height, mean_period=w.period), w.direction)
 
 
-def _irregular(db, conditions):
+def _irregular(reader, conditions):
     sea = sea_of(conditions)
-    if not db.bodies_reader.knows_drift:
+    if not reader.knows_drift:
         raise BetweenError("drift_force must be stored for waves; run its command again with --only drift,kochin,rao")
     try:
-        body, _ = in_sea(on_current(db.bodies_reader, carrier_of(conditions.current)), sea)
+        body, _ = in_sea(on_current(reader, carrier_of(conditions.current)), sea)
     except BetweenError as error:
         raise BetweenError(f'{error}, or say method = "regular_wave"') from None
     state = sea_state(body, sea, conditions.duration)
@@ -98,9 +100,9 @@ def _of_moving(body, of_each):
     return of_each[[i for i, one in enumerate(body.bodies) if not one.fixed]].ravel()
 
 
-def _regular(db, conditions):
+def _regular(reader, conditions):
     w, carrier, amplitude = conditions.waves, carrier_of(conditions.current), 0.5 * conditions.waves.height
-    body = on_current(db.bodies_reader, carrier)
+    body = on_current(reader, carrier)
     if body.bodies and carrier is not None:
         _of_moving(body, None)
     if body.viscous is not None and body.viscous.wave_amplitude != amplitude:

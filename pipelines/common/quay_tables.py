@@ -1,4 +1,4 @@
-"""Fenders, dolphins and ropes of a berth as tables of a study file.
+"""Fenders, dolphins and ropes of a berth, and hinges between bodies, as tables of a study file.
 
 [[fender]]                       [[dolphin]]              [[rope]]
 name = "F1"                      name = "D1"              name = "head line"
@@ -16,10 +16,13 @@ coordinates its place is given; without `to` it stands still, in coordinates of 
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import msgspec
 import numpy as np
+
+from hakobune.bem.hinges import ALONE, KINDS, SPACE, Link
 
 from .fender_tables import FenderTable, fender_of, pair_of
 from .quantities import StudyError, Table, positive
@@ -237,3 +240,52 @@ def _rope(table):
         table.name, table.bollard, table.fairlead, main, 1e3 * table.pretension_kN, tail=tail,
         tail_length=table.tail_length, hardening=table.hardening,
     )  # fmt: skip
+
+
+class HingeTable(Table):
+    """A hinge between two bodies, a ball joint or a rigid link, exact
+
+    name : for results
+    bodies : names of two; one of them may be fixed, or "space"; a body that is alone is "body"
+    position : m, in the coordinates of the first, of "space" in those of the scene
+    axis : free to turn about, in axes of the first
+    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none
+    """
+
+    name: str
+    bodies: tuple[str, str]
+    position: tuple[float, float, float]
+    axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
+    kind: str = "hinge"
+
+    def link(self, where, db):
+        """`bem.hinges.Link`.  Raises StudyError."""
+        known = [*(body.name for body in db.bodies), SPACE] if db.bodies else [ALONE, SPACE]
+        moves = [body.name for body in db.bodies if not body.fixed] or [ALONE]
+        wrong = [name for name in self.bodies if name not in known]
+        if wrong or self.bodies[0] == self.bodies[1] or not set(self.bodies) & set(moves):
+            given = wrong[:1] or list(self.bodies)
+            raise StudyError(
+                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different of {', '.join(known)}, "
+                "of which one moves"
+            )
+        if self.kind not in KINDS:
+            raise StudyError(f"{where}.kind is {self.kind!r}; allowed: {', '.join(KINDS)}")
+        if not all(map(math.isfinite, (*self.position, *self.axis))) or not any(self.axis):
+            raise StudyError(
+                f"{where} has position {self.position} and axis {self.axis}; allowed: finite, an axis not 0"
+            )
+        return Link(self.name, self.bodies, self.position, self.axis, self.kind)
+
+
+def linked(body, hinges, db):
+    """A Reader of the bodies of a database with hinges, HingeTables, between them.  Raises StudyError."""
+    links = [one.link(f"hinges[{i}]", db) for i, one in enumerate(hinges)]
+    names = [one.name for one in links]
+    if len(set(names)) < len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise StudyError(f"two hinges are called {twice!r}; give each a name of its own")
+    try:
+        return body.linked(links) if links else body
+    except ValueError as error:
+        raise StudyError(str(error)) from None

@@ -11,6 +11,8 @@ import numpy as np
 from hakobune.mooring.criteria.anchors import anchor_findings
 from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
+from ..common.quantities import StudyError
+from ..common.quay_tables import linked
 from ..results.given import File, Tables, database_of, given
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 LOADS, PERIODS, LINES = "steady forces", "natural periods", "lines, tension at the fairlead"
+CONTACTS, HINGES = "fenders and ropes, deflection or elongation", "what hinges hold, along the axes of their first body"
 FREE, DRIFT, PLACE = "free motions, largest expected amplitude", "mean drift of the waves", "equilibrium"
 FORCE_UNITS = ("N", "N", "N", "N m", "N m", "N m")
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
@@ -64,10 +67,15 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
 
 def studied(study, db):
     """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
-    hull = study.without_berth("moor").hulls_of(db)
+    if not db.bodies or study.quay is not None:
+        study.without_berth("moor of one body")
+    hull = study.hulls_of(db)
     system = study.system_of(db, hull)
+    if system is None:
+        raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]], or hakobune simulate")
     anchors = study.anchors_on(system.line_names)
-    result = multi_point(db, system, hull, study.conditions(), study.allowable)
+    berth, body = study.berth_of(db, hull) if db.bodies else None, linked(db.bodies_reader, study.hinges, db)
+    result = multi_point(db, system, hull, study.conditions(), study.allowable, berth, body)
     found = anchor_findings(system.line_names, anchors, *_at_anchors(result))
     return replace(result, warnings=(*study.remarks(hull, db), *result.warnings, *found)), hull
 
@@ -84,12 +92,15 @@ def result_of(made, hull, text, db, first=(), anchors=()):
     """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)
-    quantities = {**_steady(made), **_periods(made), **_lines(made), **_waves(made), **_place(made)}
+    quantities = {**_steady(made), **_periods(made), **_lines(made), **_held(made), **_waves(made), **_place(made)}
     quantities |= quantities_of_anchors(anchors, *_at_anchors(made))
-    axes = labels("mode", db.bodies_reader.words) | labels("line", made.system.line_names)
+    words = dict(zip(db.bodies_reader.names, db.bodies_reader.words, strict=True))
+    axes = labels("mode", [words[name] for name in made.at_rest.names]) | labels("line", made.system.line_names)
     axes |= labels("load", of_each([*made.loads, "sum"])) | labels("motion", db.bodies_reader.words)
     axes |= labels("force", of_each(FORCES)) | labels("plane", of_each(["x", "y", "yaw"]))
-    axes |= labels("xyz", ["x", "y", "z"]) | labels("body", names)
+    axes |= labels("xyz", ["x", "y", "z"]) | labels("body", names) | labels("contact", made.berth.names)
+    forces = [f"{word} {axis}" for word in ("force", "moment") for axis in "xyz"]
+    axes |= labels("hinge", [f"{hinge} {force}" for hinge in made.hinges for force in forces])
     used = {axis for one in quantities.values() for axis in one.axes}
     return Result(
         "moor",
@@ -137,6 +148,20 @@ def _lines(made):
     }
     for name, ends in zip(("anchor", "fairlead"), line_ends(made.rest), strict=True):
         found[f"{name}.place"] = Quantity(ends, ("line", "xyz"), "m", f"place of the {name} at rest")
+    return found
+
+
+def _held(made):
+    """Of fenders, ropes and hinges, at rest and under the steady forces"""
+    found = {}
+    for i, (name, words) in enumerate((("at_rest", "at rest"), ("steady", "steady"))):
+        if made.berth.names:
+            depth, force = made.contact[i]
+            found[f"contact.{name}"] = Quantity(np.maximum(depth, 0.0), ("contact",), "m", words, CONTACTS)
+            found[f"contact.force_{name}"] = Quantity(force, ("contact",), "N", f"force {words}", CONTACTS)
+        if len(made.held[i]):
+            units = ("N", "N", "N", "N m", "N m", "N m") * len(made.held[i])
+            found[f"hinge.{name}"] = Quantity(made.held[i].ravel(), ("hinge",), units, words, HINGES)
     return found
 
 

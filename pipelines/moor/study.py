@@ -24,7 +24,7 @@ from hakobune.mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import TypeTable, check_types, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, force, positive, water_depth
-from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_between, berth_of_tables
+from ..common.quay_tables import DolphinTable, HingeTable, QuayFenderTable, RopeTable, berth_between, berth_of_tables
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
@@ -68,6 +68,7 @@ class Study(Table):
     fender: list[QuayFenderTable] = msgspec.field(default_factory=list)
     dolphin: list[DolphinTable] = msgspec.field(default_factory=list)
     rope: list[RopeTable] = msgspec.field(default_factory=list)
+    hinges: list[HingeTable] = msgspec.field(default_factory=list)
     harbour: HarbourTable | None = None
     quay: QuayTable | None = None
     allowable: float = 0.4
@@ -175,7 +176,9 @@ class Study(Table):
         return berth_between(self.fender, self.dolphin, self.rope, afloat(db, hulls), db.bodies)
 
     def without_berth(self, command):
-        """Itself.  Raises StudyError where fenders, ropes or a quay would be left out by a command."""
+        """Itself.  Raises StudyError where fenders, ropes, hinges or a quay would be left out by a command."""
+        if self.hinges:
+            raise StudyError(f"{command} knows no [[hinges]]; allowed: with hakobune simulate")
         if self.at_berth:
             raise StudyError(
                 f"{command} knows no [[fender]], [[dolphin]] and [[rope]]; allowed: with hakobune simulate"

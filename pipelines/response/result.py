@@ -12,6 +12,7 @@ from hakobune.mooring.response.long_term import YEAR
 from hakobune.mooring.response.sea_state import TINY
 
 from ..common.quantities import StudyError
+from ..common.quay_tables import linked
 from ..common.resonances import resonance_lines, underdamped
 from ..results.given import File, Tables, database_of, given
 from ..results.heard import heard
@@ -56,7 +57,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if moored is not None:
         db.require_one_body()
     body = db.bodies_reader.floating()
-    body = body if moored else read.linked(read.restrained(body), db)
+    body = body if moored else linked(read.restrained(body), read.hinges, db)
     with heard() as caught:
         try:
             if moored is not None:

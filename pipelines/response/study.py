@@ -43,7 +43,6 @@ Directions have either `direction_deg`, travelled to, or `incidence_deg`, the an
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 import msgspec
@@ -53,6 +52,7 @@ from hakobune.bem.modes import words_of
 from hakobune.bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive, speed, waves_on
+from ..common.quay_tables import HingeTable
 from ..common.typed import typed
 from ..common.weather import seas as common
 from ..common.weather.seas import family_of, seas_at, shape_of, spreading_of
@@ -170,42 +170,6 @@ class KeelTable(Table):
     points: list[tuple[float, float, float]] | None = None
 
 
-class HingeTable(Table):
-    """A hinge between two bodies, a ball joint or a rigid link, exact
-
-    name : for results
-    bodies : names of two; one of them may be fixed
-    position : m, in the coordinates of the first
-    axis : free to turn about, in axes of the first
-    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none
-    """
-
-    name: str
-    bodies: tuple[str, str]
-    position: tuple[float, float, float]
-    axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
-    kind: str = "hinge"
-
-    def link(self, where, db):
-        """`bem.hinges.Link`.  Raises StudyError."""
-        from hakobune.bem.hinges import KINDS, Link
-
-        known = [body.name for body in db.bodies]
-        wrong = [name for name in self.bodies if name not in known]
-        if wrong or self.bodies[0] == self.bodies[1]:
-            given, allowed = wrong[:1] or list(self.bodies), ", ".join(known) or "none, the database is of one body"
-            raise StudyError(
-                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different of {allowed}"
-            )
-        if self.kind not in KINDS:
-            raise StudyError(f"{where}.kind is {self.kind!r}; allowed: {', '.join(KINDS)}")
-        if not all(map(math.isfinite, (*self.position, *self.axis))) or not any(self.axis):
-            raise StudyError(
-                f"{where} has position {self.position} and axis {self.axis}; allowed: finite, an axis not 0"
-            )
-        return Link(self.name, self.bodies, self.position, self.axis, self.kind)
-
-
 class BodyTable(Table):
     """What acts on the body beside the waves
 
@@ -260,14 +224,6 @@ class ResponseStudy(Table):
         if stiffness is not None:
             _check_stable(body.stiffness, body.words, body.rigid)
         return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
-
-    def linked(self, body, db):
-        """A Reader of the database with the hinges of the study.  Raises StudyError."""
-        links = [one.link(f"hinges[{i}]", db) for i, one in enumerate(self.hinges)]
-        try:
-            return body.linked(links) if links else body
-        except ValueError as error:
-            raise StudyError(str(error)) from None
 
     def stream(self):
         """`mooring.studies.conditions.Current` of the study, None for none.  Raises StudyError."""

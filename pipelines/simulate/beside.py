@@ -50,7 +50,8 @@ def simplified(study, db):
     unknown, none = np.full(3, np.nan), np.zeros(0)
     alone = not (study.spreads or study.lines or study.at_berth)
     for there, words in (
-        (study.at_berth, "fenders and ropes"), (study.quay is not None, "quay"), (alone, "body without lines"),
+        (study.at_berth, "fenders and ropes"), (bool(study.hinges), "hinges"), (study.quay is not None, "quay"),
+        (alone, "body without lines"),
     ):  # fmt: skip
         if there:
             return Beside(none, none, unknown, unknown, (f"the simplified method knows no {words} and is left out",))

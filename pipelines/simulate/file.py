@@ -44,7 +44,13 @@ SERIES = {  # name: (axes, unit, long name)
     "wind_speed": (("kept_seed", "time"), "m/s", "wind speed with its gusts"),
     "tension": (("kept_seed", "time", "line"), "N", "line tension at the body"),
     "deflection": (("kept_seed", "time", "fender"), "m", "deflection of a fender"),
+    "links": (
+        ("kept_seed", "time", "hinge"),
+        "N, N, N, N m, N m, N m",
+        "what the first body of a hinge holds the second with",
+    ),
 }
+ONLY_WITH = "fender", "hinge"  # axes that are there only where they have a name
 FILLED = ("findings", "stored", "summary", "summary_checksum")
 ROWS = {
     "statistics": (("seed", "quantity", "statistic"), "unit of the quantity; T in s", "statistics of one run"),
@@ -63,6 +69,7 @@ class Header:
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
+    hinges : names, of which each has a force and a moment along the axes of its first body
     """
 
     identity: str
@@ -77,11 +84,19 @@ class Header:
     attributes: dict = field(default_factory=dict)
     fenders: tuple[str, ...] = ()
     motions: tuple[str, ...] = DOFS
+    hinges: tuple[str, ...] = ()
+
+    @property
+    def some(self):
+        """{axis of ONLY_WITH: names}"""
+        forces = [f"{one} {word} {axis}" for one in self.hinges for word in ("force", "moment") for axis in "xyz"]
+        return dict(zip(ONLY_WITH, (self.fenders, tuple(forces)), strict=True))
 
     @property
     def datasets(self):
         """Names of SERIES and ROWS of such a file"""
-        none = {*(() if self.fenders else ("fender",)), *(() if "anchors" in self.attributes else ("pull",))}
+        none = {axis for axis, names in self.some.items() if not names}
+        none |= set() if "anchors" in self.attributes else {"pull"}
         return [name for name, (axes, _, _) in {**SERIES, **ROWS}.items() if not none & set(axes)]
 
     @property
@@ -125,8 +140,9 @@ def _lay_out(file, header, seeds, kept):
         file.create_dataset(name, data=np.array(values, dtype=h5py.string_dtype() if text else None)).make_scale(name)
     file["time"].attrs["units"] = "s"
     file["quantity"].attrs["quantity_units"] = json.dumps(header.units)
-    if header.fenders:
-        file.create_dataset("fender", data=header.fenders, dtype=h5py.string_dtype()).make_scale("fender")
+    for axis, names in header.some.items():
+        if names:
+            file.create_dataset(axis, data=names, dtype=h5py.string_dtype()).make_scale(axis)
     for name in header.datasets:
         dims, unit, words = {**SERIES, **ROWS}[name]
         kind = np.float32 if name in SERIES else float
@@ -183,7 +199,7 @@ def row_values(file, row):
 
 
 def _stored_names(file, row):
-    """Names of what is stored of a row; deflections only where there are fenders, pulls where there are anchors"""
+    """Names of what is stored of a row; deflections only where there are fenders, and so with hinges and anchors"""
     series = [name for name in SERIES if name in file] if row < len(file["kept_seed"]) else []
     return [*(name for name in ROWS if name in file), "findings", *series]
 

@@ -41,6 +41,7 @@ MOTIONS, LINES, FENDERS = (
     "tension of the lines in all runs",
     "fenders in all runs",
 )
+HINGES = "what hinges hold in all runs, along the axes of their first body"
 RUNS, BERTH, GAPS = "runs", "berth", "clear water between hulls in all runs"
 WORDS = {  # of a statistic: (heading, unit or None for that of the record, whether it is printed)
     "mean": ("mean", None, True),
@@ -121,6 +122,7 @@ def result_of(file, window=None, more=()):
     names, rows = list(file["quantity"].asstr()[()]), np.asarray(file["summary"][()])
     values = {name: dict(zip(SUMMARY, row, strict=True)) for name, row in zip(names, rows, strict=True)}
     lines, fenders = list(file["line"].asstr()[()]), fender_names(file)
+    hinges = list(file["hinge"].asstr()[()]) if "hinge" in file else []
     records = [*words_of(file), "wave", "wind speed"]  # statistics of a file before lines
     quantities = {
         **_statistics("record", MOTIONS, "record", [values[name] for name in records], units_of(file)[: len(records)]),
@@ -128,11 +130,13 @@ def result_of(file, window=None, more=()):
         **_of_lines(file, [values[f"tension {name}"] for name in lines]),
         **quantities_of_anchors(*(anchors_in_runs(file) or ((), (), ()))),
         **_of_fenders(file, fenders, values),
+        **_of_hinges(hinges, values),
         **_of_berth(file),
         **_scalars(file),
     }
     axes = {
         **labels("record", records), **labels("line", lines), **labels("fender", fenders), **labels("plane", PLANE),
+        **labels("hinge", hinges),
         **labels("gap", [name.removeprefix("gap ") for name in names if name.startswith("gap ")]),
         **labels("seed", file["seed"][()][whole_rows(file)]), **labels("harbour", file.attrs.get("harbour_period", [])),
     }  # fmt: skip
@@ -208,6 +212,16 @@ def _of_gaps(names, values):
         f"gap.{key}": Quantity([row[key] for row in found], ("gap",), "m", words, GAPS)
         for key, words in (("mean", "mean"), ("smallest", "smallest"), ("largest", "largest"))
         if found
+    }
+
+
+def _of_hinges(names, values):
+    """Of the force and moment of each hinge, {} without"""
+    units = tuple("N" if " force " in name else "N m" for name in names)
+    return {
+        f"hinge.{key}": Quantity([values[name][key] for name in names], ("hinge",), units, WORDS[key][0], HINGES)
+        for key in ("mean", "sigma", "smallest", "largest")
+        if names
     }
 
 

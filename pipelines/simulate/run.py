@@ -144,7 +144,7 @@ def _identity(study, files, duration):
     words = msgspec.to_builtins(study)
     for name in ("seeds", "keep_series", "duration", "duration_hours"):
         (words.get("simulation") or {}).pop(name, None)
-    for name in ("anchors", "fender", "dolphin", "rope", "harbour", "quay"):
+    for name in ("anchors", "fender", "dolphin", "rope", "harbour", "quay", "hinges"):
         if not words[name] or name == "harbour":
             words.pop(name)
     for name in (
@@ -261,6 +261,7 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
     center = at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float)
     names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
     fenders = tuple(one.name for one in body.berth.fenders)
+    hinges = tuple(one.name for one in body.reader.links)
     attributes = {
         "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": task.study.allowable,
@@ -294,10 +295,11 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
         np.array(load, float),
         *ends,
         sample_times(plan.settings),
-        *quantities_of(names, fenders, body.reader.words, ready.sides),
+        *quantities_of(names, fenders, body.reader.words, ready.sides, hinges),
         attributes,
         fenders,
         body.reader.names,
+        hinges,
     )
 
 

@@ -9,11 +9,13 @@ from functools import partial
 import msgspec
 import numpy as np
 
+from hakobune.bem.hinges import ALONE
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.quantities import StudyError
+from ..common.quay_tables import linked
 from ..moor.quay import body_of
 from ..moor.study import Study, sides_of
 from ..response.study import ONE_BODY
@@ -76,6 +78,7 @@ def prepared(task, db=None, waves=None):
         study.anchors_on(() if system is None else system.line_names)
         berth = study.berth_of(db, hull)
         reader, of_quay = body_of(study, db)
+        reader = linked(reader, study.hinges, db)
         memory = task.memory
         if memory is None and (of_quay or plan.settings.memory == "constant"):
             memory = no_memory(reader)
@@ -94,6 +97,7 @@ def prepared(task, db=None, waves=None):
             plan, left = _with_pairs(plan, study, db, reader)
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before there is a file
+        _check_floats(body, hull)
         _check_start(sides_of(db), body, plan.settings)
         held = [word for i, word in enumerate(words) if i not in body.free]
         still = (
@@ -191,13 +195,16 @@ def simulate_seed(task, seed, kept, progress=None):
     run = run._replace(tension=np.column_stack([run.tension, run.pull]))
     met = [column for pair in zip(run.deflection.T, run.reaction.T, strict=True) for column in pair]
     apart = gaps(plan.sides, run.poses)
-    columns = np.column_stack([run.motion, run.wave, run.wind_speed, apart, run.tension, *met])[late]
+    run = run._replace(
+        links=np.zeros((len(run.time), 0)) if run.links is None else run.links.reshape(len(run.time), -1)
+    )
+    columns = np.column_stack([run.motion, run.wave, run.wind_speed, apart, run.tension, *met, run.links])[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has numbers that are not finite")
     found = [statistics(column) for column in columns.T]
     names = run.tension.shape[1], run.deflection.shape[1]
     reader = body.reader
-    units = quantities_of(*(("",) * n for n in names), reader.words, plan.sides)[1]
+    units = quantities_of(*(("",) * n for n in names), reader.words, plan.sides, reader.links)[1]
     still = stillness([one.sigma for one in found], units, 2 * reader.radius, reader.inertia[0, 0] * reader.gravity)
     row = {
         "statistics": np.array([without_rounding(*pair) for pair in zip(found, still, strict=True)]),
@@ -290,16 +297,31 @@ def _check_start(sides, body, settings):
             )
 
 
+def _check_floats(body, hull):
+    """Raise StudyError where hinges hold a body at rest so far up or down that it is out of the water or under it."""
+    if not body.reader.links:
+        return
+    for i, (name, box) in enumerate(hull.items() if isinstance(hull, dict) else [(ALONE, hull)]):
+        up = float(body.start[6 * i + 2])
+        if not -box.freeboard < up < box.draft:
+            way, limit = ("up", box.draft) if up > 0 else ("down", box.freeboard)
+            raise StudyError(
+                f"hinges tear {name} {way} by {abs(up):.3g} m at rest, limit {limit:.3g} m, its "
+                f"{'draft' if up > 0 else 'freeboard'}; look at lines that pull one body under, or leave the hinge out"
+            )
+
+
 def at_rest_of(sides):
     """(1, N, 6) poses at rest of the bodies that move"""
     return np.array([[[0, 0, 0, 0, 0, one.place[2]] for one in sides if one.moves >= 0]], float)
 
 
-def quantities_of(lines, fenders=(), words=ONE_BODY, sides=()):
+def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), hinges=()):
     """Names and units of the columns of statistics; words : of the motions; sides : of several bodies"""
     between = [f"gap {one.name} {other.name}" for one, other in pairs_of(sides)]
     names = [*words, "wave", "wind speed", *between, *(f"tension {line}" for line in lines)]
     names += [f"{what} {fender}" for fender in fenders for what in ("deflection", "reaction")]
+    names += [f"{hinge} {word} {axis}" for hinge in hinges for word in ("force", "moment") for axis in "xyz"]
     units = [
         *MOTION_UNITS * (len(words) // 6),
         "m",
@@ -307,5 +329,6 @@ def quantities_of(lines, fenders=(), words=ONE_BODY, sides=()):
         *["m"] * len(between),
         *["N"] * len(lines),
         *["m", "N"] * len(fenders),
+        *["N", "N", "N", "N m", "N m", "N m"] * len(hinges),
     ]
     return tuple(names), tuple(units)

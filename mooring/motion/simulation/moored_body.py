@@ -15,11 +15,13 @@ from ...lines.system.bodies import axes_in_space
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
-from ..contacts import at_rest, berth_stiffness, no_berth
+from ..contacts import at_rest, berth_force, berth_stiffness, no_berth, rest_together, stiffness_together
 from ..force_tables import TOLERANCE
 from ..line_loads import body_lines, line_loads, line_work, tables_of
+from ..links import links_of
 from ..wave_loads import WaveForces, wave_forces
 from .body import in_space, of_each
+from .linked import check_held
 from .memory import fitted_memory
 
 FLOATS = [2, 3, 4]  # heave, roll, pitch
@@ -104,7 +106,7 @@ def moored(
         memory, findings = fitted_memory(body, motions)
     spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
     findings = (*findings, *_of_viscous(reader, linearised_in))
-    start, stiffness, tables = np.zeros(len(spring)), body.stiffness + spring, ((), ())
+    start, stiffness, tables, links = np.zeros(len(spring)), body.stiffness + spring, ((), ()), links_of(body)
     if system is not None:
         _check_place(system, body)
         body_lines(system)  # refuses lines that a run cannot have
@@ -112,11 +114,15 @@ def moored(
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
     berth = no_berth() if berth is None else berth
-    if berth.names:
-        start = _rest_at_berth(berth, system, tables, body, spring, start)
-        stiffness = stiffness + berth_stiffness(berth, start)
     free = tuple(range(len(start))) if motions is None else tuple(motions)
-    _check_upright(stiffness, body, free)
+    if links is not None:
+        start, stiffness = _rest_together(links, berth, system, tables, body, spring, start)
+        check_held(stiffness, body)
+    else:
+        if berth.names:
+            start = at_rest(berth, _but_berth(system, tables, body, spring), start, _unit(body))
+            stiffness = stiffness + berth_stiffness(berth, start)
+        _check_upright(stiffness, body, free)
     slow = body.held_added_mass(0.0)[0]
     rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
     return Moored(
@@ -168,15 +174,13 @@ def _rest(system, body, spring):
     return start, in_space(stiffness, -body.axes_at_rest[:, 5])
 
 
-def _rest_at_berth(berth, system, tables, body, spring, start):
-    """(n,) places at rest with fenders and ropes beside lines and water"""
-    count = len(start) // 6
+def _but_berth(system, tables, body, spring):
+    """Function of places (n,) in space: forces (n,), along the axes of the bodies, of lines, water and springs"""
+    headings = body.axes_at_rest[:, 5]
+    count, turn = len(headings), axes_in_space(headings)
     lines = body_lines(system, (), tables, bodies=count)
     work = line_work(lines)
     R, out = np.zeros((count, 3, 3)), np.zeros((count, 6))
-
-    headings = body.axes_at_rest[:, 5]
-    turn = axes_in_space(headings)
 
     def others(place):
         poses = place.reshape(-1, 6).copy()
@@ -184,9 +188,25 @@ def _rest_at_berth(berth, system, tables, body, spring, start):
         line_loads(lines, work, poses, R, out)
         return out.ravel() - (body.stiffness + spring) @ (turn.T @ place)
 
+    return others
+
+
+def _unit(body):
+    """(n,) m, rad of motions that are alike"""
     inertia = np.diag(body.inertia).reshape(-1, 6)
     radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
-    return at_rest(berth, others, start, np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel())
+    return np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()
+
+
+def _rest_together(links, berth, system, tables, body, spring, start):
+    """(n,) places at rest of bodies with hinges, and (n, n) stiffness there"""
+    headings, others = body.axes_at_rest[:, 5], _but_berth(system, tables, body, spring)
+
+    def forces(place):
+        return others(place) + (berth_force(berth, place) if berth.names else 0.0)
+
+    start, held = rest_together(links, forces, start, _unit(body), headings)
+    return start, stiffness_together(links, forces, start, held, headings)
 
 
 def _check_upright(stiffness, body, free):

@@ -31,6 +31,7 @@ class Realisation(NamedTuple):
     buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
     poses : (n, N, 6) m, rad, displacements in space and headings of the bodies
     hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
+    links : (n, k, 6) N, N m with which the first body of each hinge holds the second, along the axes of the first
     """
 
     time: np.ndarray
@@ -52,6 +53,7 @@ class Realisation(NamedTuple):
     buoy: np.ndarray | None = None
     hawser: np.ndarray | None = None
     buoy_lines: np.ndarray | None = None
+    links: np.ndarray | None = None
 
 
 class Course(NamedTuple):
@@ -59,6 +61,7 @@ class Course(NamedTuple):
 
     samples : (n, N, 18) of their states, buoy : (n, 6) or (n, 0); clock : `integrator.Clock`, the last
     pulls : {number: (n,) N} of lines with a motion of their own; hung : (n, k + l) N of hawsers and lines of a buoy
+    held : (n, 6k) N, N m of hinges
     """
 
     samples: np.ndarray
@@ -66,6 +69,7 @@ class Course(NamedTuple):
     clock: object
     pulls: dict
     hung: np.ndarray | None
+    held: np.ndarray | None = None
 
 
 def realisation_of(moored, settings, seed, begun, course):
@@ -91,6 +95,7 @@ def realisation_of(moored, settings, seed, begun, course):
         tension, seed, np.full(6 * len(at_rest), np.nan), int(clock.counts[integrator.STEPS]),
         dict(zip(WORKS, works.tolist(), strict=True)), findings,
         depth[:, :count], force[:, :count], force[:, count:], poses, *_of_buoy(moored.buoy, course),
+        None if course.held is None else course.held.reshape(len(samples), -1, 6),
     )  # fmt: skip
 
 

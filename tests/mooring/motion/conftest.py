@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from two_bodies import coupled_bodies
 
 from hakobune import pipelines
 from hakobune.bem.database import open_database
@@ -12,6 +13,7 @@ from hakobune.mooring.lines.catalogue import line_type
 from hakobune.mooring.lines.system.moored_body import corner_legs, moored_body
 from hakobune.mooring.lines.system.parts import UniformLine
 from hakobune.mooring.motion.simulation import moored
+from hakobune.mooring.motion.wave_loads import wave_forces
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.moor.study import read_study
 
@@ -56,3 +58,10 @@ def on_lines(database, on_springs):
     legs = corner_legs(line, 100.0, 50.0, np.radians([45]), database.water_depth, 4e5)
     system = moored_body(legs, database.water_depth, database.rotation_center, database.density, database.gravity)
     return moored(database, system, memory=on_springs.memory)
+
+
+@pytest.fixture(scope="session")
+def coupled():
+    """`Reader` of two bodies coupled by the water, 24 headings around, and its wave forces"""
+    body = coupled_bodies(np.arange(24) * (np.pi / 12))
+    return body, wave_forces(body)

@@ -16,10 +16,10 @@ from hakobune.mooring.loads.box_drag import drag_table
 from hakobune.mooring.motion import equation, integrator, slow_damping
 from hakobune.mooring.motion.contact_loads import DEPTH
 from hakobune.mooring.motion.equation import BLOCK
-from hakobune.mooring.motion.expected import expected_motion
 from hakobune.mooring.motion.extremes import beyond, median_extreme, rare, share_beyond
 from hakobune.mooring.motion.given_forces import GivenForce, read_force, sampled
 from hakobune.mooring.motion.line_loads import REACH
+from hakobune.mooring.motion.simulation.expected import expected_motion
 from hakobune.mooring.motion.simulation.failures import failure
 from hakobune.mooring.motion.simulation.loads import frequency_of_coefficients, mean_frequency, wave_components
 from hakobune.mooring.motion.simulation.memory import fitted_memory

@@ -40,16 +40,11 @@ def hawser(name, body, fairlead, end, to="", stiffness=2e5, slack=0.9):
 
 
 @pytest.fixture(scope="module")
-def pair():
+def pair(coupled):
     """Two bodies whose motions are coupled by the water, the second heading the other way, on springs"""
-    other = np.diag([0.1, -0.05, 0.2, 0.05, 0.1, 0.1]) * INERTIA
-    added = np.array([np.kron(np.eye(2), (0.5 + 0.2 * w) * INERTIA) for w in OMEGA])
-    added[:, :6, 6:] = added[:, 6:, :6] = other
-    damping = np.array([np.kron([[1, 0.2], [0.2, 1]], (0.01 + 0.02 * w) * INERTIA) for w in OMEGA])
-    body = two_bodies(AROUND, added_mass=added, radiation_damping=damping)
-    return moored(
-        body, memory=no_memory(body), spring=np.kron(np.eye(2), SPRING), damping=np.kron(np.eye(2), 0.05 * INERTIA)
-    )
+    body, waves = coupled
+    spring, damping = (np.kron(np.eye(2), one) for one in (SPRING, 0.05 * INERTIA))
+    return moored(body, memory=no_memory(body), spring=spring, damping=damping, waves=waves)
 
 
 def test_regular_waves_move_both_as_in_the_frequency_domain(pair):

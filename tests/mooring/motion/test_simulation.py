@@ -16,11 +16,11 @@ from hakobune.mooring.lines.system.bodies import rotation
 from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
 from hakobune.mooring.lines.system.moored_body import Leg, moored_body
-from hakobune.mooring.motion.expected import expected_motion
 from hakobune.mooring.motion.given_forces import GivenForce, drift_of_half_waves
 from hakobune.mooring.motion.simulation import SimulationError, moored, simulate, wave_components
 from hakobune.mooring.motion.simulation import run as simulation_run
 from hakobune.mooring.motion.simulation.body import FASTEST
+from hakobune.mooring.motion.simulation.expected import expected_motion
 from hakobune.mooring.motion.simulation.realisation import doubt_of, with_error
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.response.drift import mean_in_sea

@@ -21,6 +21,7 @@ FENDER = {"name": "F", "body": "barge", "to": "ship", "position": [1.0, -4.5, 0.
           "friction": 0.2, "shear": 300.0}  # fmt: skip
 ROPE = {"name": "R", "body": "barge", "fairlead": [4.0, -2.5, 1.0], "to": "ship", "bollard": [-5.0, -2.5, 1.0],
         "breaking_load_kN": 100.0, "break_strain": 0.3, "pretension_kN": 3.0}  # fmt: skip
+HINGE = {"name": "H", "bodies": ["ship", "barge"], "position": [0.0, -3.5, 1.0], "axis": [1.0, 0.0, 0.0]}
 STUDY = {
     "water": {"depth": 12.0}, "hulls": {"ship": {"freeboard": 1.5}, "barge": {"freeboard": 1.5}},
     "types": {"nylon": NYLON, "chain": CHAIN}, "lines": [TIE], "fender": [FENDER], "rope": [ROPE],
@@ -57,6 +58,36 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
     assert main(film) == 2 and "is of ship, barge; allowed: a run of one body" in capsys.readouterr().err
 
 
+def test_moor_finds_the_rest_between_fenders_ropes_and_hinges(database):
+    """The barge hangs on the ship alone: hawser and rope, 45° off its side, press it on the fender; a hinge holds what
+    waves push it with"""
+    rope = {**ROPE, "bollard": [-1.0, -2.5, 1.0]}
+    made = hakobune.moor({**STUDY, "rope": [rope]}, database)
+    fender, rope = made["contact.force_at_rest"]
+    assert fender == pytest.approx(np.sqrt(0.5) * (rope + made["tension.at_rest"][-1]), rel=0.03)
+    assert rope == pytest.approx(made["tension.at_rest"][-1], rel=0.05) and rope > 1e3
+    made = hakobune.moor({**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}, database)
+    barge, held, yaw = made.labels["load"].values.tolist().index("barge sum"), made["hinge.steady"], made["pose.yaw"][0]
+    pushed = made["load.Fx"][barge] + 1j * made["load.Fy"][barge]
+    assert (held[0] + 1j * held[1]) * np.exp(1j * yaw) == pytest.approx(-pushed, rel=1e-4)
+    assert np.abs(made["hinge.at_rest"]).max() < 1e-6 and abs(held[3]) < 1e-6 * abs(held[4])
+    assert len(made["period.at_rest"]) == 7
+
+
+def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
+    run = tmp_path / "run.h5"
+    made = hakobune.simulate({**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}, database, run)
+    assert made.labels["hinge"].values.tolist()[:4] == ["H force x", "H force y", "H force z", "H moment x"]
+    assert made["hinge.largest"][2] > 100 and abs(made["hinge.largest"][3]) < 1e-6 * made["hinge.largest"][4]
+    with h5py.File(run) as file:
+        motion, held = file["motion"][0].astype(float), file["links"][0].astype(float)
+        roll, pitch = motion[:, [3, 9]], motion[:, [4, 10]]
+        # z of the hinge, of both, 1 m ahead of the middle of the barge
+        at = motion[:, [2, 8]] - [0, 1] * np.sin(pitch) + (np.cos(roll) - 3.5 * np.sin(roll)) * np.cos(pitch)
+        assert np.abs(np.diff(at, axis=1)).max() < 1e-4 and np.abs(roll.sum(axis=1)).max() > 1e-4
+        assert held.shape == (len(motion), 6) and held[:, 2].max() == pytest.approx(made["hinge.largest"][2], rel=1e-6)
+
+
 def test_the_gap_is_that_of_rectangles():
     """4 × 2 m at the origin, 2 × 2 m whose corner is 1 m off along x and 1 m along y, then turned by 45° and inside"""
     sides = (Side("a", np.array([2.0, 1.0]), np.zeros(2), -1, np.zeros(3)),
@@ -80,6 +111,14 @@ FAULTS = {
     "of no body": ({"fender": [{**FENDER, "body": ""}]}, "fender[0] (F): body is ''; allowed: one that moves, ship"),
     "to none": ({"rope": [{**ROPE, "to": "tug"}]}, "rope R: to is 'tug'; allowed: another body, ship"),
     "a motion of none": ({"simulation": STUDY["simulation"] | {"spring": {"sway": 1.0}}}, "allowed: ship surge"),
+    "hinged to itself": ({"hinges": [{**HINGE, "bodies": ["ship", "ship"]}]}, "bodies has 'ship' and 'ship'; allowed"),
+    "hinged to none": ({"hinges": [{**HINGE, "bodies": ["ship", "tug"]}]}, "'tug'; allowed: two different of ship"),
+    "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some hold what others already do"),
+    "two of a name": ({"hinges": [HINGE, {**HINGE, "kind": "ball"}]}, "two hinges are called 'H'"),
+    "torn": (
+        {"hinges": [HINGE], "types": STUDY["types"] | {"chain": {**CHAIN, "weight_kg_per_m": 6000.0}}},
+        "hinges tear ship down by",
+    ),
     "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database is of several bodies"),
 }  # fmt: skip
 

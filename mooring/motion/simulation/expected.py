@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .wave_loads import forces_towards
+from ..wave_loads import forces_towards
 
 LEAST = 1e-2  # of the largest translation, that every motion is allowed to be
 STILL = 0.1  # m, scale of a body without waves
@@ -27,7 +27,11 @@ def expected_motion(moored, components):
     beta = np.arctan2(*(energy @ f(components.direction) for f in (np.sin, np.cos)))
     towards = beta - reader.axes_at_rest[:, 5]
     force = np.concatenate([forces_towards(*one) for one in zip(waves.each, towards, strict=True)], axis=1)
-    X = np.linalg.solve(moored.dynamic_stiffness, force[:, :, None])[:, :, 0]
+    D, free = moored.dynamic_stiffness, reader.free
+    if free is None:
+        X = np.linalg.solve(D, force[:, :, None])[:, :, 0]
+    else:
+        X = np.linalg.solve(free.T @ D @ free, (force @ free)[:, :, None])[:, :, 0] @ free.T
     squared = np.minimum(np.abs(X), 20.0 * unit.ravel()) ** 2
     omega = np.clip(components.omega, waves.omega[0], waves.omega[-1])
     power = energy * np.array([np.interp(omega, waves.omega, one) for one in squared.T])

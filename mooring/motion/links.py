@@ -1,0 +1,319 @@
+"""Hinges, ball joints and rigid links between bodies that move, exact: Lagrange's multipliers, compiled.
+
+    W⁻¹ ν̇ = F + Gᵀμ,    G ν̇ = −Ġν − 2α Gν − α² g,    (G W Gᵀ) μ = −Ġν − 2α Gν − α² g − G W F
+
+g (r,) is what a link holds to zero: how far its point on the second body is from that on the first, along the axes of
+space, and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in axes of the first, the parts
+h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions, along the axes that forces are
+along, with the angles as they are; so μ, force and moment on the second body, does no work while it holds.  Ġν is a
+difference quotient along the course.  What errors of steps leave of g dies away at α (Baumgarte 1972).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hakobune.bem.hinges import end_of
+from hakobune.bem.kernels.jit import kernel
+
+from .line_loads import rotation_of
+
+BACK = 2.0  # α, rad/s: faster would ask for steps below those of waves
+AHEAD = 1e-3  # s, of the difference quotient: it is off by a millionth of a term of second order
+
+
+class Links(NamedTuple):
+    """k links of r constraints as the kernels read them.
+
+    ends : (k, 2) numbers of the first and the second body, below 0 for what stands still
+    points : (k, 2, 3) m from the origins of the axes of these, along them; in space of what stands still
+    back : (k, 3, 3) R₀ᵀ; held : (k, 3, 3) rows h along axes of the first
+    first : (k + 1,) number of the first constraint of each
+    place : (N, 3) m, origins of the axes of the bodies at rest
+    shown : (k, 3, 3) rows, along which forces are told, in axes of the first
+    """
+
+    ends: np.ndarray
+    points: np.ndarray
+    back: np.ndarray
+    held: np.ndarray
+    first: np.ndarray
+    place: np.ndarray
+    shown: np.ndarray
+
+
+class LinkWork(NamedTuple):
+    """Room for work of one evaluation.
+
+    rows : (r, 12) of G, of the first and the second body; gap : (r,) g; axis : (r, 3) of moments, in space
+    left, mu : (r,); matrix, shares : (r, r), (6N, r); speed : (6N,) ν; ahead : (N, 6) poses
+    turn : (2, 3, 3); arm : (3,); Q : (3, 3); free : (6N,)
+    state, rate : (n,) of a sample; kept : (samples, 6k) N, N m, on the second body along `Links.shown`
+    """
+
+    rows: np.ndarray
+    gap: np.ndarray
+    axis: np.ndarray
+    left: np.ndarray
+    mu: np.ndarray
+    matrix: np.ndarray
+    shares: np.ndarray
+    speed: np.ndarray
+    ahead: np.ndarray
+    turn: np.ndarray
+    arm: np.ndarray
+    Q: np.ndarray
+    free: np.ndarray
+    state: np.ndarray
+    rate: np.ndarray
+    kept: np.ndarray
+
+
+def links_of(reader):
+    """`Links` of a `bem.database.reader.Reader`, None where it has none.  Raises ValueError for unknown bodies."""
+    if not reader.links:
+        return None
+    ends, points, backs, helds, shown = [], [], [], [], []
+    for link in reader.links:
+        bodies, moves = zip(*(end_of(reader, name) for name in link.bodies), strict=True)
+        place, axes = bodies[0].in_scene(link.position), [np.eye(3) if one.fixed else one.axes for one in bodies]
+        ends.append([-1 if own is None else own.start // 6 for own in moves])
+        points.append([place if one.fixed else one.axes.T @ (place - one.rotation_center) for one in bodies])
+        own = axes[0].T @ bodies[0].axes  # of the first, in those that it is turned in here
+        held = np.zeros((3, 3))
+        held[: len(link.held)] = link.held @ own.T
+        backs.append((axes[0].T @ axes[1]).T)
+        helds.append((len(link.held), held))
+        shown.append(own.T)
+    first = np.cumsum([0, *(3 + count for count, _ in helds)])
+    return Links(
+        np.array(ends), np.array(points), np.array(backs), np.array([held for _, held in helds]), first,
+        np.ascontiguousarray(reader.axes_at_rest[:, :3]), np.array(shown),
+    )  # fmt: skip
+
+
+def link_work(links, states=0, samples=0):
+    """`LinkWork` of Links, for so many numbers of a state and samples"""
+    r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
+    return LinkWork(
+        np.zeros((r, 12)), np.zeros(r), np.zeros((r, 3)), np.zeros(r), np.zeros(r), np.zeros((r, r)),
+        np.zeros((6 * n, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros(3), np.zeros((3, 3)),
+        np.zeros(6 * n), np.zeros(states), np.zeros(states), np.zeros((samples, 6 * k)),
+    )  # fmt: skip
+
+
+def rows_at(links, poses):
+    """(r, 6N) of G and (r,) of what is held to zero, of `links.Links` with the bodies at poses (N, 6)"""
+    work, poses = link_work(links), np.ascontiguousarray(poses, float)
+    fill_rows(links, work, poses)
+    G = np.zeros((len(work.gap), poses.size))
+    for k, ends in enumerate(links.ends):
+        rows = slice(links.first[k], links.first[k + 1])
+        for e, b in enumerate(ends):
+            if b >= 0:
+                G[rows, 6 * b : 6 * b + 6] = work.rows[rows, 6 * e : 6 * e + 6]
+    return G, work.gap.copy()
+
+
+def held_by(links, poses, mu):
+    """(k, 6) N, N m with which the first body of each link holds the second, along the axes of the first, of μ (r,)"""
+    work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(6 * len(links.ends))
+    fill_rows(links, work, poses)
+    work.mu[:] = mu
+    put_forces(links, work, poses, out)
+    return out.reshape(-1, 6)
+
+
+@kernel()
+def fill_rows(links, work, poses):
+    """work.rows, gap and axis with the bodies at poses (N, 6)"""
+    R, rows, gap, Q, arm = work.turn, work.rows, work.gap, work.Q, work.arm
+    for k in range(links.ends.shape[0]):
+        row, end = links.first[k], links.first[k + 1]
+        for i in range(row, end):
+            gap[i] = 0.0
+            for j in range(12):
+                rows[i, j] = 0.0
+        for e in range(2):
+            b, sign, p = links.ends[k, e], 2.0 * e - 1.0, links.points
+            for i in range(3):
+                for j in range(3):
+                    R[e, i, j] = 1.0 if i == j else 0.0
+            if b >= 0:
+                rotation_of(poses[b, 3:6], R[e])
+            for i in range(3):
+                arm[i] = R[e, i, 0] * p[k, e, 0] + R[e, i, 1] * p[k, e, 1] + R[e, i, 2] * p[k, e, 2]
+                gap[row + i] += sign * arm[i]
+            if b < 0:
+                continue
+            cos, sin, c = np.cos(poses[b, 5]), np.sin(poses[b, 5]), 6 * e
+            x, y, z = sign * arm[0], sign * arm[1], sign * arm[2]
+            for i in range(3):
+                gap[row + i] += sign * (links.place[b, i] + poses[b, i])
+            rows[row, c], rows[row + 1, c] = sign * cos, sign * sin
+            rows[row, c + 1], rows[row + 1, c + 1] = -sign * sin, sign * cos
+            rows[row + 2, c + 2] = sign
+            ax, ay, az = (
+                R[e, 0, 0],
+                R[e, 1, 0],
+                R[e, 2, 0],
+            )  # about which roll turns, in space; pitch about −sin, cos, 0
+            rows[row, c + 3], rows[row + 1, c + 3], rows[row + 2, c + 3] = (
+                ay * z - az * y,
+                az * x - ax * z,
+                ax * y - ay * x,
+            )
+            rows[row, c + 4], rows[row + 1, c + 4], rows[row + 2, c + 4] = cos * z, sin * z, -sin * y - cos * x
+            rows[row, c + 5], rows[row + 1, c + 5] = -y, x
+        if end == row + 3:
+            continue
+        for i in range(3):  # Q = (R₁ᵀ R₂) R₀ᵀ; R₁ᵀR₂ row by row
+            for j in range(3):
+                arm[j] = R[0, 0, i] * R[1, 0, j] + R[0, 1, i] * R[1, 1, j] + R[0, 2, i] * R[1, 2, j]
+            for j in range(3):
+                Q[i, j] = arm[0] * links.back[k, 0, j] + arm[1] * links.back[k, 1, j] + arm[2] * links.back[k, 2, j]
+        trace = Q[0, 0] + Q[1, 1] + Q[2, 2]
+        for i in range(row + 3, end):
+            h, m = links.held[k, i - row - 3], work.axis[i]
+            gap[i] = 0.5 * (h[0] * (Q[2, 1] - Q[1, 2]) + h[1] * (Q[0, 2] - Q[2, 0]) + h[2] * (Q[1, 0] - Q[0, 1]))
+            for j in range(3):
+                arm[j] = 0.5 * (trace * h[j] - h[0] * Q[0, j] - h[1] * Q[1, j] - h[2] * Q[2, j])
+            for j in range(3):
+                m[j] = R[0, j, 0] * arm[0] + R[0, j, 1] * arm[1] + R[0, j, 2] * arm[2]
+            for e in range(2):
+                b, sign, c = links.ends[k, e], 2.0 * e - 1.0, 6 * e
+                if b >= 0:
+                    cos, sin = np.cos(poses[b, 5]), np.sin(poses[b, 5])
+                    rows[i, c + 3] = sign * (m[0] * R[e, 0, 0] + m[1] * R[e, 1, 0] + m[2] * R[e, 2, 0])
+                    rows[i, c + 4] = sign * (m[1] * cos - m[0] * sin)
+                    rows[i, c + 5] = sign * m[2]
+
+
+@kernel(inline=True)
+def along_rows(links, work, k, i, values):
+    """Row i, of link k, times values (6N,)"""
+    total = 0.0
+    for e in range(2):
+        b = links.ends[k, e]
+        if b >= 0:
+            for j in range(6):
+                total += work.rows[i, 6 * e + j] * values[6 * b + j]
+    return total
+
+
+@kernel()
+def solve_positive(A, x):
+    """x = A⁻¹ x of a symmetric positive definite A (r, r), which is overwritten with its lower factor"""
+    n = x.size
+    for i in range(n):
+        for j in range(i + 1):
+            total = A[i, j]
+            for k in range(j):
+                total -= A[i, k] * A[j, k]
+            A[i, j] = np.sqrt(total) if i == j else total / A[j, j]
+        total = x[i]
+        for k in range(i):
+            total -= A[i, k] * x[k]
+        x[i] = total / A[i, i]
+    for i in range(n - 1, -1, -1):
+        total = x[i]
+        for k in range(i + 1, n):
+            total -= A[k, i] * x[k]
+        x[i] = total / A[i, i]
+
+
+@kernel()
+def fill_shares(links, work, inverse):
+    """work.shares W Gᵀ and work.matrix G W Gᵀ of the rows, with W (6N, 6N)"""
+    for k in range(links.ends.shape[0]):
+        for i in range(links.first[k], links.first[k + 1]):
+            for j in range(inverse.shape[0]):
+                work.free[j] = along_rows(links, work, k, i, inverse[j])
+                work.shares[j, i] = work.free[j]
+    for k in range(links.ends.shape[0]):
+        for i in range(links.first[k], links.first[k + 1]):
+            for j in range(work.mu.size):
+                total = 0.0
+                for e in range(2):
+                    b = links.ends[k, e]
+                    if b >= 0:
+                        for m in range(6):
+                            total += work.rows[i, 6 * e + m] * work.shares[6 * b + m, j]
+                work.matrix[i, j] = total
+
+
+@kernel()
+def hold_together(links, work, poses, inverse, force):
+    """Add to the forces (6N,) on bodies at poses (N, 6) with work.speed what links hold; W (6N, 6N) of `inverse`."""
+    count, speed, mu = poses.shape[0], work.speed, work.mu
+    for side in (1.0, -1.0):
+        for b in range(count):
+            cos, sin = np.cos(poses[b, 5]), np.sin(poses[b, 5])
+            u, v, h = speed[6 * b], speed[6 * b + 1], side * AHEAD
+            work.ahead[b, 0], work.ahead[b, 1] = (
+                poses[b, 0] + h * (cos * u - sin * v),
+                poses[b, 1] + h * (sin * u + cos * v),
+            )
+            for j in range(2, 6):
+                work.ahead[b, j] = poses[b, j] + h * speed[6 * b + j]
+        fill_rows(links, work, work.ahead)
+        for k in range(links.ends.shape[0]):
+            for i in range(links.first[k], links.first[k + 1]):
+                before = 0.0 if side > 0.0 else work.left[i]
+                work.left[i] = before - side * along_rows(links, work, k, i, speed) / (2.0 * AHEAD)
+    fill_rows(links, work, poses)
+    fill_shares(links, work, inverse)
+    for j in range(force.size):
+        total = 0.0
+        for i in range(force.size):
+            total += inverse[j, i] * force[i]
+        work.free[j] = total
+    for k in range(links.ends.shape[0]):
+        for i in range(links.first[k], links.first[k + 1]):
+            away = along_rows(links, work, k, i, work.free) + 2.0 * BACK * along_rows(links, work, k, i, speed)
+            mu[i] = work.left[i] - away - BACK * BACK * work.gap[i]
+    solve_positive(work.matrix, mu)
+    give_rows(links, work, mu, force)
+
+
+@kernel(inline=True)
+def give_rows(links, work, mu, force):
+    """Add Gᵀμ to forces (6N,)."""
+    for k in range(links.ends.shape[0]):
+        for i in range(links.first[k], links.first[k + 1]):
+            for e in range(2):
+                b = links.ends[k, e]
+                if b >= 0:
+                    for j in range(6):
+                        force[6 * b + j] += work.rows[i, 6 * e + j] * mu[i]
+
+
+@kernel()
+def put_forces(links, work, poses, out):
+    """out (6k,) N, N m of work.mu, on the second body, along `Links.shown`, with the bodies at poses (N, 6)"""
+    for k in range(links.ends.shape[0]):
+        row, R = links.first[k], work.turn[0]
+        for i in range(3):
+            for j in range(3):
+                R[i, j] = 1.0 if i == j else 0.0
+        if links.ends[k, 0] >= 0:
+            rotation_of(poses[links.ends[k, 0], 3:6], R)
+        for part in range(2):
+            work.arm[:] = 0.0
+            if part == 0:
+                for j in range(3):
+                    work.arm[j] = work.mu[row + j]
+            else:
+                for i in range(row + 3, links.first[k + 1]):
+                    for j in range(3):
+                        work.arm[j] += work.mu[i] * work.axis[i, j]
+            for i in range(3):
+                total = 0.0
+                for j in range(3):
+                    along = (
+                        R[j, 0] * links.shown[k, i, 0] + R[j, 1] * links.shown[k, i, 1] + R[j, 2] * links.shown[k, i, 2]
+                    )
+                    total += along * work.arm[j]
+                out[6 * k + 3 * part + i] = total
