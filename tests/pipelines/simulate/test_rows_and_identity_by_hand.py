@@ -190,6 +190,19 @@ def test_the_simplified_method_has_periods_of_the_plane_and_slow_motion_of_one_b
     assert several.utilisation.tolist() == [0.3] and np.isnan([*several.period, *several.slow]).all()
 
 
+def test_a_berth_of_several_bodies_has_its_fenders_alone(monkeypatch):
+    for name in ("periods_at_berth", "by_design_spectrum", "body_of"):
+        monkeypatch.setattr(beside, name, lambda *_: [60.0])
+    monkeypatch.setattr(beside, "check_harbour", lambda periods: periods)
+    fender = SimpleNamespace(fender=SimpleNamespace(height=2.0, own_allowable=0.5))
+    body = SimpleNamespace(berth=SimpleNamespace(fenders=[fender]), hull=None)
+    study = SimpleNamespace(harbour=SimpleNamespace(periods=[90.0]))
+    alone = beside.of_berth(study, SimpleNamespace(bodies=()), body)
+    assert alone["natural_period"] == [60.0] and alone["harbour_period"] == [90.0]
+    both = beside.of_berth(study, SimpleNamespace(bodies=("a", "b")), body)
+    assert both == {"fender_height": [2.0], "fender_allowable": [0.5], "fender_strains": "[[[0.0, 1.0], [0.0, 1.0]]]"}
+
+
 # ------------------------------------------------------------------ a row of a seed
 
 
