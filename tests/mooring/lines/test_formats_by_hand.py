@@ -357,7 +357,9 @@ def test_bending_of_rods_is_left_out_where_there_are_rods_and_lines(monkeypatch,
     monkeypatch.setattr(moordyn_left_out, "_of_types", lambda file, moves: [])
     monkeypatch.setattr(moordyn_left_out, "_of_options", lambda file: [])
     rod = SimpleNamespace(id=1, xa=0, ya=0, za=0, xb=1, yb=0, zb=0)
-    file = SimpleNamespace(rods=[rod] * rods, lines=[None] * lines, failures=[], bodies=[],
-                           rod_types=[SimpleNamespace(name="stiff")])  # fmt: skip
+    file = SimpleNamespace(
+        rods=[rod] * rods, lines=[None] * lines, failures=[], bodies=[], syrope=None, control=None, external=None,
+        rod_types=[SimpleNamespace(name="stiff")],
+    )  # fmt: skip
     said = moordyn_left_out.left_out(file)
     assert said == (["bending and end forces of rods of type stiff are left out"] if told else [])
