@@ -1,4 +1,4 @@
-"""`--from-both-ends`: how tests are spread over processes; `--seconds N`: no test begins later than that.
+"""`--from-both-ends`: how tests are spread over processes; `--seconds N`: none begins later after all are collected.
 
 Most of the time of a suite in a fresh clone is compilation, and a fixture of a file is made by each process that runs
 some test of it.  Processes therefore take whole files, from either end of an order in which neighbours use the same
@@ -9,19 +9,22 @@ import time
 
 import pytest
 
-_START = time.monotonic()
 ROOMS = ("bem", "identities", "meshing", "bench", "pipelines", "mooring")  # kernels of panels first, of lines last
 
 
 def pytest_addoption(parser):
-    parser.addoption("--seconds", type=float, help="begin no test later than this many seconds after the start")
+    parser.addoption("--seconds", type=float, help="begin no test later than this many seconds after all are collected")
     parser.addoption("--from-both-ends", action="store_true", help="give whole files to processes, from two ends")
+
+
+def pytest_collection_finish(session):
+    session.config.collected = time.monotonic()
 
 
 @pytest.hookimpl(tryfirst=True)  # before its fixtures are made
 def pytest_runtest_setup(item):
     seconds = item.config.getoption("seconds")
-    if seconds is not None and time.monotonic() - _START > seconds:
+    if seconds is not None and time.monotonic() - item.config.collected > seconds:
         pytest.skip(f"not begun after {seconds:g} s")
 
 

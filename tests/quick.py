@@ -1,6 +1,6 @@
 """Tests that a change touches, the nearest first, for a minute and a half: `make test-quick`.
 
-    python tests/quick.py [--against main] [--seconds 80] [--files 60] [--processes 2] [--list]
+    python tests/quick.py [--against main] [--seconds 70] [--files 60] [--processes 2] [--list]
 
 The change is what differs from where this branch left `--against`, and what is not committed.  A file of data counts as
 the modules of its folder; pages are tested by the tests of the guide.
@@ -50,7 +50,7 @@ def chosen(files):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--against", default="main", help="the branch that this one left")
-    parser.add_argument("--seconds", type=float, default=80, help="no test begins later")
+    parser.add_argument("--seconds", type=float, default=70, help="no test begins later after all are collected")
     parser.add_argument(
         "--files", type=int, default=60, help="at most so many files of tests: all take 20 s to collect"
     )

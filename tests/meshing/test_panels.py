@@ -169,3 +169,11 @@ def test_what_is_no_mesh_is_named():
 
 def test_no_panels_are_no_round_hull():
     assert not PanelMesh(np.zeros((0, 3)), np.zeros((0, 4), int)).is_round
+
+
+def test_numbers_of_bodies_may_be_a_list_one_for_each_panel():
+    corners = [[0, 1, 2, 2], [0, 2, 3, 3]]
+    mesh = PanelMesh(np.eye(4, 3), corners, body=[0, 1])
+    assert mesh.body.tolist() == [0, 1] and mesh.body.dtype == np.int64
+    with pytest.raises(ValueError, match=r"body has shape \(3,\); allowed: \(2,\), one for each panel"):
+        PanelMesh(np.eye(4, 3), corners, body=[0, 1, 1])

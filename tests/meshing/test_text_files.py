@@ -1,5 +1,6 @@
 """Text files of other programs."""
 
+import gzip
 import os
 
 import pytest
@@ -32,3 +33,15 @@ def test_what_is_no_text_file_is_refused_by_name(tmp_path):
 def test_numbers_at_the_head_of_a_line_are_read_as_fortran_reads_them():
     assert numbers_of("1.D0, 2 -3d-1  4e2 metres 5") == [1.0, 2.0, -0.3, 400.0]
     assert numbers_of("HBOT 20") == numbers_of("") == []
+
+
+def test_what_is_packed_in_a_file_is_read_up_to_its_limit_and_refused_beyond(tmp_path):
+    path = tmp_path / "a.txt.gz"
+    for size, whole in ((1_000_000, True), (1_000_001, False)):
+        with gzip.open(path, "w") as file:
+            file.write(b"x" * size)
+        if whole:
+            assert len(read_text(path, largest=1)) == size
+        else:
+            with pytest.raises(KeyError, match="has more than 1 MB packed in it"):
+                read_text(path, KeyError, largest=1)

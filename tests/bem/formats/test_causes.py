@@ -182,3 +182,14 @@ def test_an_import_refuses_what_a_cause_explains_and_stores_it_corrected_if_aske
     monkeypatch.setattr(believed, "own_of", lambda values, mesh: None)
     _, told, _ = believed.believed(right(), ())
     assert "not held against our own solution, no frequency is of a long wave; laws tested: laws" in told[0]
+
+
+@pytest.mark.parametrize(
+    ("ratio", "factor"), [(2.058, 2.0), (2.062, 2.062), (-0.972, -1.0), (970.5, 1e3), (0.969, 0.969)]
+)
+def test_a_factor_within_three_per_cent_of_a_known_one_is_that(ratio, factor):
+    """By least squares in sizes of rows"""
+    from hakobune.bem.formats.judging.causes import _factor
+
+    own = np.array([[1.0, 2.0], [3j, 4.0]])
+    assert _factor([(ratio * own, own, np.array([[1.0, 10.0], [2.0, 3.0]]))]) == pytest.approx(factor)

@@ -78,6 +78,10 @@ def test_sums_of_the_other_order_say_the_same_and_missing_ones_are_named(sums, t
     rows = np.loadtxt(path)
     np.savetxt(path, rows[:, [1, 0, 3, 2, 4, 5, 6, 7, 8]], fmt="%.9e")
     np.testing.assert_allclose(read_pairs(path, WEIGHT, SUM).total, sums.total, rtol=1e-5, atol=1)
+    once = rows[(rows[:, 0] != rows[:, 1]) | (rows[:, 2] <= rows[:, 3])]  # of one frequency, its headings in one order
+    np.savetxt(path, once, fmt="%.9e")
+    assert len(once) < len(rows)
+    np.testing.assert_allclose(read_pairs(path, WEIGHT, SUM).total, sums.total, rtol=1e-5, atol=1)
     np.savetxt(path, rows[:-6], fmt="%.9e")
     with pytest.raises(FormatError, match=r"lacks pairs whose sum is 1.5 rad/s"):
         read_pairs(path, WEIGHT, SUM)

@@ -2,10 +2,12 @@
 
 import math
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from hakobune.mooring.formats import moordyn_left_out
 from hakobune.mooring.formats.fault import FormatError
 from hakobune.mooring.formats.moordyn import moordyn_text, parse_moordyn
 from hakobune.mooring.formats.moordyn_system import system_of_moordyn
@@ -348,3 +350,16 @@ def test_a_line_of_a_table_is_one_segment_of_its_strains(tmp_path):
 def test_what_is_no_number_of_a_moorpy_file_is_refused(wrong):
     with pytest.raises(FormatError, match=r"length of line one is .*; allowed: a number"):
         system_of_moorpy(parse_yaml(YAML.replace("length: 55.5", f"length: {wrong}")))
+
+
+@pytest.mark.parametrize(("rods", "lines", "told"), [(1, 1, True), (0, 1, False), (1, 0, False)])
+def test_bending_of_rods_is_left_out_where_there_are_rods_and_lines(monkeypatch, rods, lines, told):
+    monkeypatch.setattr(moordyn_left_out, "_of_types", lambda file, moves: [])
+    monkeypatch.setattr(moordyn_left_out, "_of_options", lambda file: [])
+    rod = SimpleNamespace(id=1, xa=0, ya=0, za=0, xb=1, yb=0, zb=0)
+    file = SimpleNamespace(
+        rods=[rod] * rods, lines=[None] * lines, failures=[], bodies=[], syrope=None, control=None, external=None,
+        rod_types=[SimpleNamespace(name="stiff")],
+    )  # fmt: skip
+    said = moordyn_left_out.left_out(file)
+    assert said == (["bending and end forces of rods of type stiff are left out"] if told else [])

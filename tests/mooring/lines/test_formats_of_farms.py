@@ -94,6 +94,17 @@ def test_lines_of_orcaflex_hang_by_their_weight_in_water_whatever_its_units(tmp_
     assert hanging == pytest.approx(weight * 50, rel=2e-3)
 
 
+@pytest.mark.filterwarnings("ignore:.*line cable floats")
+def test_a_vessel_of_orcaflex_that_says_no_turn_or_place_has_none(tmp_path):
+    for old in ("    Orientation: [0, 0, 90]\n", "    InitialPosition: [20, 0, 0]\n"):
+        text = ORCAFLEX.format(**SI)
+        assert old in text
+        (tmp_path / "a.yml").write_text(text.replace(old, ""))
+        (body,) = read_system(tmp_path / "a.yml").bodies
+        assert body.position[5] == (0.0 if "Orient" in old else math.pi / 2)
+        assert body.position[0] == (20.0 if "Orient" in old else 0.0)
+
+
 def test_what_a_model_of_orcaflex_lacks_is_named(tmp_path):
     good = ORCAFLEX.format(**SI)
     for old, new, says in (

@@ -8,7 +8,7 @@ import pytest
 from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
 from hakobune.mooring.lines.system.composite import of_line, solution
 from hakobune.mooring.lines.system.parts import CompositeLine
-from hakobune.mooring.motion.force_tables import TOLERANCE, packed, packed_pull, tabulate
+from hakobune.mooring.motion.force_tables import TOLERANCE, _with_twist, packed, packed_pull, tabulate
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Current
@@ -79,3 +79,14 @@ def test_a_uniform_line_in_segments_moves_the_body_as_a_uniform_line(database, o
     size = np.abs(whole.motion).max(axis=0)
     assert np.abs(made.motion - whole.motion).max(axis=0) == pytest.approx(0, abs=5e-3 * size[:3].max())
     assert np.abs(made.tension - whole.tension).max() <= 0.02 * whole.tension.max()
+
+
+def test_the_mixed_derivatives_of_a_product_are_its_factor_at_every_corner():
+    """3cz + c² − 2z over 2 by 0.5: 3 everywhere, beside f, 3z + 2c and 3c − 2"""
+    dc, dz, corners = 2.0, 0.5, []
+    for z in (0.0, dz):
+        for c in (0.0, dc):
+            corners.append([[3 * c * z + c * c - 2 * z, 3 * z + 2 * c, 3 * c - 2]] * 2)
+    made = _with_twist(np.array(corners), dc, dz)
+    assert made.shape == (2, 4, 4) and made[:, :, 3] == pytest.approx(np.full((2, 4), 3.0))
+    assert made[1, :, 0] == pytest.approx([0, 4, -1, 6]) and made[0, :, 2] == pytest.approx([-2, 4, -2, 4])

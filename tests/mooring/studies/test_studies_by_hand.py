@@ -25,7 +25,7 @@ from hakobune.mooring.lines.system.parts import (
 from hakobune.mooring.studies import multi_point_findings as told
 from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Waves
 from hakobune.mooring.studies.in_air import dry_shares, lines_in_air
-from hakobune.mooring.studies.multi_point import fairlead_displacements, outward_directions
+from hakobune.mooring.studies.multi_point import MultiPoint, fairlead_displacements, outward_directions
 from hakobune.mooring.studies.slow_motion import (
     _crossing,
     _drift_damping,
@@ -272,7 +272,7 @@ def test_roll_near_the_waves_without_viscous_damping_is_told(monkeypatch, ratio,
     """Roll always, pitch where waves damp it less than a tenth of critical: here not; 1e-4 rad per metre is rounding"""
     monkeypatch.setattr(told, "known_resonances", lambda reader: [SimpleNamespace(mode=4, damping=0.101)])
     result = SimpleNamespace(at_equilibrium=periods(99, 99, 99, 10 * ratio, 10, 99), amplitudes=np.full(6, amplitude))
-    db = SimpleNamespace(bodies_reader=SimpleNamespace(words=WORDS))
+    db = SimpleNamespace(bodies_reader=SimpleNamespace(words=WORDS, names=NAMES))
     said = list(told._undamped(result, db, Waves(2.0, 10.0, 0.0)))
     assert len(said) == count and (not count or ("natural period of roll" in said[0] and "0.1 rad" in said[0]))
     monkeypatch.setattr(told, "known_resonances", lambda reader: [SimpleNamespace(mode=4, damping=0.099)])
@@ -436,3 +436,14 @@ def test_a_system_at_rest_says_its_largest_tension_whichever_end_it_is_at():
         assert high - low == pytest.approx(50.0 * 30, rel=2e-3)
         assert state.tension == pytest.approx([high])
         assert repr(state) == f"<SystemEquilibrium 1 lines, largest tension {high:.5g} N>"
+
+
+def test_a_body_that_came_round_whole_turns_has_its_yaw_within_half_a_turn():
+    """1 rad stays one, 2π + 0.1 and −4π − 0.2 are 0.1 and −0.2"""
+    moved = np.zeros((3, 6))
+    moved[:, 5], moved[:, 0], moved[:, 3] = [1.0, 2 * np.pi + 0.1, -4 * np.pi - 0.2], [1.0, 2.0, 3.0], [0.1, 0.2, 0.3]
+    at = SimpleNamespace(
+        equilibrium=SimpleNamespace(position=moved + 7.0), rest=SimpleNamespace(position=np.full((3, 6), 7.0))
+    )
+    assert MultiPoint._moved.func(at)[:, 5] == pytest.approx([1.0, 0.1, -0.2])
+    assert MultiPoint._moved.func(at)[:, 3] == pytest.approx([0.1, 0.2, 0.3])

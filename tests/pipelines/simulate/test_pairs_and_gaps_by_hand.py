@@ -80,3 +80,17 @@ def test_a_summary_of_runs_has_means_extremes_and_the_spread_of_levels(monkeypat
     assert found["sigma"] == pytest.approx(np.sqrt((9 + 16) / 2))
     monkeypatch.setattr(run, "whole_rows", lambda file: np.zeros(3, bool))
     assert np.isnan(run.summary(Group(statistics=rows))).all()
+
+
+@pytest.mark.parametrize(
+    ("seconds", "hours", "asked", "found"),
+    [(100.0, None, None, 100.0), (None, 0.5, None, 1800.0), (100.0, None, 30.0, 30.0), (None, None, 30.0, 30.0)],
+)
+def test_a_run_lasts_as_long_as_is_asked_for_in_place_of_its_study(seconds, hours, asked, found):
+    assert study._duration(SimpleNamespace(duration=seconds, duration_hours=hours), asked) == found
+
+
+@pytest.mark.parametrize(("seconds", "hours", "says"), [(None, None, "neither is given"), (1.0, 1.0, "both are given")])
+def test_a_run_has_one_duration(seconds, hours, says):
+    with pytest.raises(StudyError, match=says):
+        study._duration(SimpleNamespace(duration=seconds, duration_hours=hours), None)

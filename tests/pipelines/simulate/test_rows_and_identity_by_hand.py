@@ -20,14 +20,15 @@ WORDS = {
         "seeds": 3, "keep_series": 1, "duration": 9.0, "duration_hours": 1.0, "tolerance": 1e-3, "sea": [],
         "force": [{"file": "a.csv", "body": "", "to": ""}], "linear_damping": {}, "quadratic_damping": {},
         "record": None, "constant_period": 0.0, "dynamic_lines": "auto", "dynamic_elements": 20,
-        "dynamic_water": "still",
+        "dynamic_water": "still", "motions": None,
     },
     "fender": [], "dolphin": [], "rope": [{"name": "r", "body": "", "to": "pier"}], "harbour": {"periods": [60.0]},
-    "quay": None, "lines": {"count": 4},
+    "quay": None, "lines": {"count": 4}, "anchors": {}, "hinges": [],
+    "types": {"chain": {"diameter": 0.1, "termination": None, "efficiency": None, "corrosion_mm": None}},
 }  # fmt: skip
 PLAIN = {
     "simulation": {"tolerance": 1e-3, "force": [{"file": "a.csv"}]}, "rope": [{"name": "r", "to": "pier"}],
-    "lines": {"count": 4},
+    "lines": {"count": 4}, "types": {"chain": {"diameter": 0.1}},
 }  # fmt: skip
 
 
@@ -172,8 +173,8 @@ def test_where_the_simplified_method_has_no_answer_it_says_so(monkeypatch, more,
 
 def study_of(at_berth=False, quay=None, lines=("a",), **_):
     return SimpleNamespace(
-        at_berth=at_berth, quay=quay, lines=lines, spreads=(), hulls_of=lambda db: "hull", allowable=0.5, wind=None,
-        system_of=lambda db, hull: (db, hull), conditions=lambda: None,
+        at_berth=at_berth, quay=quay, lines=lines, spreads=(), hinges=(), allowable=0.5, wind=None,
+        hulls_of=lambda db: "hull", system_of=lambda db, hull: (db, hull), conditions=lambda: None,
     )  # fmt: skip
 
 
@@ -188,6 +189,20 @@ def test_the_simplified_method_has_periods_of_the_plane_and_slow_motion_of_one_b
     assert np.isnan(beside.simplified(study_of(), SimpleNamespace(bodies=())).period[2])
     several = beside.simplified(study_of(), SimpleNamespace(bodies=("a", "b")))
     assert several.utilisation.tolist() == [0.3] and np.isnan([*several.period, *several.slow]).all()
+
+
+def test_a_berth_of_several_bodies_has_its_fenders_alone(monkeypatch):
+    for name in ("periods_at_berth", "by_design_spectrum", "body_of"):
+        monkeypatch.setattr(beside, name, lambda *_: [60.0])
+    monkeypatch.setattr(beside, "check_harbour", lambda periods: periods)
+    fender = SimpleNamespace(fender=SimpleNamespace(height=2.0, own_allowable=0.5, rated_reaction=7e5))
+    body = SimpleNamespace(berth=SimpleNamespace(fenders=[fender]), hull=None)
+    study = SimpleNamespace(harbour=SimpleNamespace(periods=[90.0]))
+    alone = beside.of_berth(study, SimpleNamespace(bodies=()), body)
+    assert alone["natural_period"] == [60.0] and alone["harbour_period"] == [90.0]
+    both = beside.of_berth(study, SimpleNamespace(bodies=("a", "b")), body)
+    strains, own = both.pop("fender_strains"), {"fender_height": [2.0], "fender_allowable": [0.5]}
+    assert both == own | {"fender_rated_reaction": [7e5]} and strains == "[[[0.0, 1.0], [0.0, 1.0]]]"
 
 
 # ------------------------------------------------------------------ a row of a seed
@@ -213,19 +228,20 @@ def test_a_row_has_statistics_after_the_ramp_in_the_order_of_its_quantities(monk
         estimated_error: float = 0.5
         steps: int = 7
         findings: tuple = ("found",)
+        links: object = None
 
         def _replace(self, **more):
             return msgspec.structs.replace(self, **more)
 
     made = Run(time, ramped(1, 2, 3, 4, 5, 6), ramped(7)[:, 0], ramped(8)[:, 0], ramped(10), ramped(11),
                ramped(12, 14), ramped(13, 15), None)  # fmt: skip
-    seen = []
+    seen, task = [], SimpleNamespace(study=SimpleNamespace(anchors=None))
 
     def statistics(column, step, split, duration):
         seen.append((column.tolist(), step, split, duration))
         return SimpleNamespace(sigma=column[0])
 
-    reader = SimpleNamespace(words=("surge",) * 6, radius=50.0, inertia=np.diag([2.0]), gravity=10.0)
+    reader = SimpleNamespace(words=("surge",) * 6, links=(), radius=50.0, inertia=np.diag([2.0]), gravity=10.0)
     plan = SimpleNamespace(weather=SimpleNamespace(regular=None), settings=SimpleNamespace(step=0.5), split=0.3,
                            mean_period=8.0, sides=())  # fmt: skip
     monkeypatch.setattr("hakobune.mooring.motion.simulation.simulate", lambda *_: made)
@@ -236,16 +252,16 @@ def test_a_row_has_statistics_after_the_ramp_in_the_order_of_its_quantities(monk
     monkeypatch.setattr(work, "stillness", lambda sigma, units, length, weight: [length, weight] + [0.0] * 13)
     monkeypatch.setattr(work, "without_rounding", lambda one, still: [one.sigma, still])
     monkeypatch.setattr(work, "largest_use", lambda body, motion, tension: [len(motion), *tension[0]])
-    row = work.simulate_seed(None, 1, False)
+    row = work.simulate_seed(task, 1, False)
     assert [one[0] for one in seen] == [[k, k] for k in range(1, 16)] and seen[0][1:] == (0.5, 0.3, 8000.0)
     assert row["statistics"][:3].tolist() == [[1, 100.0], [2, 20.0], [3, 0.0]]
     assert row["used"] == [2, 10, 11] and row["steps"] == 7.0 and row["findings"] == b"found\n2 samples"
     plan.weather.regular = 1
-    work.simulate_seed(None, 1, False)
+    work.simulate_seed(task, 1, False)
     assert seen[-1][3] == 0.0
     plan.weather.regular, plan.mean_period = None, None
-    work.simulate_seed(None, 1, False)
+    work.simulate_seed(task, 1, False)
     assert seen[-1][3] is None
     made.motion[3, 2] = np.nan
     with pytest.raises(ValueError, match="not finite"):
-        work.simulate_seed(None, 1, False)
+        work.simulate_seed(task, 1, False)

@@ -1,5 +1,6 @@
 """What a run and `hakobune check` judge of stored numbers: the largest, where it is, and both sides of each limit."""
 
+from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
@@ -128,3 +129,34 @@ def test_frequencies_are_looked_for_as_long_as_the_band_has_fewer_than_the_most(
         assert adaptive._missing(scene, SimpleNamespace(omega=outside))[1].tolist() == wanted
         full = adaptive._missing(scene, SimpleNamespace(omega=np.linspace(0.4, 1.0, adaptive.MOST)))
         assert full[0] == error and not len(full[1])
+
+
+@dataclass(frozen=True)
+class Filled:
+    exit_status: int = 0
+    solved: int = 3
+    jobs: int = 2
+    remarks: tuple = ("one",)
+
+
+@pytest.mark.parametrize(
+    ("statuses", "error", "wanted"),
+    [
+        ((0, 0), 0.009, (0, 6, 4, ("one", "text"))), ((0, 0), 0.011, (0, 6, 4, ("one", "text; the tolerance is not"))),
+        ((1,), 0.0, (1, 3, 2, ("one",))), ((0, 130), 0.0, (130, 6, 4, ("one",))),
+    ],
+)  # fmt: skip
+def test_a_band_is_filled_until_nothing_is_missing_or_a_run_ends(monkeypatch, statuses, error, wanted):
+    """A run that ends early is told as it is; of more runs what they solved adds up"""
+    left, missing, files = list(statuses), [np.array([0.7]), np.zeros(0)], []
+    monkeypatch.setattr(adaptive, "open_database", lambda file: SimpleNamespace(omega=OMEGA))
+    monkeypatch.setattr(adaptive, "_missing", lambda scene, db: (error, missing.pop(0)))
+    monkeypatch.setattr(adaptive, "_text", lambda scene, db, error: "text")
+
+    def fill(file):
+        files.append(file)
+        return Filled(left.pop(0))
+
+    made = adaptive.filled_band(SimpleNamespace(accuracy=0.01), "a", fill, lambda file, omega: file + "b", None)
+    assert (made.exit_status, made.solved, made.jobs) == wanted[:3] and files == ["a", "ab"][: len(statuses)]
+    assert len(made.remarks) == len(wanted[3]) and wanted[3][-1] in str(made.remarks[-1])

@@ -2,10 +2,12 @@
 
 import itertools
 
+import h5py
 import numpy as np
 import pytest
 
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.sweep import file, run
 from hakobune.pipelines.sweep.study import SweepTable, VaryTable, cases
 
 
@@ -51,3 +53,18 @@ def test_a_sweep_has_up_to_a_hundred_thousand_cases(table, says):
         return
     with pytest.raises(StudyError, match=says):
         cases(sweep)
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [({}, None), ({"study": "b = 2"}, "is of another study; give --fresh"), ({"schema": "hakobune sweep 1"}, "s.h5")],
+)
+def test_a_file_of_a_sweep_is_taken_up_by_the_same_study_and_version(tmp_path, change, says):
+    texts = {"study": "a = 1", "sweep": "c = 3"}
+    with h5py.File(tmp_path / "s.h5", "w") as made:
+        made.attrs.update({"schema": file.SCHEMA} | texts | change)
+    if says is None:
+        run._check_same(tmp_path / "s.h5", texts)
+        return
+    with pytest.raises(ValueError, match=says):
+        run._check_same(tmp_path / "s.h5", texts)
