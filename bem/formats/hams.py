@@ -109,7 +109,8 @@ def read(place, known):
     count = int(_one(control, said, "Number_of_bodies")) if "Number_of_bodies" in said else 1
     body = body_of(place, count, known)
     own = f"_{body + 1}" if count > 1 else ""
-    if numbers_of(said.get(f"LCS{own}", ""))[3:4] not in ([], [0.0]):
+    axes = numbers_of(said.get(f"LCS{own}", "0 0 0 0"))
+    if axes[3:4] not in ([], [0.0]):
         raise FormatError(f"{control}: LCS{own} turns the body about z; allowed: axes along those of the water")
     known = {"water_depth": depth if depth > 0 else np.inf} | {name: known[name] for name in WATER}
     about = numbers_of(said.get(f"Reference_body_center{own}", "0 0 0"))[:3]
@@ -119,7 +120,11 @@ def read(place, known):
         results = place / RESULTS_OF_SEVERAL
     found = wamit.read(results, known | inputs)
     masses = _hydrostatic_of(place / "Input" / f"Hydrostatic{own}.in")
-    return replace(found, body=dict(found.body) | masses, name=place.name)
+    told = ()
+    if any(axes[:3]):
+        where = ", ".join(f"{x:g}" for x in axes[:3])
+        told = (f"HullMesh{own}.pnl is drawn about ({where}) m: the hull that is given has to lie there in the water",)
+    return replace(found, body=dict(found.body) | masses, name=place.name, left_out=(*found.left_out, *told))
 
 
 def _control_of(path):

@@ -38,34 +38,47 @@ def read(place, known=None):
         )
     if water["speed"]:
         raise FormatError(f"{place} is of a forward speed of {water['speed']:g} m/s; allowed: 0")
-    at = omega_of(tables["added_mass", min(m for k, m in tables if k == "added_mass")][:, 0], "frequency", 1.0, 9.81)
-    good = (at > 0) & np.isfinite(at)
-    order = np.argsort(at[good])
-    omega, quantities = at[good][order], {}
-    for name in ("added_mass", "radiation_damping"):
-        whole = np.zeros((len(at), 6, 6))
-        for (kind, mode), rows in tables.items():
-            if kind == name:
-                i, j = (int(digit) - 1 for digit in mode)
-                whole[:, i, j] = _same(place, rows, at, 1)[:, 1]
-                if (name, mode[::-1]) not in tables:
-                    whole[:, j, i] = whole[:, i, j]
-        quantities[name] = whole[good][order]
-        if name == "added_mass":
-            limits = {"added_mass_zero": at == 0, "added_mass_infinity": np.isinf(at)}
-            quantities |= {limit: whole[row][0] for limit, row in limits.items() if row.any()}
+    at = omega_of(
+        next(rows for (kind, _), rows in tables.items() if kind == "added_mass")[:, 0], "frequency", 1.0, 9.81
+    )
+    order = np.argsort(at)
+    order = order[(at[order] > 0) & np.isfinite(at[order])]
+    omega = at[order]
+    A, B = (_matrix(place, tables, at, name) for name in ("added_mass", "radiation_damping"))
+    quantities = {"added_mass": A[order], "radiation_damping": B[order]}
+    for name, row in (("added_mass_zero", at == 0), ("added_mass_infinity", np.isinf(at))):
+        if row.any():
+            quantities[name] = A[row][0]
     headings = next((beta for kind, _, _, _, beta in files if kind == "excitation_force"), np.zeros(0))
-    m, k = len(headings), wavenumber(omega, water["depth"], water["gravity"])
-    if m:
-        X = np.zeros((len(omega), m, 6), complex)
-        for (kind, mode), rows in tables.items():
-            if kind == "excitation_force":
-                own = _same(place, rows, at, 2 * m)[good][order]
-                X[:, :, int(mode[-1]) - 1] = own[:, 1 : m + 1] * np.exp(-1j * np.radians(own[:, m + 1 :]))
+    if len(headings):
+        k = wavenumber(omega, water["depth"], water["gravity"])
         crest = water["crest"][0] * np.cos(headings) + water["crest"][1] * np.sin(headings)
+        X = _forces(place, tables, at, len(headings))[order]
         quantities["excitation_force"] = X * np.exp(1j * k[:, None] * crest)[..., None]
     return Values(omega, headings, water["depth"], water["density"], water["gravity"], quantities,
                   rotation_center=water["about"], name=place.name)  # fmt: skip
+
+
+def _matrix(place, tables, at, name):
+    """(n, 6, 6) of the files of a quantity; what is there of a pair the other way round stands for both"""
+    whole = np.zeros((len(at), 6, 6))
+    for (kind, mode), rows in tables.items():
+        if kind == name:
+            i, j = (int(digit) - 1 for digit in mode)
+            whole[:, i, j] = _same(place, rows, at, 1)[:, 1]
+            if (name, mode[::-1]) not in tables:
+                whole[:, j, i] = whole[:, i, j]
+    return whole
+
+
+def _forces(place, tables, at, m):
+    """(n, m, 6) with phases of the crest at the point of the incident wave"""
+    X = np.zeros((len(at), m, 6), complex)
+    for (kind, mode), rows in tables.items():
+        if kind == "excitation_force":
+            own = _same(place, rows, at, 2 * m)
+            X[:, :, int(mode[-1]) - 1] = own[:, 1 : m + 1] * np.exp(-1j * np.radians(own[:, m + 1 :]))
+    return X
 
 
 def _same(place, rows, at, columns):

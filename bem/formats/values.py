@@ -223,7 +223,7 @@ def gridded(path, coordinates, values, modes=()):
         counts += counts.sum(axis=tuple(range(free)), keepdims=True) == 0
     grid = np.zeros(shape + values.shape[1:], values.dtype)
     grid[places] = values
-    other = ((grid[places] != values) & ~np.isnan(values)).reshape(len(values), -1).any(axis=1)
+    other = ((grid[places] != values) & ~np.isnan(values)).any(axis=tuple(range(1, values.ndim)))
     twice = np.zeros(shape, bool)
     twice[tuple(place[other] for place in places)] = True
     if np.any(twice | (counts == 0)):  # a place that is filled again with the same is one

@@ -64,7 +64,7 @@ def finding(values, own):
     node, as of most programs, or with four, which are near the limit of many panels
     """
     found = _finding(values, own)
-    if found is not None and found.gap > MESH:
+    if found is not None and found.gap <= MESH:  # may be of panels
         sharp = _finding(values, own.sharper())
         if sharp is None or sharp.gap < found.gap:
             found, own = sharp, own.sharper()

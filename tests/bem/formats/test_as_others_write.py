@@ -240,6 +240,7 @@ def test_a_body_of_hams_mrel_is_read_by_its_number(values, tmp_path):
             place.unlink()
     found = hams.read(tmp_path, WATER | {"body": 2})
     assert found.rotation_center == pytest.approx([9, 0, -1]) and found.others == 1
+    assert "HullMesh_2.pnl is drawn about (9, 0, 0) m" in found.left_out[-1]
     for name in ("added_mass", "excitation_force", "hydrostatic_stiffness"):
         assert np.allclose(found.get(name), values.get(name), rtol=1e-5, atol=1e-5 * np.abs(values.get(name)).max())
     control.write_text(control.read_text().replace("LCS_2 9 0 0 0", "LCS_2 9 0 0 30"))
