@@ -135,7 +135,7 @@ def test_a_fender_inside_both_hulls_is_refused():
     table = QuayFenderTable(**{**FENDER, "position": (1.0, -2.0, 0.5)})
     with pytest.raises(StudyError, match=r"fender\[0\] \(F\) lies inside both barge and ship, at 1, 0, 0.5 m"):
         berth_between([table], [], [], hulls, bodies)
-    berth_between([msgspec.structs.replace(table, position=(1.0, -2.0, 1.6))], [], [], hulls, bodies)
+    berth_between([msgspec.structs.replace(table, position=(1.0, -4.6, 0.5))], [], [], hulls, bodies)
 
 
 @pytest.mark.parametrize("name", FAULTS)
