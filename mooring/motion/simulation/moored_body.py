@@ -118,6 +118,8 @@ def moored(
     if links is not None:
         start, stiffness = _rest_together(links, berth, system, tables, body, spring, start)
         check_held(stiffness, body)
+        if body.knows_drift_of_each:
+            findings = (*findings, "mean and slow drift of bodies with hinges are those stored of their free motions")
     else:
         if berth.names:
             start = at_rest(berth, _but_berth(system, tables, body, spring), start, _unit(body))
