@@ -110,7 +110,8 @@ def moored(
     if system is not None:
         _check_place(system, body)
         body_lines(system)  # refuses lines that a run cannot have
-        start, stiffness = _rest(system, body, spring)
+        if links is None:  # with hinges what lines alone do would tear them
+            start, stiffness = _rest(system, body, spring)
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
     berth = no_berth() if berth is None else berth

@@ -159,7 +159,7 @@ def spring_waves(force):
     waves = WaveForces(omega, np.broadcast_to(parts, (9, HEADINGS, 12)).copy(), None)
     stiffness = np.broadcast_to(np.diag([10.0, 20, 30, 40, 50, 60]).astype(complex), (9, 6, 6))
     inertia = np.diag([4.0, 4, 4, 16, 36, 100])
-    reader = SimpleNamespace(inertia=inertia, axes_at_rest=np.zeros((1, 6)))
+    reader = SimpleNamespace(inertia=inertia, axes_at_rest=np.zeros((1, 6)), free=None)
     return SimpleNamespace(reader=reader, waves=waves, dynamic_stiffness=stiffness)
 
 

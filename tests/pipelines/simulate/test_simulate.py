@@ -87,7 +87,8 @@ def folder(tmp_path, monkeypatch):
     body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
     body.berth = no_berth()
     body.reader = SimpleNamespace(
-        radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8, words=ONE_BODY, names=DOFS, axes_at_rest=np.zeros((1, 6))
+        radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8, words=ONE_BODY, names=DOFS, axes_at_rest=np.zeros((1, 6)),
+        links=(),
     )  # fmt: skip
 
     def prepared(task, db=None):
