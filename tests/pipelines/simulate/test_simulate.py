@@ -268,7 +268,8 @@ def test_a_study_that_says_nothing_has_memory_pairs_of_waves_and_lines_that_move
     assert (table.memory, table.dynamic_lines, table.qtf, table.slow_drift) == ("states", "auto", "auto", "newman")
     for kind in KINDS:
         asked = tomllib.loads(commented(kind)).get("simulation", {})
-        assert not {"memory", "dynamic_lines", "qtf"} & set(asked), kind
+        rings = {"memory"} if kind == "bridge" else set()  # the water between its pontoons, too sharply for states
+        assert not {"memory", "dynamic_lines", "qtf"} & set(asked) - rings, kind
 
 
 def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is_there(folder, monkeypatch, capsys):
