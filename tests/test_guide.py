@@ -21,6 +21,8 @@ LONG = (
     "solve ship_n_port",
     "solve bodies_side_by_side",
     "simulate side_by_side",
+    "solve bodies_bridge",
+    "simulate bridge",
     "simulate simulate_n_port",
     "sweep sweep_n_port",
     "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.3:1.8:31",  # panels

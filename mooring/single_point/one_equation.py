@@ -46,6 +46,8 @@ class PlanarBody:
     rotation_center: np.ndarray = None
     knows_drift: bool = False
     words: tuple = words_of(())
+    links: tuple = ()
+    free: np.ndarray = None
 
     def __post_init__(self):
         object.__setattr__(self, "stiffness", np.zeros((6, 6)))

@@ -70,6 +70,17 @@ KINDS = {
         ),
         ("bodies_side_by_side.toml",),
     ),
+    "bridge": Kind(
+        "pontoons hinged to each other, in time",
+        "hakobune.pipelines.moor.study:Study",
+        "moor, simulate",
+        "simulate_bridge.toml",
+        (
+            "hakobune solve bodies_bridge.toml --output bridge.h5",
+            "hakobune simulate FILE --database bridge.h5 --output bridge_run.h5",
+        ),
+        ("bodies_bridge.toml",),
+    ),
     "response": Kind(
         "a free body in a sea or a climate",
         "hakobune.pipelines.response.study:ResponseStudy",

@@ -179,6 +179,8 @@ class _Indefinite:
     def within(self, radius):
         """(k,) m, of at most `radius`"""
         high = np.linalg.norm(self.along) / radius
+        if high == 0.0:
+            return np.zeros(len(self.along))
         values = np.maximum(self.values, 1e-9 * high)
         if np.linalg.norm(self.along / values) <= radius:
             return self.vectors @ (self.along / values)

@@ -110,7 +110,8 @@ def moored(
     if system is not None:
         _check_place(system, body)
         body_lines(system)  # refuses lines that a run cannot have
-        start, stiffness = _rest(system, body, spring)
+        if links is None:
+            start, stiffness = _rest(system, body, spring)
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
     berth = no_berth() if berth is None else berth
@@ -118,6 +119,8 @@ def moored(
     if links is not None:
         start, stiffness = _rest_together(links, berth, system, tables, body, spring, start)
         check_held(stiffness, body)
+        if body.knows_drift_of_each:
+            findings = (*findings, "mean and slow drift of bodies with hinges are those stored of their free motions")
     else:
         if berth.names:
             start = at_rest(berth, _but_berth(system, tables, body, spring), start, _unit(body))
@@ -205,7 +208,12 @@ def _rest_together(links, berth, system, tables, body, spring, start):
     def forces(place):
         return others(place) + (berth_force(berth, place) if berth.names else 0.0)
 
-    start, held = rest_together(links, forces, start, _unit(body), headings)
+    try:  # from where hinges hold: lines alone would take the bodies far from each other
+        start, held = rest_together(links, forces, start, _unit(body), headings)
+    except ValueError:
+        if system is None:
+            raise
+        start, held = rest_together(links, forces, _rest(system, body, spring)[0], _unit(body), headings)
     return start, stiffness_together(links, forces, start, held, headings)
 
 

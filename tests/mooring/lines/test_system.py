@@ -13,7 +13,7 @@ from hakobune.bem import DOFS
 from hakobune.bem.database.between_frequencies import Between
 from hakobune.bem.database.reader import Reader
 from hakobune.mooring.lines.system.bodies import angles, rotated, rotation
-from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.equilibrium import _Indefinite, rest
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.hydrostatics import heading, hydrostatic_load
 from hakobune.mooring.lines.system.parts import (
@@ -34,6 +34,12 @@ from hakobune.mooring.studies.system_at_rest import (
 )
 
 ROOT = Path(__file__).parents[3]
+
+
+def test_a_step_without_a_force_is_none_where_a_stiffness_is_none():
+    with np.errstate(all="raise"):
+        stays = _Indefinite(np.diag([1.0, -1.0, 0.0]), np.zeros(3), np.ones(3), np.ones(3, bool)).within(1.0)
+    assert np.array_equal(stays, np.zeros(3))
 
 
 def test_a_sinker_too_light_is_lifted_and_one_too_heavy_rests_on_the_bed():

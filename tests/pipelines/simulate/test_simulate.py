@@ -87,7 +87,8 @@ def folder(tmp_path, monkeypatch):
     body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
     body.berth = no_berth()
     body.reader = SimpleNamespace(
-        radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8, words=ONE_BODY, names=DOFS, axes_at_rest=np.zeros((1, 6))
+        radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8, words=ONE_BODY, names=DOFS, axes_at_rest=np.zeros((1, 6)),
+        links=(),
     )  # fmt: skip
 
     def prepared(task, db=None):
@@ -267,7 +268,8 @@ def test_a_study_that_says_nothing_has_memory_pairs_of_waves_and_lines_that_move
     assert (table.memory, table.dynamic_lines, table.qtf, table.slow_drift) == ("states", "auto", "auto", "newman")
     for kind in KINDS:
         asked = tomllib.loads(commented(kind)).get("simulation", {})
-        assert not {"memory", "dynamic_lines", "qtf"} & set(asked), kind
+        rings = {"memory"} if kind == "bridge" else set()  # the water between its pontoons, too sharply for states
+        assert not {"memory", "dynamic_lines", "qtf"} & set(asked) - rings, kind
 
 
 def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is_there(folder, monkeypatch, capsys):

@@ -1,13 +1,17 @@
 """A ship and a barge made fast to each other, one heading the other way, through the file of a simulation."""
 
 import h5py
+import msgspec
 import numpy as np
 import pytest
 
 import hakobune
+from hakobune.bem.modes import Body
 from hakobune.mooring.fenders.gaps import Side, gaps
+from hakobune.mooring.studies.conditions import Afloat, ExposedBox
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.quay_tables import QuayFenderTable, berth_between
 
 SHIP = {"name": "ship", "shape": "box", "length": 14.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 3.5, 0.0],
         "gyration": [1.6, 4.0, 4.0]}  # fmt: skip
@@ -121,6 +125,17 @@ FAULTS = {
     ),
     "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database is of several bodies"),
 }  # fmt: skip
+
+
+def test_a_fender_inside_both_hulls_is_refused():
+    """Boxes of 14 × 5 m, 4 m apart, that the hulls of ships which narrow at the waterline leave clear"""
+    bodies = [Body(name, (0.0, y, 0.0), 0.0, False, (0.0, y)) for name, y in (("ship", 2.0), ("barge", -2.0))]
+    box = ExposedBox(14.0, 5.0, 1.5, 1.5)
+    hulls = [Afloat(one.name, box, one.own_center, np.array(one.place), 0.0, 1025.0) for one in bodies]
+    table = QuayFenderTable(**{**FENDER, "position": (1.0, -2.0, 0.5)})
+    with pytest.raises(StudyError, match=r"fender\[0\] \(F\) lies inside both barge and ship, at 1, 0, 0.5 m"):
+        berth_between([table], [], [], hulls, bodies)
+    berth_between([msgspec.structs.replace(table, position=(1.0, -4.6, 0.5))], [], [], hulls, bodies)
 
 
 @pytest.mark.parametrize("name", FAULTS)
