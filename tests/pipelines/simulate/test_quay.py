@@ -85,7 +85,7 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     film = tmp_path / "film.gif"
     assert main(["animate", str(run), "--output", str(film), "--length", "2"]) == 0 and film.stat().st_size > 1000
     assert main(["moor", str(SCENE), "--database", str(database)]) == 2
-    assert "moor knows no [[fender]]" in capsys.readouterr().err
+    assert "moor of one body knows no [[fender]]" in capsys.readouterr().err
 
 
 def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(database, tmp_path, monkeypatch, capsys):
