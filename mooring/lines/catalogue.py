@@ -91,7 +91,7 @@ FORMS = (
     "R3|R3S|R4|R4S|R5 studlink|studless 76 mm",
     "grade 1|2|3 76 mm",
     "ORQ 76 mm",
-    "wire 6x7|6x19|6x24|6x36 FC|IWRC [1370|1470|1570|1770|1960|2160 or JIS E|G|A|B] 60 mm",
+    "wire 6x7|6x19|6x24|6x36 FC|IWRC [1370|1470|1570|1770|1960|2160|E|G|A|B] 60 mm",
     "spiral strand 90 mm",
     "polyester|nylon|HMPE 160 mm",
 )

@@ -128,7 +128,7 @@ LACKING = {
     "look full.h5 --field pressure --omega 0.6 --heading 0 --plot x.png": ("no pressure", "--only pressure"),
     "moor study.toml --database no_drift.h5": ("drift", "--only"),
     "moor study.toml --database no_mass.h5": ("inertia", "--gyration"),
-    "moor study.toml --database no_rao.h5": ("added_mass is not stored", "--only added_mass"),
+    "moor study.toml --database no_rao.h5": ("added_mass", "must be stored", "--only motions,radiation"),
     "moor study.toml --database text.h5": ("text.h5 is not an HDF5 file",),
     "moor none.toml --database full.h5": ("none.toml does not exist",),
     "moor study.toml": ("--database",),

@@ -24,7 +24,7 @@ SCENES = Path(pipelines.__file__).parent / "scenes"
 COARSE = {"periods": [6.0, 8.0, 11.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
 
 
-def without_memory(reader):
+def without_memory(reader, motions=None):
     """Memory without states, so that none has to be fitted, and the added mass of the longest waves; no findings"""
     return replace(no_memory(reader), added_mass_infinity=reader.coefficients(reader.omega[:1])[0][0]), ()
 
