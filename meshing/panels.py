@@ -130,8 +130,6 @@ class PanelMesh:
     @cached_property
     def is_round(self):
         """Whether a twelfth or less of a turn about the vertical through the origin maps the hull to itself"""
-        from scipy.spatial import cKDTree
-
         points = self.whole().points if self.symmetry else self.points
         radius = np.hypot(*points[:, :2].T)
         if not len(points) or not radius.max() > 0:
@@ -139,13 +137,17 @@ class PanelMesh:
         near = SAME_PLACE * radius.max()
         rim = np.unique(np.round(points[radius > radius.max() - near] / (10 * near)), axis=0)
         levels = np.unique(rim[:, 2], return_counts=True)[1]
+        counts = [n for n in range(int(levels.max()), ROUND - 1, -1) if np.all(levels % n == 0)]
+        if not counts:
+            return False
+        from scipy.spatial import cKDTree
+
         tree = cKDTree(points)
-        for count in range(int(levels.max()), ROUND - 1, -1):
-            if np.all(levels % count == 0):
-                c, s = np.cos(2 * np.pi / count), np.sin(2 * np.pi / count)
-                turned = points @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
-                if tree.query(turned)[0].max() <= near:
-                    return True
+        for count in counts:
+            c, s = np.cos(2 * np.pi / count), np.sin(2 * np.pi / count)
+            turned = points @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+            if tree.query(turned)[0].max() <= near:
+                return True
         return False
 
     @cached_property

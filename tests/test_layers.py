@@ -139,7 +139,7 @@ def test_only_the_mesher_sees_gmsh():
 
 @pytest.mark.parametrize("module", ["hakobune.bem.database", "hakobune.mooring", "hakobune.pipelines.scene.scene"])
 def test_reading_and_mooring_load_nothing_heavy(module):
-    heavy = ("numba", "gmsh", "pyvista", "matplotlib")
+    heavy = ("numba", "gmsh", "pyvista", "matplotlib", "scipy.optimize", "scipy.interpolate", "scipy.spatial")
     code = f"import sys, {module}; print(*[m for m in {heavy} if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout.split() == []

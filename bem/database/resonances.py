@@ -110,10 +110,12 @@ def by_motion(energies):
 
     energies : (m, n) kinetic, rows are modes, fewer than motions where links hold some
     """
-    from scipy.optimize import linear_sum_assignment
-
     shares = energies / energies.sum(axis=1, keepdims=True)
-    motions, modes = linear_sum_assignment(shares.T, maximize=True)
+    modes, motions = np.arange(len(shares)), np.argmax(shares, axis=1)
+    if len(np.unique(motions)) < len(motions):  # otherwise every mode has the motion it has most of: no sum is larger
+        from scipy.optimize import linear_sum_assignment
+
+        modes, motions = linear_sum_assignment(shares, maximize=True)
     found = np.full(shares.shape[1], -1)
     found[motions] = modes
     return found

@@ -20,7 +20,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
 STEPS = 4001  # places along a beam of the integral of two slopes
 BENDING = ("vertical bending", "horizontal bending")
@@ -124,6 +123,8 @@ def second(beams, points):
 
 def half_turns(number):
     """μ of a bending shape: roots of tan μ ± tanh μ = 0"""
+    from scipy.optimize import brentq  # takes 0.6 s to load, and only scenes with modes need it
+
     middle = (number / 2 + 0.25) * np.pi  # tanh μ is 1 to rounding but for the first ones
     sign = 1 if number % 2 else -1
     return brentq(lambda m: np.sin(m) + sign * np.tanh(m) * np.cos(m), middle - 0.3, middle + 0.3, xtol=1e-15)
