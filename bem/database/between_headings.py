@@ -95,26 +95,27 @@ class Ring:
         side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
         return (side * np.sin(wanted) < -SAME) & (self.stored(wanted) < 0)
 
-    def gap(self, beta):
-        """rad between the neighbours of a heading, or of what a wall reflects it into; 0 about a round body"""
+    def gap(self, wanted):
+        """(p,) rad between the neighbours of headings, or of what a wall reflects them into; 0 about a round body"""
+        wanted = np.atleast_1d(wanted)
         if self.is_round or self.from_others:
-            return 0.0
-        beta = -beta if self.reflected(np.atleast_1d(beta))[0] else beta
-        offset = np.mod(self.headings - beta, 2 * np.pi)
-        return float(offset.min() + (2 * np.pi - offset).min())
+            return np.zeros(len(wanted))
+        beta = np.where(self.reflected(wanted), -wanted, wanted)
+        offset = np.mod(self.headings[:, None] - beta, 2 * np.pi)
+        return offset.min(axis=0) + (2 * np.pi - offset).min(axis=0)
 
     def inside(self, wanted):
         """`wanted` (p,) rad as an array.  Raises BetweenError for one in a gap above 45°."""
         wanted = np.atleast_1d(np.asarray(wanted, float))
         if not np.all(np.isfinite(wanted)):
             raise BetweenError(f"wave direction is {wanted[~np.isfinite(wanted)][0]}; allowed: finite, rad")
-        for beta in wanted[self.stored(wanted) < 0]:
-            if self.gap(beta) > WIDEST_GAP * (1 + SAME):
-                stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
-                raise BetweenError(
-                    f"wave direction {np.rad2deg(beta) % 360:.4g}° is not between stored headings at most 45° apart "
-                    f"({stored}°); add it to the scene's headings and solve again"
-                )
+        wide = (self.stored(wanted) < 0) & (self.gap(wanted) > WIDEST_GAP * (1 + SAME))
+        if wide.any():
+            stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
+            raise BetweenError(
+                f"wave direction {np.rad2deg(wanted[wide][0]) % 360:.4g}° is not between stored headings at most 45° "
+                f"apart ({stored}°); add it to the scene's headings and solve again"
+            )
         return wanted
 
 

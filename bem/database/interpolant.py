@@ -141,7 +141,7 @@ class Nodes:
         key = y.smooth.tobytes()
         if key not in self._kept:
             made = self._rows(y)
-            while self._kept and sum(rows.cardinal.nbytes for rows in [made, *self._kept.values()]) > KEPT:
+            while self._kept and sum([rows.cardinal.nbytes for rows in (made, *self._kept.values())]) > KEPT:
                 del self._kept[next(iter(self._kept))]
             self._kept[key] = made
         return self._kept[key]

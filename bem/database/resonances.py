@@ -149,12 +149,14 @@ def _roots(body):
     knots = np.arange(len(body.omega))
     omega = np.interp(np.arange((len(knots) - 1) * STEPS + 1) / STEPS, knots, body.omega)
     excess = _excess(body, omega)
-    for i, j in np.argwhere((excess[:-1] > 0) & (excess[1:] <= 0) | (excess[:-1] < 0) & (excess[1:] >= 0)):
-        ends = omega[[i]], excess[[i], j], omega[[i + 1]], excess[[i + 1], j]
-        w = float(zeros(lambda x, j=j: _excess(body, x)[:, j], *ends)[0])
-        _, vectors, M = _modes(body, np.array([w]))
-        energies = np.abs(vectors[0].T * (M[0] @ vectors[0]).T)
-        yield int(np.flatnonzero(by_motion(energies) == j)[0]), w, vectors[0][:, j]
+    i, j = np.nonzero((excess[:-1] > 0) & (excess[1:] <= 0) | (excess[:-1] < 0) & (excess[1:] >= 0))
+    if not len(i):
+        return
+    found = zeros(lambda w: _excess(body, w)[range(len(j)), j], omega[i], excess[i, j], omega[i + 1], excess[i + 1, j])
+    _, vectors, M = _modes(body, found)
+    energies = np.abs(vectors.swapaxes(1, 2) * (M @ vectors).swapaxes(1, 2))
+    for w, number, own, shapes in zip(found, j, energies, vectors, strict=True):
+        yield int(np.flatnonzero(by_motion(own) == number)[0]), float(w), shapes[:, number]
 
 
 def _excess(body, omega):

@@ -55,7 +55,8 @@ class Sources:
     """Sources below a root; `kept` : file in which what is known of them stays from one process to the next, or None"""
 
     def __init__(self, root, kept=None):
-        self.root, self.kept, self._now = Path(root), kept, {}
+        self.root, self.kept = Path(root), kept
+        self._now, self._of, self._digests = {}, {}, {}  # by source
         try:
             self._before = json.loads(kept.read_text()) if kept else {}
         except (OSError, ValueError):
@@ -63,22 +64,29 @@ class Sources:
 
     def of(self, file):
         """Paths, as strings, of what a source imports, directly or through others, and its own: a set"""
-        found, waiting = set(), [str(file)]
-        while waiting:
-            source = waiting.pop()
-            if source not in found:
-                found.add(source)
-                waiting += self._known(source)[3]
-        return found
+        source = str(file)
+        if source not in self._of:
+            found, waiting = set(), [source]
+            while waiting:
+                one = waiting.pop()
+                if one in self._of:
+                    found |= self._of[one]
+                elif one not in found:
+                    found.add(one)
+                    waiting += self._known(one)[3]
+            self._of[source] = found
+        return self._of[source]
 
     def digest(self, file):
         """16 characters, of all that a source is made of"""
-        known, total, below = len(self._now), hashlib.sha256(), len(str(self.root))
-        for source in sorted(self.of(file)):
-            total.update((source[below:] + self._known(source)[2]).encode())
+        if str(file) in self._digests:
+            return self._digests[str(file)]
+        known, below = len(self._now), len(str(self.root))
+        parts = [one[below:] + self._now[one][2] for one in sorted(self.of(file))]
         if self.kept and len(self._now) > known and any(self._before.get(one) != it for one, it in self._now.items()):
             self._keep()
-        return total.hexdigest()[:16]
+        self._digests[str(file)] = hashlib.sha256("".join(parts).encode()).hexdigest()[:16]
+        return self._digests[str(file)]
 
     def _known(self, source):
         """[time of change or None, size, digest, sources that it imports]"""

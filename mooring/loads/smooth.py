@@ -35,8 +35,9 @@ def _through(x, y, slope, flat):
     def curve(at):
         at = np.asarray(at, float)
         i = np.clip(np.searchsorted(x, at, side="right") - 1, 0, len(x) - 2)
-        step, ones = x[i + 1] - x[i], (1,) * (y.ndim - 1)
-        t, step = (np.reshape(part, np.shape(part) + ones) for part in ((at - x[i]) / step, step))
+        shape = (*at.shape, *(1,) * (y.ndim - 1))
+        step = np.reshape(x[i + 1] - x[i], shape)
+        t = np.reshape(at - x[i], shape) / step
         rise = y[i + 1] - y[i]
         bend = step * (slope[i] * (1 - t) - slope[i + 1] * t) + rise * (2 * t - 1)
         return y[i] + t * (rise + (1 - t) * bend)
