@@ -5,6 +5,7 @@ some test of it.  Processes therefore take whole files, from either end of an or
 kernels and databases, and meet inside it.
 """
 
+import gc
 import time
 
 import pytest
@@ -19,6 +20,7 @@ def pytest_addoption(parser):
 
 def pytest_collection_finish(session):
     session.config.collected = time.monotonic()
+    gc.freeze()  # ten thousand tests and what they import stay to the end: not to be gone through again and again
 
 
 @pytest.hookimpl(tryfirst=True)  # before its fixtures are made

@@ -150,7 +150,7 @@ def main(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="one body of each kind, some seconds")
     quick = parser.parse_args(words).quick
-    names, places = (list(variants())[:2], 60) if quick else (list(variants()), 300)
+    names, places = (list(variants())[:2], 20) if quick else (list(variants()), 300)
     some = slice(1, 2) if quick else slice(None)
     fitted, first, ours = report("as fitted", FITTED[some], places, names)
     held, second, others = report("held out", (HELD_OUT + random_bodies(10))[some], places, names)
