@@ -126,7 +126,7 @@ def held_by(links, poses, mu):
     return out.reshape(-1, 6)
 
 
-@kernel()
+@kernel(counted=False)
 def fill_rows(links, work, poses):
     """work.rows, gap and axis with the bodies at poses (N, 6)"""
     R, rows, gap, Q, arm = work.turn, work.rows, work.gap, work.Q, work.arm
@@ -191,7 +191,7 @@ def fill_rows(links, work, poses):
                     rows[i, c + 5] = sign * m[2]
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def along_rows(links, work, k, i, values):
     """Row i, of link k, times values (6N,)"""
     total = 0.0
@@ -203,7 +203,7 @@ def along_rows(links, work, k, i, values):
     return total
 
 
-@kernel()
+@kernel(counted=False)
 def solve_positive(A, x):
     """x = A⁻¹ x of a symmetric positive definite A (r, r), which is overwritten with its lower factor"""
     n = x.size
@@ -224,7 +224,7 @@ def solve_positive(A, x):
         x[i] = total / A[i, i]
 
 
-@kernel()
+@kernel(counted=False)
 def fill_shares(links, work, inverse):
     """work.shares W Gᵀ and work.matrix G W Gᵀ of the rows, with W (6N, 6N)"""
     for k in range(links.ends.shape[0]):
@@ -244,7 +244,7 @@ def fill_shares(links, work, inverse):
                 work.matrix[i, j] = total
 
 
-@kernel()
+@kernel(counted=False)
 def hold_together(links, work, poses, inverse, force):
     """Add to the forces (6N,) on bodies at poses (N, 6) with work.speed what links hold; W (6N, 6N) of `inverse`."""
     count, speed, mu = poses.shape[0], work.speed, work.mu
@@ -278,7 +278,7 @@ def hold_together(links, work, poses, inverse, force):
     give_rows(links, work, mu, force)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def give_rows(links, work, mu, force):
     """Add Gᵀμ to forces (6N,)."""
     for k in range(links.ends.shape[0]):
@@ -290,7 +290,7 @@ def give_rows(links, work, mu, force):
                         force[6 * b + j] += work.rows[i, 6 * e + j] * mu[i]
 
 
-@kernel()
+@kernel(counted=False)
 def put_forces(links, work, poses, out):
     """out (6k,) N, N m of work.mu, on the second body, along `Links.shown`, with the bodies at poses (N, 6)"""
     for k in range(links.ends.shape[0]):
