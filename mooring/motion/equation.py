@@ -104,7 +104,7 @@ class Work(NamedTuple):
 class Scene(NamedTuple):
     """All that acts on a body, and room for work: what `rates` takes beside time and state
 
-    links : (`links.Links`, LinkWork), None where there are none, and then nothing of them is compiled
+    links : (`links.Links`, LinkWork), of none where there are none: one version of the kernels serves all
     """
 
     body: Body
@@ -116,7 +116,7 @@ class Scene(NamedTuple):
     contact_work: ContactWork
     hull: HullWater
     work: Work
-    links: tuple | None = None
+    links: tuple
 
 
 def room(columns, bodies=1):
@@ -336,8 +336,8 @@ def of_moorings(scene, y, rate):
 @kernel(inline=True, counted=False)
 def of_links(scene, links, y):
     """What hinges hold between the bodies of a `Scene` in the state y (n,), into the forces"""
-    if links is not None:
-        held, kept = links
+    held, kept = links
+    if held.ends.shape[0] > 0:
         for b in range(scene.body.heading.size):
             for j in range(6):
                 kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]

@@ -383,8 +383,8 @@ def keep_links(scene, links, buoy, clock, t, h, later):
 
     What fenders remember is then that of the end of the step, as before.
     """
-    if links is not None:
-        held, kept = links
+    held, kept = links
+    if held.ends.shape[0] > 0:
         row, k, n = clock.counts[SAMPLES], clock.stages, 0
         while row < kept.kept.shape[0] and row * clock.sample_step <= later + ROUNDING * clock.sample_step:
             s = (row * clock.sample_step - t) / h
