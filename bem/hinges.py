@@ -23,7 +23,7 @@ SAME = 1e-9  # of the largest singular value: a constraint that the others alrea
 class Link(NamedTuple):
     """name; bodies : names of two; position (3,) m and axis (3,) in coordinates of the first
 
-    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it and does not turn
+    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
     damping : N s/m along the axis of a slider, N m s about that of a hinge
     """
 

@@ -2,11 +2,12 @@
 
     W⁻¹ ν̇ = F + Gᵀμ,    G ν̇ = −Ġν − 2α Gν − α² g,    (G W Gᵀ) μ = −Ġν − 2α Gν − α² g − G W F
 
-g (r,) is what a link holds to zero: h · R₁ᵀd of d, how far its point on the second body is from that on the first, along
-the axes h of the first that it holds, and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in axes of the
-first, the parts h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions, along the axes that forces are
-along, with the angles as they are; so μ, force and moment on the second body, does no work while it holds.  Ġν is a
-difference quotient along the course.  What errors of steps leave of g dies away at α (Baumgarte 1972).
+g (r,) is what a link holds to zero: h · R₁ᵀd of d, how far its point on the second body is from that on the first,
+along the axes h of the first that it holds, and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in axes
+of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions, along
+the axes that forces are along, with the angles as they are; so μ, force and moment on the second body, does no work
+while it holds.  Ġν is a difference quotient along the course.  What errors of steps leave of g dies away at α
+(Baumgarte 1972).
 """
 
 from __future__ import annotations
@@ -112,8 +113,8 @@ def link_work(links, states=0, samples=0):
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
     return LinkWork(
         np.zeros((r, 12)), np.zeros(r), np.zeros((r, 3)), np.zeros(r), np.zeros(r), np.zeros((r, r)),
-        np.zeros((6 * n, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3), np.zeros(3),
-        np.zeros((3, 3)), np.zeros(6 * n), np.zeros(states), np.zeros(states), np.zeros((samples, 6 * k)),
+        np.zeros((6 * n, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3),
+        np.zeros(3), np.zeros((3, 3)), np.zeros(6 * n), np.zeros(states), np.zeros(states), np.zeros((samples, 6 * k)),
     )  # fmt: skip
 
 

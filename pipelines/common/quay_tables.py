@@ -250,7 +250,7 @@ class HingeTable(Table):
     bodies : names of two; one of them may be fixed, or "space"; a body that is alone is "body"
     position : m, in the coordinates of the first, of "space" in those of the scene
     axis : free to turn about, of a slider to move along, in axes of the first
-    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it and does not turn
+    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
     damping : kN s/m along the axis of a slider, kN m s about that of a hinge
     """
 

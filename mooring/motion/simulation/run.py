@@ -156,9 +156,7 @@ def _followed(moored, settings, begun, progress):
     links = scene.links[0]
     scene = scene._replace(links=(links, link_work(links, len(y), rows)))
     if len(links.ends):
-        states[:, :6], states[:, 6:12] = begin_together(
-            links, scene.body.mass_inverse, states[:, :6], states[:, 6:12]
-        )
+        states[:, :6], states[:, 6:12] = begin_together(links, scene.body.mass_inverse, states[:, :6], states[:, 6:12])
     states[:, SLOW : SLOW + 3] = states[:, [0, 1, 5]]
     if moored.buoy is not None:
         y[buoy_at(count) : memory_at(count) - 3] = moored.buoy.start
