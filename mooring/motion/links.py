@@ -2,11 +2,11 @@
 
     W⁻¹ ν̇ = F + Gᵀμ,    G ν̇ = −Ġν − 2α Gν − α² g,    (G W Gᵀ) μ = −Ġν − 2α Gν − α² g − G W F
 
-g (r,) is what a link holds to zero: h · R₁ᵀd of d, how far its point on the second body is from that on the first,
-along the axes h of the first that it holds, and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in axes
-of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions, along
-the axes that forces are along, with the angles as they are; so μ, force and moment on the second body, does no work
-while it holds.  Ġν is a difference quotient along the course.  What errors of steps leave of g dies away at α
+g (r,) is what a link holds to zero: d, how far its point on the second body is from that on the first, in space, or of
+a slider h · R₁ᵀd along two axes h of the first; and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in
+axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions,
+along the axes that forces are along, with the angles as they are; so μ, force and moment on the second body, does no
+work while it holds.  Ġν is a difference quotient along the course.  What errors of steps leave of g dies away at α
 (Baumgarte 1972).
 """
 
@@ -30,7 +30,7 @@ class Links(NamedTuple):
 
     ends : (k, 2) numbers of the first and the second body, below 0 for what stands still
     points : (k, 2, 3) m from the origins of the axes of these, along them; in space of what stands still
-    back : (k, 3, 3) R₀ᵀ; along, held : (k, 3, 3) rows h, of places and of turns, in axes of the first
+    back : (k, 3, 3) R₀ᵀ; along, held : (k, 3, 3) rows h, of places (three in space) and of turns, in axes of the first
     first : (k + 1,) number of the first constraint of each; turns : (k,) that of its first about a turn
     place : (N, 3) m, origins of the axes of the bodies at rest
     shown : (k, 3, 3) rows, along which forces are told, in axes of the first
@@ -87,9 +87,10 @@ def links_of(reader):
         ends.append([-1 if own is None else own.start // 6 for own in moves])
         points.append([place if one.fixed else one.axes.T @ (place - one.rotation_center) for one in bodies])
         own = axes[0].T @ bodies[0].axes  # of the first, in those that it is turned in here
-        for part, held in zip(helds, (link.along, link.held), strict=True):
+        along = link.along @ own.T if len(link.along) < 3 else np.eye(3)
+        for part, held in zip(helds, (along, link.held @ own.T), strict=True):
             part.append(np.zeros((3, 3)))
-            part[-1][: len(held)] = held @ own.T
+            part[-1][: len(held)] = held
         backs.append((axes[0].T @ axes[1]).T)
         shown.append(own.T)
     first = np.cumsum([0, *(len(link.along) + len(link.held) for link in reader.links)])
@@ -171,12 +172,13 @@ def fill_rows(links, work, poses):
             for i in range(3):
                 arms[e, i] = R[e, i, 0] * p[k, e, 0] + R[e, i, 1] * p[k, e, 1] + R[e, i, 2] * p[k, e, 2]
                 d[i] += sign * (arms[e, i] + (links.place[b, i] + poses[b, i] if b >= 0 else 0.0))
-        for i in range(3):
+        slides = links.turns[k] - links.first[k] < 3
+        for i in range(3 if slides else 0):
             arms[0, i] += d[i]
         for i in range(links.first[k], links.turns[k]):
             h, m = links.along[k, i - links.first[k]], work.axis[i]
             for j in range(3):
-                m[j] = R[0, j, 0] * h[0] + R[0, j, 1] * h[1] + R[0, j, 2] * h[2]
+                m[j] = R[0, j, 0] * h[0] + R[0, j, 1] * h[1] + R[0, j, 2] * h[2] if slides else h[j]
             work.gap[i] = m[0] * d[0] + m[1] * d[1] + m[2] * d[2]
             give_row(links, work, poses, k, i, False)
         for i in range(3):  # Q = (R₁ᵀ R₂) R₀ᵀ; R₁ᵀR₂ row by row

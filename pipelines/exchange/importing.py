@@ -15,7 +15,7 @@ from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.judging.laws import depth_of
 from hakobune.bem.formats.values import FormatError, with_headings_once
-from hakobune.meshing.files import read_mesh
+from hakobune.meshing.files import read_mesh, wetted
 from hakobune.meshing.quality import findings
 from hakobune.meshing.whole_files import made_beside
 from hakobune.mooring.criteria.failing import fails
@@ -118,7 +118,7 @@ def hull_of(place, kind, module, mesh, known):
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {path} is not there' if path else ''}")
     panels = read_mesh(path.resolve())
     if mesh is None and origin is not None and np.any(origin):
-        panels = panels.moved(*origin)
+        panels = wetted(panels.moved(*origin))  # a lid that lay at the height of the axes
     for finding in findings(panels):
         if finding.severity != "error":
             print(f"{path}: {finding}", file=sys.stderr)

@@ -35,6 +35,9 @@ def place(tmp_path):
     hulls = box(4.0, 4.0, 2.0, panels=60).whole(), box(6.0, 4.0, 3.0, panels=60).whole()
     for name, hull, up in zip("ab", hulls, (1.0, 2.0), strict=True):
         write_mesh(hull.moved(dz=up), tmp_path / f"{name}.gdf")
+    head, ulen, planes, count, *rest = (tmp_path / "a.gdf").read_text().splitlines()
+    lid = ["-2 -2 1", "2 -2 1", "2 2 1", "-2 2 1"]  # against irregular frequencies: no part of the hull
+    (tmp_path / "a.gdf").write_text("\n".join([head, ulen, planes, str(int(count.split()[0]) + 1), *rest, *lid]))
     diagonal = "".join(f" 5.0 {i} {i} 2.0 0.1\n" for i in range(1, 13))
     (tmp_path / "two.1").write_text(diagonal + " 5.0 3 9 0.5 0.02\n 5.0 9 3 0.5 0.02\n")
     (tmp_path / "two.3").write_text("".join(f" 5.0 0.0 {i} 1.0 0.0 {i}.0 0.0\n" for i in range(1, 13)))
@@ -57,6 +60,7 @@ def test_bodies_of_a_set_move_together(place):
     assert db["excitation_force"][0, 0] == pytest.approx(1e4 * np.arange(1.0, 13))
     assert db["mass"][:] == pytest.approx([32e3, 72e3])
     assert np.diag(db["inertia_matrix"])[[3, 9]] == pytest.approx([32e3 * (1 + 1), 72e3 * (4 + 4)])  # about XBODY
+    assert db["hydrostatic_stiffness"][2, 2] == pytest.approx(1e4 * 16)
     assert db["hydrostatic_stiffness"][8, 8] == pytest.approx(1e4 * 24) and not db["hydrostatic_stiffness"][2, 8]
 
 
