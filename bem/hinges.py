@@ -1,4 +1,4 @@
-"""Hinges, ball joints and rigid links between bodies of a database, exact: constraints, not stiff springs.
+"""Hinges, balls, sliders and rigid links between bodies of a database, exact: constraints, not stiff springs.
 
     G X = 0,    D X = F + Gᵀμ,    X = Z q,  G Z = 0,    (Zᵀ D Z) q = Zᵀ F,    μ = (G Gᵀ)⁻¹ G (D X − F)
 
@@ -16,14 +16,15 @@ import numpy as np
 from .modes import Body
 
 SPACE, ALONE = "space", "body"
-KINDS = ("hinge", "ball", "rigid")
+KINDS = ("hinge", "ball", "rigid", "slider")
 SAME = 1e-9  # of the largest singular value: a constraint that the others already are
 
 
 class Link(NamedTuple):
-    """name; bodies : names of two; position (3,) m and axis (3,), free to turn about, in coordinates of the first
+    """name; bodies : names of two; position (3,) m and axis (3,) in coordinates of the first
 
-    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none
+    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
+    damping : N s/m along the axis of a slider, N m s about that of a hinge
     """
 
     name: str
@@ -31,14 +32,22 @@ class Link(NamedTuple):
     position: tuple[float, float, float]
     axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
     kind: str = "hinge"
+    damping: float = 0.0
+
+    @property
+    def along(self):
+        """(k, 3) unit vectors along which both points move alike, along the axes of the first"""
+        return _across(self.axis) if self.kind == "slider" else np.eye(3)
 
     @property
     def held(self):
         """(k, 3) unit vectors about which both bodies turn alike, along the axes of the first"""
-        if self.kind != "hinge":
-            return np.eye(3)[: 3 * (self.kind == "rigid")]
-        along = np.asarray(self.axis, float) / np.linalg.norm(self.axis)
-        return np.linalg.svd(along[None])[2][1:]
+        return _across(self.axis) if self.kind == "hinge" else np.eye(3)[: 3 * (self.kind != "ball")]
+
+
+def _across(axis):
+    """(2, 3) unit vectors at right angles to an axis (3,) and each other"""
+    return np.linalg.svd(np.asarray(axis, float)[None])[2][1:]
 
 
 def end_of(reader, name):
@@ -52,7 +61,24 @@ def end_of(reader, name):
 
 
 def rows_of(reader, link):
-    """(3 + k, n) of G for the motions of a `bem.database.reader.Reader`.  Raises BetweenError for unknown bodies."""
+    """(k, n) of G for the motions of a `bem.database.reader.Reader`.  Raises BetweenError for unknown bodies."""
+    rows = _all_rows(reader, link)
+    return np.vstack([link.along @ rows[:3], link.held @ rows[3:]])
+
+
+def damping_of(reader):
+    """(n, n) N s/m … of the dampers in the links of a Reader, for small motions about rest"""
+    total = np.zeros((len(reader.words),) * 2)
+    for link in reader.links:
+        if link.damping:
+            part = _all_rows(reader, link)[:3] if link.kind == "slider" else _all_rows(reader, link)[3:]
+            row = np.asarray(link.axis, float) @ part / np.linalg.norm(link.axis)
+            total += link.damping * np.outer(row, row)
+    return total
+
+
+def _all_rows(reader, link):
+    """(6, n) of how far the point of the second body moves and turns from the first, along the axes of this"""
     (first, own_of_first), (second, own_of_second) = (end_of(reader, name) for name in link.bodies)
     place = first.in_scene(link.position)
     turn = first.axes.T @ second.axes
@@ -62,7 +88,7 @@ def rows_of(reader, link):
             x, y, z = body.axes.T @ (place - (*body.place, 0.0)) - body.own_center
             rows[:3, own] += sign * axes @ np.hstack([np.eye(3), [[0, z, -y], [-z, 0, x], [y, -x, 0]]])
             rows[3:, own] += sign * axes @ np.eye(3, 6, 3)
-    return np.vstack([rows[:3], link.held @ rows[3:]])
+    return rows
 
 
 def free_of(rows):
@@ -81,8 +107,8 @@ def forces_of(links, rows, left):
     mu = np.linalg.solve(rows @ rows.T, rows @ left[..., None])[..., 0]
     out, at = np.zeros((*mu.shape[:-1], len(links), 6), mu.dtype), 0
     for i, link in enumerate(links):
-        count = len(link.held)
-        out[..., i, :3] = mu[..., at : at + 3]
-        out[..., i, 3:] = mu[..., at + 3 : at + 3 + count] @ link.held
-        at += 3 + count
+        turns = at + len(link.along)
+        end = turns + len(link.held)
+        out[..., i, :3], out[..., i, 3:] = mu[..., at:turns] @ link.along, mu[..., turns:end] @ link.held
+        at = end
     return out

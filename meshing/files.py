@@ -81,7 +81,7 @@ def read_mesh(path):
         raise ValueError(f"{path}: no panels in it")
     if not np.all(np.isfinite(mesh.points)):
         raise ValueError(f"{path}: a coordinate is not a finite number")
-    hull = _wetted(_as_meant(mesh))
+    hull = wetted(_as_meant(mesh))
     if not len(hull):
         raise ValueError(f"{path}: all its panels lie in the water surface and face up: a lid or a deck, no hull")
     return replace(_on_positive_side(hull).merged(SAME_POINT), name=path.stem)
@@ -124,7 +124,7 @@ def _as_meant(mesh):
     return replace(mesh, points=points)
 
 
-def _wetted(mesh):
+def wetted(mesh):
     """The mesh without panels that face the air in z = 0 or have no area"""
     flat = np.all(mesh.vertices[..., 2] == 0, axis=1)
     dry = (flat & (mesh.area_vectors[:, 2] > 0)) | (mesh.areas <= NO_AREA * mesh.sizes**2)

@@ -23,6 +23,9 @@ LONG = (
     "simulate side_by_side",
     "solve bodies_bridge",
     "simulate bridge",
+    "solve bodies_terminal",
+    "passing passing_terminal",
+    "simulate terminal",
     "simulate simulate_n_port",
     "sweep sweep_n_port",
     "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.3:1.8:31",  # panels

@@ -164,6 +164,20 @@ def read(place, known):
                   left_out=tuple(left_out))  # fmt: skip
 
 
+def coupled(place, known, count):
+    """{quantity: array} of added mass, damping and limits of `count` bodies together, (…, 6 count, 6 count)
+
+    known : as of `read`.  Raises FormatError.
+    """
+    place, first = Path(place), known | {"body": 1}
+    if place.suffix.lower() == ".out":
+        tables, given, _ = read_out(place, first)
+    else:
+        place = place.with_suffix(".1")
+        tables, given = tables_beside(place), inputs_of(place, first)
+    return _read_radiation(tables[".1"], known["density"], Columns(given, np.arange(1, 6 * count + 1)))[0]
+
+
 def hull_of(place, known=None):
     """The .gdf of a body beside NAME.1 or NAME.out; None where it is not there"""
     place = Path(place)
@@ -178,7 +192,7 @@ class OtherPlaces(FormatError):
 
 
 class Columns(NamedTuple):
-    """given : `wamit_inputs.Inputs`; modes : (6,) numbers of the body's modes"""
+    """given : `wamit_inputs.Inputs`; modes : (6,) numbers of the body's modes, or those of all bodies"""
 
     given: object
     modes: np.ndarray
@@ -221,17 +235,18 @@ def _read_radiation(table, rho, columns):
     path, length = table.path, columns.given.length
     table = _of_body(table.rows, [1, 2], columns.modes)
     at = columns.omega(table[:, 0])
-    size = rho * length ** (3 + POWER + POWER[:, None])
+    power, index = np.resize(POWER, len(columns.modes)), range(1, len(columns.modes) + 1)
+    size = rho * length ** (3 + power + power[:, None])
     quantities = {}
     for limit, name in LIMITS_AT.items():
         part = table[at == limit]
         if len(part):
-            quantities[name] = size * gridded(path, [part[:, 1], part[:, 2]], part[:, 3], modes=(SIX, SIX))[1]
+            quantities[name] = size * gridded(path, [part[:, 1], part[:, 2]], part[:, 3], modes=(index, index))[1]
     between = (at > 0) & np.isfinite(at)
     rows = table[between]
     if not len(rows):
         raise FormatError(f"{path} has no frequency between 0 and infinity")
-    (omega, *_), both = gridded(path, [at[between], rows[:, 1], rows[:, 2]], rows[:, 3:5], modes=(SIX, SIX))
+    (omega, *_), both = gridded(path, [at[between], rows[:, 1], rows[:, 2]], rows[:, 3:5], modes=(index, index))
     if np.isnan(both[..., 1]).any():
         raise FormatError(f"{path} lacks damping; allowed: five numbers a line of a period between 0 and infinity")
     damping = size * omega[:, None, None] * both[..., 1]

@@ -20,6 +20,7 @@ from llvmlite import binding
 from numba.core.compiler import CompileResult
 from numba.core.runtime import rtsys
 from numba.core.serialize import dumps
+from numba.core.types import Array
 
 from .sources import put_file
 
@@ -77,6 +78,11 @@ class Kept:
 
     def save_overload(self, signature, result):
         """Have others call a kernel that was just compiled by its symbol, and keep it, unless another process has"""
+        kind = result.signature.return_type
+        if not result.target_context.enable_nrt and any(
+            isinstance(one, Array) for one in getattr(kind, "types", [kind])
+        ):
+            raise TypeError(f"kernel {self.function.__qualname__} returns an array; allowed: with counted=True")
         apart = not (self.linked or _is_inner_loop(signature)) and _instructions(result) > SMALL
         self._called_by(signature, result, apart)
         file = self._file(signature, result.target_context)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..kernels.jit import kernel
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def memory_rate(memory, states, velocity, rate, body=0):
     """Write ẋ into rate (n,): `Memory.rate`.
 
@@ -24,7 +24,7 @@ def memory_rate(memory, states, velocity, rate, body=0):
         rate[second + i] -= memory.turn[i] * states[first + i]
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def memory_force(memory, states, force, body=0):
     """Write y into force (6,), N and N m against the motion of one of several bodies: `Memory.force`.
 

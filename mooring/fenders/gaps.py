@@ -22,8 +22,13 @@ class Side(NamedTuple):
 
 
 def pairs_of(sides):
-    """(Side, Side) of which at least one moves"""
-    return [pair for pair in combinations(sides, 2) if max(one.moves for one in pair) >= 0]
+    """(Side, Side) of which at least one moves, and whose boxes are apart at rest, as a float and its spar are not"""
+    rest = np.zeros((1, 1 + max((one.moves for one in sides), default=0), 6))
+    for one in sides:
+        if one.moves >= 0:
+            rest[0, one.moves, 5] = one.place[2]
+    moving = (pair for pair in combinations(sides, 2) if max(one.moves for one in pair) >= 0)
+    return [pair for pair in moving if _gap(*pair, rest)[0] >= 0]
 
 
 def gaps(sides, poses):

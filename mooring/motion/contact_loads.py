@@ -26,7 +26,7 @@ from ..fenders import hysteresis
 from ..fenders.hysteresis import ContactTable
 from .line_loads import give_generalized, reaction, rotation_of
 
-advanced = kernel(inline=True)(hysteresis.advanced_one)
+advanced = kernel(inline=True, counted=False)(hysteresis.advanced_one)
 
 
 ARM, OFFSET, FRICTION, SHEAR, ROPE = 3, 6, 7, 8, 9  # places in a row of `Contacts.numbers`, after a − x₀
@@ -71,7 +71,7 @@ def contact_work(contacts):
     return ContactWork(start, start.copy(), parts, np.zeros(3), np.full(1, -1))
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def pressed(contacts, work, i, depth):
     """Force N of a deflection or elongation, m, which is kept with its state"""
     state = advanced(work.start[i, STATE], work.start[i, DEPTH], depth, contacts.table.marks[i, 0])
@@ -80,7 +80,7 @@ def pressed(contacts, work, i, depth):
     return force
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def from_the_body(contacts, work, i, positions, R, v):
     """v (3,) m, from the origin of the axes of its body to a of contact i; work.arm is that from the other body's"""
     b, other = contacts.body[i], contacts.other[i]
@@ -94,7 +94,7 @@ def from_the_body(contacts, work, i, positions, R, v):
             v[j] = apart + positions[other, j] + work.arm[j] - positions[b, j]
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def fender_force(contacts, work, i, R, v, f):
     """f (3,) N in space of fender i on its body, at the arm v (3,) m from the origin of the body's axes"""
     c, start, now = contacts.numbers, work.start, work.now
@@ -127,7 +127,7 @@ def fender_force(contacts, work, i, R, v, f):
             now[i, SLIP + j] = R[0, j] * x + R[1, j] * y + R[2, j] * z
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def rope_force(contacts, work, i, R, v, f):
     """f (3,) N in space of rope i on its body, at the arm v (3,) m, where it was that to the other end"""
     c, span = contacts.numbers, 0.0
@@ -142,25 +142,25 @@ def rope_force(contacts, work, i, R, v, f):
         f[j] *= T / span
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def fender_on(contacts, work, i, b, R, v, f):
     """`fender_force` on body b, with R (N, 3, 3) of all"""
     fender_force(contacts, work, i, R[b], v, f)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def rope_on(contacts, work, i, b, R, v, f):
     """`rope_force` on body b, with R (N, 3, 3) of all"""
     rope_force(contacts, work, i, R[b], v, f)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def add_to(work, kind, b, positions, v, f):
     """Add a force at an arm to the part of a kind of contact on body b."""
     give_generalized(positions[b], v, f, work.parts[kind, b])
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def contact_loads(contacts, work, positions, R, v, f):
     """Generalized forces (2, N, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)
 
@@ -187,7 +187,7 @@ def contact_loads(contacts, work, positions, R, v, f):
             work.beyond[0] = i
 
 
-@kernel()
+@kernel(counted=False)
 def settle(work):
     """The end of a step becomes the start of the next."""
     for i in range(work.now.shape[0]):  # array to array takes two seconds to compile, for its error message
@@ -195,7 +195,7 @@ def settle(work):
             work.start[i, j] = work.now[i, j]
 
 
-@kernel()
+@kernel(counted=False)
 def contacts_along(contacts, work, positions, R, v, f, depth, force):
     """depth, force (n, m) m, N with the bodies at positions (n, N, 6), one after the other"""
     for t in range(len(positions)):

@@ -104,7 +104,7 @@ class Work(NamedTuple):
 class Scene(NamedTuple):
     """All that acts on a body, and room for work: what `rates` takes beside time and state
 
-    links : (`links.Links`, LinkWork), None where there are none, and then nothing of them is compiled
+    links : (`links.Links`, LinkWork), of none where there are none: one version of the kernels serves all
     """
 
     body: Body
@@ -116,7 +116,7 @@ class Scene(NamedTuple):
     contact_work: ContactWork
     hull: HullWater
     work: Work
-    links: tuple | None = None
+    links: tuple
 
 
 def room(columns, bodies=1):
@@ -143,7 +143,7 @@ def blocks(state, bodies):
     return state[: BLOCK * bodies].reshape(bodies, BLOCK)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def ramp(t, length):
     """Share of the loads at t s of a ramp: from 0 to 1, with a continuous slope and curvature"""
     if length <= 0.0 or t >= length:
@@ -152,7 +152,7 @@ def ramp(t, length):
     return s * s * s * (10.0 - s * (15.0 - 6.0 * s))
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def give(force, y, rate, part, count, number):
     """Add the first `count` numbers of a part to the force, and its power to the rate of its work."""
     power = 0.0
@@ -162,7 +162,7 @@ def give(force, y, rate, part, count, number):
     rate[FIRST_WORK + number] += power
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def add_horizontal(force, y, rate, x, y_force, moment, number):
     """Add a surge and sway force and a yaw moment"""
     force[0] += x
@@ -171,7 +171,7 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
     rate[FIRST_WORK + number] += x * y[6] + y_force * y[7] + moment * y[11]
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def restore(body, b, y, rate, force, work):
     """Hydrostatic and spring forces on body b and those of the turning axes, whose work is that of the current, if any
 
@@ -204,7 +204,7 @@ def restore(body, b, y, rate, force, work):
     add_horizontal(force, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def dissipate(body, b, whole, changed, y, rate, force, work):
     """Linear and quadratic damping of body b, and the memory of the water with the rates of its states
 
@@ -229,7 +229,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
     give(force, y, rate, work.part, 6, BY_MEMORY)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def load(scene, hull, b, t, y, rate, force, work):
     """Waves, drift, what is given, wind and current on body b of a `Scene`, each grown by the ramp
 
@@ -271,7 +271,7 @@ def load(scene, hull, b, t, y, rate, force, work):
     give(force, y, rate, work.part, 6, BY_CURRENT)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def of_one(scene, b, t, y, rate):
     """All that acts on body b of a `Scene` but its moorings; y, rate : (n,) of all
 
@@ -284,14 +284,14 @@ def of_one(scene, b, t, y, rate):
     load(scene, scene.hull, b, t, own, changed, force, work)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def give_to(work, b, y, rate, parts, number):
     """`give` body b its own of the parts (N, 6) of forces; y, rate : (n,) of all"""
     first = BLOCK * b
     give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def move(body, b, y, rate, force):
     """Rates of the motions of body b and of its slow pose, from the forces (6N,) on all; y, rate : (n,) of all"""
     first, c = BLOCK * b, body.filter_rate
@@ -311,7 +311,7 @@ def move(body, b, y, rate, force):
         changed[SLOW_RATE + j] = c * c * (own[at] - own[SLOW + j]) - 2 * c * own[SLOW_RATE + j]
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def of_moorings(scene, y, rate):
     """Lines, fenders and ropes of a `Scene` on its bodies, into the forces and the rates of their work (n,) of all
 
@@ -333,18 +333,18 @@ def of_moorings(scene, y, rate):
     return good
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def of_links(scene, links, y):
     """What hinges hold between the bodies of a `Scene` in the state y (n,), into the forces"""
-    if links is not None:
-        held, kept = links
+    held, kept = links
+    if held.ends.shape[0] > 0:
         for b in range(scene.body.heading.size):
             for j in range(6):
                 kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
         hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
 
 
-@kernel()
+@kernel(counted=False)
 def rates(scene, buoy, t, y, rate):
     """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
 

@@ -235,7 +235,7 @@ def packed(tables):
     )
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def cell_pull(values, dc, dz, s, t):
     """(H, V) N of the values (2, 4, 4) of a cell at s, t of its sizes, 0 to 1"""
     a, b = (1 + 2 * s) * (1 - s) ** 2, s * s * (3 - 2 * s)
@@ -254,7 +254,7 @@ def cell_pull(values, dc, dz, s, t):
     return H, V
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def packed_pull(tables, number, x, z):
     """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below it.
 

@@ -99,7 +99,7 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale):
     )
 
 
-@kernel()
+@kernel(counted=False)
 def stage(trial, y, k, h, s):
     """Trial state (n,) at stage s of a step of h s from y, in one pass along the states as they lie in memory
 
@@ -113,7 +113,7 @@ def stage(trial, y, k, h, s):
         trial[i] = y[i] + first * a[i] + second * b[i] + third * c[i] + fourth * d[i] + fifth * e[i] + sixth * f[i]
 
 
-@kernel()
+@kernel(counted=False)
 def take_step(scene, buoy, clock, t, h):
     """Stages and the trial state after a step; returns its error over what is allowed, and whether all lines hold."""
     k, trial, good = clock.stages, clock.trial, True
@@ -136,7 +136,7 @@ def take_step(scene, buoy, clock, t, h):
     return worst, good
 
 
-@kernel()
+@kernel(counted=False)
 def take_step_with_lines(scene, buoy, clock, moving, t, h):
     """`take_step` with lines that move: with the pull foreseen, lines along that course, and again with theirs.
 
@@ -167,7 +167,7 @@ def take_step_with_lines(scene, buoy, clock, moving, t, h):
     return max(error, missed_course(scene, clock, moving, h)), good and held
 
 
-@kernel()
+@kernel(counted=False)
 def missed_course(scene, clock, moving, h):
     """Error of a step of h s, over what is allowed, because lines went where the body was foreseen.
 
@@ -210,7 +210,7 @@ def missed_course(scene, clock, moving, h):
     return worst
 
 
-@kernel()
+@kernel(counted=False)
 def put_sample(clock, b, t, h, at, out):
     """out (SAMPLED,): position, velocity, slow pose and its rate of body b at a time within the step
 
@@ -233,7 +233,7 @@ def put_sample(clock, b, t, h, at, out):
         out[i] = hermite(s, y[i], z[i], h * k[0, i], h * k[6, i])
 
 
-@kernel()
+@kernel(counted=False)
 def put_buoy(clock, t, h, at, out):
     """out (6,): place and velocity of a buoy at a time within the step, s"""
     s, first = (at - t) / h, BLOCK * clock.scale.shape[0]
@@ -242,13 +242,13 @@ def put_buoy(clock, t, h, at, out):
         out[i] = hermite(s, clock.y[n], clock.trial[n], h * clock.stages[0, n], h * clock.stages[6, n])
 
 
-@kernel()
+@kernel(counted=False)
 def hermite(s, y, z, dy, dz):
     """Cubic through values and slopes (times the step) at s = 0 and 1"""
     return y + s * (dy + s * (3 * (z - y) - 2 * dy - dz + s * (2 * (y - z) + dy + dz)))
 
 
-@kernel()
+@kernel(counted=False)
 def next_break(lines, t):
     """s of the first line that breaks after t, inf for none"""
     first = np.inf
@@ -258,7 +258,7 @@ def next_break(lines, t):
     return first
 
 
-@kernel()
+@kernel(counted=False)
 def open_window(waves, clock, work):
     """Forces of the next window, whose slow pose passes from the one foreseen for now to that foreseen for its end."""
     now, counts, length = clock.now, clock.counts, waves.table.window
@@ -274,7 +274,7 @@ def open_window(waves, clock, work):
     counts[WINDOWS] += 1
 
 
-@kernel()
+@kernel(counted=False)
 def advance(scene, waves, clock, samples, most, buoy, moving):
     """Integrate until the end, or for `most` steps; samples (n, SAMPLED N, or 6 more), filled.  Returns why it stopped.
 
@@ -362,7 +362,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
     return RUNNING
 
 
-@kernel()
+@kernel(counted=False)
 def put_samples(clock, t, h, later, samples):
     """Samples of the step from t to `later`, s, into their rows; the last one may lie beyond it by rounding."""
     counts = clock.counts
@@ -377,14 +377,14 @@ def put_samples(clock, t, h, later, samples):
         counts[SAMPLES] += 1
 
 
-@kernel()
+@kernel(counted=False)
 def keep_links(scene, links, buoy, clock, t, h, later):
     """Forces of links at the samples of the step from t to `later`, s, from the state there; the last as `put_samples`
 
     What fenders remember is then that of the end of the step, as before.
     """
-    if links is not None:
-        held, kept = links
+    held, kept = links
+    if held.ends.shape[0] > 0:
         row, k, n = clock.counts[SAMPLES], clock.stages, 0
         while row < kept.kept.shape[0] and row * clock.sample_step <= later + ROUNDING * clock.sample_step:
             s = (row * clock.sample_step - t) / h

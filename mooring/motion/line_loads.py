@@ -27,7 +27,7 @@ from .force_tables import Packed, packed, packed_pull, tabulate
 from .moving_lines.packed import Room
 from .moving_lines.polynomial import TERMS, legendre
 
-reaction = kernel(inline=True)(reaction_of)
+reaction = kernel(inline=True, counted=False)(reaction_of)
 NEVER = np.inf  # s at which a line breaks that does not
 REACH = (1.5, 0.6)  # depths that a span may fall and a fairlead rise or sink in a table
 
@@ -87,7 +87,7 @@ def line_work(lines):
     )  # fmt: skip
 
 
-@kernel()
+@kernel(counted=False)
 def hold(lines, work, t):
     """Mark which lines have not broken at t s."""
     for i in range(lines.lost.size):
@@ -216,7 +216,7 @@ def _arrays(anchors, fairleads, body, other, given, times, bed, place, tables, h
     )
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def rotation_of(angles, R):
     """R (3, 3) = Rz(yaw) Ry(pitch) Rx(roll) of (roll, pitch, yaw)"""
     a, b, c = np.cos(angles[0]), np.cos(angles[1]), np.cos(angles[2])
@@ -226,7 +226,7 @@ def rotation_of(angles, R):
     R[2, 0], R[2, 1], R[2, 2] = -e, b * d, b * a
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def generalized(position, fx, fy, fz, mx, my, mz, out):
     """Add a force and a moment about the origin of the body's axes, in space, to forces (6,) in heading axes."""
     cos, sin = np.cos(position[5]), np.sin(position[5])
@@ -239,7 +239,7 @@ def generalized(position, fx, fy, fz, mx, my, mz, out):
     out[5] += mz
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def give_generalized(position, v, f, out):
     """Add a force f (3,) N in space at an arm v (3,) m to forces (6,) in heading axes."""
     generalized(
@@ -247,7 +247,7 @@ def give_generalized(position, v, f, out):
     )
 
 
-@kernel()
+@kernel(counted=False)
 def fairlead_of(lines, i, state, room, place, velocity):
     """Place (3,) m and velocity (3,) m/s in space of the fairlead of line i on its body, of a state (12 or more,)
 
@@ -276,7 +276,7 @@ def fairlead_course(lines, i, states):
     return course
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def straight_pull(curves, number, length, span, rise):
     """(H, V) N of a hawser with the curve `number`, `length` m unstretched; none where it is shorter"""
     away = np.sqrt(span * span + rise * rise)
@@ -284,7 +284,7 @@ def straight_pull(curves, number, length, span, rise):
     return T * span / max(away, length), T * rise / max(away, length)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def add_moment(sums, b, ax, ay, az, x, y, z):
     """Add a force in space at an arm, and its moment, to the sums (N, 6) of a body."""
     sums[b, 0] += x
@@ -295,7 +295,7 @@ def add_moment(sums, b, ax, ay, az, x, y, z):
     sums[b, 5] = sums[b, 5] + ax * y - ay * x
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def line_loads(lines, work, positions, R, out):
     """out (N, 6) generalized forces, in heading axes, of the lines on bodies at `positions` (N, 6)
 

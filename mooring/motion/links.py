@@ -1,12 +1,13 @@
-"""Hinges, ball joints and rigid links between bodies that move, exact: Lagrange's multipliers, compiled.
+"""Hinges, balls, sliders and rigid links between bodies that move, exact: Lagrange's multipliers, compiled.
 
     W⁻¹ ν̇ = F + Gᵀμ,    G ν̇ = −Ġν − 2α Gν − α² g,    (G W Gᵀ) μ = −Ġν − 2α Gν − α² g − G W F
 
-g (r,) is what a link holds to zero: how far its point on the second body is from that on the first, along the axes of
-space, and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in axes of the first, the parts
-h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions, along the axes that forces are
-along, with the angles as they are; so μ, force and moment on the second body, does no work while it holds.  Ġν is a
-difference quotient along the course.  What errors of steps leave of g dies away at α (Baumgarte 1972).
+g (r,) is what a link holds to zero: d, how far its point on the second body is from that on the first, in space, or of
+a slider h · R₁ᵀd along two axes h of the first; and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in
+axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions,
+along the axes that forces are along, with the angles as they are; so μ, force and moment on the second body, does no
+work while it holds.  Ġν is a difference quotient along the course.  What errors of steps leave of g dies away at α
+(Baumgarte 1972).
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import numpy as np
 from hakobune.bem.hinges import end_of
 from hakobune.bem.kernels.jit import kernel
 
-from .line_loads import rotation_of
+from .line_loads import generalized, give_generalized, rotation_of
 
 BACK = 2.0  # α, rad/s: faster would ask for steps below those of waves
 AHEAD = 1e-3  # s, of the difference quotient: it is off by a millionth of a term of second order
@@ -29,8 +30,8 @@ class Links(NamedTuple):
 
     ends : (k, 2) numbers of the first and the second body, below 0 for what stands still
     points : (k, 2, 3) m from the origins of the axes of these, along them; in space of what stands still
-    back : (k, 3, 3) R₀ᵀ; held : (k, 3, 3) rows h along axes of the first
-    first : (k + 1,) number of the first constraint of each
+    back : (k, 3, 3) R₀ᵀ; along, held : (k, 3, 3) rows h, of places (three in space) and of turns, in axes of the first
+    first : (k + 1,) number of the first constraint of each; turns : (k,) that of its first about a turn
     place : (N, 3) m, origins of the axes of the bodies at rest
     shown : (k, 3, 3) rows, along which forces are told, in axes of the first
     """
@@ -38,8 +39,10 @@ class Links(NamedTuple):
     ends: np.ndarray
     points: np.ndarray
     back: np.ndarray
+    along: np.ndarray
     held: np.ndarray
     first: np.ndarray
+    turns: np.ndarray
     place: np.ndarray
     shown: np.ndarray
 
@@ -47,9 +50,9 @@ class Links(NamedTuple):
 class LinkWork(NamedTuple):
     """Room for work of one evaluation.
 
-    rows : (r, 12) of G, of the first and the second body; gap : (r,) g; axis : (r, 3) of moments, in space
+    rows : (r, 12) of G, of the first and the second body; gap : (r,) g; axis : (r, 3) of forces and moments, in space
     left, mu : (r,); matrix, shares : (r, r), (6N, r); speed : (6N,) ν; ahead : (N, 6) poses
-    turn : (2, 3, 3); arm : (3,); Q : (3, 3); free : (6N,)
+    turn : (2, 3, 3); arms : (2, 3) m to the point of the second; arm, push : (3,); Q : (3, 3); free : (6N,)
     state, rate : (n,) of a sample; kept : (samples, 6k) N, N m, on the second body along `Links.shown`
     """
 
@@ -63,7 +66,9 @@ class LinkWork(NamedTuple):
     speed: np.ndarray
     ahead: np.ndarray
     turn: np.ndarray
+    arms: np.ndarray
     arm: np.ndarray
+    push: np.ndarray
     Q: np.ndarray
     free: np.ndarray
     state: np.ndarray
@@ -75,23 +80,33 @@ def links_of(reader):
     """`Links` of a `bem.database.reader.Reader`, None where it has none.  Raises ValueError for unknown bodies."""
     if not reader.links:
         return None
-    ends, points, backs, helds, shown = [], [], [], [], []
+    ends, points, backs, helds, shown = [], [], [], ([], []), []
     for link in reader.links:
         bodies, moves = zip(*(end_of(reader, name) for name in link.bodies), strict=True)
         place, axes = bodies[0].in_scene(link.position), [np.eye(3) if one.fixed else one.axes for one in bodies]
         ends.append([-1 if own is None else own.start // 6 for own in moves])
         points.append([place if one.fixed else one.axes.T @ (place - one.rotation_center) for one in bodies])
         own = axes[0].T @ bodies[0].axes  # of the first, in those that it is turned in here
-        held = np.zeros((3, 3))
-        held[: len(link.held)] = link.held @ own.T
+        along = link.along @ own.T if len(link.along) < 3 else np.eye(3)
+        for part, held in zip(helds, (along, link.held @ own.T), strict=True):
+            part.append(np.zeros((3, 3)))
+            part[-1][: len(held)] = held
         backs.append((axes[0].T @ axes[1]).T)
-        helds.append((len(link.held), held))
         shown.append(own.T)
-    first = np.cumsum([0, *(3 + count for count, _ in helds)])
+    first = np.cumsum([0, *(len(link.along) + len(link.held) for link in reader.links)])
+    turns = first[:-1] + [len(link.along) for link in reader.links]
     return Links(
-        np.array(ends), np.array(points), np.array(backs), np.array([held for _, held in helds]), first,
+        np.array(ends), np.array(points), np.array(backs), *map(np.array, helds), first, turns,
         np.ascontiguousarray(reader.axes_at_rest[:, :3]), np.array(shown),
     )  # fmt: skip
+
+
+def no_links(place):
+    """`Links` of none, of bodies with their axes at place (N, 3) m"""
+    none, of_none = np.zeros((0, 3, 3)), np.zeros(0, np.int64)
+    return Links(
+        np.zeros((0, 2), np.int64), np.zeros((0, 2, 3)), none, none, none, np.zeros(1, np.int64), of_none, place, none
+    )
 
 
 def link_work(links, states=0, samples=0):
@@ -99,8 +114,8 @@ def link_work(links, states=0, samples=0):
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
     return LinkWork(
         np.zeros((r, 12)), np.zeros(r), np.zeros((r, 3)), np.zeros(r), np.zeros(r), np.zeros((r, r)),
-        np.zeros((6 * n, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros(3), np.zeros((3, 3)),
-        np.zeros(6 * n), np.zeros(states), np.zeros(states), np.zeros((samples, 6 * k)),
+        np.zeros((6 * n, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3),
+        np.zeros(3), np.zeros((3, 3)), np.zeros(6 * n), np.zeros(states), np.zeros(states), np.zeros((samples, 6 * k)),
     )  # fmt: skip
 
 
@@ -126,72 +141,63 @@ def held_by(links, poses, mu):
     return out.reshape(-1, 6)
 
 
-@kernel()
+@kernel(inline=True, counted=False)
+def give_row(links, work, poses, k, i, turns):
+    """Row i, of link k, of a unit force or moment along work.axis on the second body, and against it on the first"""
+    m, f = work.axis[i], work.push
+    for e in range(2):
+        b, sign = links.ends[k, e], 2.0 * e - 1.0
+        for j in range(3):
+            f[j] = sign * m[j]
+        if b >= 0 and turns:
+            generalized(poses[b], 0.0, 0.0, 0.0, f[0], f[1], f[2], work.rows[i, 6 * e : 6 * e + 6])
+        elif b >= 0:
+            give_generalized(poses[b], work.arms[e], f, work.rows[i, 6 * e : 6 * e + 6])
+
+
+@kernel(counted=False)
 def fill_rows(links, work, poses):
     """work.rows, gap and axis with the bodies at poses (N, 6)"""
-    R, rows, gap, Q, arm = work.turn, work.rows, work.gap, work.Q, work.arm
+    R, arms, Q, d, p = work.turn, work.arms, work.Q, work.arm, links.points
+    work.rows[:] = 0.0
     for k in range(links.ends.shape[0]):
-        row, end = links.first[k], links.first[k + 1]
-        for i in range(row, end):
-            gap[i] = 0.0
-            for j in range(12):
-                rows[i, j] = 0.0
+        d[:] = 0.0
         for e in range(2):
-            b, sign, p = links.ends[k, e], 2.0 * e - 1.0, links.points
+            b, sign = links.ends[k, e], 2.0 * e - 1.0
             for i in range(3):
                 for j in range(3):
                     R[e, i, j] = 1.0 if i == j else 0.0
             if b >= 0:
                 rotation_of(poses[b, 3:6], R[e])
             for i in range(3):
-                arm[i] = R[e, i, 0] * p[k, e, 0] + R[e, i, 1] * p[k, e, 1] + R[e, i, 2] * p[k, e, 2]
-                gap[row + i] += sign * arm[i]
-            if b < 0:
-                continue
-            cos, sin, c = np.cos(poses[b, 5]), np.sin(poses[b, 5]), 6 * e
-            x, y, z = sign * arm[0], sign * arm[1], sign * arm[2]
-            for i in range(3):
-                gap[row + i] += sign * (links.place[b, i] + poses[b, i])
-            rows[row, c], rows[row + 1, c] = sign * cos, sign * sin
-            rows[row, c + 1], rows[row + 1, c + 1] = -sign * sin, sign * cos
-            rows[row + 2, c + 2] = sign
-            ax, ay, az = (
-                R[e, 0, 0],
-                R[e, 1, 0],
-                R[e, 2, 0],
-            )  # about which roll turns, in space; pitch about −sin, cos, 0
-            rows[row, c + 3], rows[row + 1, c + 3], rows[row + 2, c + 3] = (
-                ay * z - az * y,
-                az * x - ax * z,
-                ax * y - ay * x,
-            )
-            rows[row, c + 4], rows[row + 1, c + 4], rows[row + 2, c + 4] = cos * z, sin * z, -sin * y - cos * x
-            rows[row, c + 5], rows[row + 1, c + 5] = -y, x
-        if end == row + 3:
-            continue
+                arms[e, i] = R[e, i, 0] * p[k, e, 0] + R[e, i, 1] * p[k, e, 1] + R[e, i, 2] * p[k, e, 2]
+                d[i] += sign * (arms[e, i] + (links.place[b, i] + poses[b, i] if b >= 0 else 0.0))
+        slides = links.turns[k] - links.first[k] < 3
+        for i in range(3 if slides else 0):
+            arms[0, i] += d[i]
+        for i in range(links.first[k], links.turns[k]):
+            h, m = links.along[k, i - links.first[k]], work.axis[i]
+            for j in range(3):
+                m[j] = R[0, j, 0] * h[0] + R[0, j, 1] * h[1] + R[0, j, 2] * h[2] if slides else h[j]
+            work.gap[i] = m[0] * d[0] + m[1] * d[1] + m[2] * d[2]
+            give_row(links, work, poses, k, i, False)
         for i in range(3):  # Q = (R₁ᵀ R₂) R₀ᵀ; R₁ᵀR₂ row by row
             for j in range(3):
-                arm[j] = R[0, 0, i] * R[1, 0, j] + R[0, 1, i] * R[1, 1, j] + R[0, 2, i] * R[1, 2, j]
+                d[j] = R[0, 0, i] * R[1, 0, j] + R[0, 1, i] * R[1, 1, j] + R[0, 2, i] * R[1, 2, j]
             for j in range(3):
-                Q[i, j] = arm[0] * links.back[k, 0, j] + arm[1] * links.back[k, 1, j] + arm[2] * links.back[k, 2, j]
+                Q[i, j] = d[0] * links.back[k, 0, j] + d[1] * links.back[k, 1, j] + d[2] * links.back[k, 2, j]
         trace = Q[0, 0] + Q[1, 1] + Q[2, 2]
-        for i in range(row + 3, end):
-            h, m = links.held[k, i - row - 3], work.axis[i]
-            gap[i] = 0.5 * (h[0] * (Q[2, 1] - Q[1, 2]) + h[1] * (Q[0, 2] - Q[2, 0]) + h[2] * (Q[1, 0] - Q[0, 1]))
+        for i in range(links.turns[k], links.first[k + 1]):
+            h, m = links.held[k, i - links.turns[k]], work.axis[i]
+            work.gap[i] = 0.5 * (h[0] * (Q[2, 1] - Q[1, 2]) + h[1] * (Q[0, 2] - Q[2, 0]) + h[2] * (Q[1, 0] - Q[0, 1]))
             for j in range(3):
-                arm[j] = 0.5 * (trace * h[j] - h[0] * Q[0, j] - h[1] * Q[1, j] - h[2] * Q[2, j])
+                d[j] = 0.5 * (trace * h[j] - h[0] * Q[0, j] - h[1] * Q[1, j] - h[2] * Q[2, j])
             for j in range(3):
-                m[j] = R[0, j, 0] * arm[0] + R[0, j, 1] * arm[1] + R[0, j, 2] * arm[2]
-            for e in range(2):
-                b, sign, c = links.ends[k, e], 2.0 * e - 1.0, 6 * e
-                if b >= 0:
-                    cos, sin = np.cos(poses[b, 5]), np.sin(poses[b, 5])
-                    rows[i, c + 3] = sign * (m[0] * R[e, 0, 0] + m[1] * R[e, 1, 0] + m[2] * R[e, 2, 0])
-                    rows[i, c + 4] = sign * (m[1] * cos - m[0] * sin)
-                    rows[i, c + 5] = sign * m[2]
+                m[j] = R[0, j, 0] * d[0] + R[0, j, 1] * d[1] + R[0, j, 2] * d[2]
+            give_row(links, work, poses, k, i, True)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def along_rows(links, work, k, i, values):
     """Row i, of link k, times values (6N,)"""
     total = 0.0
@@ -203,7 +209,7 @@ def along_rows(links, work, k, i, values):
     return total
 
 
-@kernel()
+@kernel(counted=False)
 def solve_positive(A, x):
     """x = A⁻¹ x of a symmetric positive definite A (r, r), which is overwritten with its lower factor"""
     n = x.size
@@ -224,7 +230,7 @@ def solve_positive(A, x):
         x[i] = total / A[i, i]
 
 
-@kernel()
+@kernel(counted=False)
 def fill_shares(links, work, inverse):
     """work.shares W Gᵀ and work.matrix G W Gᵀ of the rows, with W (6N, 6N)"""
     for k in range(links.ends.shape[0]):
@@ -244,7 +250,7 @@ def fill_shares(links, work, inverse):
                 work.matrix[i, j] = total
 
 
-@kernel()
+@kernel(counted=False)
 def hold_together(links, work, poses, inverse, force):
     """Add to the forces (6N,) on bodies at poses (N, 6) with work.speed what links hold; W (6N, 6N) of `inverse`."""
     count, speed, mu = poses.shape[0], work.speed, work.mu
@@ -278,7 +284,7 @@ def hold_together(links, work, poses, inverse, force):
     give_rows(links, work, mu, force)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def give_rows(links, work, mu, force):
     """Add Gᵀμ to forces (6N,)."""
     for k in range(links.ends.shape[0]):
@@ -290,11 +296,11 @@ def give_rows(links, work, mu, force):
                         force[6 * b + j] += work.rows[i, 6 * e + j] * mu[i]
 
 
-@kernel()
+@kernel(counted=False)
 def put_forces(links, work, poses, out):
     """out (6k,) N, N m of work.mu, on the second body, along `Links.shown`, with the bodies at poses (N, 6)"""
     for k in range(links.ends.shape[0]):
-        row, R = links.first[k], work.turn[0]
+        R = work.turn[0]
         for i in range(3):
             for j in range(3):
                 R[i, j] = 1.0 if i == j else 0.0
@@ -302,11 +308,8 @@ def put_forces(links, work, poses, out):
             rotation_of(poses[links.ends[k, 0], 3:6], R)
         for part in range(2):
             work.arm[:] = 0.0
-            if part == 0:
-                for j in range(3):
-                    work.arm[j] = work.mu[row + j]
-            else:
-                for i in range(row + 3, links.first[k + 1]):
+            for i in range(links.first[k], links.first[k + 1]):
+                if (i >= links.turns[k]) == (part == 1):
                     for j in range(3):
                         work.arm[j] += work.mu[i] * work.axis[i, j]
             for i in range(3):

@@ -27,6 +27,7 @@ from hakobune.bem.hinges import ALONE, KINDS, SPACE, Link
 from .fender_tables import FenderTable, fender_of, pair_of
 from .quantities import StudyError, Table, positive
 
+DAMPED = ("hinge", "slider")
 FARTHEST = 10.0  # m, of a fender from the hull at rest
 
 
@@ -243,13 +244,14 @@ def _rope(table):
 
 
 class HingeTable(Table):
-    """A hinge between two bodies, a ball joint or a rigid link, exact
+    """A hinge between two bodies, a ball joint, a slider or a rigid link, exact
 
     name : for results
     bodies : names of two; one of them may be fixed, or "space"; a body that is alone is "body"
     position : m, in the coordinates of the first, of "space" in those of the scene
-    axis : free to turn about, in axes of the first
-    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none
+    axis : free to turn about, of a slider to move along, in axes of the first
+    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
+    damping : kN s/m along the axis of a slider, kN m s about that of a hinge
     """
 
     name: str
@@ -257,6 +259,7 @@ class HingeTable(Table):
     position: tuple[float, float, float]
     axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
     kind: str = "hinge"
+    damping: float = 0.0
 
     def link(self, where, db):
         """`bem.hinges.Link`.  Raises StudyError."""
@@ -275,7 +278,11 @@ class HingeTable(Table):
             raise StudyError(
                 f"{where} has position {self.position} and axis {self.axis}; allowed: finite, an axis not 0"
             )
-        return Link(self.name, self.bodies, self.position, self.axis, self.kind)
+        if not (math.isfinite(self.damping) and self.damping >= 0) or (self.damping and self.kind not in DAMPED):
+            raise StudyError(
+                f"{where}.damping is {self.damping:g} of a {self.kind}; allowed: 0 or more, of a {' or '.join(DAMPED)}"
+            )
+        return Link(self.name, self.bodies, self.position, self.axis, self.kind, 1e3 * self.damping)
 
 
 def linked(body, hinges, db):

@@ -43,12 +43,16 @@ def import_(
         Parameter(help="m, x,y,z of the point that moments are about [what the files say]", allow_leading_hyphen=True),
     ] = None,
     body: Annotated[int | None, Parameter(help="of several in the files, from 1; the others are held fixed")] = None,
+    bodies: Annotated[str | None, Parameter(help="names of all in the files, which all move: float,spar")] = None,
     frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, those that are taken [all]")] = None,
     mass: Annotated[float | None, Parameter(help="kg [of the files, else displaced]")] = None,
     center_of_gravity: Annotated[
-        str | None, Parameter(help="m, x,y,z [of the files, else 0,0,0]", allow_leading_hyphen=True)
+        str | None,
+        Parameter(help="m, x,y,z [of the files, else 0,0,0]; of several x,y,z;x,y,z", allow_leading_hyphen=True),
     ] = None,
-    gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration; motions follow")] = None,
+    gyration: Annotated[
+        str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration, of several with ; between; motions follow")
+    ] = None,
     output: Annotated[Path | None, Parameter(help="the database [beside it, .h5]")] = None,
     correct: Annotated[
         bool,
@@ -64,12 +68,36 @@ def import_(
 
     from .importing import import_
 
-    points = {"--about": about, "--center-of-gravity": center_of_gravity, "--gyration": gyration}
-    about, center, radii = (_three(flag, text) for flag, text in points.items())
+    about = _three("--about", about)
     known = {"water_depth": depth, "density": density, "gravity": gravity}
     known |= {"length_unit": length_unit, "rotation_center": about, "body": body}
     known["frequencies"] = _from_to(frequencies)
+    points = {"--center-of-gravity": center_of_gravity, "--gyration": gyration}
+    if bodies is not None:
+        others = (mesh, about, body, mass, correct or None)
+        return _of_several(place, from_, bodies, known, others, points, output, fresh)
+    center, radii = (_three(flag, text) for flag, text in points.items())
     return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh, correct)
+
+
+def _of_several(place, kind, names, known, others, points, output, fresh):
+    """`import_` of all bodies of a set; others : flags of one body; points : {flag: text} of each"""
+    from hakobune.bem.formats.afloat import Weight
+
+    from .several import import_several
+
+    if any(one is not None for one in others):
+        raise ValueError(
+            "--bodies is given with --mesh, --about, --body, --mass or --correct; allowed: what the files say"
+        )
+    names, each = names.split(","), []
+    for flag, text in points.items():
+        parts = [None] * len(names) if text is None else text.split(";")
+        if len(parts) != len(names):
+            raise ValueError(f"{flag} is {text!r}; allowed: three numbers for each of {', '.join(names)}, ; between")
+        each.append([_three(flag, part) for part in parts])
+    weights = [Weight(None, *pair) for pair in zip(*each, strict=True)]
+    return import_several(place, kind, [name.strip() for name in names], known, weights, output, fresh)
 
 
 def body_(

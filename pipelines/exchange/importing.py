@@ -15,7 +15,7 @@ from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.judging.laws import depth_of
 from hakobune.bem.formats.values import FormatError, with_headings_once
-from hakobune.meshing.files import read_mesh
+from hakobune.meshing.files import read_mesh, wetted
 from hakobune.meshing.quality import findings
 from hakobune.meshing.whole_files import made_beside
 from hakobune.mooring.criteria.failing import fails
@@ -37,17 +37,17 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     if not place.exists():
         raise ValueError(f"{place} does not exist")
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
-    _check(kind, known, output, fresh, place)
+    check_import(kind, known, output, fresh, place)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
     of_module = {name: known[name] for name in (*kind.silent, "body")}
     said = ()
     if hasattr(module, "inputs_of"):
         inputs = module.inputs_of(place, of_module)
         said, of_module = inputs.said, of_module | {"length_unit": inputs.length, "rotation_center": inputs.about}
-    values = with_headings_once(_read(module, place, of_module))
+    values = with_headings_once(read_set(module, place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
-    panels = _hull(place, kind, module, mesh, of_module)
+    panels = hull_of(place, kind, module, mesh, of_module)
     values, left_out = _finite(between(values, *known["frequencies"]))
     lost = [
         fails(f"{name} is not finite at {omega} rad/s, left out with all else there; compute these frequencies again")
@@ -76,7 +76,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     return tell([*remarks, *of_hull, *lost], new_console(stderr=True))
 
 
-def _read(module, place, known):
+def read_set(module, place, known):
     """The Values; raises FormatError, which names the depth that a set itself tells where none is given"""
     try:
         return module.read(place, known)
@@ -89,7 +89,7 @@ def _read(module, place, known):
         raise FormatError(f"{error}; its damping and excitation agree with --depth {depth:.3g}") from None
 
 
-def _check(kind, known, output, fresh, place):
+def check_import(kind, known, output, fresh, place):
     """Raise ValueError for flags that are missing or impossible, and for a place that is taken"""
     for name in kind.silent:
         if name in ("water_depth", "density", "gravity") and known[name] is not None and not known[name] > 0:
@@ -105,7 +105,7 @@ def _check(kind, known, output, fresh, place):
         raise ValueError(f"{output} is there already; give --fresh to replace it, or another name by --output")
 
 
-def _hull(place, kind, module, mesh, known):
+def hull_of(place, kind, module, mesh, known):
     """The hull in its water, of --mesh, or of the file that lies with the results.  Raises ValueError.
 
     known["rotation_center"] : (3,) m, of the axes that the latter is in; None or not there for those of the water
@@ -118,7 +118,7 @@ def _hull(place, kind, module, mesh, known):
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {path} is not there' if path else ''}")
     panels = read_mesh(path.resolve())
     if mesh is None and origin is not None and np.any(origin):
-        panels = panels.moved(*origin)
+        panels = wetted(panels.moved(*origin))  # a lid that lay at the height of the axes
     for finding in findings(panels):
         if finding.severity != "error":
             print(f"{path}: {finding}", file=sys.stderr)
@@ -205,7 +205,7 @@ def store(values, mesh, output, source):
     angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
     header = Header(
         mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,
-        attributes={"imported": source},
+        attributes={"imported": source}, bodies=values.bodies,
     )  # fmt: skip
     headings = values.wave_direction if len(values.wave_direction) else np.zeros(1)
     create(output, header, values.omega, headings, tuple(values.quantities))

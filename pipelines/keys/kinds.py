@@ -81,6 +81,19 @@ KINDS = {
         ),
         ("bodies_bridge.toml",),
     ),
+    "terminal": Kind(
+        "a tanker at a floating terminal while a ship passes, in time",
+        "hakobune.pipelines.moor.study:Study",
+        "simulate",
+        "simulate_terminal.toml",
+        (
+            "hakobune solve bodies_terminal.toml --output terminal.h5",
+            "hakobune passing passing_terminal_tanker.toml --forces passing_tanker.csv",
+            "hakobune passing passing_terminal_terminal.toml --forces passing_terminal.csv",
+            "hakobune simulate FILE --database terminal.h5 --output terminal_run.h5",
+        ),
+        ("bodies_terminal.toml", "passing_terminal_tanker.toml", "passing_terminal_terminal.toml"),
+    ),
     "response": Kind(
         "a free body in a sea or a climate",
         "hakobune.pipelines.response.study:ResponseStudy",

@@ -2,7 +2,8 @@
 
     lines_file = "moorings.dat"      # MoorDyn, MoorPy, RAFT or OrcaFlex, beside the study
 
-A line goes from an anchor to the one body of the file, which is the hull of the study.  The study has its numbers from
+A line goes from an anchor to the one body of the file, which is the hull of the study, of several the one that
+`lines_body` names.  The study has its numbers from
 then on: a state of a design and a result have them too.
 """
 
@@ -13,7 +14,7 @@ from pathlib import Path
 
 from ..common.quantities import StudyError
 
-KEY = "lines_file"
+KEY, BODY = "lines_file", "lines_body"
 ON_BED = 1e-6  # m
 
 
@@ -29,7 +30,9 @@ def with_lines(raw, text, path):
     file, water = Path(path).parent / raw[KEY], raw.get("water")
     depth = water.get("depth") if isinstance(water, dict) else None
     made = tables_of(file, depth if isinstance(depth, int | float) and math.isfinite(depth) else None)
-    laid = {key: value for key, value in raw.items() if key != KEY} | made
+    if raw.get(BODY):
+        made["lines"] = [line | {"body": raw[BODY]} for line in made["lines"]]
+    laid = {key: value for key, value in raw.items() if key not in (KEY, BODY)} | made
     return laid, f"# {Path(path).name} with the lines of {raw[KEY]}\n{tomli_w.dumps(laid)}"
 
 

@@ -49,6 +49,7 @@ class Study(Table):
 
     hulls : [hull] of each of several bodies that move, by name
     lines_file : of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines` beside the study, in place of types and lines
+    lines_body : of several, the one that these lines hold
     allowable : fraction of the breaking load a line may carry, above 0, at most 1
     """
 
@@ -58,6 +59,7 @@ class Study(Table):
     site: SiteLink | None = None
     types: dict[str, TypeTable] = msgspec.field(default_factory=dict)
     lines_file: str | None = None
+    lines_body: str = ""
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
     anchors: list[AnchorTable] = msgspec.field(default_factory=list)
@@ -349,6 +351,8 @@ def make_study(raw):
         raise StudyError("site is given to tables without a file; allowed: in a study file, read by read_study")
     if study.lines_file is not None:
         raise StudyError("lines_file is given to tables without a file; allowed: in a study file, read by read_study")
+    if study.lines_body:
+        raise StudyError(f"lines_body is {study.lines_body!r} without lines_file; allowed: beside it")
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
     if study.water.depth != math.inf:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hakobune.bem.database.resonances import resonances
+from hakobune.bem.hinges import damping_of
 from hakobune.mooring.response.long_term import YEAR
 from hakobune.mooring.response.sea_state import TINY
 
@@ -57,7 +58,9 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if moored is not None:
         db.require_one_body()
     body = db.bodies_reader.floating()
-    body = body if moored else linked(read.restrained(body), read.hinges, db)
+    if not moored:
+        body = linked(read.restrained(body), read.hinges, db)
+        body = body.restrained(damping=damping_of(body))
     with heard() as caught:
         try:
             if moored is not None:

@@ -9,7 +9,7 @@ from functools import partial
 import msgspec
 import numpy as np
 
-from hakobune.bem.hinges import ALONE
+from hakobune.bem.hinges import ALONE, damping_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
@@ -82,7 +82,7 @@ def prepared(task, db=None, waves=None):
         memory = task.memory
         if memory is None and (of_quay or plan.settings.memory == "constant"):
             memory = no_memory(reader)
-        extra, drag = damping(study, reader.floating()), quadratic(study, words)
+        extra, drag = damping(study, reader.floating()) + damping_of(reader), quadratic(study, words)
         if of_quay and reader.viscous is None:  # made of the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)
             extra, drag = extra + viscous.damping, drag + viscous.quadratic

@@ -12,7 +12,7 @@ from ..buoy import buoy_of
 from ..contact_loads import contact_work
 from ..equation import SAMPLED, SLOW, Scene, blocks, buoy_at, memory_at, room
 from ..line_loads import body_lines, line_loads, line_work
-from ..links import link_work, links_of
+from ..links import link_work, links_of, no_links
 from ..moving_lines.at_rest import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
 from ..moving_lines.sea import line_sea
@@ -128,10 +128,8 @@ def _begun(moored, weather, settings, seed):
     hull = NO_HULL_WATER if weather.on_hull is None else weather.on_hull.water
     contacts = moored.berth.arrays
     work = room(table.steps, len(at_rest))
-    scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work)
-    links = links_of(reader)
-    if links is not None:
-        scene = scene._replace(links=(links, None))
+    links = links_of(reader) or no_links(np.ascontiguousarray(at_rest[:, :3]))
+    scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work, (links, None))
     waves = waves_of(table, settings.slow_drift == "mean")
     return Begun(scene, waves, expected_motion(moored, components), moving, findings)
 
@@ -155,11 +153,10 @@ def _followed(moored, settings, begun, progress):
     states = blocks(y, count)
     states[:, :6] = begin(moored, settings.offset)
     states[:, 6:12] = of_all(settings.velocity, count)
-    if scene.links is not None:
-        scene = scene._replace(links=(scene.links[0], link_work(scene.links[0], len(y), rows)))
-        states[:, :6], states[:, 6:12] = begin_together(
-            scene.links[0], scene.body.mass_inverse, states[:, :6], states[:, 6:12]
-        )
+    links = scene.links[0]
+    scene = scene._replace(links=(links, link_work(links, len(y), rows)))
+    if len(links.ends):
+        states[:, :6], states[:, 6:12] = begin_together(links, scene.body.mass_inverse, states[:, :6], states[:, 6:12])
     states[:, SLOW : SLOW + 3] = states[:, [0, 1, 5]]
     if moored.buoy is not None:
         y[buoy_at(count) : memory_at(count) - 3] = moored.buoy.start
@@ -176,7 +173,7 @@ def _followed(moored, settings, begun, progress):
         if state == integrator.DONE:
             pulls = {} if pair is None else dict(zip(pair[0].number.tolist(), pair[1].tension.T, strict=True))
             states, buoy = samples[:, : SAMPLED * count].reshape(rows, count, SAMPLED), samples[:, SAMPLED * count :]
-            held = None if scene.links is None else scene.links[1].kept
+            held = scene.links[1].kept if len(links.ends) else None
             return Course(states, buoy, clock, pulls, None if hung is None else hung[1].kept, held)
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])

@@ -14,7 +14,7 @@ SHARES = 1.0 / np.array(  # 1 / (−1)^(n−1−i) i! (n−1−i)! of n = 4 and 
 )
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def lagrange_weights(place, n, weights):
     """Weights, n of (6,), of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a place among them."""
     row = 0 if n == 4 else 1
@@ -28,7 +28,7 @@ def lagrange_weights(place, n, weights):
         after *= place - i
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def between_samples(samples, place, weights, out):
     """out (k,) of samples (k, m) at equal steps, at a place counted in steps from the first; quintic, six samples."""
     m = samples.shape[1]
@@ -47,7 +47,7 @@ def ring_table(values):
     return np.concatenate([values[-1:], values, values[:2]])
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def on_ring(table, angle, weights, out):
     """out (k,) of a `ring_table` at an angle, rad; cubic through four neighbours"""
     n = table.shape[0] - 3

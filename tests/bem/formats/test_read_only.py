@@ -81,6 +81,12 @@ def test_a_listing_of_wamit_is_read_as_its_files(tmp_path):
     assert (C[2, 2], C[2, 4], C[4, 2], C[4, 4]) == pytest.approx(
         RHO * G * np.array([5 * 4, 0.25 * 8, 0.25 * 8, 8 * 16])
     )
+    both = wamit.coupled(place, KNOWN, 2)
+    assert both["added_mass"][0, 2, [2, 8]] == pytest.approx(RHO * 8 * np.array([2.0, 9.0]))
+    assert both["radiation_damping"][0, 8, 8] == pytest.approx(RHO * w * 8 * 0.2) and both["added_mass_zero"].shape == (
+        12,
+        12,
+    )
     assert one.body["displaced_volume"] == 101.0 and one.body["center_of_mass"] == pytest.approx([0, 0, -0.75])
     assert (one.water_depth, one.gravity, one.others) == (30.0, 9.81, 1) and two.rotation_center[0] == 9.0
     w = f"{w:.6E}"

@@ -3,6 +3,7 @@
 import re
 import warnings
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from retardation import convolution, from_database
 from hakobune.bem.database import open_database
 from hakobune.bem.database.reader import reader
 from hakobune.bem.modes import words_of
-from hakobune.bem.time_domain.memory import CLOSE, _check_deviation, memory_of_database
+from hakobune.bem.time_domain.memory import CLOSE, _by_causality, _check_deviation, memory_of_database
 from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.run import solve
@@ -205,3 +206,18 @@ def test_coefficients_that_contradict_each_other_are_told_and_then_refused(share
         call()
     assert len(caught) == (told == "warned")
     assert not caught or re.search(words, str(caught[0].message))
+
+
+@pytest.mark.parametrize(("by_damping", "taken"), [(0.099, True), (0.101, False)])
+def test_a_stored_limit_that_denies_the_band_gives_way_to_that_of_damping(monkeypatch, by_damping, taken):
+    """Where the other agrees; what is stored stays, to be refused, where neither does"""
+    goals = {
+        stored: SimpleNamespace(deviation=np.array([[off]])) for stored, off in ((True, 0.27), (False, by_damping))
+    }
+    module = "hakobune.bem.time_domain.memory._goal"
+    monkeypatch.setattr(module, lambda body, band, motions, stored=True: goals[stored])
+    body = SimpleNamespace(between=SimpleNamespace(span=(0.2, 2.0)))
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        assert _by_causality(body, goals[True], ()) is goals[not taken]
+    assert len(said) == taken and (not taken or "0.27 of the largest, allowed: 0.1" in str(said[0].message))

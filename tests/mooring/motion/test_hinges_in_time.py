@@ -7,8 +7,8 @@ import pytest
 from made_up_body import INERTIA, OMEGA, STIFFNESS
 from two_bodies import coupled_bodies, two_bodies
 
-from hakobune.bem.hinges import Link
-from hakobune.bem.time_domain.memory import no_memory
+from hakobune.bem.hinges import Link, damping_of
+from hakobune.bem.time_domain.memory import MemoryArrays, no_memory
 from hakobune.mooring.motion.links import links_of, rows_at
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.simulation.linked import begin_together
@@ -21,6 +21,7 @@ SPRING, DRAG = np.diag([3e6, 2e6, 0, 0, 0, 3e9]), 0.05 * INERTIA
 STILL = {"memory": "constant", "slow_drift": "none", "tolerance": 1e-5}
 AT = (4.0, -30.0, 2.0)  # of the ship: (4, 0, 2) in the scene
 JOINT = Link("joint", ("ship", "barge"), AT, (1.0, 0.0, 0.0))
+SLIDE = Link("slide", ("ship", "barge"), AT, (0.3, 0.1, 1.0), "slider", 5e6)
 POST = Link("post", ("pier", "barge"), (20.0, -25.0, 1.0), (0.0, 0.0, 1.0))
 I, J = 16, 3  # of frequency and heading
 
@@ -34,24 +35,52 @@ def held(coupled):
     """Function of links and a spring (12, 12) beside that of both"""
     body, waves = coupled
 
-    def made(*links, spring=0.0):
-        spring = twice(SPRING) + spring
-        return moored(body.linked(links), memory=no_memory(body), spring=spring, damping=twice(DRAG), waves=waves)
+    def made(*links, spring=0.0, memory=None):
+        spring, linked = twice(SPRING) + spring, body.linked(links)
+        memory, damping = memory or no_memory(body), twice(DRAG) + damping_of(linked)
+        return moored(linked, memory=memory, spring=spring, damping=damping, waves=waves)
 
     return made
 
 
-def test_regular_waves_move_hinged_bodies_as_in_the_frequency_domain(held):
-    """Amplitudes, phases and what the hinge holds; after the ramp, by least squares over four periods"""
-    w, a = OMEGA[I], 1e-3
+def slides():
+    """(3, 12) how far the point AT goes from the ship's to the barge's, which heads the other way: by hand"""
+    arms = [np.array([4.0, 0.0, 2.0]) - place for place in ((0.0, 30.0, 1.0), (12.0, -30.0, 1.0))]
+    rows = [np.hstack([np.eye(3), [[0, z, -y], [-z, 0, x], [y, -x, 0]]]) for x, y, z in arms]
+    turn = np.kron(np.eye(2), np.diag([-1.0, -1.0, 1.0]))
+    return np.hstack([-rows[0], rows[1] @ turn])
+
+
+def remembering(body):
+    """Memory of both together, of one state that decays and a pair that turns"""
+    share = np.sqrt(0.4 * np.tile(np.diag(INERTIA), 2))[:, None]
+    into = share * np.array([[1.0, 0.5, 0.2], [0.3, -1.0, 0.4]])[np.arange(12) // 6] * np.cos(np.arange(12))[:, None]
+    arrays = MemoryArrays(np.array([0.4, 0.3, 0.3]), np.array([0.6]), into, into)
+    return replace(no_memory(body), arrays=arrays)
+
+
+@pytest.mark.parametrize("link", [JOINT, SLIDE])
+def test_regular_waves_move_linked_bodies_as_in_the_frequency_domain(held, link, coupled):
+    """Amplitudes, phases and what the link holds; after the ramp, by least squares over four periods
+
+    A slider with its damper, and the memory of the water with it.
+    """
+    w, a, memory = OMEGA[I], 1e-3, remembering(coupled[0]) if link is SLIDE else None
     T = 2 * np.pi / w
-    bodies = held(JOINT)
-    run = simulate(bodies, Weather(regular=Waves(2 * a, T, AROUND[J])), Settings(44 * T, 20 * T, T / 20, **STILL))
+    bodies, how = held(link, memory=memory), STILL | {"memory": "states" if memory else "constant"}
+    run = simulate(bodies, Weather(regular=Waves(2 * a, T, AROUND[J])), Settings(44 * T, 20 * T, T / 20, **how))
     (A,), (B,) = bodies.reader.coefficients(np.array([w]))
     D = -(w**2) * (twice(INERTIA) + A) - 1j * w * (B + twice(DRAG)) + twice(STIFFNESS + SPRING)
+    if memory:
+        D = -(w**2) * (twice(INERTIA) + memory.added_mass_infinity) + twice(STIFFNESS + SPRING)
+        D = D - 1j * w * (twice(DRAG) + memory.transform(w)[0])
+        row = np.array(link.axis) @ slides() / np.linalg.norm(link.axis)
+        D = D - 1j * w * link.damping * np.outer(row, row)
     F = bodies.reader.between.quantities["excitation_force"][I, J]
     G = rows_at(links_of(bodies.reader), bodies.reader.axes_at_rest * [0, 0, 0, 0, 0, 1])[0]
     exact = np.linalg.solve(np.block([[D, -G.T], [G, np.zeros((5, 5))]]), np.concatenate([F, np.zeros(5)]))
+    mu = exact[12:]  # along and about the axes of the first, as of a slider those that it holds
+    exact = np.concatenate([exact[:12], mu[: len(link.along)] @ link.along])
     late = run.time >= 40 * T
     t = run.time[late] + 20 * T
     turn = np.stack([np.cos(w * t), np.sin(w * t), np.ones_like(t)], axis=1)
@@ -59,7 +88,10 @@ def test_regular_waves_move_hinged_bodies_as_in_the_frequency_domain(held):
     found = np.linalg.lstsq(turn, series / a, rcond=None)[0]
     off = np.abs(found[0] + 1j * found[1] - exact[:15])
     assert off[:12].max() < 5e-5 * np.abs(exact[:12]).max() and off[12:].max() < 5e-5 * np.abs(exact[12:15]).max()
-    assert np.abs(run.links[:, 0, 3]).max() < 1e-9 * np.abs(run.links[:, 0, 4]).max()  # none about its axis
+    if link is JOINT:
+        assert np.abs(run.links[:, 0, 3]).max() < 1e-9 * np.abs(run.links[:, 0, 4]).max()  # none about its axis
+    else:
+        assert np.abs(run.links[:, 0, :3] @ link.axis).max() < 1e-9 * np.abs(run.links[:, 0, :3]).max()
 
 
 def test_a_hinge_is_where_springs_grow_stiff_to_first_order(held):
@@ -76,7 +108,7 @@ def test_a_hinge_is_where_springs_grow_stiff_to_first_order(held):
 def test_what_a_hinge_gives_one_body_it_takes_from_the_other():
     """Its work is nothing where both move as one, along and about any axis, in any place that it holds them in"""
     rng = np.random.default_rng(5)
-    for kind in ("hinge", "ball", "rigid"):
+    for kind in ("hinge", "ball", "rigid", "slider"):
         body = two_bodies().linked([JOINT._replace(kind=kind)])
         links, rest = links_of(body), body.axes_at_rest * [0, 0, 0, 0, 0, 1]
         poses = rest + rng.normal(size=(2, 6)) * [2, 2, 1, 0.2, 0.2, 0.3]

@@ -16,7 +16,7 @@ KNOWN = {"water_depth": 20.0, "density": 1025.0, "gravity": 9.8, "length_unit": 
 
 
 def check(folder, silent=SILENT, name="out.h5", fresh=False, place="in.1", **known):
-    return importing._check(SimpleNamespace(silent=silent), KNOWN | known, folder / name, fresh, folder / place)
+    return importing.check_import(SimpleNamespace(silent=silent), KNOWN | known, folder / name, fresh, folder / place)
 
 
 @pytest.mark.parametrize("known, says", [

@@ -1,0 +1,117 @@
+"""Results of another program on several bodies into one database, all of them moving.
+
+Of the files each body is read as one that moves beside the others, and the added mass and damping of all together.  A
+set of one heading on bodies of revolution about one vertical has every other heading by a turn.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from importlib import import_module
+
+import numpy as np
+
+from hakobune.bem.database.schema import BODY
+from hakobune.bem.formats.afloat import on_hull
+from hakobune.bem.formats.values import FormatError, with_headings_once
+from hakobune.bem.modes import Body, turned
+from hakobune.meshing.mirror import folded
+from hakobune.meshing.panels import assembled, with_symmetry
+from hakobune.meshing.whole_files import made_beside
+
+from ..printing.console import new_console
+from ..printing.verdict import tell
+from .command import FORMATS, format_of
+from .importing import between, check_import, hull_of, read_set, store
+
+FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
+AROUND = np.arange(12) * (np.pi / 6)
+AXIS = 1e-3  # of a hull's length, how far from the origin the middle of one of revolution may stand
+
+
+def import_several(place, kind_name, names, known, weights, output, fresh=False):
+    """Make the database of the bodies called `names` and say what is in it; the exit status.  Raises ValueError.
+
+    known : as of `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
+    """
+    kind = format_of("from", kind_name)
+    module = import_module(f"hakobune.bem.formats.{kind.module}")
+    if not hasattr(module, "coupled"):
+        able = ", ".join(n for n, one in FORMATS.items() if one.module == "wamit")
+        raise ValueError(f"--bodies is given with --from {kind_name}; allowed: {able}, or --body for one of several")
+    if len(set(names)) < len(names) or not all(names):
+        raise ValueError(f"--bodies is {','.join(names)!r}; allowed: a name for each, all different")
+    output = place.with_name(place.stem + "_imported.h5") if output is None else output
+    check_import(kind, known, output, fresh, place)
+    parts, hulls, remarks = [], [], []
+    for number, weight in enumerate(weights, 1):
+        of_module = {name: known[name] for name in kind.silent} | {"body": number}
+        inputs = module.inputs_of(place, of_module)
+        of_module |= {"length_unit": inputs.length, "rotation_center": inputs.about}
+        values = with_headings_once(read_set(module, place, of_module))
+        if values.others + 1 != len(names):
+            raise FormatError(
+                f"{place} has {values.others + 1} bodies, --bodies names {len(names)}; allowed: all of them"
+            )
+        hull = hull_of(place, kind, module, None, of_module)
+        values, said = on_hull(values, hull, weight)
+        remarks += [f"{names[number - 1]}: {one}" for one in said]
+        parts.append(values)
+        hulls.append(hull)
+    values = _together(parts, module.coupled(place, of_module, len(names)))
+    if len(values.wave_direction) == 1 and _round(hulls):
+        values = _all_around(values)
+        remarks.append("forces at other headings are those stored, turned: the bodies are of revolution about one axis")
+    values = between(values, *known["frequencies"])
+    points = [tuple(map(float, one.rotation_center)) for one in parts]
+    bodies = tuple(Body(name, point) for name, point in zip(names, points, strict=True))
+    mesh = assembled([with_symmetry(folded(hull), "") for hull in hulls])
+    with made_beside(output) as partial:
+        store(replace(values, bodies=bodies, rotation_center=np.zeros(3)), mesh, partial, f"{kind_name}: {place}")
+    print(f"{output}: {', '.join(names)}, {len(values.omega)} frequencies, {len(values.wave_direction)} headings")
+    return tell(remarks, new_console(stderr=True))
+
+
+def _together(parts, radiation):
+    """Values of all bodies from those of each, with the radiation of all"""
+    forces = {
+        name: np.concatenate([one.quantities[name] for one in parts], axis=-1)
+        for name in FORCES
+        if all(name in one.quantities for one in parts)
+    }
+    body = {}
+    for name in BODY:
+        rows = [one.body.get(name) for one in parts]
+        if all(row is not None for row in rows):
+            square = BODY[name][0][-1:] == ("radiating_dof",)
+            body[name] = _blocks(rows) if square else np.array(rows, float)
+    return replace(parts[0], quantities=radiation | forces, body=body)
+
+
+def _blocks(matrices):
+    """(6N, 6N) with (6, 6) matrices on its diagonal"""
+    total = np.zeros((6 * len(matrices),) * 2)
+    for i, matrix in enumerate(matrices):
+        total[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = matrix
+    return total
+
+
+def _round(hulls):
+    """Whether all hulls are of revolution about the vertical through the origin"""
+    return all(
+        hull.is_round and np.abs(hull.points[:, :2].mean(axis=0)).max() <= AXIS * np.ptp(hull.points[:, 0])
+        for hull in hulls
+    )
+
+
+def _all_around(values):
+    """Values of bodies of revolution with their forces at AROUND, from those at one heading"""
+    (first,) = values.wave_direction
+    turns = np.array(
+        [np.kron(np.eye(values.quantities["added_mass"].shape[-1] // 6), turned(b - first)) for b in AROUND]
+    )
+    quantities = {
+        name: np.einsum("mji,qj->qmi", turns, part[:, 0]) if name in FORCES else part
+        for name, part in values.quantities.items()
+    }
+    return replace(values, wave_direction=AROUND, quantities=quantities)
