@@ -40,11 +40,11 @@ def _stored(one, omega, rao):
     near = np.abs(omega / one.omega - 1) < max(0.1, 2 * one.damping)
     near[np.argmin(np.abs(omega - one.omega))] = True
     share = np.abs(rao[near][:, :, one.mode]).max() / one.peak
-    return f"; stored frequencies near it show {100 * share:.2g} % of the peak" if share < SEEN else ""
+    return f"; stored frequencies near it show {100 * share:.3g} % of the peak" if share < SEEN else ""
 
 
 def _uncertain(one):
     share = one.error / one.peak
     if share <= UNSURE:
         return ""
-    return f"; the peak is uncertain by {100 * share:.2g} %, limit {100 * UNSURE:g} %: solve {one.omega:.6g} rad/s too"
+    return f"; the peak is uncertain by {100 * share:.3g} %, limit {100 * UNSURE:g} %: solve {one.omega:.6g} rad/s too"
