@@ -82,7 +82,7 @@ def resonances(result, wave_period):
     low, high = RESONANCE
     for state, periods in (("at rest", result.at_rest), ("under the steady forces", result.at_equilibrium)):
         near = [
-            f"{name} {value:.3g} s"
+            f"{_worded(name)} {value:.3g} s"
             for name, value in zip(periods.names, periods.period, strict=True)
             if name.split("__")[-1] in HORIZONTAL and low <= value / wave_period <= high
         ]
@@ -123,9 +123,15 @@ def _stiff_modes(result, hydrostatic, words):
             )
 
 
+def _worded(name):
+    """A mode of several bodies, "barge__Roll", as their motions are called elsewhere"""
+    body, _, motion = name.rpartition("__")
+    return f"{body} {motion.lower()}" if body else name
+
+
 def _held(periods):
     held = [
-        f"{name} {value:.3g} s"
+        f"{_worded(name)} {value:.3g} s"
         for name, value, inside in zip(periods.names, periods.period, periods.inside, strict=True)
         if not inside and np.isfinite(value)
     ]
@@ -139,7 +145,9 @@ def _unstable(result):
     for where, periods in (("at rest", result.at_rest), ("under the steady forces", result.at_equilibrium)):
         names = [name for name, value in zip(periods.names, periods.period, strict=True) if np.isnan(value)]
         if names:
-            yield fails(f"unstable {where}, without waves: {', '.join(names)}; the body needs more restoring")
+            yield fails(
+                f"unstable {where}, without waves: {', '.join(map(_worded, names))}; the body needs more restoring"
+            )
 
 
 def _outside_the_method(result, depth):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..printing.number import significant
+
 VISCOUS = 0.1  # ratio of wave damping; viscous damping, 1 to 3 % of critical, takes up to a third off lower ones
 UNSURE = 0.05  # estimated error of a peak that is named
 SEEN = 0.8  # of a peak that stored frequencies show
@@ -30,7 +32,7 @@ def _peak(one):
         damping += ", without the viscous damping that lowers it" * underdamped(one)
     return (
         f"resonance of {one.name} at {one.period:.4g} s ({one.omega:.5g} rad/s): peak "
-        f"{factor * one.peak:.3g} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"
+        f"{significant(factor * one.peak, 3)} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"
     )
 
 

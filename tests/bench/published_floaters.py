@@ -108,9 +108,6 @@ headings_deg = [0, 45, 90]
 STUDY = """[water]
 depth = {depth}
 [hull]
-length = {size}
-beam = {size}
-draft = {draft}
 freeboard = 10.0
 [types.line]
 weight_N_per_m = {weight}
@@ -135,21 +132,21 @@ anchor = [{u}, {v}]
 FLOATERS = {
     "spar": dict(
         hull=SPAR, depth=320.0, density=1025.0, cg=-78.0, gyration=[48.4, 48.4, 4.9], mass="mass = 8.066e6",
-        omega="omegas = { from = 0.04, to = 1.6, count = 27 }", size=9.4, draft=120.0, weight=698.094,
+        omega="omegas = { from = 0.04, to = 1.6, count = 27 }", weight=698.094,
         stiffness=384243.0, length=902.2, anchor=853.87, fairlead=5.2, z=-70.0, headings=(0, 120, 240),
         damping="{ surge = 100.0, sway = 100.0, heave = 130.0, yaw = 13000.0 }", spring="spring = { yaw = 98340.0 }",
         periods={"surge": 125.0, "heave": 31.2, "pitch": 29.4},
     ),
     "semi": dict(
         hull=SEMI, depth=200.0, density=1025.0, cg=-9.89, gyration=[28.3, 28.3, 29.6], mass="mass = 1.3955e7",
-        omega="omegas = { from = 0.05, to = 1.5, count = 30 }", size=75.0, draft=20.0, weight=1065.3,
+        omega="omegas = { from = 0.05, to = 1.5, count = 30 }", weight=1065.3,
         stiffness=753600.0, length=835.5, anchor=837.6, fairlead=40.868, z=-14.0, headings=(60, 180, 300),
         damping="{ surge = 50.0, heave = 50.0, roll = 1e5, pitch = 1e5 }", spring="",
         periods={"surge": 107.5, "sway": 113.6, "heave": 17.3, "pitch": 26.8},
     ),
     "float": dict(
         hull=FLOAT, depth=70.0, density=1025.0, cg=-0.72, gyration=[5.36, 5.41, 7.14], mass="",
-        omega="omegas = { from = 0.2, to = 3.0, count = 29 }", size=20.0, draft=2.58, weight=500.0,
+        omega="omegas = { from = 0.2, to = 3.0, count = 29 }", weight=500.0,
         stiffness=100000.0, length=240.0, anchor=240.0, fairlead=9.0, z=0.0, headings=(0, 120, 240),
         damping="{ surge = 10.0 }", spring="", periods={},
     ),
@@ -213,7 +210,7 @@ def sphere(folder):
     )  # fmt: skip
     (folder / "sphere.toml").write_text(scene)
     run(folder, "solve", "sphere.toml", "--output", "sphere.h5")
-    hull = "[water]\ndepth = inf\n[hull]\nlength = 10.0\nbeam = 10.0\ndraft = 5.0\nfreeboard = 5.0\n"
+    hull = "[water]\ndepth = inf\n[hull]\nfreeboard = 5.0\n"
     still = "[simulation]\nmotions = ['heave']\nduration = 40.0\nramp = 0.0\nstep = 0.05\noffset = { heave = 1.0 }\n"
     (folder / "decay.toml").write_text(hull + still)
     if run(folder, "simulate", "decay.toml", "--database", "sphere.h5", "--output", "decay.h5"):
@@ -221,7 +218,7 @@ def sphere(folder):
         print(f"  decay from 1 m: {1e3 * np.abs(heave - exact_decay(time, 1.0)).max():.2f} mm off, limit 3")
     for period, damping in [(T, b) for T, most in TAKE_OFF.items() for b in dict.fromkeys((0.0, most))]:
         name, omega = f"regular_{period:g}_{damping:g}", 2 * np.pi / period
-        waves = f"[waves]\nheight = 0.2\nperiod = {period}\ndirection_deg = 0.0\nspectrum = 'regular'\n"
+        waves = f"[waves]\nheight = 0.2\nperiod = {period}\ndirection_deg = 0.0\nmethod = 'regular_wave'\n"
         more = f"[simulation]\nmotions = ['heave']\nduration = {20 * period}\nramp = 100.0\nstep = 0.05\n"
         more += f"linear_damping = {{ heave = {damping / 1e3} }}\n"
         (folder / f"{name}.toml").write_text(hull + waves + more)
