@@ -72,7 +72,7 @@ def on_anchors(file):
 def notes(file):
     """How the largest values are to be read"""
     runs = int(whole_rows(file).sum())
-    further = f"up to {100 * share_beyond(runs):.3g} % of such runs go beyond it (confidence {100 * CONFIDENCE:.0f} %)"
+    further = f"up to {100 * share_beyond(runs):.2g} % of such runs go beyond it (confidence {100 * CONFIDENCE:.0f} %)"
     if not differ(file):
         yield "no waves or gusts differ between seeds: the largest and smallest values are those of every run"
     elif runs < FEWEST:
