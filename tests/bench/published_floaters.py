@@ -28,7 +28,7 @@ MASS = 2 / 3 * np.pi * RADIUS**3 * 1000.0
 STIFFNESS = 1000.0 * G * np.pi * RADIUS**2
 TAKE_OFF = {4.4: 322292.0, 6.0: 0.0}  # N s/m at a period, s; that of the report for the first
 
-SPHERE = 'size = 0.8\nsymmetry = "xy"\n[[parts]]\nshape = "sphere"\ncenter = [0, 0, 0]\nradius = 5.0\n'
+SPHERE = 'size = 0.4\nsymmetry = "xy"\n[[parts]]\nshape = "sphere"\ncenter = [0, 0, 0]\nradius = 5.0\n'
 SPAR = """size = 2.5
 symmetry = "xy"
 [[parts]]
@@ -195,7 +195,7 @@ def coefficients(omega):
 
 def exact_decay(time, offset):
     """m: x = 2/π ∫ Re X cos ωt dω with X = x₀ (iω(M + A) + B) / (C − ω²(M + A) + iωB), at rest before"""
-    omega = np.linspace(0.01, 6.0, 1500)
+    omega = np.linspace(0.01, 6.0, 600)
     A, B = coefficients(omega)
     inertia = MASS + A
     X = offset * (1j * omega * inertia + B) / (STIFFNESS - omega**2 * inertia + 1j * omega * B)
