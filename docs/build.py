@@ -50,10 +50,10 @@ def rendered(text, names):
     body = re.sub(r'href="(?:docs/)?([\w-]+)\.md', lambda m: f'href="{m[1]}.html' if m[1] in names else m[0], body)
     body = re.sub(r'src="[^"]*?([^"/]+)"', r'src="\1"', body)
     title = html.escape(re.sub(r"[#`*]", "", text.strip().splitlines()[0]).strip())
-    nav = "".join(f'<a href="{name}.html">{name.replace("_", " ")}</a>' for name in NAMED if name in names)
+    nav = " ".join(f'<a href="{name}.html">{name.replace("_", " ")}</a>' for name in NAMED if name in names)
     return (
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style>'
-        f'<nav><a href="index.html"><b>hakobune</b></a>{nav}</nav>{body}</html>\n'
+        f'<nav><a href="index.html"><b>hakobune</b></a> {nav}</nav>{body}</html>\n'
     )
 
 

@@ -77,6 +77,14 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
     return _unfolded(quarter, symmetry)
 
 
+class TooFewPanels(ValueError):
+    """Fewer panels than a hull is made of; least : that it takes"""
+
+    def __init__(self, panels, least):
+        super().__init__(f"panels is {panels}; allowed: at least {least} on the whole hull")
+        self.least = least
+
+
 def box_counts(length, beam, draft, panels=500, longest=math.inf):
     """(n_length, n_beam, n_draft) for at most `panels` on the whole hull.
 
@@ -109,7 +117,7 @@ def fitted_counts(edges, total, panels, needed):
     wishes = np.sqrt(edges)
     lowest = WELL_RESOLVED if panels >= 200 else (1, 1, 2)
     if not panels >= total(lowest):
-        raise ValueError(f"panels is {panels}; allowed: at least {total(lowest)} on the whole hull")
+        raise TooFewPanels(panels, total(lowest))
     lowest = np.maximum(lowest, needed)
     panels = max(panels, total(lowest))
 

@@ -95,3 +95,25 @@ def test_a_task_runs_as_printed_and_prints_what_it_shows(page, database, tmp_pat
 
 def test_the_list_of_tasks_has_every_page():
     assert len(TASKS) == 15 and all((DOCS / f"{page}.md").is_file() for page in TASKS)
+
+
+def test_files_of_the_four_jobs_are_those_that_their_commands_read(tmp_path):
+    """Their runs take minutes: what the files hold is read, with fenders and ropes put in their places"""
+    from hakobune.meshing.drawing import read_drawing
+    from hakobune.mooring.studies.conditions import ExposedBox
+    from hakobune.pipelines.berth.study import read_berth
+    from hakobune.pipelines.moor.study import read_study
+    from hakobune.pipelines.scene.scene import make_scene, read_scene
+    from hakobune.pipelines.single_point.reading import read_study as read_point
+
+    text = (DOCS / "jobs.md").read_text(encoding="utf-8")
+    for name, body in re.findall(r"`(\w+\.toml)`[^`]*?```toml\n(.*?)```", text, re.S):
+        (tmp_path / name).write_text(body)
+    ship = ExposedBox(225.0, 36.0, 13.0, 5.0)
+    assert read_study(tmp_path / "study.toml")[0].spreads[0].length == 150.0
+    assert len(read_study(tmp_path / "jetty.toml")[0].berth(ship, (0, 0, 0)).names) == 8
+    assert make_scene(read_scene(tmp_path / "ship.toml")).body.block == 0.8 and read_berth(tmp_path / "berth.toml")
+    assert read_point(tmp_path / "calm.toml")
+    assert read_drawing(tmp_path / "barge.toml").volume == pytest.approx(
+        24 * 4 * 80
+    )  # a trapezium, 90 m above, 70 below

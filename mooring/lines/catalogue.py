@@ -97,6 +97,16 @@ FORMS = (
 )
 
 
+def unread(name):
+    """What nobody has read in its standard of a name of the catalogue, '' where that is nothing"""
+    if not name or "6x24" not in name.lower().split():
+        return ""
+    return (
+        f"{name}: K 0.280 and W 0.318 are those that makers quote from ISO 2408 (2004), not read in it; look there, or "
+        "give weight and breaking load of the maker's certificate"
+    )
+
+
 def line_type(name, density=1025.0, gravity=9.80665) -> LineType:
     """The LineType of a name such as "R4 studlink 84 mm" or "wire 6x36 IWRC 1960 52 mm".
 

@@ -39,8 +39,8 @@ class QuayFender:
     def __post_init__(self):
         if not (self.friction >= 0 and self.shear >= 0) or (self.friction > 0 and self.shear == 0):
             raise FenderError(
-                f"fender {self.name}: friction {self.friction:g} with shear stiffness {self.shear:g} N/m; allowed: "
-                "none, or both above 0"
+                f"fender {self.name}: friction is {self.friction:g} and shear, the stiffness along its face until it "
+                f"slides, {self.shear / 1e3:g} kN/m; allowed: both 0, or both above 0"
             )
 
 

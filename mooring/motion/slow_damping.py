@@ -76,7 +76,7 @@ def findings(moored, body, mean, constant, dragged):
     if constant:
         found = {name: part + by_drift for name, (_, part, _, by_drift) in shares(moored, body.damping, drift).items()}
         much = [
-            f"{name} {100 * found[name]:.2g} for {100 * sum(parts):.2g} % of critical at {2 * np.pi / omega:.3g} s"
+            f"{name} {100 * found[name]:.3g} for {100 * sum(parts):.3g} % of critical at {2 * np.pi / omega:.3g} s"
             for name, (omega, *parts) in own.items()
             if found[name] > TOO_MUCH * sum(parts)
         ]
@@ -89,7 +89,7 @@ def findings(moored, body, mean, constant, dragged):
         return
     still = dragged or np.any(body.quadratic.reshape(-1, 6)[:, PLANE] > 0)
     light = [
-        f"{name} {100 * sum(parts):.2g} % of critical at {2 * np.pi / omega:.3g} s"
+        f"{name} {100 * sum(parts):.3g} % of critical at {2 * np.pi / omega:.3g} s"
         for name, (omega, *parts) in own.items()
         if sum(parts) < LIGHT and not still
     ]

@@ -235,6 +235,6 @@ def _too_high(body, spectra, scatter):
         if there.any():
             i = np.argwhere(there)[-1][0]
             yield (
-                f"{there.sum()} classes of the scatter diagram, {100 * probability[there].sum():.2g} % of the time, "
+                f"{there.sum()} classes of the scatter diagram, {100 * probability[there].sum():.3g} % of the time, "
                 f"{words}, as that of {scatter.heights[i]:g} m; give them longer periods or leave them out"
             )

@@ -93,7 +93,7 @@ class Errors(NamedTuple):
             words |= {"mean drift": self.drift[0], "moment of drift": self.drift[1]}
         if self.damping is not None:
             words["wave drift damping"] = self.damping
-        return [f"{word} {100 * error:.2g} %" for word, error in words.items() if error > limit]
+        return [f"{word} {100 * error:.3g} %" for word, error in words.items() if error > limit]
 
 
 def errors_between(body, sea, omega, m0, drift, damping):
@@ -180,7 +180,7 @@ def drift_of_each(body, slow):
     largest = np.abs(slow.of_each[:, :2]).max()
     if away > EACH * largest:
         yield (
-            f"drift of the bodies adds up to {100 * away / max(largest, 1e-300):.2g} % of the largest off what the "
+            f"drift of the bodies adds up to {100 * away / max(largest, 1e-300):.3g} % of the largest off what the "
             f"waves far away say; limit {100 * EACH:g} %; add frequencies, or panels, to the scene"
         )
 

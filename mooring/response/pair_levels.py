@@ -177,7 +177,7 @@ def beside_newman(db, sea, level, spread=False):
     if ratio is None or ratio < ENOUGH:
         size = "nothing is known without drift and inertia"
         if ratio is not None:
-            size = f"the push is {100 * ratio:.2g} % of its slow force"
+            size = f"the push is {100 * ratio:.3g} % of its slow force"
         return None, (f'qtf = "auto" takes newman: of bound long waves {size}',)
     size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is next to none by"
     size = f"bound long waves push with {size} Newman's rule"
@@ -224,7 +224,7 @@ def _surface_left_out(db, sea, level):
         return ()
     begin, way = ("left out: ", f"; {_command(db, sea)} adds it") if share > ENOUGH else ("", "")
     return (
-        f'{begin}the forcing of the surface (qtf = "body"), about {100 * share:.2g} % of the slow force of pairs{way}',
+        f'{begin}the forcing of the surface (qtf = "body"), about {100 * share:.3g} % of the slow force of pairs{way}',
     )
 
 

@@ -85,7 +85,7 @@ def heading_step(body, sea, omega):
             return step
         before = found
     warnings.warn(
-        f"results change by {100 * change:.2g} % from {2 * step:.2g}° to {step:.2g}° between directions; limit "
+        f"results change by {100 * change:.3g} % from {2 * step:.2g}° to {step:.2g}° between directions; limit "
         f"{100 * CLOSE:g} %; the spreading is too narrow for them, a long-crested sea is near",
         stacklevel=2,
     )

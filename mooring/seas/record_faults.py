@@ -41,6 +41,6 @@ def faults(record, step, mean_period, gravity=9.80665):
         share = means.var() / record.var()
         if share > LEVEL:
             yield (
-                f"the mean level moves by {np.ptp(means):.3g} m over the record, {100 * share:.2g} % of its variance, "
+                f"the mean level moves by {np.ptp(means):.3g} m over the record, {100 * share:.3g} % of its variance, "
                 f"limit {100 * LEVEL:g} %: tide or trend is in the heights; take it off"
             )

@@ -81,7 +81,7 @@ def limit_cycle(steady, turn=START) -> LimitCycle:
         state, before = _scaled(point, now, share, longest), now
     raise SinglePointError(
         f"no cycle within {MOST} periods: the heading still swings {np.degrees(now.amplitude):.3g}° to either side and "
-        f"changes by {100 * now.change:.2g} % a period; run it in time with [slewing]"
+        f"changes by {100 * now.change:.3g} % a period; run it in time with [slewing]"
     )
 
 

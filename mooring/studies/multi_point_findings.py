@@ -18,6 +18,8 @@ MOVING = 1e-4  # m or rad per m of wave amplitude; less is rounding in waves tha
 NEAR = (0.85, 1.15)  # of the wave period; there a motion without viscous damping is several times too large
 WEAK = 0.1  # damping ratio of waves alone, to which viscous damping adds a tenth to a third
 NEGLIGIBLE = 0.05  # mooring over hydrostatic stiffness, where free motions are used
+ROUNDING = 1e-6  # of the largest force, of a moment times a metre
+NO_DAMPING = "has no viscous damping"  # of a motion at its resonance
 IN_TIME = "simulate in time"  # the end of what that method alone is not enough for
 TURNED = 0.1  # rad; over that angle the drag coefficients of a box change by a tenth of their largest values
 SHALLOW = 20.0  # m; SR179 report, section 5.5.3: there some simulations of its floaters exceeded this method
@@ -69,7 +71,7 @@ def _uncertain(body, waves):
 def _of_the_sea(result):
     effects = result.waves["irregular"]
     yield from effects.warnings
-    x, y, turn = effects.slow
+    x, y, turn = np.where(np.abs(effects.slow) > ROUNDING * np.max(effects.slow[:2]), effects.slow, 0.0)
     yield (
         f"slow drift about the mean, standard deviations Fx {x / 1e3:.3g}, Fy {y / 1e3:.3g} kN, Mz {turn / 1e3:.3g} "
         f"kN m, moves the body at its natural periods; this is not in the tensions: {IN_TIME}"
@@ -80,7 +82,7 @@ def resonances(result, wave_period):
     low, high = RESONANCE
     for state, periods in (("at rest", result.at_rest), ("under the steady forces", result.at_equilibrium)):
         near = [
-            f"{name} {value:.3g} s"
+            f"{_worded(name)} {value:.3g} s"
             for name, value in zip(periods.names, periods.period, strict=True)
             if name.split("__")[-1] in HORIZONTAL and low <= value / wave_period <= high
         ]
@@ -105,8 +107,8 @@ def _undamped(result, db, waves):
         if amplitude > MOVING * 0.5 * waves.height and low <= period / waves.period <= high:
             yield (
                 f"natural period of {body.words[mode]} {period:.3g} s lies within {low:g} to {high:g} of the wave "
-                f"period {waves.period:g} s: its amplitude {amplitude:.2g} {unit} has no viscous damping; "
-                "motion, drift and tension are too large"
+                f"period {waves.period:g} s: its amplitude {amplitude:.2g} {unit} {NO_DAMPING}; "
+                "motion, drift and tension are too large; give the scene [viscous], or simulate with damping_ratio"
             )
 
 
@@ -121,9 +123,15 @@ def _stiff_modes(result, hydrostatic, words):
             )
 
 
+def _worded(name):
+    """A mode of several bodies, "barge__Roll", as their motions are called elsewhere"""
+    body, _, motion = name.rpartition("__")
+    return f"{body} {motion.lower()}" if body else name
+
+
 def _held(periods):
     held = [
-        f"{name} {value:.3g} s"
+        f"{_worded(name)} {value:.3g} s"
         for name, value, inside in zip(periods.names, periods.period, periods.inside, strict=True)
         if not inside and np.isfinite(value)
     ]
@@ -137,7 +145,9 @@ def _unstable(result):
     for where, periods in (("at rest", result.at_rest), ("under the steady forces", result.at_equilibrium)):
         names = [name for name, value in zip(periods.names, periods.period, strict=True) if np.isnan(value)]
         if names:
-            yield fails(f"unstable {where}, without waves: {', '.join(names)}; the body needs more restoring")
+            yield fails(
+                f"unstable {where}, without waves: {', '.join(map(_worded, names))}; the body needs more restoring"
+            )
 
 
 def _outside_the_method(result, depth):

@@ -262,7 +262,7 @@ def _flags(modes, sea):
                 f"natural period of {', '.join(near)} is within a factor of {NEAR:g} of the waves' peak period "
                 f"{peak:.4g} s; change the stiffness of the lines"
             )
-    light = [f"{n} {100 * v:.2g} %" for n, v in zip(NAMES, modes.ratio, strict=True) if v < 0.02]
+    light = [f"{n} {100 * v:.3g} %" for n, v in zip(NAMES, modes.ratio, strict=True) if v < 0.02]
     if light:
         yield (
             f"slow motion is lightly damped: {', '.join(light)} of critical; give the drag of lines and hull as "

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..printing.number import significant
+
 VISCOUS = 0.1  # ratio of wave damping; viscous damping, 1 to 3 % of critical, takes up to a third off lower ones
 UNSURE = 0.05  # estimated error of a peak that is named
 SEEN = 0.8  # of a peak that stored frequencies show
@@ -30,7 +32,7 @@ def _peak(one):
         damping += ", without the viscous damping that lowers it" * underdamped(one)
     return (
         f"resonance of {one.name} at {one.period:.4g} s ({one.omega:.5g} rad/s): peak "
-        f"{factor * one.peak:.3g} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"
+        f"{significant(factor * one.peak, 3)} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"
     )
 
 
@@ -40,11 +42,11 @@ def _stored(one, omega, rao):
     near = np.abs(omega / one.omega - 1) < max(0.1, 2 * one.damping)
     near[np.argmin(np.abs(omega - one.omega))] = True
     share = np.abs(rao[near][:, :, one.mode]).max() / one.peak
-    return f"; stored frequencies near it show {100 * share:.2g} % of the peak" if share < SEEN else ""
+    return f"; stored frequencies near it show {100 * share:.3g} % of the peak" if share < SEEN else ""
 
 
 def _uncertain(one):
     share = one.error / one.peak
     if share <= UNSURE:
         return ""
-    return f"; the peak is uncertain by {100 * share:.2g} %, limit {100 * UNSURE:g} %: solve {one.omega:.6g} rad/s too"
+    return f"; the peak is uncertain by {100 * share:.3g} %, limit {100 * UNSURE:g} %: solve {one.omega:.6g} rad/s too"

@@ -170,6 +170,6 @@ def _rest(off, what, kind):
     """What fails of a fit that leaves too much"""
     if off > LEFT:
         yield fails(
-            f"{100 * off:.2g} % of the {what} is left over, limit {100 * LEFT:g} %; this is no record of {kind}; look "
+            f"{100 * off:.3g} % of the {what} is left over, limit {100 * LEFT:g} %; this is no record of {kind}; look "
             "at --plot"
         )

@@ -104,6 +104,10 @@ def check_cases(read, scenes):
     base = read.kind.base(read.study, bodies[MEAN])
     names = read.kind.lost(base)
     if read.project.anchors is not None:
+        if read.study.get("anchors"):
+            raise StudyError(
+                "[anchors] of the project and [[anchors]] of its study are both given; allowed: one of them"
+            )
         for name in read.project.anchors.lines:
             if name not in names:
                 raise StudyError(f"anchors.lines: there is no line {name!r}; allowed: {', '.join(names)}")

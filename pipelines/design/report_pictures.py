@@ -15,6 +15,7 @@ from .kinds.stored import key_of, picture, plain
 from .report_words import percent
 
 MOST_PLANS = 4
+ON_WHITE = {"boxstyle": "square,pad=0.05", "fc": "white", "ec": "none"}  # a number beside the line of 100 %
 
 
 def plans(read, verdict, paths, folder):
@@ -90,7 +91,7 @@ def use_picture(verdict, folder):
         axes.barh(range(len(judged)), used, color=colours)
         axes.axvline(100, color="k", lw=1)
         for i, (one, width) in enumerate(zip(judged, used, strict=True)):
-            axes.annotate(f" {percent(one.governing.utilisation)}", (width, i), va="center", fontsize=8)
+            axes.annotate(f" {percent(one.governing.utilisation)}", (width, i), va="center", fontsize=8, bbox=ON_WHITE)
         axes.set_yticks(range(len(judged)), names, fontsize=8)
         axes.invert_yaxis()
         axes.set(xlabel="utilisation of the criterion, %", xlim=(0, max(115.0, 1.12 * max(used, default=0.0))))

@@ -136,8 +136,9 @@ def state_row(state):
 
 def line_rows(read, verdict):
     """Cells of a line of the table of lines, ropes and hawsers, as they are in the first case that ran, and the largest
-    tension of all cases, with what it uses of the breaking load
+    tension of all cases, with what it uses of the breaking load, and of that times the study's `allowable`, the WLL
     """
+    allowable = read.study.get("allowable")
     pulled, used = {}, {}
     for case in (one for one in verdict.ran if one.numbers is not None and one.case.factor == 1):
         for name, load, breaking in zip(case.numbers.names, case.largest, case.numbers.breaking, strict=True):
@@ -158,8 +159,14 @@ def line_rows(read, verdict):
             f"{one.pretension[i] / 1e3:.4g}",
             f"{one.breaking[i] / 1e3:.5g}" if np.isfinite(one.breaking[i]) else "not given",
             f"{pulled[name] / 1e3:.4g}",
-            percent(used[name]) if np.isfinite(one.breaking[i]) else "",
+            _used_of(used[name], one.breaking[i], allowable) if np.isfinite(one.breaking[i]) else "",
         )
+
+
+def _used_of(used, breaking, allowable):
+    if allowable is None:
+        return percent(used)
+    return f"{percent(used)}, {percent(used / allowable)} of WLL {allowable * breaking / 1e3:.4g} kN"
 
 
 def part_table(read, verdict):
@@ -209,7 +216,7 @@ def criterion(one, found_in):
     }
     if use is not None:
         found |= {
-            "value": f"{use.value:.4g}",
+            "value": f"{use.value if abs(use.value) > 1e-9 * abs(c.limit) else 0:.4g}",
             "used": percent(use.utilisation),
             "margin": f"{100 * (1 - use.utilisation):+.0f} %",
             "by": THE_PROJECT if c.quantity in OF_PROJECT else f"{use.case}, {use.item}",

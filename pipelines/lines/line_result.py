@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.lines.catalogue import unread
 from hakobune.mooring.lines.one_line import OneLine, tension_curve
 from hakobune.mooring.lines.system.findings import LONGEST_STRAIN
 
@@ -194,6 +195,8 @@ def _curves(one, found):
 
 
 def _overloads(one, found):
+    if said := unread(one.type.name):
+        yield said
     largest, breaking = float(largest_in(found)), one.type.breaking_load
     if largest > breaking:
         yield fails(

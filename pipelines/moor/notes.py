@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from hakobune.bem.database.resonances import resonances
+from hakobune.mooring.studies.multi_point_findings import NO_DAMPING
 
 from ..common.resonances import resonance_lines
 from ..common.units import KN
 from ..printing.number import significant
 
+ROUNDING = 1e-6  # of the largest force, of a moment times a metre: less is none
 SAME = 0.01  # of forces and motions, within which two methods are said to agree
 
 
@@ -20,6 +22,8 @@ def notes(made):
         f"largest tension: {significant(made.tension[worst] / KN)} kN in {made.system.line_names[worst]}, "
         f"{_used(made, worst)}"
     )
+    if any(NO_DAMPING in line for line in made.warnings):
+        largest += "; by motions at a resonance that nothing but waves damps, far above what runs in time would show"
     return (*_waves(made), largest)
 
 
@@ -49,13 +53,15 @@ def _by_current(current, effects):
     """What a current that carries the waves changes in their drift"""
     still, names = effects.drift - effects.by_current, ("Fx", "Fy", "Mz")
     size = np.array([*2 * [np.abs(still[:2]).max()], np.abs(still[2])])
+    rounding = ROUNDING * np.abs(effects.drift[:2]).max()
     parts = [
         f"{name} {value / KN:+.4g} {unit}" + (f" ({100 * value / of:+.0f} %)" if abs(of) > SAME * most else "")
         for name, value, of, most, unit in zip(
             names, effects.by_current, still, size, ("kN", "kN", "kN m"), strict=True
         )
+        if abs(value) > rounding
     ]
     return (
-        f"the current of {current.speed:.3g} m/s changes the drift by {', '.join(parts)} of that in still water, which "
-        f'current.waves = "still" has; waves are given in {current.waves} frequencies'
+        f"the current of {current.speed:.3g} m/s changes the drift by {', '.join(parts) or 'nothing'} of that in still "
+        f'water, which current.waves = "still" has; waves are given in {current.waves} frequencies'
     )

@@ -11,6 +11,7 @@ from hakobune.mooring.studies.multi_point import line_ends
 from ..common.picture import draw_streams, save
 
 LABEL = 0.3  # of a line from its anchor, where lines are apart
+SHORT = 0.1  # of the plan, of a line
 AT_SURFACE = 1e-3  # of the draft
 UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
 
@@ -29,17 +30,21 @@ def draw_plan(result, db, path, used=None):
     used = result.utilisation if used is None else used
     colours = ScalarMappable(Normalize(0, max(1.0, used[np.isfinite(used)].max(initial=0.0))), "turbo")
     anchors, at_rest = line_ends(result.rest)
+    extent = np.ptp(np.concatenate([anchors, at_rest])[:, :2], axis=0).max()
     names = result.equilibrium.system.line_names
     rows = zip(names, anchors, at_rest, line_ends(result.equilibrium)[1], used, strict=True)
     for name, anchor, rest, now, share in rows:
         axes.plot([anchor[0], rest[0]], [anchor[1], rest[1]], color="0.75", lw=1, ls="--")
         axes.plot([anchor[0], now[0]], [anchor[1], now[1]], color=_colour(colours, share), lw=2.5)
         axes.plot(*anchor[:2], "k^", ms=5)
+        short = np.hypot(*(now - anchor)[:2]) < SHORT * extent  # its name would hide it
         axes.annotate(
             f"{name}\n{_words(share)}",
             anchor[:2] + LABEL * (now[:2] - anchor[:2]),
+            (30 * short, 0),
+            textcoords="offset points",
             fontsize=8,
-            ha="center",
+            ha="left" if short else "center",
             va="center",
             bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.8},
         )
@@ -50,6 +55,8 @@ def draw_plan(result, db, path, used=None):
     for i, (at_rest, moved) in enumerate(_outlines(result, db)):
         axes.plot(at_rest[:, 0], at_rest[:, 1], color="0.6", ls="--", label="" if i else "at rest")
         axes.plot(moved[:, 0], moved[:, 1], color="k", label="" if i else "under steady forces")
+        if len(result.hulls) > 1:
+            axes.annotate(result.hulls[i].name, moved[:-1, :2].mean(axis=0), fontsize=8, ha="center", va="center")
     w = result.conditions
     streams = {"wind": w.wind, "current": w.current, "waves": w.waves}
     draw_streams(axes, {name: one.direction for name, one in streams.items() if one})

@@ -61,7 +61,7 @@ def by_far_field(db, y):
         raise StudyError(f"quay: {error}") from None
     made, left_out, energy = _made[key]
     share = 100 * left_out
-    told = f"quay at y = {y:g} m: by the far field; {share:.2g} % of a wave decays between hull and quay, left out"
+    told = f"quay at y = {y:g} m: by the far field; {share:.3g} % of a wave decays between hull and quay, left out"
     if left_out > REFUSED:
         raise StudyError(f"{told}; allowed: up to {100 * REFUSED:g} %; solve the body with hakobune solve --wall {y:g}")
     if left_out > SAID:

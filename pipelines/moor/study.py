@@ -17,6 +17,7 @@ import msgspec
 import numpy as np
 
 from hakobune.bem.bodies.one_of_several import body_named, each_body
+from hakobune.mooring.lines.catalogue import unread
 from hakobune.mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_bodies, moored_body
 from hakobune.mooring.loads.on_hull import current_on, wind_on
 from hakobune.mooring.studies.conditions import Conditions, ExposedBox, Waves, afloat
@@ -134,7 +135,7 @@ class Study(Table):
         raises : StudyError as `check_streams`
         """
         self.check_depth(db.water_depth, db.path)
-        said = []
+        said = [line for line in dict.fromkeys(unread(one.catalogue) for one in self.types.values()) if line]
         for one in each_body(db):
             box = hull.get(one.name) if db.bodies else hull
             if box is not None:

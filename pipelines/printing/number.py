@@ -6,7 +6,6 @@ import math
 from functools import cache
 
 DIGITS = 4
-WHOLE = 1e4  # from which digits before the point are all printed, where a power of ten would stand
 NOTHING = "–"
 
 
@@ -35,7 +34,8 @@ def significant(value, digits=DIGITS):
     """A number as text: 0.01323, 13.2, 13230; never a power of ten between 1e-4 and 1e15"""
     if not math.isfinite(value):
         return NOTHING
-    return f"{value + 0.0:.0f}" if WHOLE <= abs(value) < 1e15 else f"{value + 0.0:.{digits}g}"
+    whole = 10**digits - 0.5 <= abs(value) < 1e15  # where a power of ten would stand
+    return f"{value + 0.0:.0f}" if whole else f"{value + 0.0:.{digits}g}"
 
 
 def values_table(title, rows):

@@ -44,7 +44,7 @@ def failures(stored, db=None):
     gap = None if stored.forces.kind is SUM else diagonal_gap(stored.forces)
     if gap is not None and gap > APART:
         yield fails(
-            f"mean drift by pressure differs from that of the far field by {100 * gap:.2g} % of the largest, limit "
+            f"mean drift by pressure differs from that of the far field by {100 * gap:.3g} % of the largest, limit "
             f"{100 * APART:g} %; {_smaller_panels(stored.forces, db)}"
         )
 
@@ -79,7 +79,7 @@ def notes(stored):
     gap = diagonal_gap(forces)
     if gap is not None:
         yield (
-            f"mean drift on the diagonal is that of the far field; by pressure it differs by {100 * gap:.2g} % of the "
+            f"mean drift on the diagonal is that of the far field; by pressure it differs by {100 * gap:.3g} % of the "
             "largest"
         )
     if stored.errors is None:
@@ -87,7 +87,7 @@ def notes(stored):
     else:
         shares = _relative(forces, stored.errors)
         yield f"estimated error of the {_way(stored)}, root mean square of the force's: {shares}"
-    size = "unknown" if share is None else f"{100 * share:.2g} % of the force in surge and sway"
+    size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
     if forces.surface is None:
         yield f"left out: the forcing of the surface around the body, estimated from few pairs: {size}; --level full"
     else:
@@ -104,7 +104,7 @@ def _of_sums(stored):
         parts = (np.abs(part[:, :, each, each]) ** 2 for part in (stored.errors, forces.total))
         error, force = (np.sqrt(np.nanmean(part, axis=(0, 1, 2))) for part in parts)
         size = np.repeat([force[:3].max(), force[3:].max()], 3)
-        shares = (f"{name} {100 * e / s:.2g} %" for name, e, s in zip(ALL, error, size, strict=True) if e > 1e-6 * s)
+        shares = (f"{name} {100 * e / s:.3g} %" for name, e, s in zip(ALL, error, size, strict=True) if e > 1e-6 * s)
         yield f"estimated error of the {_way(stored)}, of the largest force and moment: {', '.join(shares)}"
     if forces.surface is None:
         yield "left out: the forcing of the surface around the body, a large part of the force at sums; --level full"
@@ -129,7 +129,7 @@ def _relative(forces, errors):
     error, force = (np.sqrt(np.nanmean(part, axis=(0, 1, 2))) for part in parts)
     size = np.array([max(force[:2])] * 2 + [force[5]])
     return ", ".join(
-        f"{name} {100 * error[mode] / whole:.2g} %"
+        f"{name} {100 * error[mode] / whole:.3g} %"
         for name, mode, whole in zip(NAMES, MODES, size, strict=True)
         if force[mode] > 1e-6 * max(force[:2])
     )

@@ -245,8 +245,8 @@ def _check_rest(scene):
         raise SceneError(f"tolerance is {scene.tolerance} and panels is {scene.panels}; allowed: one of the two")
     if not 1e-5 <= scene.accuracy <= 0.2:
         raise SceneError(f"tolerance is {scene.tolerance}; allowed: 1e-5 to 0.2")
-    if scene.panels is not None and not 8 * len(scene.bodies) <= scene.panels <= 100_000:
-        raise SceneError(f"panels is {scene.panels}; allowed: {8 * len(scene.bodies)} to 100000")
+    if scene.panels is not None and not 1 <= scene.panels <= 100_000:
+        raise SceneError(f"panels is {scene.panels}; allowed: 1 to 100000")
     if scene.panels is not None and scene.body.shape == "mesh":
         raise SceneError(f"panels is {scene.panels}, but {scene.body.file} has its own; leave panels out")
     _check_point("rotation_center", scene.rotation_center)

@@ -144,7 +144,7 @@ def _of_band(spectrum):
     held = 2 * math.pi * math.sqrt(spectrum.moment(0, low, high) / spectrum.moment(2, low, high))
     return (
         f"the record holds waves of {low:.3g} to {high:.3g} rad/s; their T02 is {held:.4g} s, "
-        f"{100 * (held / spectrum.T02 - 1):.2g} % longer than that of the whole spectrum",
+        f"{100 * (held / spectrum.T02 - 1):.3g} % longer than that of the whole spectrum",
     )
 
 

@@ -342,7 +342,7 @@ def _outside(spectrum, omega):
     below, above = (float(share) for share in energy_outside(omega, spectrum))
     if below + above <= MISSED:
         return ()
-    ends = spectrum.quantile((1e-3, 1 - 1e-3))
+    ends = spectrum.quantile((MISSED / 2, 1 - MISSED / 2))
     text = (
         f"{100 * (below + above):.1f} % of the waves' energy lies outside the stored frequencies "
         f"({100 * below:.1f} % below {omega[0]:.4g}, {100 * above:.1f} % above {omega[-1]:.4g} rad/s)"

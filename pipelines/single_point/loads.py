@@ -193,6 +193,6 @@ def _between_waves(body, sea):
     unsure, mean = (float(np.trapezoid(density * np.abs(of[:, 0, 0]), omega)) for of in (error, value))
     if unsure > UNSURE * mean:
         yield (
-            f"mean drift of the waves is uncertain by {100 * unsure / mean:.2g} % between stored waves; limit "
+            f"mean drift of the waves is uncertain by {100 * unsure / mean:.3g} % between stored waves; limit "
             f"{100 * UNSURE:g} %; add frequencies to the database, or give waves.drift_tonf_per_m2"
         )

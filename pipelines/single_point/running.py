@@ -24,6 +24,7 @@ from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
 MOST_SAMPLES = 1_000_000
+STILL = 1e-4  # of the largest of a record, or of 1; less varies by rounding
 
 
 def check(study, db=None):
@@ -133,6 +134,11 @@ def draw(study, run: Run, path):
     hawser.set_ylabel("hawser, kN" if run.steady.point.lengths[0] else "pull on buoy, kN")
     worst = int(np.argmax(run.record.lines.max(axis=0)))
     lines.plot(run.record.time, run.record.lines[:, worst] / KN, lw=0.8, color="tab:red")
+    for axes in (heading, hawser, lines):  # what does not vary is a level line
+        low, high = axes.dataLim.intervaly
+        least = STILL * max(1.0, abs(low), abs(high))
+        if high - low < least:
+            axes.set_ylim((low + high) / 2 - least, (low + high) / 2 + least)
     lines.set(ylabel=f"{run.steady.point.system.line_names[worst]}, kN", xlabel="time, s")
     draw_lines(plan, run.steady.lines)
     point = run.steady.point

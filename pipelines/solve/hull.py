@@ -14,6 +14,7 @@ from hakobune.meshing.lid import lid
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.quality import findings, lid_findings
+from hakobune.meshing.shapes import TooFewPanels
 
 from ..common.typed import typed
 from ..scene.methods import METHODS
@@ -66,8 +67,26 @@ def _hull(scene, body):
         return folded(mesh)
     if scene.panels is None:
         return _fine_enough(scene, body)
-    areas = [_wetted_area(one) for one in scene.bodies]
-    return _meshed(body, round(scene.panels * _wetted_area(body) / sum(areas)) if scene.several else scene.panels)
+    try:
+        return _meshed(body, round(scene.panels * _share(scene, body)))
+    except TooFewPanels:
+        raise SceneError(f"panels is {scene.panels}; allowed: {_least_panels(scene)} to 100000") from None
+
+
+def _least_panels(scene):
+    """The fewest that leave each body as many as its shape takes"""
+    fewest = []
+    for body in scene.bodies:
+        try:
+            _meshed(body, 0)
+        except TooFewPanels as error:
+            fewest.append(math.ceil((error.least - 0.5 + 1e-9) / _share(scene, body)))
+    return max(fewest)
+
+
+def _share(scene, body):
+    """Of the panels of a scene that are on one of its bodies, by the wetted area"""
+    return _wetted_area(body) / sum(map(_wetted_area, scene.bodies)) if scene.several else 1.0
 
 
 def _check_count(scene, total):

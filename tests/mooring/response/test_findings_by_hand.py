@@ -60,7 +60,7 @@ def test_a_twentieth_of_a_result_between_waves_is_told(error, told, rebuilds):
     said = list(between_waves(SimpleNamespace(rebuilds_drift=rebuilds), errors))
     assert len(said) == told
     if told:
-        assert "mean drift 5 %; limit 5 %" in said[0] and ("Kochin" in said[0]) is not rebuilds
+        assert "mean drift 5.01 %; limit 5 %" in said[0] and ("Kochin" in said[0]) is not rebuilds
 
 
 def test_an_error_between_waves_is_told_with_the_frequency_and_headings_it_is_largest_at():

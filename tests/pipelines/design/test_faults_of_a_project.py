@@ -271,6 +271,12 @@ FAULTS = {
         "lines", [(project("anchors"), {"holding_kN": 1e4, "lines": {"bow": 1e4}}), (project("limits"), [ANCHOR])],
         ("anchors.lines: there is no line 'bow'", "allowed: fore port"),
     ),
+    "anchors twice": (
+        "lines",
+        [(project("anchors"), {"holding_kN": 1e4}), (project("limits"), [ANCHOR]),
+         (study("anchors"), [{"kind": "pile", "holding_kN": 1e4}])],
+        ("[anchors] of the project", "[[anchors]] of its study", "one of them"),
+    ),
     "holding capacity": (
         "lines", [(project("anchors"), {"holding_kN": -1.0}), (project("limits"), [ANCHOR])],
         ("anchors.holding_kN is -1", "above 0"),

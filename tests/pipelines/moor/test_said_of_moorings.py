@@ -9,13 +9,13 @@ from hakobune.pipelines.moor.notes import notes
 STILL, CURRENT = np.array([-1.5e4, 0.0, 4e5]), np.array([-5e3, 1e3, 1e5])
 
 
-def said(by_current=None, factor=1.0, used=0.456, waves=True):
+def said(by_current=None, factor=1.0, used=0.456, waves=True, warnings=()):
     effects = SimpleNamespace(drift=STILL if by_current is None else STILL + by_current, by_current=by_current)
     conditions = SimpleNamespace(
         method="irregular", motion_factor=factor, current=SimpleNamespace(speed=1.5, waves="intrinsic")
     )
     return notes(SimpleNamespace(
-        waves={"irregular": effects} if waves else {}, conditions=conditions, allowable=0.4,
+        waves={"irregular": effects} if waves else {}, conditions=conditions, allowable=0.4, warnings=warnings,
         tension=np.array([9.12e5, 4e5]), utilisation=np.array([used, 0.1]),
         system=SimpleNamespace(line_names=("bow", "stern"), breaking_load=np.array([2e6 if used else np.inf, 1e6])),
     ))  # fmt: skip
@@ -39,3 +39,8 @@ def test_what_the_line_that_pulls_most_uses_is_told_with_what_is_allowed():
     assert line == "largest tension: 912 kN in bow, 46 % of its breaking load (allowable 40 %)"
     (line,) = said(used=0.0)
     assert line.endswith("in bow, how much of its breaking load is unknown: none is given")
+
+
+def test_a_tension_by_motions_that_nothing_damps_says_so_in_its_own_line():
+    (line,) = said(warnings=("period: its amplitude 0.5 rad has no viscous damping; …",))
+    assert line.startswith("largest tension: 912 kN") and "a resonance that nothing but waves damps" in line

@@ -63,3 +63,4 @@ def test_columns_of_one_name_are_all_in_a_row_by_names(capsys):
 )
 def test_a_small_number_keeps_four_digits_and_a_large_one_its_whole_part(value, text):
     assert significant(value) == text
+    assert significant(2420.4, 3) == "2420" and significant(9999.7) == "10000" and significant(999.4, 3) == "999"

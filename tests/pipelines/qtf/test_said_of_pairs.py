@@ -83,7 +83,7 @@ def test_the_surface_is_a_column_and_errors_are_shares(unread):
     assert all(row["surface"] == pytest.approx(1e3 * math.hypot(7, 3)) for row in rows.values())
     whole = 100 * 500 / (1e3 * math.hypot(7, 3))
     assert (
-        f"estimated error of the contour method, root mean square of the force's: surge {whole:.2g} %"
+        f"estimated error of the contour method, root mean square of the force's: surge {whole:.3g} %"
         in (made.notes[-2])
     )
     assert made.notes[-1] == (
@@ -99,7 +99,7 @@ def test_mean_drift_by_pressure_is_within_a_twentieth_of_the_largest(unread, gap
     assert len(made.fails) == told
     assert not told or "mean drift by pressure differs from that of the far field by 5.1 % of the" in made.fails[0]
     assert made["drift_apart"] == pytest.approx(gap)
-    assert f"by pressure it differs by {100 * gap:.2g} % of the largest" in made.notes[1]
+    assert f"by pressure it differs by {100 * gap:.3g} % of the largest" in made.notes[1]
 
 
 def test_sums_are_root_mean_squares_over_their_pairs(unread):
@@ -109,7 +109,7 @@ def test_sums_are_root_mean_squares_over_their_pairs(unread):
     for row in rows.values():
         assert row == pytest.approx({"squares": 4e3, "bound_wave": 5e3, "body": math.hypot(6e3, 3e3)})
     share = 100 * 300 / (1e3 * math.hypot(6, 3))
-    assert f"of the largest force and moment: surge {share:.2g} %" in made.notes[-2]
+    assert f"of the largest force and moment: surge {share:.3g} %" in made.notes[-2]
     assert made.notes[-1].endswith("a large part of the force at sums; --level full")
 
 

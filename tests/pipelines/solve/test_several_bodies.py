@@ -272,3 +272,10 @@ def _console():
     from rich.console import Console
 
     return Console(quiet=True)
+
+
+def test_too_few_panels_are_refused_once_with_the_number_that_works():
+    """A box takes 20; of 111 and 76 m² the pier has 0.4064 of the panels, 19.5 of them of 47.98"""
+    with pytest.raises(SceneError, match="panels is 12; allowed: 48 to 100000"):
+        make_hull(make_scene(tables(panels=12)))
+    assert make_hull(make_scene(tables(panels=48))).mesh.total >= 40
