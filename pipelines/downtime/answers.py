@@ -17,6 +17,9 @@ ALL, MONTHS, YEARS, SECTORS = "downtime", "downtime by month", "downtime by year
 CAUSE, WINDOW, WAIT = "causes of downtime", "windows of weather", "waiting for a window"
 NAMES = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 SECTOR = 30.0  # degrees
+DIRECTIONS = np.arange(0.0, 360.0, 10.0)  # degrees of the compass, of limiting seas
+PERIODS = 24
+RETURN = "largest responses"
 FEW = 12  # years that are printed
 NORMAL = 1.645  # standard deviations of an interval of 90 %
 

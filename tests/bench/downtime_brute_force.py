@@ -80,7 +80,7 @@ def main():
     path, begun = asked.folder / "every_hour.jsonl", time.perf_counter()
     there = states_file.read(path, f"every hour {asked.seconds:g} s")
     todo = [row for row in range(len(record.hindcast.time)) if row not in there]
-    for row in np.random.default_rng(1).permutation(todo)[: max(0, (asked.done or len(todo)) - len(there))]:
+    for row in np.random.default_rng(1).permutation(todo)[: max(0, (asked.done or asked.hours) - len(there))]:
         row, weather = int(row), _weather(read, record, int(row))
         there[row] = {"hour": row, "seeds": state(ready.task, ready.raw, weather,
                                                   [OTHERS + row * SEEDS + k for k in range(SEEDS)])}  # fmt: skip
