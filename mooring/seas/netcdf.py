@@ -87,8 +87,11 @@ def planes_of(path, location):
         name = _density(path, data)
         axis = next((one for one in TIMES if one in data[name].dims), None)
         if axis is None or not any(one in AXES and AXES[one] == "d" for one in data[name].dims):
-            raise TableError(f"{path}: {name} has the axes {', '.join(map(str, data[name].dims))}; allowed: a time, "
-                             "frequencies and directions, of which a record of hours is made")  # fmt: skip
+            axes = ", ".join(map(str, data[name].dims))
+            raise TableError(
+                f"{path}: {name} has the axes {axes}; allowed: a time, frequencies and directions; of others give height, "
+                "period and direction as columns"
+            )
         count = data[name].isel({axis: 0}).size // np.prod([n for one, n in data[name].sizes.items() if one in AXES])
         if location is None and count > 1:
             raise TableError(f"{path} has {count} places; say which with location, from 1, the last axis fastest")

@@ -90,7 +90,7 @@ def _whole(chance, known, hindcast, years, error):
             ),
         )
     hours = {"hours": three[0], "hours_low": three[1], "hours_high": three[2]}
-    words = ("hours a year", "90 % from", "90 % to")
+    words = ("hours a year", "hours a year, 90 % from", "hours a year, 90 % to")
     made = {
         f"downtime.{part}": Quantity(
             YEAR * values, ("operation",), "h", said, ALL if np.any(np.isfinite(values)) else ""

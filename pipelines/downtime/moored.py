@@ -107,8 +107,8 @@ def _notes(read, hindcast, found):
     table = read.simulation
     with_it = "".join(f", {stream}" for *_, stream in streams_of(hindcast))
     yield (
-        f"simulated: {len(found.rows)} states of {table.duration_hours:g} h, {table.seeds} seeds each, waves{with_it} "
-        f"of the hour, all else of {table.study}; windows are those of one realisation of the chances"
+        f"simulated: {len(found.rows)} states of {60 * table.duration_hours:g} min, {table.seeds} seeds each, "
+        f"waves{with_it} of the hour, all else of {table.study}; windows are those of one realisation of the chances"
     )
     if len(hindcast.waves) > 1:
         yield "limiting seas are of one system of waves; with several systems there are none"

@@ -75,6 +75,8 @@ def test_tables_of_buoys_and_of_swan_have_times_names_and_units_of_their_own(tmp
              for h in range(24)]  # fmt: skip
     waves = {"height": "WVHT", "peak_period": "DPD", "direction_from": "MWD"}
     found = record(tmp_path, [NDBC + hours[0], *hours[1:]], waves=waves, columns={"level": "TIDE"}, level_at_rest=0.0)
+    newest_first = record(tmp_path, [NDBC + hours[-1], *hours[-2::-1]], waves=waves)
+    assert str(newest_first.time[1]) == "2019-08-01T01:00:00"
     assert str(found.time[1]) == "2019-08-01T01:00:00" and found.columns["level"][0] == pytest.approx(0.6096)
     assert np.isnan(found.height[1:3]).all() and found.height[0] == 1.5
     hours = [f"20161011.{h:02}0000 1.5 8.0 270.0 3.0 -4.0" for h in range(24)]
@@ -85,6 +87,19 @@ def test_tables_of_buoys_and_of_swan_have_times_names_and_units_of_their_own(tmp
     assert np.degrees(found.columns["wind from"][0]) == pytest.approx(323.1301, abs=1e-4)
     with pytest.raises(StudyError, match="has 'wind east' alone; allowed: 'wind east' and 'wind north'"):
         record(tmp_path, [SWAN + hours[0], *hours[1:]], waves=waves, columns={"wind east": "X-Windv"})
+
+
+def test_waves_that_come_every_third_row_are_a_record_of_these_rows(tmp_path):
+    """As of a buoy whose wind is there every ten minutes; times are seconds since 1970"""
+    height = ["", *(1.0 if i % 3 == 1 else "" for i in range(1, 90))]
+    lines = rows(90, 600, hs=height, w=np.arange(90))
+    seconds = ["time,hs,tp,dir,w", *(f"{1_583_020_800 + 600 * i},{line.partition(',')[2]}"
+                                     for i, line in enumerate(lines[1:]))]  # fmt: skip
+    for one in (lines, seconds):
+        found = record(tmp_path, one, columns={"wind speed": "w"})
+        assert found.hours == 0.5 and np.isfinite(found.height).all() and len(found.time) == 30
+        assert str(found.time[0]) == "2020-03-01T00:10:00" and found.columns["wind speed"][:2].tolist() == [1.0, 4.0]
+        assert any("waves come every 0.5 h; the rows between, 60, are left out" in line for line in found.said)
 
 
 def test_files_of_several_places_and_years_and_of_a_spectrum_each_hour(tmp_path):
@@ -126,7 +141,7 @@ def test_codes_and_empty_places_are_unknown_hours(tmp_path):
     found = record(tmp_path, rows(hs=[-999, "", *[1.0] * 46], dir=[270, 270, 999, *[270.0] * 45]))
     assert np.isnan(found.height[:3]).all() and np.isfinite(found.height[3:]).all()
     assert any("codes of what is missing, as -999" in line for line in found.said)
-    assert any("6.2 % of the rows have no waves" in line for line in found.said)
+    assert any("6.25 % of the rows have no waves" in line for line in found.said)
 
 
 def test_calms_need_no_period_and_no_direction(tmp_path):
