@@ -89,8 +89,8 @@ def planes_of(path, location):
         if axis is None or not any(one in AXES and AXES[one] == "d" for one in data[name].dims):
             axes = ", ".join(map(str, data[name].dims))
             raise TableError(
-                f"{path}: {name} has the axes {axes}; allowed: a time, frequencies and directions; of others give height, "
-                "period and direction as columns"
+                f"{path}: {name} has the axes {axes}; allowed: a time, frequencies and directions; of others give "
+                "height, period and direction as columns"
             )
         count = data[name].isel({axis: 0}).size // np.prod([n for one, n in data[name].sizes.items() if one in AXES])
         if location is None and count > 1:
