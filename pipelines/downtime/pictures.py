@@ -126,7 +126,7 @@ def limiting(result, number, axes):
     axes.figure.colorbar(filled, ax=axes, shrink=0.75, label="significant height, m")
     name = result.labels["operation"].values[number]
     axes.set_title(
-        f"{name}: limiting sea over period, s, and where waves come from; white: not reached, or not known",
+        f"{name}: limiting sea; outwards period, s; around where waves come from\nwhite: not reached, or not known",
         fontsize="medium",
     )
 
