@@ -22,7 +22,7 @@ from ..results.quantity import Quantity
 from ..results.result import labels, records
 from .answers import DIRECTIONS, NORMAL, PERIODS, RETURN, Verdicts
 from .limits import limits_of
-from .study import record_of
+from .passages import record_with_passages
 from .tables import AlternativeTable, DowntimeStudy
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def _states(read, folder, db, path, workers, say):
     from .one_state import UNITS
     from .simulated import prepared_of, simulated
 
-    record = record_of(read.hindcast, folder, db.water_depth)
+    record = record_with_passages(read, folder, db.water_depth)
     ready = prepared_of(read.simulation, folder, db)
     limits = limits_of(read, [], {}, {name: UNITS[name] for name in ready.names})
     return record, limits, simulated(read, record, limits, ready, path, workers, say)

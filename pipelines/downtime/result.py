@@ -32,7 +32,8 @@ from .answers import DIRECTIONS, PERIODS, RETURN, YEAR, answers, judged
 from .lee import lee
 from .limits import Hours, limits_of, used_of, value_of
 from .moored import Detail, Found, moored
-from .study import Record, make_downtime, read_downtime, record_of
+from .passages import record_with_passages
+from .study import Record, make_downtime, read_downtime
 from .tables import DowntimeStudy
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def downtime(
 def _linear(read, folder, db):
     """What linear responses say of every hour"""
     with heard() as caught:
-        record = record_of(read.hindcast, folder, None if db is None else db.water_depth)
+        record = record_with_passages(read, folder, None if db is None else db.water_depth)
         limits, response, notes = lee(read, folder) if read.lee else _of_body(read, db)
         response = _with_waves(response)
     hours = hours_of(response, record)

@@ -27,6 +27,8 @@ import msgspec
 from ..common.quantities import Table
 from ..response.study import BodyTable, KeelTable, PointTable
 
+PASSING = {"passing surge": "kN", "passing sway": "kN", "passing yaw": "kN m"}
+
 
 class WavesColumns(Table):
     """Columns of a system of waves: a height, one period, a direction; and the shape that its spectrum has
@@ -120,6 +122,21 @@ class LeeTable(Table):
     holding: str | None = None
 
 
+class PassagesTable(Table):
+    """Ships that pass: limits on "passing surge", "passing sway" (kN) and "passing yaw" (kN m), the most of each hour
+
+    file : list beside this one, a row for each passage
+    study : study of a passing ship, whose distance and speed are those of each passage
+    time, distance, speed : its columns; m between the centre lines, and m/s
+    """
+
+    file: str
+    study: str
+    time: str = "time"
+    distance: str = "distance"
+    speed: str = "speed"
+
+
 class AlternativeTable(Table):
     """Another mooring of the same body, to compare
 
@@ -170,6 +187,7 @@ class DowntimeStudy(Table):
     points: list[PointTable] = msgspec.field(default_factory=list)
     keel: KeelTable | None = None
     lee: LeeTable | None = None
+    passages: PassagesTable | None = None
     simulation: StatesTable | None = None
     windows_hours: list[float] = msgspec.field(default_factory=lambda: [3.0, 6.0, 12.0, 24.0, 48.0])
     return_years: float = 50.0

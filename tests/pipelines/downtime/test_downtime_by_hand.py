@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.downtime.every_hour import Shape
-from hakobune.mooring.downtime.hindcast import WaveHours
+from hakobune.mooring.downtime.hindcast import Hindcast, WaveHours
 from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.downtime import lee as behind
-from hakobune.pipelines.downtime import moored, result, simulated
+from hakobune.pipelines.downtime import moored, passages, result, simulated
 from hakobune.pipelines.downtime.answers import YEAR, Verdicts, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
@@ -21,6 +21,7 @@ from hakobune.pipelines.downtime.study import make_downtime
 from hakobune.pipelines.simulate.file import STATISTICS
 
 NAN, INF = np.nan, np.inf
+SCENES = Path(__file__).parents[3] / "pipelines" / "scenes"
 WAVES = {"height": "hs", "peak_period": "tp", "direction_from": "dir"}
 POINTS = [Point("bow", (50.0, 0.0, 8.0), 8.0), KeelPoint("fore", (40.0, 0.0, -10.0), 6.0),
           KeelPoint("aft", (-40.0, 0.0, -10.0), 5.0)]  # fmt: skip
@@ -279,6 +280,28 @@ def test_waves_behind_a_breakwater_are_those_that_it_lets_pass(monkeypatch):
     object.__setattr__(record.hindcast, "step", 3600.0)
     hours = result.hours_of(response, record)
     assert value_of(made[0], hours, record.hindcast) == pytest.approx([1.0], rel=2e-3)
+
+
+def test_passing_ships_press_as_the_square_of_their_speed_in_the_hours_that_they_pass(monkeypatch, tmp_path):
+    """1000 kN at 100 m and 5 m/s, as d⁻²: at 200 m 250 kN, at 10 m/s 4000; the largest of two in an hour"""
+    (tmp_path / "ships.csv").write_text("time,distance [m],speed [m/s]\n2020-01-01T01:10,100,5\n"
+                                        "2020-01-01T03:59,100,10\n2020-01-01T03:20,200,5\n2020-01-02T00:00,200,5\n")  # fmt: skip
+    time = np.datetime64("2020-01-01T00", "s") + 3600 * np.arange(4)
+    hindcast = Hindcast(time, 3600.0, (waves([1.0] * 4),))
+    monkeypatch.setattr(passages, "record_of", lambda *words: Study(hindcast, ()))
+    monkeypatch.setattr(passages, "passing", lambda study: {
+        "largest.force": 1e10 / study.track.distance**2 * np.array([1.0, -2.0, 3.0])})  # fmt: skip
+    (tmp_path / "passing.toml").write_text((SCENES / "passing_tanker.toml").read_text())
+    base = {"hindcast": {"file": "h.csv", "x_axis_compass_deg": 0.0, "waves": [WAVES]},
+            "passages": {"file": "ships.csv", "study": "passing.toml"},
+            "operations": [{"name": "arms", "limits": [{"quantity": "passing sway", "at_most": 900.0}]}]}  # fmt: skip
+    read = make_downtime(base)
+    found = passages.record_with_passages(read, tmp_path, None).hindcast
+    unit = 25 / passages.read_study(tmp_path / "passing.toml")[0].track.speed ** 2
+    assert found.columns["passing surge"] == pytest.approx(unit * np.array([0.0, 1000.0, 0.0, 4000.0]))
+    assert found.columns["passing yaw"] == pytest.approx(3 * found.columns["passing surge"])
+    assert "3 of 4 passages of ships.csv are within" in found.said[-1]
+    assert limits_of(read, [], {})[0].label == "arms: passing sway ≤ 900 kN"
 
 
 # ------------------------------------------------------------------ chances of simulated hours
