@@ -285,7 +285,8 @@ def test_waves_behind_a_breakwater_are_those_that_it_lets_pass(monkeypatch):
 def test_passing_ships_press_as_the_square_of_their_speed_in_the_hours_that_they_pass(monkeypatch, tmp_path):
     """1000 kN at 100 m and 5 m/s, as d⁻²: at 200 m 250 kN, at 10 m/s 4000; the largest of two in an hour"""
     (tmp_path / "ships.csv").write_text("time,distance [m],speed [m/s]\n2020-01-01T01:10,100,5\n"
-                                        "2020-01-01T03:59,100,10\n2020-01-01T03:20,200,5\n2020-01-02T00:00,200,5\n")  # fmt: skip
+                                        "2020-01-01T03:59,100,10\n2020-01-01T03:20,200,5\n"
+                                        "2020-01-02T00:00,200,5\n")  # fmt: skip
     time = np.datetime64("2020-01-01T00", "s") + 3600 * np.arange(4)
     hindcast = Hindcast(time, 3600.0, (waves([1.0] * 4),))
     monkeypatch.setattr(passages, "record_of", lambda *words: Study(hindcast, ()))
