@@ -58,16 +58,16 @@ def test_python_examples_run_as_printed(page, text, folder, monkeypatch):
         exec(compile(text, page, "exec"), {"__name__": "README"})
 
 
+OF_DOWNTIME = {"hindcast": {"file": "hindcast.csv", "x_axis_compass_deg": 0.0}, "operations": []}
 # what a file needs beside a part of it that a page shows
 PARTS = {
     ("docs/berth.md", "simulation"): {"water": {"depth": 20.0}},
     ("docs/several_bodies.md", "modes"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "damping_lids"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "hulls"): {"water": {"depth": 9.0}},
-    ("docs/downtime.md", "simulation"): {
-        "hindcast": {"file": "hindcast.csv", "x_axis_compass_deg": 0.0, "waves": []},
-        "operations": [],
-    },
+    ("docs/downtime.md", "simulation"): OF_DOWNTIME,
+    ("docs/downtime.md", "lee"): OF_DOWNTIME,
+    ("docs/downtime.md", "passages"): OF_DOWNTIME,
 }
 
 

@@ -1,4 +1,4 @@
-"""Times of a record in UTC: ISO 8601 with or without an offset, in a zone with or without summer time.
+"""Times of a record in UTC: ISO 8601 with or without an offset, in a zone with or without summer time; or since 1970.
 
 In autumn an hour of local time comes twice: the first is that of summer, the second that of winter.  In spring an hour
 does not come at all.  A record that says UTC and has both is one of local time.
@@ -25,6 +25,8 @@ def times(texts, zone, where):
     where : name of the file, for messages.  Raises TableError.
     """
     texts = np.char.strip(np.asarray(texts, str))
+    if re.fullmatch(r"\d{9,10}(\.\d*)?", texts[0]) and np.all(np.char.isdecimal(np.char.replace(texts, ".", ""))):
+        return texts.astype(float).astype("datetime64[s]")  # seconds since 1970
     found = OFFSET.search(texts[0][10:])
     if found:
         lengths = len(found[0])

@@ -8,11 +8,18 @@ scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that no
 
 The frequencies are those of `response.linear.frequencies` for all waves alike, and between as many as the peak of a
 spectrum asks for; the same for every hour.  Systems of waves add.
+
+Where the shape depends on the period, as of TMA or spreading after Mitsuyasu, the harmonics over β are tabulated,
+
+    m_n = H² Re Σ_k M_k(T) e^{ikβ},    M_k(T) = ∫ ωⁿ S(ω; 1, T) r_k(ω; T) p_k(ω) dω,
+
+p_k and r_k those of |X|² and of the spreading; cos²ˢ(θ/2) has r_k = Π_{j≤k} (s − j + 1)/(s + j).  M_k is taken between
+periods 1 % apart by the six nearest.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import NamedTuple
 
@@ -23,6 +30,7 @@ from hakobune.bem.waves import wavenumber
 from ..environment.spectra import FAMILIES
 from ..response.linear import frequencies
 from ..response.points import Point, relative_name, transfer_functions
+from ..seas.families import families
 
 NODES = np.arange(-2, 4)  # of the six about a direction
 AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
@@ -30,20 +38,35 @@ RING = 72, 720  # headings, fewest and most
 PER_HARMONIC = 13.4  # of them, for each of the 2kR harmonics that |X|² has over β
 HEADINGS_AT_ONCE = 72  # whose complex transfer functions are in memory together
 REFERENCE = 10.0  # s
+STEP = 0.01  # of ln T, in a table over periods
+LOW = 1e-3  # m, of a sea that is not too steep at any period
 FINE = 0.015  # of ω, between frequencies: a fifth of the narrow side of a JONSWAP peak
 
 
 class Shape(NamedTuple):
     """A family of spectra of one shape, and its spreading
 
-    family : name in `environment.spectra.FAMILIES`; kind : of its period, as "peak_period"; gamma : None without
-    spreading : `environment.spreading.Spreading` that does not depend on frequency, None for long crests
+    family : name in `environment.spectra.FAMILIES`, or "tma"; kind : of its period, as "peak_period"; gamma : None
+        without
+    spreading : `environment.spreading.Spreading`, None for long crests; of Mitsuyasu's the peak is that of each hour
+    depth : m, for TMA
     """
 
     family: str
     kind: str
     gamma: float | None = None
     spreading: object = None
+    depth: float | None = None
+
+    @property
+    def changes(self):
+        """Whether the shape depends on the period"""
+        return self.family not in FAMILIES or getattr(self.spreading, "depends_on_frequency", False)
+
+    def spectrum(self, period):
+        """The Spectrum of a sea of LOW m"""
+        more = {} if self.gamma is None else {"gamma": self.gamma}
+        return families(self.depth)[self.family](LOW, **{self.kind: period}, **more)
 
     def density(self, omega, height, period):
         """(h, q) m² s/rad at omega (q,) rad/s of hours with height (h,) m and period (h,) s"""
@@ -110,13 +133,12 @@ def response_of(body, points, wanted):
 
 def moments_of_hours(response, shape, waves, orders=(0, 2)):
     """(len(orders), n, c) moments m_n in hours of a `hindcast.WaveHours`; nan where these are unknown"""
+    if shape.changes:
+        return _by_periods(response, shape, waves, orders)
     omega, count = response.omega, len(response.names)
     out = np.zeros((len(orders), len(waves.height), count))
     out[:, np.isnan(waves.height)] = np.nan
-    power = response.spread(shape.spreading)
-    rule = np.gradient(omega)  # of the trapezium rule, but for its ends
-    rule[[0, -1]] *= 0.5
-    column = np.stack([rule * omega**n for n in orders])  # (o, q)
+    power, column = response.spread(shape.spreading), rule_of(omega, orders)
     ring = power.shape[1]
     place = waves.direction * (ring / (2 * np.pi))
     cell = np.floor(place).astype(int)
@@ -132,6 +154,56 @@ def moments_of_hours(response, shape, waves, orders=(0, 2)):
             at_nodes = (density @ kernel).reshape(len(hours), len(orders), len(NODES), count)
             out[:, hours] = np.einsum("hk,hokc->ohc", share[hours], at_nodes)
     return np.maximum(out, 0.0)
+
+
+def rule_of(omega, orders):
+    """(o, q) weights of the trapezium rule with ωⁿ"""
+    rule = np.gradient(omega)  # but for its ends
+    rule[[0, -1]] *= 0.5
+    return np.stack([rule * omega**n for n in orders])
+
+
+def _by_periods(response, shape, waves, orders):
+    """`moments_of_hours` by a table over periods"""
+    omega, some = response.omega, np.flatnonzero(waves.height > 0)
+    out = np.zeros((len(orders), len(waves.height), len(response.names)))
+    out[:, np.isnan(waves.height)] = np.nan
+    if not len(some):
+        return out
+    harmonics = np.fft.rfft(response.power, axis=1)[:, :-1] / response.power.shape[1]  # (q, k, c)
+    number = np.arange(harmonics.shape[1])
+    place = np.log(waves.period[some]) / STEP
+    cell = np.floor(place).astype(int)
+    first, column = cell.min() + NODES[0], rule_of(omega, orders)
+    table = []
+    for node in range(first, cell.max() + NODES[-1] + 1):
+        spectrum = shape.spectrum(np.exp(STEP * node))
+        density = column * spectrum.density(omega) / LOW**2
+        spread = _of_spreading(shape.spreading, spectrum, omega, number)
+        weight = (density[:, :, None] * spread).transpose(2, 0, 1)  # (k, o, q)
+        table.append(weight @ harmonics.transpose(1, 0, 2))  # (k, o, c)
+    table = np.where(number > 0, 2.0, 1.0)[:, None, None] * np.array(table)
+    share = lagrange(place - cell)
+    order = np.argsort(cell, kind="stable")
+    for group in np.split(order, np.flatnonzero(np.diff(cell[order])) + 1):
+        near = table[cell[group[0]] + NODES - first].transpose(1, 0, 2, 3)
+        for rows in np.array_split(group, -(-len(group) // AT_ONCE)):
+            phase = np.exp(1j * number * waves.direction[some[rows], None])
+            at_nodes = (phase @ near.reshape(len(number), -1)).real.reshape(len(rows), len(NODES), *out.shape[::2])
+            out[:, some[rows]] = np.einsum("h,hj,hjoc->ohc", waves.height[some[rows]] ** 2, share[rows], at_nodes)
+    return np.maximum(out, 0.0)
+
+
+def _of_spreading(spreading, spectrum, omega, number):
+    """(q, k), or what broadcasts with it: harmonics of the spreading, 1 of long crests"""
+    if spreading is None:
+        return np.ones((1, len(number)))
+    if not spreading.depends_on_frequency:
+        around = ring_of(3600)
+        weight = spreading.density(np.mod(around + np.pi, 2 * np.pi) - np.pi)
+        return np.fft.rfft(weight / weight.sum()).real[None, : len(number)]
+    s = replace(spreading, peak_omega=spectrum.peak_omega).exponent(omega)[:, None]
+    return np.cumprod(np.where(number > 0, (s - number + 1) / (s + np.maximum(number, 1)), 1.0), axis=1)
 
 
 def ring_of(count):

@@ -1,6 +1,7 @@
-"""Columns of a hindcast in CSV or netCDF, by their names, in SI by the units of their heads.
+"""Columns of a hindcast by their names, in SI by the units of their heads: CSV, netCDF, NDBC, tables of SWAN.
 
-A head is a name, or a name with its unit in brackets, `hs [cm]`, `wind (knots)`; in netCDF the unit is an attribute.
+A head is a name, or a name with its unit in brackets, `hs [cm]`, `wind (knots)`; in netCDF the unit is an attribute, in
+files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) it stands in a line of its own.
 Without one a column is in m, s, degrees, m/s.
 """
 
@@ -18,35 +19,38 @@ from ..environment.tables import TableError
 from .clock import times
 
 DEGREE = np.pi / 180
-LENGTHS = {"m": 1.0, "cm": 0.01, "mm": 1e-3, "ft": 0.3048, "feet": 0.3048}
+LENGTHS = {"m": 1.0, "cm": 0.01, "mm": 1e-3, "ft": 0.3048, "feet": 0.3048, "meters": 1.0}
+SPEEDS = {"m/s": 1.0, "m s-1": 1.0, "m s**-1": 1.0, "m.s^{-1}": 1.0, "knots": 1852 / 3600, "kn": 1852 / 3600,
+          "kt": 1852 / 3600, "km/h": 1 / 3.6}  # fmt: skip
+TURNS = "deg", "°", "degr", "degree", "degrees", "degree true", "degree_true", "degrees true", "degrees_true", "degt"
 UNITS = {  # of a kind of column: {unit: its size in SI}, the first where none is named
     "height": LENGTHS,
     "level": LENGTHS,
     "period": {"s": 1.0, "sec": 1.0, "seconds": 1.0, "min": 60.0},
-    "direction": {"deg": DEGREE, "°": DEGREE, "degree": DEGREE, "degrees": DEGREE, "degree true": DEGREE, "rad": 1.0},
-    "speed": {"m/s": 1.0, "m s-1": 1.0, "m s**-1": 1.0, "knots": 1852 / 3600, "kn": 1852 / 3600, "kt": 1852 / 3600,
-              "km/h": 1 / 3.6},
+    "direction": {**dict.fromkeys(TURNS, DEGREE), "rad": 1.0},
+    "speed": SPEEDS,
+    "component": SPEEDS,
     "share": {"1": 1.0, "-": 1.0, "(0 - 1)": 1.0, "%": 0.01},
-}  # fmt: skip
+}
 HEAD = re.compile(r"\s*(.*?)\s*(?:[\[(]([^\[\]]*)[\])])?\s*$")
+TIMES = "time", "valid_time", "time_index", "ocean_time", "Time"  # of which one is taken where "time" is not there
 
 
-def read_columns(path, time, zone, wanted):
+def read_columns(path, time, zone, wanted, location=None):
     """(n,) datetime64[s] in UTC, {name: (n,) in SI, nan where a place is empty}, lines on what was taken for granted
 
     time : name of its column; zone : as of `clock.times`; wanted : {name of a column: its kind, of UNITS or another}
+    location : number of the place in netCDF of several, from 1, the last of its axes fastest
     raises : TableError, one line
     """
     path = Path(path)
-    netcdf = path.suffix.lower() in (".nc", ".nc4", ".cdf", ".netcdf")
-    heads, get, moments = (_netcdf if netcdf else _text)(path, time, list(wanted))
-    found, bare = {}, []
-    for name, kind in wanted.items():
-        unit = heads[name]
-        if unit is None and kind in UNITS:
-            bare.append(name)
-        found[name] = get(name) * _size(path, name, unit, kind)
-    moments = moments if netcdf else times(moments, zone, path.name)
+    if path.suffix.lower() in (".nc", ".nc4", ".cdf", ".netcdf"):
+        units, found, moments = _netcdf(path, time, list(wanted), location)
+    else:
+        units, found, moments = _text(path, time, list(wanted))
+        moments = times(moments, zone, path.name)
+    bare = [name for name, kind in wanted.items() if units[name] is None and kind in UNITS]
+    found = {name: found[name] * _size(path, name, units[name], kind) for name, kind in wanted.items()}
     said = [f"{', '.join(bare)} of {path.name} have no unit; taken in m, s, degrees, m/s"] if bare else []
     return moments, found, said
 
@@ -61,25 +65,58 @@ def _size(path, name, unit, kind):
 
 
 def _text(path, time, wanted):
-    lines = [line for line in read_text(path, TableError).splitlines() if line.strip() and line.lstrip()[0] != "#"]
-    if not lines:
-        raise TableError(f"{path} has no rows; allowed: a head and rows of hours")
-    mark = next((mark for mark in (";", "\t") if mark in lines[0]), ",")
-    head = [HEAD.match(cell).groups() for cell in next(csv.reader(lines[:1], delimiter=mark))]
-    places = [_place(path, head, name) for name in (time, *wanted)]
+    head, rows, comma = _table(path)
+    places = [_place(path, head, name) for name in (_time_of(time, [own for own, _ in head]), *wanted)]
     columns, width = [[] for _ in places], len(head)
-    for number, row in enumerate(csv.reader(lines[1:], delimiter=mark), 2):
+    for number, row in enumerate(rows, 2):
         if len(row) != width:
             raise TableError(f"{path.name}, row {number}: {len(row)} cells; allowed: {width}, as the head")
         for column, place in zip(columns, places, strict=True):
             column.append(row[place])
     if not columns[0]:
         raise TableError(f"{path} has a head and no rows; allowed: rows of hours")
+    units = {name: head[place][1] for name, place in zip(wanted, places[1:], strict=True)}
+    return units, {name: _numbers(path, name, columns[1 + i], comma) for i, name in enumerate(wanted)}, columns[0]
 
-    def get(name):
-        return _numbers(path, name, columns[1 + wanted.index(name)], mark == ";")
 
-    return {name: head[place][1] for name, place in zip(wanted, places[1:], strict=True)}, get, columns[0]
+def _table(path):
+    """Heads [(name, unit or None)], rows of cells, and whether commas are decimal points"""
+    lines = [line for line in read_text(path, TableError).splitlines() if line.strip()]
+    if lines and re.match(r"#?YY(YY)?\s+MM\s+DD\s+hh\s+mm\b", lines[0]):
+        return _of_ndbc(lines)
+    if lines and lines[0].lstrip().startswith("%"):
+        return _of_swan(path, [line.split() for line in lines])
+    lines = [line for line in lines if line.lstrip()[0] != "#"]
+    if not lines:
+        raise TableError(f"{path} has no rows; allowed: a head and rows of hours")
+    mark = next((mark for mark in (";", "\t") if mark in lines[0]), ",")
+    head = [HEAD.match(cell).groups() for cell in next(csv.reader(lines[:1], delimiter=mark))]
+    return head, csv.reader(lines[1:], delimiter=mark), mark == ";"
+
+
+def _of_ndbc(lines):
+    """Standard meteorological data of NDBC: five columns of time; MM is missing, the second line may have units"""
+    names, rows = lines[0].lstrip("#").split()[5:], [line.split() for line in lines[1:]]
+    units = rows.pop(0)[5:] if rows and rows[0][0].startswith("#") else [None] * len(names)
+    cells = ([f"{row[0]}-{row[1]}-{row[2]}T{row[3]}:{row[4]}", *("nan" if one == "MM" else one for one in row[5:])]
+             for row in rows)  # fmt: skip
+    return [("time", None), *zip(names, units, strict=True)], cells, False
+
+
+def _of_swan(path, rows):
+    """A table of SWAN: two lines of % with names, and units in brackets; times as 20161011.060000"""
+    heads = [row[1:] for row in rows if row[0] == "%" and len(row) > 1]
+    at = next((i for i, row in enumerate(heads) if i and all(re.fullmatch(r"\[.*\]?|.*\]", one) for one in row)), None)
+    if at is None:
+        raise TableError(f"{path.name} has no lines of names and [units] above its rows; allowed: a table with heads")
+    units = re.findall(r"\[\s*(.*?)\s*\]", " ".join(heads[at]))
+    rows = ([re.sub(r"^(\d{4})(\d\d)(\d\d)\.(\d\d)(\d\d)(\d\d)$", r"\1-\2-\3T\4:\5:\6", one) for one in row]
+            for row in rows if row[0] != "%")  # fmt: skip
+    return list(zip(heads[at - 1], [unit or None for unit in units], strict=True)), rows, False
+
+
+def _time_of(asked, names):
+    return asked if asked in names or asked != "time" else next((one for one in TIMES if one in names), asked)
 
 
 def _place(path, head, name):
@@ -109,29 +146,43 @@ def _numbers(path, name, cells, comma):
         raise
 
 
-def _netcdf(path, time, wanted):
+def _netcdf(path, time, wanted, location):
     try:
         import xarray
     except ImportError:
         raise TableError(f"{path} is netCDF; pip install 'hakobune[xarray]' to read it") from None
     try:
         with xarray.open_dataset(path) as data:
-            data = data.load()
+            time = _time_of(time, list(data.variables))
+            for name in (time, *wanted):
+                if name not in data.variables:
+                    raise TableError(
+                        f"{path.name} has no variable {name!r}; it has {', '.join(map(str, data.variables))}"
+                    )
+            moments = data[time]
+            if moments.dtype.kind != "M":
+                raise TableError(
+                    f"{path.name}: {time} is no time; allowed: a variable with units as 'hours since 1900-01-01'"
+                )
+            found = {name: _at(path, data[name], moments, location) for name in wanted}
+            moments = np.asarray(moments.values).ravel().astype("datetime64[s]")
+            return {name: data[name].attrs.get("units") for name in wanted}, found, moments
+    except TableError:
+        raise
     except Exception as error:
         raise TableError(
             f"{path} cannot be read ({str(error).splitlines()[0] if str(error) else type(error)})"
         ) from None
-    for name in (time, *wanted):
-        if name not in data.variables:
-            raise TableError(f"{path.name} has no variable {name!r}; it has {', '.join(map(str, data.variables))}")
-        if data[name].size != data[time].size:
-            sizes = ", ".join(f"{axis} {size}" for axis, size in data[name].sizes.items())
-            raise TableError(f"{path.name}: {name} has {sizes}; allowed: {time} alone; cut one place out of the file")
-    if data[time].dtype.kind != "M":
-        raise TableError(f"{path.name}: {time} is no time; allowed: a variable with units as 'hours since 1900-01-01'")
 
-    def get(name):
-        return np.asarray(data[name].values, float).ravel()
 
-    moments = np.asarray(data[time].values).ravel().astype("datetime64[s]")
-    return {name: data[name].attrs.get("units") for name in wanted}, get, moments
+def _at(path, values, time, location):
+    """(n,) of a variable at a place, the number `location` of its axes but time"""
+    axes = [axis for axis in values.dims if axis not in time.dims]
+    sizes = [values.sizes[axis] for axis in axes]
+    count = int(np.prod(sizes))
+    if values.size != count * time.size or (count > 1 and location is None) or not 1 <= (location or 1) <= count:
+        shown = ", ".join(f"{axis} {size}" for axis, size in values.sizes.items())
+        raise TableError(f"{path.name}: {values.name} has {shown}; allowed: {time.name} alone, or hindcast.location "
+                         f"from 1 to {count}, a place of its other axes, the last fastest")  # fmt: skip
+    place = np.unravel_index((location or 1) - 1, sizes) if sizes else ()
+    return np.asarray(values.isel(dict(zip(axes, map(int, place), strict=True))).values, float).ravel()

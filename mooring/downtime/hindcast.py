@@ -17,7 +17,7 @@ from .clock import check_rising
 CODES = -9.0, -99.0, -999.0, -9999.0, -99.9, -99.99, 99.0, 99.9, 99.99, 999.0, 999.9, 9999.0, -32767.0, -32768.0
 RANGES = {  # of values in SI; beyond it they are codes for "missing", or of another unit
     "height": (0.0, 30.0), "period": (0.0, 40.0), "direction": (-2 * np.pi, 4 * np.pi), "speed": (0.0, 100.0),
-    "level": (-25.0, 25.0), "share": (0.0, 1.0),
+    "component": (-100.0, 100.0), "level": (-25.0, 25.0), "share": (0.0, 1.0),
 }  # fmt: skip
 CALM = 0.005  # m, of height
 FEWEST = 24  # rows
@@ -87,6 +87,9 @@ def made(time, waves, columns, where):
     """
     if len(time) < FEWEST:
         raise TableError(f"{where} has {len(time)} rows; allowed: at least {FEWEST}, better all hours of years")
+    if np.all(np.diff(time) < np.timedelta64(0, "s")):  # the newest first
+        time, waves = time[::-1], [tuple(part[::-1] for part in one) for one in waves]
+        columns = {name: (values[::-1], kind) for name, (values, kind) in columns.items()}
     check_rising(time, where)
     steps = np.diff(time).astype(float)
     step = float(np.median(steps))
@@ -100,10 +103,23 @@ def made(time, waves, columns, where):
                          zip(("height", "period", "direction"), one, strict=True))) for one in waves]  # fmt: skip
     columns = {name: _cleaned(name, values, kind, where, said) for name, (values, kind) in columns.items()}
     waves = _calms(waves, columns.get("ice"), said)
+    time, step, waves, columns = _of_waves(time, step, waves, columns, said)
     lost = np.mean(np.any([~np.isfinite(one.height) for one in waves], axis=0)) if waves else 0.0
     if lost > 0:
-        said.append(f"{100 * lost:.2g} % of the rows have no waves; they are in no share")
+        said.append(f"{100 * lost:.3g} % of the rows have no waves; they are in no share")
     return Hindcast(time, step, tuple(waves), columns, tuple(said))
+
+
+def _of_waves(time, step, waves, columns, said):
+    """Of a record whose waves come more seldom than its rows, as those of a buoy beside the wind, the rows of waves"""
+    some = np.flatnonzero(np.all([np.isfinite(one.height) for one in waves], axis=0)) if waves else np.zeros(0, int)
+    every = round(float(np.median(np.diff(time[some]).astype(float))) / step) if len(some) >= FEWEST else 1
+    if every < 2:
+        return time, step, waves, columns
+    kept = np.flatnonzero(np.round((time - time[some[0]]).astype(float) / step).astype(int) % every == 0)
+    said.append(f"waves come every {every * step / 3600:g} h; the rows between, {len(time) - len(kept)}, are left out")
+    waves = [WaveHours(*(part[kept] for part in one)) for one in waves]
+    return time[kept], every * step, waves, {name: values[kept] for name, values in columns.items()}
 
 
 def _gaps(time, count, step):

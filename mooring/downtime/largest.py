@@ -30,16 +30,18 @@ def largest_of_hours(m0, m2, duration):
 
 def drawn_of_years(m0, m2, year, step):
     """Years (Y,) that are whole, and one largest value of each (Y, c); m0, m2 : (n, c); year : (n,); step : s"""
-    rng, years, out = np.random.default_rng(SEED), np.unique(year), []
-    share = rng.uniform(size=(len(years), m0.shape[1]))
-    kept = []
-    for one, u in zip(years, share, strict=True):
+    kept, out = whole_years(np.isfinite(m0[:, 0]), year, step), []
+    share = np.random.default_rng(SEED).uniform(size=(len(kept), m0.shape[1]))
+    for one, u in zip(kept, share, strict=True):
         rows = year == one
-        if np.isfinite(m0[rows, 0]).sum() * step < WHOLE * 365.25 * 86400:
-            continue
-        kept.append(one)
         out.append([_drawn(a, b, step, p) for a, b, p in zip(m0[rows].T, m2[rows].T, u, strict=True)])
-    return np.array(kept), np.array(out).reshape(len(kept), m0.shape[1])
+    return kept, np.array(out).reshape(len(kept), m0.shape[1])
+
+
+def whole_years(known, year, step):
+    """(Y,) years of which enough rows of step s are known (n,)"""
+    years = np.unique(year)
+    return years[[known[year == one].sum() * step >= WHOLE * 365.25 * 86400 for one in years]]
 
 
 def _drawn(m0, m2, step, share):

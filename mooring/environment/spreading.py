@@ -134,9 +134,13 @@ class Mitsuyasu(Spreading):
     def density(self, angle, omega=None):
         if omega is None:
             raise ValueError("Mitsuyasu's spreading depends on the frequency; give omega")
+        return _half_cosine(angle, self.exponent(omega))
+
+    def exponent(self, omega):
+        """s at omega (…,) rad/s"""
         x = np.asarray(omega, float) / self.peak_omega
         with np.errstate(divide="ignore"):
-            return _half_cosine(angle, self.s_max * np.where(x <= 1, x**5.0, x**-2.5))
+            return self.s_max * np.where(x <= 1, x**5.0, x**-2.5)
 
 
 @dataclass(frozen=True)

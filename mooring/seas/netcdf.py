@@ -27,6 +27,7 @@ AXES = dict.fromkeys(("frequency", "freq", "frequencyNumber", "nfreq"), "f") | d
     ("direction", "dir", "directionNumber", "ndir"), "d"
 )
 TIMES = ("time", "valid_time", "ocean_time")
+AT_ONCE = 4096  # hours of planes that are in memory together
 HEIGHTS = ("hs", "swh", "VHM0", "HS")
 MOMENTS = ("a1", "b1", "a2", "b2")
 MEANS = ("theta_1d", "spread_1d")
@@ -47,7 +48,7 @@ def read_netcdf(path, x_axis, time, location):
 
             h5py.File(path).close()  # of a file that is cut h5netcdf prints a traceback
         with xarray.open_dataset(path) as data:
-            return _sea(path, data.load(), x_axis, time, location)
+            return _sea(path, data, x_axis, time, location)
     except TableError:
         raise
     except Exception as error:
@@ -57,36 +58,77 @@ def read_netcdf(path, x_axis, time, location):
 
 
 def _sea(path, data, x_axis, time, location):
-    name = next((name for name in DENSITIES if name in data and set(data[name].dims) & set(AXES)), None)
-    if name is None:
-        raise TableError(f"{path} has no spectrum ({', '.join(DENSITIES)}){_integrals(data)}")
+    name = _density(path, data)
     data = _at_place(path, _at_time(path, data, time), name, location)
-    rename = {axis: AXES[axis] for axis in data[name].dims if axis in AXES}
-    values = data[name].rename(rename)
-    if "f" not in values.dims or set(values.dims) - {"f", "d"}:
-        raise TableError(f"{path}: {name} has the axes {', '.join(data[name].dims)}; allowed: frequency and direction")
+    values, frequency, old = _renamed(path, data, name)
     if not np.any(np.isfinite(values)):
         raise TableError(f"{path} has no data there (all of {name} is missing); take another time or location")
-    old = {new: axis for axis, new in rename.items()}
-    if name == "d2fd":
-        frequency = ERA5[0] * ERA5[1] ** np.arange(values.sizes["f"])
-        values = 10**values
-    elif name == "AC":
-        sigma = np.asarray(data["spsig"], float)
-        frequency, values = sigma / (2 * np.pi), values.transpose("d", "f") * (2 * np.pi * sigma)
-    else:
-        frequency = np.asarray(data[old["f"]], float)
     frequency, order = np.sort(frequency), np.argsort(frequency)
     if "d" not in values.dims:
         return _measured(path, data, frequency, order, np.nan_to_num(np.asarray(values, float)), x_axis)
     density = np.nan_to_num(np.asarray(values.transpose("f", "d"), float))[order]
-    density = np.degrees(density) if "deg" in str(data[name].attrs.get("units", "")) else density
     if x_axis is None:
         raise buoys._no_axis(path)
     sea = buoys._plane(path, frequency, np.radians(x_axis) - _towards(data, name, old["d"]), density)
     height = next((float(data[one]) for one in HEIGHTS if one in data and data[one].size == 1), np.nan)
     buoys.check_height(path, sea, height)
     return sea
+
+
+def planes_of(path, location):
+    """Planes of all hours of a file at one place, AT_ONCE hours at a time.
+
+    yields (m,) times, (f,) Hz rising, (d,) rad clockwise from north towards, (m, f, d) m²/Hz/rad in float32, nan of an
+    hour without a plane.  Raises TableError.
+    """
+    import xarray
+
+    with xarray.open_dataset(path) as data:
+        name = _density(path, data)
+        axis = next((one for one in TIMES if one in data[name].dims), None)
+        if axis is None or not any(one in AXES and AXES[one] == "d" for one in data[name].dims):
+            axes = ", ".join(map(str, data[name].dims))
+            raise TableError(
+                f"{path}: {name} has the axes {axes}; allowed: a time, frequencies and directions; of others give "
+                "height, period and direction as columns"
+            )
+        count = data[name].isel({axis: 0}).size // np.prod([n for one, n in data[name].sizes.items() if one in AXES])
+        if location is None and count > 1:
+            raise TableError(f"{path} has {count} places; say which with location, from 1, the last axis fastest")
+        data = _at_place(path, data, name, location or 1, (axis,))
+        for first in range(0, data.sizes[axis], AT_ONCE):
+            part = data.isel({axis: slice(first, first + AT_ONCE)})
+            values, frequency, old = _renamed(path, part, name, (axis,))
+            order = np.argsort(frequency)
+            values = np.asarray(values.transpose(axis, "f", "d"), np.float32)[:, order]
+            missing = ~np.isfinite(values).any(axis=(1, 2))
+            values = np.nan_to_num(values)
+            values[missing] = np.nan
+            moments = np.asarray(part[axis].values).astype("datetime64[s]")
+            yield moments, frequency[order], _towards(data, name, old["d"]), values
+
+
+def _density(path, data):
+    name = next((name for name in DENSITIES if name in data and set(data[name].dims) & set(AXES)), None)
+    if name is None:
+        raise TableError(f"{path} has no spectrum ({', '.join(DENSITIES)}){_integrals(data)}")
+    return name
+
+
+def _renamed(path, data, name, more=()):
+    """Density per Hz and rad with axes "f", "d" and those of `more`, (f,) Hz, {"f", "d": axis of the file}"""
+    rename = {axis: AXES[axis] for axis in data[name].dims if axis in AXES}
+    values = data[name].rename(rename)
+    if "f" not in values.dims or set(values.dims) - {"f", "d", *more}:
+        raise TableError(f"{path}: {name} has the axes {', '.join(data[name].dims)}; allowed: frequency and direction")
+    old = {new: axis for axis, new in rename.items()}
+    if name == "d2fd":
+        return 10**values, ERA5[0] * ERA5[1] ** np.arange(values.sizes["f"]), old
+    if name == "AC":
+        sigma = np.asarray(data["spsig"], float)
+        return values.transpose(..., "f") * (2 * np.pi * sigma), sigma / (2 * np.pi), old
+    unit = np.degrees(1.0) if "d" in values.dims and "deg" in str(data[name].attrs.get("units", "")) else 1.0
+    return values * unit, np.asarray(data[old["f"]], float), old
 
 
 def _towards(data, name, axis):
@@ -136,9 +178,9 @@ def _at_time(path, data, time):
     return data.isel({axis: buoys.one_of(path, times, wanted)})
 
 
-def _at_place(path, data, name, location):
+def _at_place(path, data, name, location, kept=()):
     """The place `location`, from 1, of the axes that are neither frequency nor direction, the last fastest"""
-    axes = [axis for axis in data[name].dims if axis not in AXES]
+    axes = [axis for axis in data[name].dims if axis not in AXES and axis not in kept]
     sizes = [data.sizes[axis] for axis in axes]
     if not 1 <= location <= np.prod(sizes, dtype=int):
         raise TableError(f"{path} has {np.prod(sizes, dtype=int)} places, wanted is {location}; allowed: to that")

@@ -17,6 +17,9 @@ ALL, MONTHS, YEARS, SECTORS = "downtime", "downtime by month", "downtime by year
 CAUSE, WINDOW, WAIT = "causes of downtime", "windows of weather", "waiting for a window"
 NAMES = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 SECTOR = 30.0  # degrees
+DIRECTIONS = np.arange(0.0, 360.0, 10.0)  # degrees of the compass, of limiting seas
+PERIODS = 24
+RETURN = "largest responses"
 FEW = 12  # years that are printed
 NORMAL = 1.645  # standard deviations of an interval of 90 %
 
@@ -87,7 +90,7 @@ def _whole(chance, known, hindcast, years, error):
             ),
         )
     hours = {"hours": three[0], "hours_low": three[1], "hours_high": three[2]}
-    words = ("hours a year", "90 % from", "90 % to")
+    words = ("hours a year", "hours a year, 90 % from", "hours a year, 90 % to")
     made = {
         f"downtime.{part}": Quantity(
             YEAR * values, ("operation",), "h", said, ALL if np.any(np.isfinite(values)) else ""

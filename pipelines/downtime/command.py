@@ -13,7 +13,7 @@ def downtime(
     study: Annotated[Path, Parameter(help="downtime study (TOML), its hindcast beside it")],
     /,
     *,
-    database: Annotated[Path, Parameter(help="of the body, .h5")],
+    database: Annotated[Path | None, Parameter(help="of the body, .h5; not with [lee]")] = None,
     output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
     plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
     states: Annotated[
@@ -37,10 +37,10 @@ def downtime(
     from .report import page_of, written_by_downtime
     from .result import KIND
     from .result import downtime as found
-    from .study import read_downtime
+    from .study import files_of, read_downtime
 
     read, text = read_downtime(study)
-    inputs = [study, database, study.parent / read.hindcast.file]
+    inputs = [study, *files_of(read.hindcast, study.parent), *([database] if database else [])]
     if output is not None:
         check_result(output, KIND, inputs)
     if plot is not None:

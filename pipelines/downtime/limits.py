@@ -18,6 +18,8 @@ from hakobune.mooring.downtime.largest import largest_of_hours
 from hakobune.mooring.response.points import KeelPoint, keel_name, relative_name
 
 from ..common.quantities import StudyError
+from .study import known_columns
+from .tables import PASSING
 
 SIMULATED = "simulated"
 STATISTICS = "largest", "significant", "peak to peak"
@@ -118,9 +120,9 @@ def _limit(where, number, name, criterion, source):
 
 def _source(where, quantity, study, points, responses, moored):
     """Kind, names of responses, what is left at rest, and unit of a quantity.  Raises StudyError."""
-    columns = study.hindcast.columns
+    columns = [*known_columns(study.hindcast.columns), *(PASSING if study.passages else ())]
     if quantity == "significant height" or quantity in columns:
-        return "weather", (), (), WEATHER.get(quantity, "")
+        return "weather", (), (), (WEATHER | PASSING).get(quantity, "")
     if moored is not None:
         if quantity in moored:
             return SIMULATED, (), (), moored[quantity]

@@ -36,13 +36,13 @@ def state(task, raw, weather, seeds):
     """[{quantity: value, or by statistic}] of each seed.
 
     task : `simulate.work.Task` of the study without the weather of the state; raw : its tables
-    weather : {"waves": table, "wind": table} in their place; raises ValueError
+    weather : {"waves": table, "wind": table, "current": table} in their place; raises ValueError
     """
     tables = deepcopy(raw)
     for name, table in weather.items():
-        tables[name] = {**tables.get(name, {}), **table} if name == "wind" else table
-    if "wind" in weather:
-        tables["wind"].pop("incidence_deg", None)
+        tables[name] = table if name == "waves" else {**tables.get(name, {}), **table}
+        if name != "waves":
+            tables[name].pop("incidence_deg", None)
     task = replace(task, study=make_study(tables))
     body = _prepared(task, weather)
     return [_values(body, simulate_seed(task, seed, False)["statistics"]) for seed in seeds]
@@ -51,13 +51,13 @@ def state(task, raw, weather, seeds):
 def _prepared(task, weather):
     """The `Moored` body of a Task; its wave forces are those of the state before, which has the same body
 
-    But where the viscous damping of the database's scene is linearised in each sea.
+    But where the viscous damping of the database's scene is linearised in each sea, or waves ride on a current of it.
     """
     key = task.database, task.folder, task.duration, msgspec.json.encode(_without(task.study, weather))
     db, waves = _kept.get(key) or (database_of(task.database), None)
     body = prepared(task, db, waves)[0]
     _kept.clear()
-    if not db.has_viscous_motions:
+    if not db.has_viscous_motions and "current" not in weather:
         _kept[key] = db, body.waves
     return body
 

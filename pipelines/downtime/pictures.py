@@ -125,7 +125,10 @@ def limiting(result, number, axes):
     axes.set_ylim(0, period[-1])
     axes.figure.colorbar(filled, ax=axes, shrink=0.75, label="significant height, m")
     name = result.labels["operation"].values[number]
-    axes.set_title(f"{name}: limiting sea; outwards period, s; around where waves come from", fontsize="medium")
+    axes.set_title(
+        f"{name}: limiting sea; outwards period, s; around where waves come from\nwhite: not reached, or not known",
+        fontsize="medium",
+    )
 
 
 def _compass(axes):

@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.downtime.every_hour import Response, moments_of_hours, response_of
-from hakobune.mooring.downtime.hindcast import Hindcast, WaveHours
+from hakobune.mooring.downtime.hindcast import WaveHours
 from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
+from hakobune.mooring.downtime.planes import moments_of_planes
 from hakobune.mooring.downtime.years import FEWEST
 from hakobune.mooring.response.findings import MISSED
 from hakobune.mooring.response.points import transfer_functions
 from hakobune.mooring.response.seas import MOST_OUTSIDE
 
 from ..common.quantities import StudyError
-from ..executors.choice import executor_of
 from ..response.places import places_of
 from ..response.study import ResponseStudy
 from ..results.given import File, Tables, database_of, given
@@ -29,41 +28,30 @@ from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels, records
-from .answers import NORMAL, YEAR, Verdicts, answers, judged
+from .answers import DIRECTIONS, PERIODS, RETURN, YEAR, answers, judged
+from .lee import lee
 from .limits import Hours, limits_of, used_of, value_of
-from .study import make_downtime, read_downtime, record_of
+from .moored import Detail, Found, moored
+from .passages import record_with_passages
+from .study import Record, make_downtime, read_downtime
 from .tables import DowntimeStudy
 
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
-    from .simulated import Simulated
-
 KIND = "downtime"
 WAVES = "waves"  # a response of 1, whose m0 tells what of the waves is within the stored frequencies
-RETURN, TURNED = "largest responses", "the body turned clockwise"
-DIRECTIONS = np.arange(0.0, 360.0, 10.0)  # degrees of the compass, of limiting seas
-PERIODS = 24
-STATES = "hours of this record by simulated states"
+TURNED = "the body turned clockwise"
+OF_PLANES = "limiting seas are of JONSWAP's shape and cos⁴ over directions, period its energy period"
 LINEAR = (
     "largest: mean largest amplitude of an hour in linear waves about the mean place; a body that floats freely, "
     "without lines, fenders and slow drift"
 )
 
 
-class Detail(NamedTuple):
-    """study; hindcast; limits; verdicts : `answers.Verdicts`; simulated : `simulated.Simulated`, None without"""
-
-    study: DowntimeStudy
-    hindcast: Hindcast
-    limits: list
-    verdicts: Verdicts
-    simulated: Simulated | None = None
-
-
 def downtime(
     study: File | Tables | DowntimeStudy,
-    database: File | Database,
+    database: File | Database | None = None,
     *,
     states: File | None = None,
     executor: str = "local",
@@ -72,7 +60,7 @@ def downtime(
     """Hours of downtime, windows of weather, limiting seas and return values of a body from a record of years.
 
     study : path of a downtime study, its tables as a dictionary, or a `DowntimeStudy`; files lie beside it
-    database : path of the body's database, or an open one
+    database : path of the body's database, or an open one; None with [lee]
     states : path of the file of simulated states, which goes on where it stopped; None to keep none
     executor : as of the command, for these; say : is told the progress, line by line
     returns : Result, in SI; its `detail` is a Detail
@@ -80,11 +68,14 @@ def downtime(
     """
     read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
-    db = database_of(database)
+    if (database is None) != (read.lee is not None):
+        state = "is given with [lee], which has no body" if read.lee else "of the body is missing"
+        raise StudyError(f"the database {state}; allowed: a database, or [lee] and none")
+    db = None if database is None else database_of(database)
     if read.simulation is None:
         found = _linear(read, folder, db)
     else:
-        found = _moored(read, folder, db, states, executor, say or (lambda line: None))
+        found = moored(read, folder, db, states, executor, say or (lambda line: None))
     hindcast, limits, verdicts = found.detail.hindcast, found.detail.limits, found.detail.verdicts
     made, axes = answers(read, hindcast, limits, verdicts)
     made, axes = made | found.quantities, axes | found.axes
@@ -98,27 +89,13 @@ def downtime(
     return Result(KIND, made, axes, told, notes, (), provenance(text, db), found.detail)
 
 
-class Found(NamedTuple):
-    """detail; quantities, axes : beside those of `answers`; findings, notes : lines"""
-
-    detail: Detail
-    quantities: dict
-    axes: dict
-    findings: list
-    notes: list
-
-
 def _linear(read, folder, db):
     """What linear responses say of every hour"""
-    of_body = ResponseStudy(body=read.body, points=read.points, keel=read.keel)
-    body, points = of_body.restrained(db.reader.floating()), places_of(of_body, db)
-    first = transfer_functions(body, body.omega[:1], body.headings[:1], points)
-    limits = limits_of(read, points, dict(zip(first.names, first.units, strict=True)))
     with heard() as caught:
-        record = record_of(read.hindcast, folder)
-        wanted = tuple(dict.fromkeys(name for one in limits for name in one.names))
-        response = _with_waves(response_of(body, points, wanted))
-    hours = hours_of(response, record.shapes, record.hindcast)
+        record = record_with_passages(read, folder, None if db is None else db.water_depth)
+        limits, response, notes = lee(read, folder) if read.lee else _of_body(read, db)
+        response = _with_waves(response)
+    hours = hours_of(response, record)
     verdicts = judged(used_of(limits, hours, record.hindcast), limits, len(read.operations))
     made, axes = {}, {}
     for found, more in (
@@ -127,48 +104,20 @@ def _linear(read, folder, db):
         _turned(read, record, response, limits),
     ):
         made, axes = made | found, axes | more
-    warned = [*caught, *record.hindcast.said, *_viscous(read, db), *_outside(body, record, hours)]
-    return Found(Detail(read, record.hindcast, limits, verdicts), made, axes, warned, [LINEAR])
+    warned = [*caught, *record.hindcast.said, *(_viscous(read, db) if db else ()), *_outside(response, record, hours)]
+    if record.planes is not None and "limiting.height" in made:
+        notes = [*notes, OF_PLANES]
+    return Found(Detail(read, record.hindcast, limits, verdicts), made, axes, warned, notes)
 
 
-def _moored(read, folder, db, states, executor, say):
-    """What simulations of the moored body in representative states say of every hour"""
-    from .one_state import UNITS
-    from .simulated import prepared_of, simulated
-
-    for key in ("points", "keel", "turned_deg"):
-        if getattr(read, key):
-            raise StudyError(f"{key} is given with [simulation]; allowed: of linear responses, without it")
-    with heard() as caught:
-        record = record_of(read.hindcast, folder)
-        ready = prepared_of(read.simulation, folder, db)
-    limits = limits_of(read, [], {}, {name: UNITS[name] for name in ready.names})
-    workers = executor_of(executor)
-    with tempfile.TemporaryDirectory() as place:
-        path = Path(place) / "states.jsonl" if states is None else Path(states)
-        try:
-            found = simulated(read, record, limits, ready, path, workers, say)
-        finally:
-            workers.shutdown(wait=False, cancel_futures=True)
-    made = {
-        "simulated.hours": Quantity(found.hours, ("operation",), "h", "hours a year in this record", STATES),
-        "simulated.interpolant": Quantity(NORMAL * found.error, ("operation",), "h", "± interpolant, 90 %", STATES),
-        "simulated.sea": Quantity(NORMAL * found.sea, ("operation",), "h", "± chance of the sea, 90 %", STATES),
-    }
-    made |= records({
-        "state.hour": (found.rows, ("state",), "", "row of the hindcast"),
-        "state.used": (found.used, ("state", "seed", "limit"), "", "share used of each limit that is simulated"),
-    })  # fmt: skip
-    axes = labels("state", np.arange(len(found.rows))) | labels("seed", np.arange(found.used.shape[1]))
-    wind = {"wind speed", "wind from"} <= set(record.hindcast.columns)
-    notes = [
-        f"simulated: {len(found.rows)} states of {read.simulation.duration_hours:g} h, {read.simulation.seeds} seeds "
-        f"each, waves{' and wind' if wind else ''} of the hour, all else of {read.simulation.study}; windows are those "
-        "of one realisation of the chances"
-    ]
-    failed = [fails(f"hour {record.hindcast.time[row]}: {reason}") for row, reason in found.failed[:5]]
-    warned = [*caught, *record.hindcast.said, *found.said, *failed]
-    return Found(Detail(read, record.hindcast, limits, found.verdicts, found), made, axes, warned, notes)
+def _of_body(read, db):
+    """Limits, Response and notes of a body that floats freely"""
+    of_body = ResponseStudy(body=read.body, points=read.points, keel=read.keel)
+    body, points = of_body.restrained(db.reader.floating()), places_of(of_body, db)
+    first = transfer_functions(body, body.omega[:1], body.headings[:1], points)
+    limits = limits_of(read, points, dict(zip(first.names, first.units, strict=True)))
+    wanted = tuple(dict.fromkeys(name for one in limits for name in one.names))
+    return limits, response_of(body, points, wanted), [LINEAR]
 
 
 def _too_long(read, made):
@@ -188,10 +137,15 @@ def _with_waves(response):
                     np.concatenate([response.power, one], axis=2))  # fmt: skip
 
 
-def hours_of(response, shapes, hindcast):
-    """`limits.Hours` of a Hindcast, systems of waves added"""
-    each = [moments_of_hours(response, shape, waves) for shape, waves in zip(shapes, hindcast.waves, strict=True)]
-    m0, m2 = np.sum(each, axis=0)
+def hours_of(response, record):
+    """`limits.Hours` of a Record, systems of waves added, or by its planes"""
+    hindcast, planes = record.hindcast, record.planes
+    if planes is None:
+        each = (moments_of_hours(response, shape, waves)
+                for shape, waves in zip(record.shapes, hindcast.waves, strict=True))  # fmt: skip
+        m0, m2 = sum(each)
+    else:
+        m0, m2 = moments_of_planes(response, planes.omega, planes.angle, planes.density())
     return Hours(response.names, response.units, m0, m2, min(hindcast.step, 3600.0))
 
 
@@ -205,7 +159,7 @@ def _viscous(read, db):
         )
 
 
-def _outside(body, record, hours):
+def _outside(response, record, hours):
     """What of the waves is beyond the stored frequencies.  Raises StudyError where most are, most of the time."""
     whole = sum(waves.height**2 / 16 for waves in record.hindcast.waves)
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -213,7 +167,7 @@ def _outside(body, record, hours):
     share = share[whole > 0]
     missed = np.nanmean(share > MISSED) if len(share) else 0.0
     if missed > 0:
-        low, high = (2 * np.pi / body.omega[i] for i in (-1, 0))
+        low, high = (2 * np.pi / response.omega[i] for i in (-1, 0))
         text = (
             f"in {100 * missed:.3g} % of the rows with waves more than {100 * MISSED:g} % of their energy is beyond "
             f"the stored {low:.3g} to {high:.3g} s, at most {100 * np.nanmax(share):.0f} %; add periods to the scene "
@@ -263,7 +217,7 @@ def _limiting(read, record, response, limits):
     beta = np.mod(np.radians(read.hindcast.x_axis_compass_deg - DIRECTIONS - 180.0), 2 * np.pi)
     grid = np.repeat(period, len(beta)), np.tile(beta, len(period))
     at_one = replace(record.hindcast, waves=(WaveHours(np.ones(len(grid[0])), *grid),), columns={})
-    hours = hours_of(response, record.shapes[:1], at_one)
+    hours = hours_of(response, Record(at_one, record.shapes[:1]))
     height = np.full((len(grid[0]), len(read.operations)), np.inf)
     for one in own:
         height[:, one.operation] = np.minimum(height[:, one.operation], _height(one, hours, at_one))
@@ -294,7 +248,8 @@ def _turned(read, record, response, limits):
             for one in record.hindcast.waves
         )
         hindcast = replace(record.hindcast, waves=waves)
-        used = used_of(limits, hours_of(response, record.shapes, hindcast), hindcast)
+        planes = record.planes and record.planes._replace(angle=record.planes.angle + np.radians(degrees))
+        used = used_of(limits, hours_of(response, Record(hindcast, record.shapes, planes)), hindcast)
         one = judged(used, limits, len(read.operations))
         rows.append(one.down.sum(axis=0) / np.maximum(one.known.sum(axis=0), 1))
     made = {"turned.hours": Quantity(YEAR * np.array(rows), ("turned", "operation"), "h", "hours a year", TURNED)}

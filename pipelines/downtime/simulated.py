@@ -22,6 +22,8 @@ from . import states_file
 from .answers import NORMAL, YEAR, Verdicts, judged
 from .limits import SIMULATED, used_of
 from .one_state import names_of, state
+from .study import STREAMS
+from .tables import WavesColumns
 
 QUIET = 0.05  # m, height of a calm hour in a simulation
 REALISED = 19  # seed of the course of stopped hours whose windows are counted
@@ -33,6 +35,7 @@ class Simulated(NamedTuple):
     used : (s, seeds, l) of the simulated limits, nan of others
     verdicts : `answers.Verdicts`; error, sea : (o,) h a year, standard deviation by the interpolant, and of the sea
     failed : ((row, reason), …); said : lines
+    hours_at : (r,) rows that are known; fits : [Fit]; each : as of `_each`, over these
     """
 
     rows: np.ndarray
@@ -43,6 +46,9 @@ class Simulated(NamedTuple):
     sea: np.ndarray
     failed: tuple
     said: tuple
+    hours_at: np.ndarray
+    fits: list
+    each: dict
 
 
 class Prepared(NamedTuple):
@@ -102,7 +108,8 @@ def simulated(read, record, limits, ready, path, executor, say):
         if not more:
             break
         chosen += more
-    verdicts = _verdicts(limits, hindcast, rows, exact, fits, x, height, at, used[sound], read)
+    each = _each(limits, x, height, at, used[sound])
+    verdicts = _verdicts(limits, hindcast, rows, exact, fits, each, read)
     failed = tuple((int(r), there[r]["failed"]) for r in rows[chosen] if "failed" in there[r])
     said = tuple(
         f"{one.name}: interpolant of {len(at)} states ± {NORMAL * one.error:.3g} h a year, tolerance "
@@ -115,27 +122,41 @@ def simulated(read, record, limits, ready, path, executor, say):
         for part in ("error", "sea")
     )
     hours = YEAR * verdicts.chance.sum(axis=0) / np.maximum(verdicts.known.sum(axis=0), 1)
-    return Simulated(rows[at], hours, used[sound], verdicts, error, sea, failed, said)
+    return Simulated(rows[at], hours, used[sound], verdicts, error, sea, failed, said, rows, fits, each)
 
 
 def _features(hindcast, rows):
     """(r, d) features of rows, and their height (r,) m, calms as very low seas"""
+    return features(*columns_of(hindcast, rows)), np.maximum(hindcast.height[rows], QUIET)
+
+
+def columns_of(hindcast, rows):
+    """Numbers [(r,), …] and angles [(r,), …] of which features are made: height, period and direction of each system of
+    waves, and speed and direction of wind and current where there are both"""
     numbers, angles = [], []
     for one in hindcast.waves:
         calm = ~(one.height[rows] > 0)
         numbers += [np.where(calm, QUIET, one.height[rows]), np.where(calm, np.nanmedian(one.period), one.period[rows])]
         angles.append(one.direction[rows])
-    if {"wind speed", "wind from"} <= set(hindcast.columns):
-        numbers.append(np.nan_to_num(hindcast.columns["wind speed"][rows]))
-        angles.append(np.nan_to_num(hindcast.columns["wind from"][rows]))
-    return features(numbers, angles), np.maximum(hindcast.height[rows], QUIET)
+    for speed, angle, _ in streams_of(hindcast):
+        numbers.append(np.nan_to_num(hindcast.columns[speed][rows]))
+        angles.append(np.nan_to_num(hindcast.columns[angle][rows]))
+    return numbers, angles
+
+
+def streams_of(hindcast):
+    """[(column of the speed, of the direction, name in a mooring study)] of those that hours have whole"""
+    known = ((f"{stream} speed", f"{stream} {ends}", stream) for stream, ends in STREAMS)
+    return [one for one in known if set(one[:2]) <= set(hindcast.columns)]
 
 
 def _identity(table, hindcast, ready):
     """Hash of what states depend on"""
     digest = hashlib.sha256(json.dumps([ready.raw, table.seeds, table.duration_hours], sort_keys=True).encode())
     for values in (*(part for one in hindcast.waves for part in one),
-                   *(hindcast.columns.get(name) for name in ("wind speed", "wind from"))):  # fmt: skip
+                   *(hindcast.columns.get(name) for name in ("wind speed", "wind from")),
+                   *(hindcast.columns[name] for one in streams_of(hindcast) if one[2] == "current"
+                     for name in one[:2])):  # fmt: skip
         digest.update(b"" if values is None else np.ascontiguousarray(values).tobytes())
     with open(ready.task.database, "rb") as file:
         digest.update(hashlib.file_digest(file, "sha256").digest())
@@ -143,9 +164,10 @@ def _identity(table, hindcast, ready):
 
 
 def _weather(read, record, row):
-    """{"waves": table, "wind": table} of a row, of a mooring study"""
-    seas, hindcast = [], record.hindcast
-    for shape, columns, one in zip(record.shapes, read.hindcast.waves, hindcast.waves, strict=True):
+    """{"waves": table, "wind": table, "current": table} of a row, of a mooring study"""
+    seas, hindcast, planes, x_axis = [], record.hindcast, record.planes, read.hindcast.x_axis_compass_deg
+    tables = read.hindcast.waves or [WavesColumns("", spreading="cosine:4")]
+    for shape, columns, one in zip(record.shapes, tables, hindcast.waves, strict=True):
         calm = not one.height[row] > 0
         sea = {
             "height": QUIET if calm else float(one.height[row]), "spectrum": shape.family,
@@ -155,10 +177,13 @@ def _weather(read, record, row):
         more = {"gamma": shape.gamma, "spreading": columns.spreading}
         seas.append(sea | {key: value for key, value in more.items() if value is not None})
     found = {"waves": seas[0] | ({"swell": seas[1:]} if len(seas) > 1 else {})}
-    if {"wind speed", "wind from"} <= set(hindcast.columns):
-        speed, comes_from = (float(np.nan_to_num(hindcast.columns[name][row])) for name in ("wind speed", "wind from"))
-        towards = read.hindcast.x_axis_compass_deg - np.degrees(comes_from) - 180.0
-        found["wind"] = {"speed": speed, "direction_deg": float(np.mod(towards, 360.0))}
+    if planes is not None and hindcast.waves[0].height[row] > 0:
+        found["waves"] = {"file": str(planes.path(row).resolve()), "time": str(hindcast.time[row])[:16],
+                          "location": planes.location or 1, "x_axis_compass_deg": x_axis}  # fmt: skip
+    for name, angle, stream in streams_of(hindcast):
+        speed, way = (float(np.nan_to_num(hindcast.columns[one][row])) for one in (name, angle))
+        towards = x_axis - np.degrees(way) - (180.0 if stream == "wind" else 0.0)
+        found[stream] = {"speed": speed, "direction_deg": float(np.mod(towards, 360.0))}
     return found
 
 
@@ -235,15 +260,22 @@ def _fits(read, limits, x, height, at, used, exact):
     return found
 
 
-def _verdicts(limits, hindcast, rows, exact, fits, x, height, at, used, read):
-    """Verdicts of all hours: sure ones by the weather, chances by the interpolants"""
-    count, by_name = len(hindcast.time), {one.name: one for one in fits}
-    shown, beyond = exact.copy(), (exact > 1).astype(float)
+def _each(limits, x, height, at, used):
+    """{number of a simulated limit: (Interpolant of what it alone uses, μ (r,), s (r,))}"""
+    found = {}
     for i, one in enumerate(limits):
         if one.kind == SIMULATED:
             fit = fitted(x[at], height[at], used[..., i])
-            mean, spread = fit.predict(x, height)
-            shown[rows, i], beyond[rows, i] = np.exp(mean), fit.chance(mean, spread)
+            found[i] = (fit, *fit.predict(x, height))
+    return found
+
+
+def _verdicts(limits, hindcast, rows, exact, fits, each, read):
+    """Verdicts of all hours: sure ones by the weather, chances by the interpolants"""
+    count, by_name = len(hindcast.time), {one.name: one for one in fits}
+    shown, beyond = exact.copy(), (exact > 1).astype(float)
+    for i, (fit, mean, spread) in each.items():
+        shown[rows, i], beyond[rows, i] = np.exp(mean), fit.chance(mean, spread)
     sure = judged(np.where(np.isnan(exact) & np.array([one.kind == SIMULATED for one in limits]), 0.0, exact), limits,
                   len(read.operations))  # fmt: skip
     known, chance, error = sure.known.copy(), sure.chance.copy(), np.zeros(len(read.operations))

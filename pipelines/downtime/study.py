@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections import Counter
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -11,8 +13,11 @@ import numpy as np
 from hakobune.mooring.downtime.every_hour import Shape
 from hakobune.mooring.downtime.files import read_columns
 from hakobune.mooring.downtime.hindcast import Hindcast, made
+from hakobune.mooring.downtime.planes import Planes, read_planes
 from hakobune.mooring.environment.periods import KINDS
 from hakobune.mooring.environment.spectra import FAMILIES, LARGEST_GAMMA
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.seas.families import PEAKED
 
 from ..common.quantities import StudyError, positive
 from ..common.typed import read_toml, typed
@@ -20,17 +25,26 @@ from ..common.weather.seas import spreading
 from .tables import DowntimeStudy
 
 COLUMN_KINDS = {
-    "wind speed": "speed", "wind from": "direction", "current speed": "speed", "level": "level", "ice": "share",
+    "wind speed": "speed", "wind from": "direction", "current speed": "speed", "current to": "direction",
+    "wind east": "component", "wind north": "component", "current east": "component", "current north": "component",
+    "level": "level", "ice": "share",
 }  # fmt: skip
 MOST_STATES, MOST_SEEDS = 10_000, 1000
 MOST_WINDOWS, MOST_TURNS = 12, 36
+STREAMS = (("wind", "from"), ("current", "to"))
+NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
+OF_PLANES = Shape("jonswap", "energy_period", None, CosinePower(4.0))  # of limiting seas, where hours are planes
 
 
 class Record(NamedTuple):
-    """hindcast : `mooring.downtime.hindcast.Hindcast`; shapes : `every_hour.Shape` of each of its systems"""
+    """hindcast : `mooring.downtime.hindcast.Hindcast`; shapes : `every_hour.Shape` of each of its systems
+
+    planes : `mooring.downtime.planes.Planes`, None of systems of waves
+    """
 
     hindcast: Hindcast
     shapes: tuple[Shape, ...]
+    planes: Planes | None = None
 
 
 def read_downtime(path):
@@ -47,8 +61,8 @@ def make_downtime(raw):
     twice = [name for name, count in Counter(one.name for one in study.operations).items() if count > 1]
     if twice:
         raise StudyError(f"two operations are called {twice[0]!r}; allowed: each its own name")
-    if not study.hindcast.waves:
-        raise StudyError("hindcast.waves is empty; allowed: at least one system of waves")
+    if not study.hindcast.waves and Path(study.hindcast.file).suffix.lower() not in NETCDF:
+        raise StudyError("hindcast.waves is empty; allowed: at least one system of waves, or netCDF of spectra")
     if not 1 <= len(study.windows_hours) <= MOST_WINDOWS or len(study.turned_deg) > MOST_TURNS:
         raise StudyError(f"windows_hours has {len(study.windows_hours)} and turned_deg {len(study.turned_deg)} "
                          f"numbers; allowed: 1 to {MOST_WINDOWS}, and 0 to {MOST_TURNS}")  # fmt: skip
@@ -78,9 +92,19 @@ def _check_states(table):
     positive("simulation.tolerance_hours", table.tolerance_hours)
 
 
-def record_of(table, folder):
-    """The Record of a HindcastTable whose file lies in a folder.  Raises StudyError or TableError."""
-    systems = [_system(f"hindcast.waves[{i}]", one) for i, one in enumerate(table.waves)]
+def files_of(table, folder):
+    """Paths of the files of a HindcastTable.  Raises StudyError where a pattern has none."""
+    if not set(table.file) & set("*?["):
+        return [Path(folder) / table.file]
+    found = sorted(Path(folder).glob(table.file))
+    if not found:
+        raise StudyError(f"hindcast.file is {table.file!r}, and no such file is in {folder}; allowed: one or more")
+    return found
+
+
+def record_of(table, folder, depth=None):
+    """The Record of a HindcastTable whose files lie in a folder; depth : m.  Raises StudyError or TableError."""
+    systems = [_system(f"hindcast.waves[{i}]", one, depth) for i, one in enumerate(table.waves)]
     if "level" in table.columns and table.level_at_rest is None:
         raise StudyError(
             "hindcast.columns has a level, which is above some datum, and level_at_rest is not given; give what that "
@@ -90,21 +114,49 @@ def record_of(table, folder):
     for one, (_, kind, angle, _) in zip(table.waves, systems, strict=True):
         wanted |= {one.height: "height", getattr(one, kind): "period", angle: "direction"}
     wanted |= {column: COLUMN_KINDS.get(name, name) for name, column in table.columns.items()}
-    path = folder / table.file
-    time, found, said = read_columns(path, table.time, table.zone, wanted)
-    x_axis, waves = math.radians(table.x_axis_compass_deg), []
-    for one, (_, kind, angle, comes_from) in zip(table.waves, systems, strict=True):
+    paths = files_of(table, folder)
+    path = paths[0]
+    parts = [read_columns(one, table.time, table.zone, wanted, table.location) for one in paths]
+    time, said = np.concatenate([part[0] for part in parts]), dict.fromkeys(itertools.chain(*(p[2] for p in parts)))
+    found = {name: np.concatenate([part[1][name] for part in parts]) for name in wanted}
+    x_axis, waves, planes = math.radians(table.x_axis_compass_deg), [], None
+    if not systems:
+        time, planes, own = read_planes(paths, table.location, x_axis)
+        systems, waves = [(OF_PLANES, None, None, False)], [own]
+    for one, (_, kind, angle, comes_from) in zip(table.waves, systems, strict=False):
         _check_direction(path.name, angle, found[angle])
         towards = x_axis - found[angle] - (np.pi if comes_from else 0.0)
         waves.append((found[one.height], found[getattr(one, kind)], np.mod(towards, 2 * np.pi)))
     columns = {name: (found[column], COLUMN_KINDS.get(name, "")) for name, column in table.columns.items()}
-    hindcast = made(time, waves, columns, path.name)
+    hindcast = made(time, waves, columns, table.file)
+    _streams(hindcast.columns)
     if "level" in hindcast.columns:
         hindcast.columns["level"] = hindcast.columns["level"] - table.level_at_rest
     return Record(
         Hindcast(hindcast.time, hindcast.step, hindcast.waves, hindcast.columns, (*said, *hindcast.said)),
         tuple(shape for shape, *_ in systems),
+        planes,
     )
+
+
+def known_columns(columns):
+    """Names of what limits may be on, of the columns of a HindcastTable"""
+    made = [name for stream, ends in STREAMS if f"{stream} east" in columns
+            for name in (f"{stream} speed", f"{stream} {ends}")]  # fmt: skip
+    return [*columns, *made]
+
+
+def _streams(columns):
+    """Speed and direction, rad of the compass, of winds and currents that are given by components; in place"""
+    for stream, ends in STREAMS:
+        two = f"{stream} east", f"{stream} north"
+        there = [name for name in two if name in columns]
+        if len(there) == 1:
+            raise StudyError(f"hindcast.columns has {there[0]!r} alone; allowed: {two[0]!r} and {two[1]!r}")
+        if there:
+            east, north = (columns[name] for name in two)
+            columns[f"{stream} speed"] = np.hypot(east, north)
+            columns[f"{stream} {ends}"] = np.mod(np.arctan2(east, north) + np.pi * (ends == "from"), 2 * np.pi)
 
 
 def _check_direction(where, name, angle):
@@ -118,7 +170,13 @@ def _check_direction(where, name, angle):
         raise StudyError(f"{where}: {name} is {worst:g}°; allowed: −360 to 360, or -99, 999, -999 for what is missing")
 
 
-def _system(where, table):
+class _Peak:
+    """Of a spreading after Mitsuyasu, before the peak of each hour is known"""
+
+    peak_omega = 1.0
+
+
+def _system(where, table, depth):
     """Shape, kind of period, column of the direction and whether it says where waves come from"""
     kinds = [kind for kind in KINDS if getattr(table, kind) is not None]
     if len(kinds) != 1:
@@ -127,18 +185,19 @@ def _system(where, table):
     if (table.direction_from is None) == (table.direction_to is None):
         state = "neither is given" if table.direction_from is None else "both are given"
         raise StudyError(f"{where}: {state}; allowed: one of direction_from, direction_to")
-    if table.spectrum not in FAMILIES:
-        raise StudyError(f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}")
-    if table.gamma is not None and (table.spectrum != "jonswap" or not 1 <= table.gamma <= LARGEST_GAMMA):
-        raise StudyError(f"{where}.gamma is {table.gamma:g} of {table.spectrum}; allowed: 1 to 10 of jonswap")
+    if table.spectrum not in (*FAMILIES, "tma"):
+        raise StudyError(
+            f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}, tma; of two peaks give wind sea "
+            "and swell as two [[hindcast.waves]]"
+        )
+    if table.gamma is not None and (table.spectrum not in PEAKED or not 1 <= table.gamma <= LARGEST_GAMMA):
+        raise StudyError(f"{where}.gamma is {table.gamma:g} of {table.spectrum}; allowed: 1 to 10 of jonswap, tma")
+    if table.spectrum == "tma" and (depth is None or not np.isfinite(depth) or kinds[0] == "significant_period"):
+        raise StudyError(f"{where}.spectrum is 'tma', which needs a finite depth of water and another kind of period "
+                         "than significant_period; allowed: jonswap")  # fmt: skip
     try:
-        if (table.spreading or "").startswith("mitsuyasu"):
-            raise ValueError(
-                "--spreading is 'mitsuyasu', which changes over the frequencies; allowed: cosine:N, half_cosine:S, "
-                "wrapped_normal:DEGREES"
-            )
-        spread = spreading(table.spreading, None)
+        spread = spreading(table.spreading, _Peak)
     except ValueError as error:
         raise StudyError(str(error).replace("--spreading", f"{where}.spreading")) from None
-    shape = Shape(table.spectrum, kinds[0], table.gamma, spread)
+    shape = Shape(table.spectrum, kinds[0], table.gamma, spread, depth)
     return shape, kinds[0], table.direction_from or table.direction_to, table.direction_from is not None

@@ -27,6 +27,8 @@ import msgspec
 from ..common.quantities import Table
 from ..response.study import BodyTable, KeelTable, PointTable
 
+PASSING = {"passing surge": "kN", "passing sway": "kN", "passing yaw": "kN m"}
+
 
 class WavesColumns(Table):
     """Columns of a system of waves: a height, one period, a direction; and the shape that its spectrum has
@@ -53,19 +55,23 @@ class WavesColumns(Table):
 class HindcastTable(Table):
     """A record of years of weather
 
-    file : CSV or netCDF beside the study
+    file : CSV, netCDF, NDBC or a table of SWAN beside the study; "era5_*.nc" for several, one after the other
+    waves : systems of waves in columns; none where the file has a spectrum of each hour (netCDF)
     time : column, ISO 8601
+    location : number of the place, from 1, in netCDF of several, the last of its axes fastest
     zone : of times without an offset: UTC, +09:00 or a name such as Europe/Berlin
     x_axis_compass_deg : what the x axis of the body heads
     level_at_rest : m, what the column level has at the water level of the database
-    columns : {quantity = column}: "wind speed", "current speed", level, ice, and any other that a limit is on
+    columns : {quantity = column}: "wind speed", "wind from", "current speed", "current to", or "wind east", "wind
+        north", "current east", "current north" in place of these, level, ice, and any other that a limit is on
     """
 
     file: str
     x_axis_compass_deg: float
-    waves: list[WavesColumns]
+    waves: list[WavesColumns] = msgspec.field(default_factory=list)
     time: str = "time"
     zone: str = "UTC"
+    location: int | None = None
     level_at_rest: float | None = None
     columns: dict[str, str] = msgspec.field(default_factory=dict)
 
@@ -105,6 +111,45 @@ class OperationTable(Table):
     allowed_hours: float | None = None
 
 
+class LeeTable(Table):
+    """The lee of a floating breakwater, in place of a body: limits on "wave height behind"
+
+    study : breakwater study beside this one, whose transmission is taken of waves from all directions
+    holding : one of its holdings, by default that of its [design], or the last
+    """
+
+    study: str
+    holding: str | None = None
+
+
+class PassagesTable(Table):
+    """Ships that pass: limits on "passing surge", "passing sway" (kN) and "passing yaw" (kN m), the most of each hour
+
+    file : list beside this one, a row for each passage
+    study : study of a passing ship, whose distance and speed are those of each passage
+    time, distance, speed : its columns; m between the centre lines, and m/s
+    """
+
+    file: str
+    study: str
+    time: str = "time"
+    distance: str = "distance"
+    speed: str = "speed"
+
+
+class AlternativeTable(Table):
+    """Another mooring of the same body, to compare
+
+    name : for results
+    study : mooring study beside this one: the next fender, line or pretension
+    turned_deg : clockwise, by which the body with its mooring lies otherwise
+    """
+
+    name: str
+    study: str
+    turned_deg: float = 0.0
+
+
 class StatesTable(Table):
     """Limits on a moored body, simulated in states that stand for all hours
 
@@ -115,6 +160,7 @@ class StatesTable(Table):
     seeds : of each state
     duration_hours : h, of a run
     tolerance_hours : h a year, of the hours of each operation, for the interpolant alone
+    alternatives : each simulated in states of its own, whose files stand beside that of the states
     """
 
     study: str
@@ -124,6 +170,7 @@ class StatesTable(Table):
     seeds: int = 3
     duration_hours: float = 1.0
     tolerance_hours: float = 20.0
+    alternatives: list[AlternativeTable] = msgspec.field(default_factory=list)
 
 
 class DowntimeStudy(Table):
@@ -139,6 +186,8 @@ class DowntimeStudy(Table):
     body: BodyTable = msgspec.field(default_factory=BodyTable)
     points: list[PointTable] = msgspec.field(default_factory=list)
     keel: KeelTable | None = None
+    lee: LeeTable | None = None
+    passages: PassagesTable | None = None
     simulation: StatesTable | None = None
     windows_hours: list[float] = msgspec.field(default_factory=lambda: [3.0, 6.0, 12.0, 24.0, 48.0])
     return_years: float = 50.0

@@ -10,10 +10,12 @@ whole, whose frequencies are of each sea.
 from __future__ import annotations
 
 import argparse
+import os
 import resource
 import sys
 import time
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +28,7 @@ from hakobune.mooring.downtime.every_hour import Shape, moments_of_hours, respon
 from hakobune.mooring.downtime.hindcast import WaveHours
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import jonswap
-from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.environment.spreading import CosinePower, Mitsuyasu
 from hakobune.mooring.response.linear import subdivided
 from hakobune.mooring.response.points import Point, transfer_functions
 from hakobune.mooring.response.sea_state import linear_response, sea_state
@@ -61,19 +63,24 @@ def main():
     damping[3, 3] = 0.05 * body.critical_damping(3)
     body, waves = body.restrained(damping), weather(asked.years)
     chosen = np.random.default_rng(2).choice(len(waves.height), asked.hours, replace=False)
-    for spreading in (None, CosinePower(4.0)):
-        shape, begun = Shape("jonswap", "peak_period", None, spreading), time.perf_counter()
+    for spreading in (None, CosinePower(4.0), Mitsuyasu(25.0, 1.0)):
+        shape, begun = Shape("jonswap", "peak_period", None, spreading), clocks()
         response = response_of(body, POINTS, NAMES)
-        between = time.perf_counter()
+        between = clocks()
         m0, _ = moments_of_hours(response, shape, waves)
-        ended = time.perf_counter()
+        (wall, own), (later, later_own) = between - begun, clocks() - between
         memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
-        print(f"{len(m0)} hours, {m0.shape[1]} quantities, spreading {spreading}: {between - begun:.1f} s of transfer "
-              f"functions, {ended - between:.1f} s of hours, {memory:.2f} GiB")  # fmt: skip
+        print(f"{len(m0)} hours, {m0.shape[1]} quantities, spreading {spreading}: {wall:.1f} s of transfer functions, "
+              f"{later:.1f} s of hours; processor {own:.1f} and {later_own:.1f} s, {memory:.2f} GiB, load "
+              f"{os.getloadavg()[0]:.1f}", flush=True)  # fmt: skip
         largest = np.sqrt(m0[chosen].max(axis=0))
         away = {"one by one": 0.0, "twice the frequencies": 0.0, "sea_state, itself": 0.0}
         for hour in chosen:
-            sea = Sea(jonswap(waves.height[hour], peak_period=waves.period[hour]), waves.direction[hour], spreading)
+            spectrum = jonswap(waves.height[hour], peak_period=waves.period[hour])
+            own = spreading
+            if isinstance(spreading, Mitsuyasu):
+                own = replace(spreading, peak_omega=spectrum.peak_omega)
+            sea = Sea(spectrum, waves.direction[hour], own)
             same = one_hour(body, sea, response.omega)
             finer = one_hour(body, sea, subdivided(response.omega, 2))
             with warnings.catch_warnings():
@@ -91,6 +98,11 @@ def main():
             print(
                 f"  σ beside {name}, {asked.hours} hours, of its largest: {values.max():.1e} ({NAMES[values.argmax()]})"
             )
+
+
+def clocks():
+    """(2,) s of the wall and of the processor"""
+    return np.array([time.perf_counter(), time.process_time()])
 
 
 def one_hour(body, sea, omega):

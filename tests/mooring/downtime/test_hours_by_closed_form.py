@@ -6,8 +6,10 @@ import pytest
 from hakobune.mooring.downtime.every_hour import Response, Shape, lagrange, moments_of_hours, ring_of
 from hakobune.mooring.downtime.hindcast import WaveHours
 from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
+from hakobune.mooring.downtime.planes import moments_of_planes
 from hakobune.mooring.environment.spectra import jonswap
-from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.environment.spreading import CosinePower, Mitsuyasu
+from hakobune.mooring.seas.shallow import tma
 
 RING = ring_of(72)
 OMEGA = np.linspace(0.05, 12.0, 3000)  # of waves of 6 s and more all but 1e-5
@@ -47,6 +49,41 @@ def test_spread_hours_have_each_harmonic_by_that_of_the_spreading():
         * np.stack([2 + 0.5 * np.cos(2 * waves.direction), 3 + 8 / (3 * np.pi) * np.cos(waves.direction - 0.4)], axis=1)
     )
     np.testing.assert_allclose(m0, exact, rtol=3e-4)
+
+
+def test_spreading_after_mitsuyasu_weakens_each_harmonic_by_its_exponent_at_each_frequency():
+    """∫ D cos θ dθ = s/(s + 1) and ∫ D cos 2θ dθ = s(s − 1)/((s + 1)(s + 2)), s by ω over the peak of the hour"""
+    waves = WaveHours(np.array([2.0]), np.array([9.3]), np.array([1.1]))
+    m0, _ = moments_of_hours(of_harmonics(), Shape("jonswap", "peak_period", None, Mitsuyasu(25.0, 1.0)), waves)
+    x, S = OMEGA * 9.3 / (2 * np.pi), jonswap(2.0, peak_period=9.3).density(OMEGA)
+    s = 25 * np.where(x <= 1, x**5, x**-2.5)
+    exact = [np.trapezoid(S * (2 + s * (s - 1) / ((s + 1) * (s + 2)) * np.cos(2.2)), OMEGA),
+             np.trapezoid(S * (3 + s / (s + 1) * np.cos(0.7)), OMEGA)]  # fmt: skip
+    np.testing.assert_allclose(m0[0], exact, rtol=1e-5)
+
+
+def test_seas_of_finite_depth_have_the_energy_of_their_height_and_the_mean_period_that_is_asked():
+    waves = WaveHours(np.array([2.0, 0.0]), np.array([7.13, np.nan]), np.array([0.4, 0.0]))
+    m0, m1 = moments_of_hours(of_harmonics(), Shape("tma", "mean_period", None, None, 8.0), waves, (0, 1))
+    assert m0[0, 1] == pytest.approx(4 / 16 * 4, rel=1e-4) and m0[1, 1] == 0
+    assert 2 * np.pi * m0[0, 1] / m1[0, 1] == pytest.approx(7.13, rel=1e-3)
+    assert m1[0, 1] / 4 == pytest.approx(tma(2.0, 8.0, mean_period=7.13).moment(1, 0, OMEGA[-1]), rel=1e-4)
+
+
+def test_planes_have_the_energy_between_their_rows_by_hand():
+    """A tent over ω about 1, 0.5 wide on either side, and over θ about 30°, 15° wide: ∬ ω = 0.5 · 1 · π/12"""
+    omega, angle = np.array([0.5, 1.0, 1.5]), np.radians(np.arange(0.0, 360.0, 15.0))
+    density = np.zeros((2, 3, 24))
+    density[0, 1, 2], density[1] = 1.0, np.nan
+    of_one = Response(("1",), ("m",), np.linspace(0.1, 3, 31), np.ones((31, 72, 1)))
+    (m0, m1), (n0, _) = (moments_of_planes(one, omega, angle, [density], (0, 1)) for one in (of_one, of_harmonics()))
+    assert m0[0, 0] == pytest.approx(0.5 * np.pi / 12, rel=1e-9) and m1[0, 0] == pytest.approx(m0[0, 0], rel=2e-3)
+    tent = (2 - 2 * np.cos(np.pi / 12)) / (np.pi / 12)  # ∫ cos θ over a tent of width π/12
+    assert n0[0, 1] / (0.5 * np.pi / 12) == pytest.approx(3 + np.cos(np.pi / 6 - 0.4) * tent / (np.pi / 12), rel=1e-3)
+    assert np.isnan(m0[1]).all()
+    sector = np.array([0.0, 1.0, 0.0])[None, :, None] * np.ones(7)  # of 90°: nothing is between its ends
+    quarter = moments_of_planes(of_one, omega, angle[:7], [sector], (0,))[0]
+    assert quarter[0, 0] == pytest.approx(0.5 * np.pi / 2, rel=1e-9)
 
 
 def test_calm_hours_are_nil_and_unknown_hours_unknown():

@@ -1,22 +1,27 @@
 """Eight hours of two years, by hand: what limits are on, what stops which operation, when, from where, and how long."""
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from hakobune.mooring.downtime.hindcast import WaveHours
+from hakobune.mooring.downtime.every_hour import Shape
+from hakobune.mooring.downtime.hindcast import Hindcast, WaveHours
 from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.downtime import result, simulated
+from hakobune.pipelines.downtime import lee as behind
+from hakobune.pipelines.downtime import moored, passages, result, simulated
 from hakobune.pipelines.downtime.answers import YEAR, Verdicts, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
+from hakobune.pipelines.downtime.study import Record as Study
 from hakobune.pipelines.downtime.study import make_downtime
 from hakobune.pipelines.simulate.file import STATISTICS
 
 NAN, INF = np.nan, np.inf
+SCENES = Path(__file__).parents[3] / "pipelines" / "scenes"
 WAVES = {"height": "hs", "peak_period": "tp", "direction_from": "dir"}
 POINTS = [Point("bow", (50.0, 0.0, 8.0), 8.0), KeelPoint("fore", (40.0, 0.0, -10.0), 6.0),
           KeelPoint("aft", (-40.0, 0.0, -10.0), 5.0)]  # fmt: skip
@@ -227,7 +232,7 @@ def test_the_height_that_reaches_a_limit_is_the_room_over_what_a_metre_moves():
 
 def test_limiting_seas_come_from_the_directions_of_the_compass(monkeypatch):
     """The x axis heads east: what comes from north goes to 270° from it, from west to 0°, from south to 90°"""
-    monkeypatch.setattr(result, "hours_of", lambda response, shapes, hindcast: hindcast.waves[0])
+    monkeypatch.setattr(result, "hours_of", lambda response, record: record.hindcast.waves[0])
     monkeypatch.setattr(result, "_height", lambda one, hours, at_one: hours.period + 100 * np.degrees(hours.direction))
     record = SimpleNamespace(hindcast=Record((waves([1.0] * 3 + [0.0], [4.0, 6.0, 8.0, 99.0]),)), shapes=[None])
     read = SimpleNamespace(hindcast=SimpleNamespace(x_axis_compass_deg=90.0), operations=[None])
@@ -242,13 +247,62 @@ def test_limiting_seas_come_from_the_directions_of_the_compass(monkeypatch):
 
 def test_a_body_that_is_turned_clockwise_meets_waves_as_far_to_its_left(monkeypatch):
     """Waves beyond half a turn stop the work: of 0, 100, 120 and 150° none, turned by 90° three, by −90° one"""
-    monkeypatch.setattr(result, "hours_of", lambda response, shapes, hindcast: hindcast.waves[0].direction)
+    monkeypatch.setattr(result, "hours_of", lambda response, record: record.hindcast.waves[0].direction)
     monkeypatch.setattr(result, "used_of", lambda limits, hours, hindcast: hours[:, None] / np.pi)
-    record = SimpleNamespace(hindcast=Record((waves([1.0] * 4, 8.0, np.radians([0, 100, 120, 150.0])),)), shapes=None)
+    record = SimpleNamespace(
+        hindcast=Record((waves([1.0] * 4, 8.0, np.radians([0, 100, 120, 150.0])),)), shapes=None, planes=None
+    )
     read = SimpleNamespace(turned_deg=[0.0, 90.0, -90.0], operations=[None])
     made, axes = result._turned(read, record, None, [SimpleNamespace(operation=0)])
     assert made["turned.hours"].values[:, 0] == pytest.approx(YEAR * np.array([0, 0.75, 0.25]))
     assert axes["turned"].values.tolist() == [0.0, 90.0, -90.0]
+
+
+def test_waves_behind_a_breakwater_are_those_that_it_lets_pass(monkeypatch):
+    """K_T = ½ at all periods: half the height, 2√m₀ of twice the crests"""
+    through = np.array([[0.9, 0.5], [0.9, 0.5]])
+    of_study = SimpleNamespace(study=SimpleNamespace(design=SimpleNamespace(holding="taut", theory="potential flow")))
+    found = SimpleNamespace(labels={"holding": SimpleNamespace(values=np.array(["free, potential flow", "taut"])),
+                                    "period": SimpleNamespace(values=np.array([4.0, 8.0]))},
+                            __getitem__=None, detail=of_study)  # fmt: skip
+
+    class Found(SimpleNamespace):
+        def __getitem__(self, name):
+            return through
+
+    monkeypatch.setattr(behind, "breakwater", lambda path: Found(**vars(found)))
+    hindcast = {"file": "h.csv", "x_axis_compass_deg": 0.0, "waves": [WAVES]}
+    own = {"quantity": "wave height behind", "at_most": 0.5, "statistic": "significant"}
+    read = make_downtime({"hindcast": hindcast, "lee": {"study": "b.toml"},
+                          "operations": [{"name": "cranes", "limits": [own]}]})  # fmt: skip
+    made, response, _ = behind.lee(read, Path())
+    record = Study(Record((waves([2.0], 8.0),)), (Shape("jonswap", "peak_period"),))
+    object.__setattr__(record.hindcast, "step", 3600.0)
+    hours = result.hours_of(response, record)
+    assert value_of(made[0], hours, record.hindcast) == pytest.approx([1.0], rel=2e-3)
+
+
+def test_passing_ships_press_as_the_square_of_their_speed_in_the_hours_that_they_pass(monkeypatch, tmp_path):
+    """1000 kN at 100 m and 5 m/s, as d⁻²: at 200 m 250 kN, at 10 m/s 4000; the largest of two in an hour"""
+    (tmp_path / "ships.csv").write_text("time,distance [m],speed [m/s]\n2020-01-01T01:10,100,5\n"
+                                        "2020-01-01T03:59,100,10\n2020-01-01T03:20,200,5\n"
+                                        "2020-01-02T00:00,200,5\n")  # fmt: skip
+    time = np.datetime64("2020-01-01T00", "s") + 3600 * np.arange(4)
+    hindcast = Hindcast(time, 3600.0, (waves([1.0] * 4),))
+    monkeypatch.setattr(passages, "record_of", lambda *words: Study(hindcast, ()))
+    monkeypatch.setattr(passages, "passing", lambda study: {
+        "largest.force": 1e10 / study.track.distance**2 * np.array([1.0, -2.0, 3.0])})  # fmt: skip
+    (tmp_path / "passing.toml").write_text((SCENES / "passing_tanker.toml").read_text())
+    base = {"hindcast": {"file": "h.csv", "x_axis_compass_deg": 0.0, "waves": [WAVES]},
+            "passages": {"file": "ships.csv", "study": "passing.toml"},
+            "operations": [{"name": "arms", "limits": [{"quantity": "passing sway", "at_most": 900.0}]}]}  # fmt: skip
+    read = make_downtime(base)
+    found = passages.record_with_passages(read, tmp_path, None).hindcast
+    unit = 25 / passages.read_study(tmp_path / "passing.toml")[0].track.speed ** 2
+    assert found.columns["passing surge"] == pytest.approx(unit * np.array([0.0, 1000.0, 0.0, 4000.0]))
+    assert found.columns["passing yaw"] == pytest.approx(3 * found.columns["passing surge"])
+    assert "3 of 4 passages of ships.csv are within" in found.said[-1]
+    assert limits_of(read, [], {})[0].label == "arms: passing sway ≤ 900 kN"
 
 
 # ------------------------------------------------------------------ chances of simulated hours
@@ -292,20 +346,50 @@ def test_hours_by_states_are_the_chances_where_the_weather_does_not_stop_the_wor
     assert fit.sea == pytest.approx(YEAR / 4 * 3)
 
 
-def test_verdicts_are_sure_by_the_weather_and_chances_by_states(monkeypatch):
+def test_verdicts_are_sure_by_the_weather_and_chances_by_states():
     """Five hours, of which the third has no waves: what is simulated is not known there, the weather alone is"""
-    monkeypatch.setattr(simulated, "fitted", lambda x, height, used: Known())
     read = SimpleNamespace(operations=[SimpleNamespace(name="cranes"), SimpleNamespace(name="arms")])
     exact = np.array([[NAN, 0.5, 9.0, NAN], [NAN, 0.5, 0.1, NAN], [NAN, 0.5, 0.1, NAN], [NAN, 1.5, 0.1, NAN],
                       [NAN, 0.5, NAN, NAN]])  # fmt: skip
     rows = np.array([0, 1, 3, 4])
     fit = simulated.Fit("cranes", Known(), *Known().predict(0, 0), None, 0.0, 3.0, 4.0)
     record = SimpleNamespace(time=np.arange(5))
-    made = simulated._verdicts(simulated_limits(), record, rows, exact, [fit], np.zeros((4, 1)), np.ones(4),
-                               np.array([0]), np.zeros((1, 1, 4)), read)  # fmt: skip
+    each = dict.fromkeys((0, 3), (Known(), *Known().predict(0, 0)))
+    made = simulated._verdicts(simulated_limits(), record, rows, exact, [fit], each, read)
     assert made.known.T.tolist() == [[True, True, False, True, True], [True, True, True, True, False]]
     assert made.chance[[0, 1, 3, 4], 0].tolist() == [0.1, 0.9, 1.0, 0.0] and made.chance[:4, 1].tolist() == [1, 0, 0, 0]
     assert made.used[rows, 0] == pytest.approx([0.5, 2.0, 1.0, 0.1]) and np.isnan(made.used[2, 0])
     assert made.beyond[rows, 3].tolist() == [0.1, 0.9, 0.5, 0.0] and made.beyond[:4, 2].tolist() == [1, 0, 0, 0]
     assert made.error == pytest.approx([5.0 / YEAR, 0.0])
     assert made.down[3, 0] and not made.down[4, 0] and made.down[0, 1] and not made.down[2, 0]
+
+
+def test_the_height_at_the_limit_is_between_levels_in_ln():
+    """ln of the share goes from −0.1 at 1 m to 0.3 at 4 m: 0 at 4^¼ m; of one that never stops, or is unknown, none"""
+    used = np.array([[[-0.1, -2.0, np.nan]], [[0.3, -1.0, 0.5]]])
+    np.testing.assert_allclose(moored.crossed(np.array([1.0, 4.0]), used), [[4**0.25, NAN, NAN]])
+
+
+def test_other_moorings_gain_the_hours_that_they_do_not_stop():
+    one, other = (SimpleNamespace(hours=np.array(hours), error=np.array(error))
+                  for hours, error in (([100.0, 9.0], [3.0, 0.0]), ([60.0, 9.5], [4.0, 1.0])))  # fmt: skip
+    made, axes = moored._compared(one, [("stiffer", other)])
+    assert made["alternative.gain"].values.tolist() == [[40.0, -0.5]]
+    np.testing.assert_allclose(made["alternative.error"].values, [[1.645 * 5, 1.645]])
+    assert axes["alternative"].values.tolist() == ["stiffer"] and moored._compared(one, []) == ({}, {})
+
+
+def test_the_largest_of_years_is_drawn_of_the_law_of_each_hour(monkeypatch):
+    """used = e^{0.1 z}, of 2 deg: the largest of 8766 hours is 2 exp(0.1 z), Φ(z)^8766 = ½ in half of the years"""
+    years = 40
+    limit = SimpleNamespace(label="cranes: roll ≤ 2 deg",
+                            criterion=SimpleNamespace(sense="at most", limit=2.0, unit="deg"))  # fmt: skip
+    n = 8766 * years
+    hindcast = SimpleNamespace(height=np.ones(n), year=np.repeat(np.arange(years), 8766), step=3600.0, hours=1.0)
+    fit = SimpleNamespace(scatter=0.1)
+    found = SimpleNamespace(each={0: (fit, np.zeros(n), np.zeros(n))}, hours_at=np.arange(n))
+    read = SimpleNamespace(simulation=SimpleNamespace(duration_hours=1.0), return_years=50.0)
+    made, axes = moored._returned(read, hindcast, [limit], found)
+    assert made["return.value"].unit == ("rad",) and axes["response"].values.tolist() == ["cranes: roll"]
+    z = 3.7779  # Φ⁻¹(0.5^(1/8766))
+    assert np.median(made["return.maxima"].values) == pytest.approx(np.radians(2 * np.exp(0.1 * z)), rel=0.01)

@@ -55,6 +55,83 @@ def test_units_in_the_head_are_taken_and_unknown_ones_refused(tmp_path):
     assert any("hs, tp, dir of h.csv have no unit" in line for line in record(tmp_path, rows()).said)
 
 
+NDBC = """\
+#YY  MM DD hh mm WDIR WSPD  WVHT   DPD MWD  TIDE
+#yr  mo dy hr mn degT m/s     m   sec deg    ft
+"""
+SWAN = """\
+%
+% Run:one  Table:tab  SWAN version:41.31
+%
+%  Time    Hsig   TPsmoo   Dir   X-Windv  Y-Windv
+%  [ ]   [m]    [sec]   [degr]   [m/s]   [m/s]
+%
+"""
+
+
+def test_tables_of_buoys_and_of_swan_have_times_names_and_units_of_their_own(tmp_path):
+    """NDBC: MM and 99.00 are missing; a wind of (3, −4) m/s is one of 5 m/s from 323.1301°"""
+    hours = [f"2019 08 01 {h:02} 00 231 1.6 {'MM' if h == 1 else '99.00' if h == 2 else 1.5} 8.0 270 2.0"
+             for h in range(24)]  # fmt: skip
+    waves = {"height": "WVHT", "peak_period": "DPD", "direction_from": "MWD"}
+    found = record(tmp_path, [NDBC + hours[0], *hours[1:]], waves=waves, columns={"level": "TIDE"}, level_at_rest=0.0)
+    newest_first = record(tmp_path, [NDBC + hours[-1], *hours[-2::-1]], waves=waves)
+    assert str(newest_first.time[1]) == "2019-08-01T01:00:00"
+    assert str(found.time[1]) == "2019-08-01T01:00:00" and found.columns["level"][0] == pytest.approx(0.6096)
+    assert np.isnan(found.height[1:3]).all() and found.height[0] == 1.5
+    hours = [f"20161011.{h:02}0000 1.5 8.0 270.0 3.0 -4.0" for h in range(24)]
+    waves = {"height": "Hsig", "peak_period": "TPsmoo", "direction_from": "Dir"}
+    columns = {"wind east": "X-Windv", "wind north": "Y-Windv"}
+    found = record(tmp_path, [SWAN + hours[0], *hours[1:]], waves=waves, columns=columns)
+    assert str(found.time[2]) == "2016-10-11T02:00:00" and found.columns["wind speed"][0] == 5.0
+    assert np.degrees(found.columns["wind from"][0]) == pytest.approx(323.1301, abs=1e-4)
+    with pytest.raises(StudyError, match="has 'wind east' alone; allowed: 'wind east' and 'wind north'"):
+        record(tmp_path, [SWAN + hours[0], *hours[1:]], waves=waves, columns={"wind east": "X-Windv"})
+
+
+def test_waves_that_come_every_third_row_are_a_record_of_these_rows(tmp_path):
+    """As of a buoy whose wind is there every ten minutes; times are seconds since 1970"""
+    height = ["", *(1.0 if i % 3 == 1 else "" for i in range(1, 90))]
+    lines = rows(90, 600, hs=height, w=np.arange(90))
+    seconds = ["time,hs,tp,dir,w", *(f"{1_583_020_800 + 600 * i},{line.partition(',')[2]}"
+                                     for i, line in enumerate(lines[1:]))]  # fmt: skip
+    for one in (lines, seconds):
+        found = record(tmp_path, one, columns={"wind speed": "w"})
+        assert found.hours == 0.5 and np.isfinite(found.height).all() and len(found.time) == 30
+        assert str(found.time[0]) == "2020-03-01T00:10:00" and found.columns["wind speed"][:2].tolist() == [1.0, 4.0]
+        assert any("waves come every 0.5 h; the rows between, 60, are left out" in line for line in found.said)
+
+
+def test_files_of_several_places_and_years_and_of_a_spectrum_each_hour(tmp_path):
+    """efth of 1 m²/Hz/rad within a tent of 0.1 Hz and 90° towards east: m₀ = 0.1 · π/2"""
+    import xarray
+
+    towards = {"standard_name": "sea_surface_wave_to_direction", "units": "degree"}
+    axes = "valid_time", "place", "frequency", "direction"
+    for year in (2020, 2021):
+        density = np.zeros((24, 2, 3, 4))
+        density[:, 1, 1, 1] = 1.0
+        density[3] = np.nan
+        xarray.Dataset(
+            {"efth": (axes, density, {"units": "m2 s rad-1"}), "wnd": (axes[:2], np.full((24, 2), year / 1000.0))},
+            {"valid_time": np.datetime64(f"{year}-01-01T00", "ns") + np.timedelta64(1, "h") * np.arange(24),
+             "frequency": [0.1, 0.2, 0.3], "direction": ("direction", [0.0, 90.0, 180.0, 270.0], towards)},
+        ).to_netcdf(tmp_path / f"w{year}.nc", engine="h5netcdf")  # fmt: skip
+    table = {"file": "w*.nc", "x_axis_compass_deg": 90.0, "columns": {"wind speed": "wnd"}, "location": 2}
+    limits = [{"name": "cranes", "limits": [{"quantity": "significant height", "at_most": 2.0}]}]
+    found = record_of(make_downtime({"hindcast": table, "operations": limits}).hindcast, tmp_path)
+    one = found.hindcast
+    assert len(one.time) == 48 and one.columns["wind speed"][[0, 47]].tolist() == [2.02, 2.021]
+    assert one.height[0] == pytest.approx(4 * np.sqrt(0.05 * np.pi), rel=1e-6) and np.isnan(one.height[[3, 27]]).all()
+    assert one.main.period[0] == pytest.approx(5.0, rel=0.05)
+    assert np.exp(1j * one.main.direction[0]) == pytest.approx(1.0)
+    assert found.planes.path(23).name == "w2020.nc" and found.planes.path(24).name == "w2021.nc"
+    for words in ("w2020.nc has 2 places|w2020.nc: wnd has valid_time 24, place 2; allowed: valid_time alone", "w2019"):
+        with pytest.raises(ValueError, match=words):
+            record_of(make_downtime({"hindcast": table | ({"file": "w2019*.nc"} if words == "w2019" else {
+                "location": None}), "operations": limits}).hindcast, tmp_path)  # fmt: skip
+
+
 def test_heights_in_another_unit_are_refused_with_the_way_out(tmp_path):
     with pytest.raises(TableError, match=r"height of waves is 120 in 48 rows; allowed: 0 to 30 .* \"hs \[cm\]\""):
         record(tmp_path, rows(hs=120.0))
@@ -64,7 +141,7 @@ def test_codes_and_empty_places_are_unknown_hours(tmp_path):
     found = record(tmp_path, rows(hs=[-999, "", *[1.0] * 46], dir=[270, 270, 999, *[270.0] * 45]))
     assert np.isnan(found.height[:3]).all() and np.isfinite(found.height[3:]).all()
     assert any("codes of what is missing, as -999" in line for line in found.said)
-    assert any("6.2 % of the rows have no waves" in line for line in found.said)
+    assert any("6.25 % of the rows have no waves" in line for line in found.said)
 
 
 def test_calms_need_no_period_and_no_direction(tmp_path):

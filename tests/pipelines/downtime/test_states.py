@@ -12,7 +12,7 @@ from hakobune.pipelines.downtime import simulated as room
 from hakobune.pipelines.downtime import states_file
 from hakobune.pipelines.downtime.limits import limits_of
 from hakobune.pipelines.downtime.study import make_downtime, record_of
-from hakobune.pipelines.executors.choice import Here
+from hakobune.pipelines.executors.choice import Here, in_order_until
 
 WAVES = {"height": "hs", "peak_period": "tp", "direction_from": "dir"}
 OPERATIONS = [
@@ -149,3 +149,11 @@ def test_states_are_taken_up_for_the_same_weather_study_and_database_alone(tmp_p
     assert identity() == identity()
     others = identity(height=1.6), identity(wind=12.5), identity(seeds=3), identity(mass=2.0), identity(data=b"b")
     assert len({identity(), *others}) == 6
+
+
+def test_a_result_is_asked_for_once_it_is_there_and_without_a_time_limit():
+    """A limit that passes while dask fetches a result takes the fetching of all others with it"""
+    looks = iter([False, False, True, True])
+    future = SimpleNamespace(done=lambda: next(looks), result=lambda: 7)
+    executor = SimpleNamespace(submit=lambda function: future)
+    assert list(in_order_until(SimpleNamespace(asked=False), executor, [(len,)])) == [(0, 7)]

@@ -1,0 +1,117 @@
+"""Hours that are given as planes, densities by frequency and direction, as wave models write them.
+
+A plane is straight between its rows, so that moments of all hours are one product of matrices with
+
+    W_ij = ∬ ωⁿ h_i(ω) h_j(θ) |X|² dω dθ,    h_i, h_j the straight lines that are 1 at row i and 0 at the others.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..environment.tables import TableError
+from ..seas.netcdf import planes_of
+from .every_hour import ring_of, rule_of
+
+RING = 720  # headings of an integral over directions
+SECTOR = 1.5  # times the usual step of directions, beyond which nothing travels between two
+
+
+class Planes(NamedTuple):
+    """paths : of netCDF, one after the other; counts : hours of each; location : number of the place
+
+    omega : (f,) rad/s, rising; angle : (d,) rad travelled to, in axes of the body
+    """
+
+    paths: tuple
+    counts: tuple[int, ...]
+    location: int | None
+    omega: np.ndarray
+    angle: np.ndarray
+
+    def density(self):
+        """(m, f, d) m² s/rad² of so many hours at a time; nan of an hour without a plane"""
+        for path in self.paths:
+            for _, _, _, density in planes_of(path, self.location):
+                yield density / np.float32(2 * np.pi)
+
+    def path(self, row):
+        """Of the file of an hour"""
+        return self.paths[int(np.searchsorted(np.cumsum(self.counts), row, side="right"))]
+
+
+def read_planes(paths, location, x_axis):
+    """(n,) times, Planes, and (n,) significant height m, energy period s and mean direction rad of their hours.
+
+    x_axis : rad of the compass that the x axis heads.  Raises TableError.
+    """
+    moments, counts, found, first = [], [], [], None
+    for path in paths:
+        before = sum(map(len, moments))
+        for time, frequency, towards, density in planes_of(path, location):
+            grid = 2 * np.pi * frequency, np.mod(x_axis - towards, 2 * np.pi)
+            first = first or grid
+            if any(a.shape != b.shape or not np.allclose(a, b) for a, b in zip(first, grid, strict=True)):
+                raise TableError(f"{path} has other frequencies or directions than {paths[0]}; allowed: the same")
+            moments.append(time)
+            found.append(_integrals(*grid, density / (2 * np.pi)))
+        counts.append(sum(map(len, moments)) - before)
+    height, period, direction = np.concatenate(found, axis=1)
+    return np.concatenate(moments), Planes(tuple(paths), tuple(counts), location, *first), (height, period, direction)
+
+
+def _integrals(omega, angle, density):
+    """(3, n): 4√m₀, 2π m₋₁/m₀ and the mean direction"""
+    around = _straight(angle, ring_of(RING)).sum(axis=0) * (2 * np.pi / RING)
+    rule = rule_of(omega, (0, -1))
+    m0, below = np.einsum("nfd,of,d->on", density, rule, around, optimize=True)
+    vector = np.einsum("nfd,f,d->n", density, rule[0], around * np.exp(1j * angle), optimize=True)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.stack([4 * np.sqrt(m0), 2 * np.pi * below / m0, np.mod(np.angle(vector), 2 * np.pi)])
+
+
+def moments_of_planes(response, omega, angle, density, orders=(0, 2)):
+    """(len(orders), n, c) moments of planes (n, f, d) m² s/rad², straight between omega (f,) rad/s and angle (d,) rad
+
+    density : iterable of (m, f, d), together n; nan of an hour that is unknown
+    """
+    kernel = _kernel(response, np.asarray(omega, float), np.asarray(angle, float), orders)
+    parts = [part.reshape(len(part), -1) @ kernel.astype(part.dtype) for part in density]
+    found = np.concatenate(parts).astype(float).reshape(-1, len(orders), len(response.names))
+    return np.maximum(found.transpose(1, 0, 2), 0.0)
+
+
+def _kernel(response, omega, angle, orders):
+    """(f d, o c) W"""
+    inside = omega[(omega > response.omega[0]) & (omega < response.omega[-1])]
+    fine = np.union1d(response.omega, inside)
+    rows = np.eye(len(omega))
+    lines = np.stack([np.interp(fine, omega, row, left=0.0, right=0.0) for row in rows], axis=1)  # (q, f)
+    beta = ring_of(RING)
+    around = _straight(angle, beta) * (2 * np.pi / RING)  # (b, d)
+    ring = np.fft.rfft(response.power, axis=1)
+    scale = RING / response.power.shape[1]
+    power = np.stack([np.einsum("bd,bc->dc", around, scale * np.fft.irfft(row, RING, axis=0)) for row in ring])
+    at = np.clip(np.searchsorted(response.omega, fine, side="right") - 1, 0, len(response.omega) - 2)
+    t = ((fine - response.omega[at]) / (response.omega[at + 1] - response.omega[at]))[:, None, None]
+    power = (1 - t) * power[at] + t * power[at + 1]
+    return np.einsum("oq,qf,qdc->fdoc", rule_of(fine, orders), lines, power, optimize=True).reshape(
+        len(omega) * len(angle), -1
+    )
+
+
+def _straight(angle, beta):
+    """(b, d) weights at β (b,) of straight lines between directions (d,), none across the gap of a sector"""
+    order = np.argsort(np.mod(angle, 2 * np.pi))
+    rows = np.mod(angle, 2 * np.pi)[order]
+    gaps = np.diff(rows, append=rows[0] + 2 * np.pi)
+    way = np.mod(beta - rows[0], 2 * np.pi)
+    at = np.searchsorted(rows - rows[0], way, side="right") - 1
+    t = (way - (rows - rows[0])[at]) / gaps[at]
+    inside = gaps[at] <= SECTOR * np.median(gaps)
+    out = np.zeros((len(beta), len(angle)))
+    out[np.arange(len(beta)), order[at]] = (1 - t) * inside
+    out[np.arange(len(beta)), order[(at + 1) % len(angle)]] += t * inside
+    return out
