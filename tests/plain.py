@@ -5,6 +5,8 @@ import sys
 from importlib import import_module
 from unittest import mock
 
+from numba import config
+
 _modules = {}
 
 
@@ -13,7 +15,7 @@ def plain(name):
     compiled = {key: sys.modules.pop(key) for key in list(sys.modules) if key.split(".")[0] == "hakobune"}
     sys.modules.update(_modules)
     try:
-        with mock.patch.dict(os.environ, NUMBA_DISABLE_JIT="1"):
+        with mock.patch.dict(os.environ, NUMBA_DISABLE_JIT="1"), mock.patch.object(config, "DISABLE_JIT", 1):
             return import_module(f"hakobune.{name}")
     finally:
         for key in [key for key in sys.modules if key.split(".")[0] == "hakobune"]:

@@ -297,6 +297,7 @@ class Clone:
         """Turn a fork of this process into one of pytest in the clone"""
         os.setsid()
         os.environ["NUMBA_DISABLE_JIT"] = str(int(plain))
+        import_module("numba").config.reload_config()
         for stream in (1, 2):
             os.dup2(output.fileno(), stream)
         os.chdir(self.root)
