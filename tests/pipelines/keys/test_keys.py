@@ -137,7 +137,8 @@ def test_entries_of_a_docstring_go_on_in_further_lines_and_end_at_a_paragraph():
 
 def test_values_of_keys_are_those_given_first_in_each_of_several_tables():
     """Two tables of one list, and two whose names the writer chose"""
-    raw = {"size": 2.0, "part": [{"a": 1, "b": {"c": 3}}, {"a": 9, "d": 4}], "kind": {"mine": {"e": 5}, "his": {"f": 6}}}
+    kind = {"mine": {"e": 5}, "his": {"f": 6}}
+    raw = {"size": 2.0, "part": [{"a": 1, "b": {"c": 3}}, {"a": 9, "d": 4}], "kind": kind}
     values = {}
     _collect(raw, None, "", values)
     found = {path: value for path, value in values.items() if not isinstance(value, dict | list)}
