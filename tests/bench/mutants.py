@@ -14,8 +14,8 @@ make one).
 
 Results are lines of JSON, one a mutant; a second call with the same file goes on where the first stopped.  Mutants
 that change nothing a test could notice are in `mutants_equivalent.toml`, with the reason.
---plain FOLDER : faults in files that hold kernels are judged first with kernels as plain Python, which need no
-compilation, by the tests that execute the line so: a map that `plain_map.py` makes.
+--plain FOLDER : faults in files that hold kernels are judged with kernels as plain Python, which need no compilation,
+by the tests that execute the line so: a map that `plain_map.py` makes.  --again without it compiles what lived.
 """
 
 import argparse
@@ -358,7 +358,7 @@ def judged(clone, row, given, sound, covered=None, plain=None):
         known = {test.split("::")[0] for test in tests}
         rounds[0] = given.timeout, tests + [file for file in files[:NEAR] if file not in known], False
     if plain and "@kernel" in (clone.root / row["file"]).read_text(encoding="utf-8"):
-        rounds.insert(0, (given.timeout, plain.chosen(row["file"], row["line"], row["function"], given.timeout), True))
+        rounds[0] = given.timeout, plain.chosen(row["file"], row["line"], row["function"], given.timeout), True
     spent = 0.0
     for seconds, tests, as_plain in rounds:
         if not seconds or not tests:
