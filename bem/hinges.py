@@ -37,8 +37,7 @@ class Link(NamedTuple):
         """(k, 3) unit vectors about which both bodies turn alike, along the axes of the first"""
         if self.kind != "hinge":
             return np.eye(3)[: 3 * (self.kind == "rigid")]
-        along = np.asarray(self.axis, float) / np.linalg.norm(self.axis)
-        return np.linalg.svd(along[None])[2][1:]
+        return np.linalg.svd(np.array([self.axis], float))[2][1:]
 
 
 def end_of(reader, name):
