@@ -311,3 +311,52 @@ def test_water_of_a_table_goes_on_from_its_places_by_its_slopes_and_is_carried_p
     flow, there = values(t - 3.0, d), values(t - 3.0, d + np.array([*current, 0.0])[:, None])
     assert u[:, :n] == pytest.approx(1 + R * flow)
     assert du[:, :n] == pytest.approx(1 + R * values(t - 3.0, d, True) + R1 * flow + R * (there - flow))
+
+
+# ------------------------------------------------------------------ the sea around moving lines
+
+sea = plain("mooring.motion.moving_lines.sea")
+
+
+def test_sine_cosine_and_what_dies_with_depth_are_near_enough():
+    for turn in np.linspace(-20.0, 20.0, 41):
+        assert sea.sine_and_cosine(turn) == pytest.approx((np.sin(turn), np.cos(turn)), abs=2e-7)
+    for x in np.linspace(-12.0, 0.0, 25):
+        assert sea.falling(x) == pytest.approx(np.exp(x), rel=1e-6)
+
+
+def test_a_table_of_the_sea_has_velocities_and_slopes_of_linear_waves_where_nodes_will_be():
+    """Two waves at 25 m carried by (0.4, 0.1) m/s; two lines of two nodes and one, of which one is above the surface"""
+    k, depth, start = np.hypot(*NUMBER), 25.0, 3.0
+    carried = np.array([0.4, 0.1])
+    given = sea.line_sea((OWN, AMPLITUDE, PHASE, DIRECTION), NUMBER, depth, None, (0.0, 1.0), 1.0, carried)
+    water, *room = sea.water_of(given, 3, 2)
+    position = np.array([[1.0, 2.0, -3.0], [4.0, 1.0, 0.2], [-2.0, 5.0, -10.0]])
+    velocity = np.array([[0.1, 0.2, -0.1], [0.0, 0.0, 0.5], [300.0, 0.0, -400.0]])
+    sea.open_sea(given, water, np.array([0, 2, 3]), position, velocity, room, start)
+    later = 0.5 * (sea.SAMPLES - 1) * given.step
+    places = position + later * velocity
+    places[2] = position[2] + np.array([0.6, 0.0, -0.8]) / k.max()  # no farther than 1/k
+    places[:, 2] = np.minimum(places[:, 2], 0.0)
+    met = OWN + carried @ NUMBER
+    assert given.step == pytest.approx(0.3 / met.max())
+    assert sea.sea_ahead(given) == pytest.approx(2 * later)
+    assert water.clock[0] == start
+
+    def flow(at, t):
+        theta = met * t - NUMBER.T @ at[:2] - PHASE
+        size = AMPLITUDE * OWN / np.sinh(k * depth)
+        along = size * np.cosh(k * (at[2] + depth)) * np.cos(theta)
+        return np.array([*(NUMBER / k @ along), -(size * np.sinh(k * (at[2] + depth))) @ np.sin(theta)])
+
+    h, table = 1e-4, water.table
+    for node, (first, n, j) in enumerate(((0, 2, 0), (0, 2, 1), (2, 1, 0))):
+        own = table[sea.SAMPLES * sea.OF_PLACE * first :][: sea.SAMPLES * sea.OF_PLACE * n]
+        own = own.reshape(sea.SAMPLES, sea.OF_PLACE, n)[:, :, j]
+        assert water.place[3 * first :][: 3 * n].reshape(3, n)[:, j] == pytest.approx(places[node])
+        for i, t in enumerate(start + given.step * np.arange(sea.SAMPLES)):
+            slopes = np.array(
+                [(flow(places[node] + h * e, t) - flow(places[node] - h * e, t)) / (2 * h) for e in np.eye(3)]
+            )
+            wanted = [*flow(places[node], t), slopes[0, 0], slopes[0, 1], slopes[1, 1], slopes[0, 2], slopes[1, 2]]
+            assert own[i] == pytest.approx(np.array(wanted), abs=3e-6)
