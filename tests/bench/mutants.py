@@ -14,7 +14,8 @@ make one).
 
 Results are lines of JSON, one a mutant; a second call with the same file goes on where the first stopped.  Mutants
 that change nothing a test could notice are in `mutants_equivalent.toml`, with the reason.
---quick evaluates kernels as plain Python: no compilation, for small kernels.
+--plain FOLDER : faults in files that hold kernels are judged with kernels as plain Python, which need no compilation,
+by the tests that execute the line so: a map that `plain_map.py` makes.  --again without it compiles what lived.
 """
 
 import argparse
@@ -250,7 +251,7 @@ def drawn(seed, count, package, root, equivalent):
 class Clone:
     """The last commit in a folder of its own, where faults are put in"""
 
-    def __init__(self, folder, quick):
+    def __init__(self, folder):
         self.root = folder / "clone"
         if not self.root.exists():
             subprocess.run(["git", "clone", "-q", "--shared", str(ROOT), str(self.root)], check=True)
@@ -268,13 +269,11 @@ class Clone:
             "OPENBLAS_NUM_THREADS": "1",
             "OMP_NUM_THREADS": "1",
         }
-        if quick:
-            os.environ["NUMBA_DISABLE_JIT"] = "1"
 
-    def tests(self, files, seconds, limit=None):
+    def tests(self, files, seconds, limit=None, plain=False):
         """(status, output, seconds) of tests run up to the first that fails; status None if they hang: by `limit`
 
-        seconds of processor time (three times `seconds` and a minute without it).
+        seconds of processor time (three times `seconds` and a minute without it).  plain : kernels as plain Python
 
         They run in a fork of this process, which has the libraries in memory: to load them takes as long as most tests.
         """
@@ -288,15 +287,17 @@ class Clone:
             child = os.fork()
             if not child:
                 resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
-                self._become(words, output)
+                self._become(words, output, plain)
             status = _status(child, start + BUSIEST * limit)
             output.seek(0)
             tail = output.read().splitlines()
         return status, tail, time.monotonic() - start
 
-    def _become(self, words, output):
+    def _become(self, words, output, plain):
         """Turn a fork of this process into one of pytest in the clone"""
         os.setsid()
+        os.environ["NUMBA_DISABLE_JIT"] = str(int(plain))
+        import_module("numba").config.reload_config()
         for stream in (1, 2):
             os.dup2(output.fileno(), stream)
         os.chdir(self.root)
@@ -312,13 +313,13 @@ class Clone:
         finally:
             os._exit(status)
 
-    def with_fault(self, row, files, seconds, limit=None):
+    def with_fault(self, row, files, seconds, limit=None, plain=False):
         path = self.root / row["file"]
         before, stamp = path.read_text(encoding="utf-8"), path.stat()
         self._forget(path)
         path.write_text(changed(before, row["first"], row["last"], row["after"]), encoding="utf-8")
         try:
-            return self.tests(files, seconds, limit)
+            return self.tests(files, seconds, limit, plain)
         finally:
             path.write_text(before, encoding="utf-8")
             os.utime(path, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))  # numba looks at it
@@ -345,26 +346,28 @@ def _status(child, until):
     return None if status in (-signal.SIGXCPU, -signal.SIGKILL) else status
 
 
-def judged(clone, row, given, sound, covered=None):
+def judged(clone, row, given, sound, covered=None, plain=None):
     """A row with its verdict: `noticed` by a test that passes without the fault, or `lived`"""
     names = (row["function"], Path(row["file"]).stem)
     files = [str(f.relative_to(clone.root)) for f in nearest([clone.root / row["file"]], names, clone.root)]
-    rounds = [(given.timeout, files[:NEAR]), (given.wider, files[:WIDER])]
+    rounds = [(given.timeout, files[:NEAR], False), (given.wider, files[:WIDER], False)]
     if covered:
         tests = covered.chosen(row["file"], row["line"], row["function"], given.timeout)
         if not covered.direct(row["file"], row["line"]):
             tests = files[:MIRRORS] + [test for test in tests if test.split("::")[0] not in files[:MIRRORS]]
         known = {test.split("::")[0] for test in tests}
-        rounds[0] = given.timeout, tests + [file for file in files[:NEAR] if file not in known]
+        rounds[0] = given.timeout, tests + [file for file in files[:NEAR] if file not in known], False
+    if plain and "@kernel" in (clone.root / row["file"]).read_text(encoding="utf-8"):
+        rounds[0] = given.timeout, plain.chosen(row["file"], row["line"], row["function"], given.timeout), True
     spent = 0.0
-    for seconds, tests in rounds:
-        if not seconds:
+    for seconds, tests, as_plain in rounds:
+        if not seconds or not tests:
             continue
-        status, output, took = clone.with_fault(row, tests, seconds)
+        status, output, took = clone.with_fault(row, tests, seconds, plain=as_plain)
         by = _stopped(status, output)
         spent += took
         if status is None and by:
-            status, output, took = clone.with_fault(row, [by], seconds, limit=HANGS * seconds)
+            status, output, took = clone.with_fault(row, [by], seconds, HANGS * seconds, as_plain)
             spent += took
         if status in (0, 5):
             continue
@@ -372,7 +375,8 @@ def judged(clone, row, given, sound, covered=None):
             by = f"it hangs in {by or 'the collection'}"
         else:
             by = _stopped(status, output) or "it does not import"
-        verdict = "noticed" if _is_sound(clone, by.removeprefix("it hangs in "), given, sound) else "unsound test"
+        passes = _is_sound(clone, by.removeprefix("it hangs in "), given, sound, as_plain)
+        verdict = "noticed" if passes else "unsound test"
         return row | {"verdict": verdict, "by": by, "seconds": round(spent, 1), "tests": len(tests)}
     return row | {"verdict": "lived", "by": "", "seconds": round(spent, 1), "tests": len(rounds[0][1])}
 
@@ -386,16 +390,16 @@ def _stopped(status, output):
     return re.sub(r"( [A-Z]+ .*)?\s*$", "", running[-1]) if running else None
 
 
-def _is_sound(clone, by, given, sound):
+def _is_sound(clone, by, given, sound, plain):
     """Whether a test passes without any fault"""
     if "tests/" not in by:
         return True
-    if by not in sound:
-        status = clone.tests([by], given.timeout)[0]
+    if (by, plain) not in sound:
+        status = clone.tests([by], given.timeout, plain=plain)[0]
         if status not in (0, 1):  # a name that the command line does not find
-            status = clone.tests([by.split("::")[0]], given.timeout)[0]
-        sound[by] = status == 0
-    return sound[by]
+            status = clone.tests([by.split("::")[0]], given.timeout, plain=plain)[0]
+        sound[by, plain] = status == 0
+    return sound[by, plain]
 
 
 def told(row):
@@ -427,7 +431,7 @@ def main():
     parser.add_argument("--wider", type=float, default=0, help="seconds for another try of what lived; 0: none")
     parser.add_argument("--coverage", type=Path, help="which tests execute which line: see covered.py")
     parser.add_argument("--times", type=Path, default=Path("times.xml"), help="how long each of them takes")
-    parser.add_argument("--quick", action="store_true", help="kernels as plain Python")
+    parser.add_argument("--plain", type=Path, help="folder of a map with kernels as plain Python: see plain_map.py")
     parser.add_argument("--folder", type=Path, default=Path(tempfile.gettempdir()) / "hakobune_mutants")
     parser.add_argument("--results", type=Path, help="lines of JSON; in --folder without it")
     parser.add_argument("--again", action="store_true", help="try again what lived, and nothing else")
@@ -436,7 +440,7 @@ def main():
     given.folder.mkdir(parents=True, exist_ok=True)
     path = given.results or given.folder / f"seed_{given.seed}.jsonl"
     equivalent = tomllib.loads((Path(__file__).parent / "mutants_equivalent.toml").read_text(encoding="utf-8"))
-    clone = Clone(given.folder, given.quick)
+    clone = Clone(given.folder)
     rows, sound = kept(path), {}
     if given.again:
         waiting = [row for row in rows if row["verdict"] == "lived"]
@@ -457,8 +461,9 @@ def main():
     if given.again:
         path.write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
     covered = Covered(given.coverage, given.times, clone.root) if given.coverage else None
+    plain = Covered(given.plain / ".coverage", given.plain / "times.xml", clone.root) if given.plain else None
     for row in waiting:
-        row = judged(clone, row, given, sound, covered)
+        row = judged(clone, row, given, sound, covered, plain)
         rows.append(row)
         with path.open("a", encoding="utf-8") as file:
             file.write(json.dumps(row, ensure_ascii=False) + "\n")

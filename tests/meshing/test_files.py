@@ -1,3 +1,4 @@
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -164,6 +165,8 @@ def test_symmetries_of_hydrostar_and_aqwa_are_mirror_planes(tmp_path):
     )
     mesh = read_mesh(tmp_path / "a.hst")
     assert (mesh.symmetry, mesh.volume) == ("y", pytest.approx(2.0))
+    (tmp_path / "a.hst").write_text((tmp_path / "a.hst").read_text().replace("SYMMETRY_BODY 1 1", "SYMMETRY_BODY 1"))
+    assert read_mesh(tmp_path / "a.hst").symmetry == ""
 
 
 def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
@@ -172,6 +175,11 @@ def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
     faces = [number for row in PYRAMID for number in (len(row), *(n - 1 for n in row))]
     pyvista.PolyData(points, faces).save(tmp_path / "a.vtp")
     assert read_mesh(tmp_path / "a.vtp").volume == pytest.approx(1 / 3, rel=1e-6)
+    pyvista.PolyData(points, faces).save(tmp_path / "points.vtp", binary=False)
+    text = (tmp_path / "points.vtp").read_text()
+    (tmp_path / "points.vtp").write_text(re.sub(r"(connectivity.*?>\s+)\d+", r"\1-1", text, flags=re.DOTALL))
+    with pytest.raises(ValueError, match="of its points"):
+        read_mesh(tmp_path / "points.vtp")
     pyvista.Line().save(tmp_path / "line.vtp")
     with pytest.raises(ValueError, match=r"line\.vtp: no polygons"):
         read_mesh(tmp_path / "line.vtp")

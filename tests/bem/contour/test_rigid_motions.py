@@ -1,9 +1,12 @@
 """Rigid motions of an upright body on its plan: harmonic potentials that move with the bottom, by differences."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.special import h1vp, hankel1, iv, ivp, kv, kvp
 
+from hakobune.bem.contour.hull.under_keel import UnderKeel
 from hakobune.bem.contour.plan.circle import Circle, _bessel_ratios
 from hakobune.bem.contour.plan.maps import CLASSES, Contour, table_wavenumber
 from hakobune.bem.contour.rigid_motions import bottom_integral, motion
@@ -114,3 +117,15 @@ def test_a_circle_resolves_orders_until_waves_on_it_are_as_small_as_the_toleranc
     contour = Circle(5.0).contour(0.3, 4, 1e-4)
     assert contour.weights.sum() == pytest.approx(2.5 * np.pi) and np.hypot(contour.x, contour.y) == pytest.approx(5.0)
     assert Circle(5.0).finest(9) == pytest.approx(6 / 5) and Circle(5.0).alphas == (0.5, 0.25, 0.75)
+
+
+@pytest.mark.parametrize(("dof", "sign"), [(2, 1), (3, 1), (4, -1)])
+def test_on_the_bottom_of_a_circle_it_has_one_order_about_the_axis(dof, sign):
+    """(ζ² − r²/2)/2s, or (ζ²r − r³/4)/2s as sin θ or −cos θ, in functions of norm √2πR and √πR"""
+    r, R, h = np.array([0.4, 1.1, 1.9]), 3.0, 1e-5
+    of = SimpleNamespace(body=SimpleNamespace(profiles=SimpleNamespace(height=S)), radius=R)
+    found, before, after = (UnderKeel._particular(of, dof, at, 4) for at in (r, r - h, r + h))
+    wanted = (S**2 - r**2 / 2) / (2 * S) if dof == 2 else sign * (S**2 * r - r**3 / 4) / (2 * S)
+    assert found[0, :, 0] == pytest.approx(wanted * np.sqrt((2 if dof == 2 else 1) * np.pi * R))
+    assert found[1] == pytest.approx((after[0] - before[0]) / (2 * h), abs=1e-8)
+    assert np.all(found[:, :, 1:] == 0)

@@ -327,3 +327,8 @@ def test_a_stiffness_without_the_weight_is_known_by_its_roll_and_pitch(values):
     assert "that of the files is without the weight" in remarks[0]
     lowered = raised.get("hydrostatic_stiffness")[3, 3] - C[3, 3]
     assert lowered == pytest.approx(-mass * G * 1.0, rel=1e-6)  # −m g z_G
+
+
+def test_a_quote_in_the_name_of_a_vessel_is_doubled_between_quotes():
+    """YAML 1.1, 5.7.3: '' in a text between single quotes"""
+    assert orcaflex._quoted("O'Brien's") == "'O''Brien''s'"

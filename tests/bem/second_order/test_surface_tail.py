@@ -1,5 +1,7 @@
 """Integrals of three waves beyond a circle: what two circles differ by is between them, by its own form there."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.special import h1vp, hankel1, jv, jve, jvp
@@ -8,7 +10,7 @@ from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
 from hakobune.bem.second_order.surface_far import bessel_orders
 from hakobune.bem.second_order.surface_forces import PairsOfOne, Products, integrated
 from hakobune.bem.second_order.surface_tail import Tails
-from hakobune.bem.second_order.surface_waves import Field, Wave
+from hakobune.bem.second_order.surface_waves import Field, SurfaceWaves, Wave
 from hakobune.bem.waves import wavenumber
 
 G, DEPTH, ORDERS = 9.80665, 20.0, 4
@@ -86,3 +88,18 @@ def test_bessel_functions_of_orders_far_above_their_argument_are_finite():
     for most in (40, 120, 250):
         known = jve(np.arange(most + 2)[:, None], z)
         assert np.abs(bessel_orders(most, z) - known).max() < 1e-13
+
+
+@pytest.mark.parametrize("planes", ["", "x", "y", "xy"])
+def test_each_direction_of_a_ring_is_an_image_of_one_in_the_meshed_part(planes):
+    theta = np.pi / 8 + np.arange(8) * np.pi / 4
+    x, y = ((1, -1) if plane in planes else (1,) for plane in "xy")
+    images = np.array([(a, b) for b in y for a in x])
+    rings = SimpleNamespace(directions=theta, radii=np.array([[3.0], [5.0]]), centre=np.array([0.5, 0.0]))
+    place, image, points = SurfaceWaves._quadrant(SimpleNamespace(images=images, rings=rings))
+    ray = np.stack([np.cos(theta), np.sin(theta)], axis=1)
+    own = (points.reshape(2, -1, 2)[0] - rings.centre) / 3.0
+    assert len(own) == 8 // len(images)
+    assert points.reshape(2, -1, 2)[1] == pytest.approx(rings.centre + 5.0 * own)
+    assert own[place] * images[image] == pytest.approx(ray)
+    assert np.bincount(image, minlength=len(images)).tolist() == [8 // len(images)] * len(images)

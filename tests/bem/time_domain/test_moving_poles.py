@@ -15,7 +15,7 @@ from hakobune.bem.time_domain.moving_poles import (
     storage,
     transfer,
 )
-from hakobune.bem.time_domain.passive_fit import _Modes, _Problem
+from hakobune.bem.time_domain.passive_fit import _least_squares, _Modes, _Problem
 
 S = 1j * np.linspace(0.05, 4.0, 60)
 
@@ -81,3 +81,21 @@ def test_a_system_that_was_shifted_is_found_again():
     found = moved(begun, S, wanted, weight)
     first, last = (np.abs((transfer(one, S) - wanted) * weight).max() for one in (begun, found))
     assert last <= 1 < 0.02 * first
+
+
+class Valley:
+    """Misses 10 (y − x²) and 1 − x of Rosenbrock's valley, one complex miss, whose slopes run across it"""
+
+    def misses(self, Z):
+        x, y = Z.ravel()
+        return np.array([10 * (y - x * x), 1 - x])
+
+    def slopes(self, Z):
+        return np.array([[-20 * Z[0, 0], -1.0], [10.0, 0.0]])
+
+
+def test_steps_that_make_a_miss_larger_are_damped_until_they_do_not():
+    """From (−1.2, 1), of size 4.9, where a whole step goes up to 48"""
+    far = np.array([[-1.2, 1.0]])
+    found = _least_squares(Valley(), far, 1e-9)
+    assert found == pytest.approx(np.ones((1, 2)), abs=1e-6)

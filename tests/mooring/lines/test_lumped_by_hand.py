@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from node_loads import loads
+from plain import plain
 
 from hakobune.mooring.lines.dynamics.bed import ElasticBed
 from hakobune.mooring.lines.dynamics.line import AttachedBody, DynamicLine, DynamicSegment
@@ -332,3 +333,28 @@ def test_a_table_of_strains_is_read_over_its_largest_stiffness():
     assert part.stiffness == pytest.approx(4e6)
     assert part.elongation == pytest.approx(np.array([[0, 0, 0.5, 0], [0.1, 0.05, 1.0, 0.0025]]))
     assert part.strain_at(np.array([1e5, 6e5, 2e6])) == pytest.approx([0.05, 0.2, 0.55])
+
+
+def test_a_stage_without_drag_is_solved_at_once_and_what_is_no_number_or_beyond_reach_is_told():
+    """Slack elements that carry nothing fall: m a = −w, the water's inertia with it; linear, so one step is enough"""
+    stage, work = (plain(f"mooring.lines.dynamics.lumped.{name}") for name in ("stage", "workspace"))
+    s = a_system(rises=False)
+    none = np.zeros(N)
+    s = s._replace(half_drag_normal=none, half_drag_tangential=none, bed_stiffness=np.zeros(N + 1), bed_level=-1e3,
+                   body_nodes=np.array([], int))  # fmt: skip
+    room = work.workspace(s)
+    q = np.column_stack([0.5 * np.concatenate([[0.0], np.cumsum(s.length)]), np.zeros(N + 1), np.full(N + 1, -5.0)])
+    still, cq, cv = to_rows(np.zeros((N + 1, 3))), 1e-6, 1e-3
+    a = still.copy()
+    stage.begin_stage(room, to_rows(q), still, a, N, cq, cv)
+    assert stage.solve_stage(s, room, a, still, to_rows(q), cq, cv, 1.0, 1e-3) == (stage.CONVERGED, 1)
+    mass = s.mass + np.append(s.half_added_normal, 0.0) + np.append(0.0, s.half_added_normal)
+    assert a[2, 1:N] == pytest.approx(-(s.weight / mass)[1:N])  # the elements lie across their fall
+    assert room.q[2, 1:N] == pytest.approx(-5.0 + cq * a[2, 1:N])
+    room.q[0, 2] = np.nan
+    assert stage.solve_stage(s, room, a, still, to_rows(q), cq, cv, 1.0, 1e-3) == (stage.NOT_FINITE, 1)
+    taut = to_rows(q * [2.2, 1.0, 1.0])
+    stage.begin_stage(room, taut, still, a, N, 1.0, 1.0)
+    status, count = stage.solve_stage(s, room, a, still, taut, 1.0, 1.0, 1e-12, 1e-15)
+    assert status == stage.STALLED
+    assert 4 < count <= stage.ITERATIONS

@@ -1,6 +1,7 @@
 """The current tables of the SR179 report (1982): every printed value, the crest, what lies between, what is a guess."""
 
 import warnings
+from contextlib import nullcontext
 from importlib.resources import files
 from itertools import pairwise
 
@@ -163,3 +164,21 @@ def test_sound_values_come_without_notes():
 def test_tables_travel_with_the_package():
     names = {file.name for file in files("hakobune.mooring.loads").joinpath("tables").iterdir()}
     assert {"current_angles.csv", "current_depths.csv", "turning_derivatives.csv"} <= names
+
+
+@pytest.mark.parametrize(
+    ("name", "low", "high", "sizes"),
+    [
+        ("L/B", 1.0, 12.0, lambda ratio: (10.0 * ratio, 10.0, 2.0, 10.0)),
+        ("B/d", 2.0, 60.0, lambda ratio: (20.0, 10.0, 10.0 / ratio, 20.0 / ratio)),
+        ("H/d", 1.02, np.inf, lambda ratio: (20.0, 10.0, 1.0, ratio)),
+    ],
+)
+def test_tests_are_led_on_to_the_end_of_their_reach_and_no_farther(name, low, high, sizes):
+    box_table(*sizes(low))
+    with pytest.raises(ValueError, match=f"^{name} = .*{low:g}") if name != "L/B" else nullcontext():
+        box_table(*sizes(0.99 * low))  # a box that is broader than long is turned
+    if high < np.inf:
+        box_table(*sizes(high))
+        with pytest.raises(ValueError, match=f"^{name} = .*{low:g} to {high:g}"):
+            box_table(*sizes(1.01 * high))

@@ -1,6 +1,7 @@
 """Kernels of a run one by one: polynomials between samples, turned forces, hawsers, a buoy, a hull that slews."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -29,6 +30,7 @@ from hakobune.mooring.motion.buoy import (
 )
 from hakobune.mooring.motion.line_loads import (
     body_lines,
+    ends_at_rest,
     fairlead_course,
     generalized,
     give_generalized,
@@ -379,3 +381,17 @@ def test_water_on_a_hull_has_its_powers_of_the_turn_and_what_the_current_adds(tu
         wanted += r * (np.array([5 * W, -8 * U, -0.6 * U]) if turning else np.array([-3 * W, -3 * U, -0.6 * U]))
         assert out == pytest.approx(wanted, rel=1e-6)
         assert found == pytest.approx(share**2 * np.array([math.cos(0.4), math.sin(0.4), math.cos(0.8)]), rel=1e-5)
+
+
+def test_ends_of_lines_at_rest_are_turned_by_the_headings_of_their_bodies():
+    """Body 0 at (5, 6, −1), not turned; body 1 at (100, 50, −2), turned by 90°; an anchor stays"""
+    lines = SimpleNamespace(
+        body=np.array([0, 1, 1]), other=np.array([-1, -1, 0]), place=np.array([[5.0, 6.0, -1.0], [100.0, 50.0, -2.0]]),
+        anchor=np.array([[-50.0, 1.0, -20.0], [-60.0, 2.0, -20.0], [3.0, 4.0, 0.5]]),
+        fairlead=np.array([[10.0, 1.0, 2.0], [10.0, 1.0, 2.0], [-10.0, 2.0, 1.0]]),
+    )  # fmt: skip
+    at_rest = np.zeros((2, 6))
+    at_rest[1, 5] = np.pi / 2
+    far, near = ends_at_rest(lines, at_rest)
+    assert far == pytest.approx(np.array([[-50.0, 1.0, -20.0], [-60.0, 2.0, -20.0], [8.0, 10.0, -0.5]]))
+    assert near == pytest.approx(np.array([[15.0, 7.0, 1.0], [99.0, 60.0, 0.0], [98.0, 40.0, -1.0]]))

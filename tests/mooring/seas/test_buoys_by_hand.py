@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.environment.tables import TableError
-from hakobune.mooring.seas import directions
+from hakobune.mooring.seas import buoys, directions
 from hakobune.mooring.seas.spectra_files import read_sea
 
 HZ = 2 * math.pi
@@ -281,3 +281,22 @@ def test_the_netcdf_of_a_buoy_has_moments(xarray, tmp_path):
         sea = read_sea(tmp_path / "b.nc", 0.0)
         assert height(sea) == pytest.approx(4 * math.sqrt(M0))
         assert mean(sea, HZ * 0.2) == pytest.approx(0, abs=1e-6)
+
+
+def test_spectra_of_wavesmon_are_millimetres_of_each_band_and_slices_that_begin_at_an_angle(monkeypatch):
+    """mm/√Hz: 2000 → 4 m²/Hz; mm²/Hz a degree: 5e5 → 0.5 m²/Hz; slices from 10°, 130° and 250° on"""
+    for name in ("_plain", "_plane"):
+        monkeypatch.setattr(buoys, name, lambda *given: given[1:])
+    head = "% 3 Frequency Bands are 0.02 Hz wide (first frequency band is centered at 0.05 )\n"
+    frequency, density = buoys.trdi("a.txt", head + "2000 1000\n500\n", None, None)
+    assert frequency == pytest.approx([0.05, 0.07, 0.09])
+    assert density == pytest.approx([4.0, 1.0, 0.25])
+    slices = head + "% the first direction slice begins at 10 degrees\n5e5 1e5 0\n0 2e5 1e6\n"
+    assert buoys.kind(slices) is buoys.trdi
+    frequency, direction, density = buoys.trdi("a.txt", slices, 90.0, None)
+    assert frequency == pytest.approx([0.05, 0.07])
+    assert np.degrees(direction) == pytest.approx(90.0 - np.array([70.0, 190.0, 310.0]) - 180.0)  # middles of slices
+    assert np.radians(density) == pytest.approx(np.array([[0.5, 0.1, 0.0], [0.0, 0.2, 1.0]]))
+    for text in ("% no bands\n1 2\n", head + "1 a\n"):
+        with pytest.raises(buoys.TableError, match="its frequency bands, then come numbers"):
+            buoys.trdi("a.txt", text, None, None)

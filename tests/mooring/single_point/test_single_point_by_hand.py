@@ -12,8 +12,10 @@ from hakobune.mooring.environment.spreading import WrappedNormal
 from hakobune.mooring.loads.turning import turning_coefficients
 from hakobune.mooring.motion.wave_loads import HEADINGS, WaveForces
 from hakobune.mooring.on_current.waves import Carrier
+from hakobune.mooring.single_point import runs
 from hakobune.mooring.single_point.criterion import Lateral, moored_quartic, proportions, slewing
 from hakobune.mooring.single_point.history import cycle, settled_after, watch_circle, wave_deviations
+from hakobune.mooring.single_point.in_time import of_contact
 from hakobune.mooring.single_point.loads import (
     DriftLoad,
     Loads,
@@ -266,3 +268,34 @@ def test_a_heading_has_settled_after_it_was_last_away():
     assert settled_after(t, x, 0.0) == 3.0 and settled_after(t, 0 * x, 0.0) == 0.0
     assert math.isnan(settled_after(t, x[::-1], 0.0))
     assert watch_circle(np.array([[3.0, 4.0], [1.0, 1.0]]), np.array([0.0, 0.0])) == pytest.approx(5.0)
+
+
+def test_a_contact_buoy_is_at_the_bow_and_pulled_by_its_moorings():
+    """Bow 50 m ahead and 2 m to port of the centre, which is at (10, 20) and moves by (3, 4); heading 90° − 36.87°"""
+    heading = math.atan2(0.8, 0.6)
+    motion = np.zeros((2, 6))
+    motion[1, :2], motion[1, 5] = (3.0, 4.0), heading
+    point = SimpleNamespace(
+        ends=np.array([[50.0, 2.0]]), pull=lambda at: SimpleNamespace(force=(0.6 * at[0], 0.8 * at[0]))
+    )
+    tension = np.arange(4.0).reshape(2, 2)
+    at, pull, kept = of_contact(point, SimpleNamespace(motion=motion, tension=tension), np.array([10.0, 20.0]))
+    assert at == pytest.approx(np.array([[60.0, 22.0], [13 + 30 - 1.6, 24 + 40 + 1.2]]))
+    assert pull == pytest.approx(at[:, :1])
+    assert kept is tension
+
+
+def test_components_of_a_sea_lie_between_the_stored_frequencies_and_no_more_than_a_twentieth_is_left_out(monkeypatch):
+    """All energy between 0.5 and 1.0 rad/s, evenly: 4 % is beyond 0.98, 6 % beyond 0.97"""
+    kept = []
+    spectrum = SimpleNamespace(
+        quantile=lambda shares: np.array([0.5, 0.5]) + 0.5 * np.round(shares, 2), moment=lambda n, a=0.5, b=1.0: b - a
+    )
+    sea = SimpleNamespace(spectrum=spectrum, components=lambda *given, **words: kept.append((given, words)) or "waves")
+    monkeypatch.setattr(runs, "in_water", lambda *given: given)
+    reader = SimpleNamespace(omega=np.array([0.3, 0.6, 0.98]), depth=20.0)
+    assert runs.sea_components(sea, 7, 3, reader, "current", 9.8) == ("waves", "current", 20.0, 9.8)
+    assert kept == [((7, 3), {"low": 0.5, "high": 0.98})]
+    for ends in ([0.3, 0.97], [0.53, 2.0]):
+        with pytest.raises(ValueError, match=r"^6 % of the waves' energy .* 5 %; solve 0.5 to 1 rad/s too"):
+            runs.sea_components(sea, 7, 3, SimpleNamespace(omega=np.array(ends), depth=20.0))

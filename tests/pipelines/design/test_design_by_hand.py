@@ -30,9 +30,14 @@ def test_lines_are_laid_out_over_five_depths_and_the_tide_from_low_to_high_water
         names=("A", "B", "hawser"), hawsers=("hawser",), types=(("chain",), ("chain",), ("nylon",)),
         length=np.array([300.0, 150.0, 40.0]), parts={},
     )  # fmt: skip
-    found = given_parts(read, SimpleNamespace(kind="storm", lines="intact", apart=False, name="one"), numbers)
+    case = SimpleNamespace(kind="storm", lines="intact", apart=False, name="one")
+    found = given_parts(read, case, numbers)
     by_hand = {name: length / (5 * 30.0 + range_of_tide) for name, length in (("A", 300.0), ("B", 150.0))}
     assert found[SCOPE] == pytest.approx(by_hand)
+    read.study = {}
+    assert given_parts(read, case, numbers) == {}  # no water in the study, or no lines but hawsers and ropes
+    read.study, numbers.types = {"water": {"depth": 30.0}}, (("rope",), ("rope",), ("nylon",))
+    assert given_parts(read, case, numbers) == {}
 
 
 def test_the_time_of_a_state_is_shared_by_its_directions_and_levels():

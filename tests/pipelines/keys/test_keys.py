@@ -10,7 +10,7 @@ import pytest
 
 from hakobune.pipelines import cli
 from hakobune.pipelines.keys.beginning import commented
-from hakobune.pipelines.keys.kinds import KINDS, SCENES, struct_of
+from hakobune.pipelines.keys.kinds import KINDS, SCENES, _collect, struct_of
 from hakobune.pipelines.keys.reference import entries, reference, summary, tables_of
 from hakobune.pipelines.keys.words import COMMON, ENDINGS
 
@@ -133,3 +133,14 @@ def test_entries_of_a_docstring_go_on_in_further_lines_and_end_at_a_paragraph():
         "Words": "that are none of it stand here",
     }  # fmt: skip
     assert summary(Table) == "A table"
+
+
+def test_values_of_keys_are_those_given_first_in_each_of_several_tables():
+    """Two tables of one list, and two whose names the writer chose"""
+    kind = {"mine": {"e": 5}, "his": {"f": 6}}
+    raw = {"size": 2.0, "part": [{"a": 1, "b": {"c": 3}}, {"a": 9, "d": 4}], "kind": kind}
+    values = {}
+    _collect(raw, None, "", values)
+    found = {path: value for path, value in values.items() if not isinstance(value, dict | list)}
+    wanted = {".size": 2.0, "part.a": 1, "part.b.c": 3, "part.d": 4, "kind.NAME.e": 5, "kind.NAME.f": 6}
+    assert wanted.items() <= found.items()

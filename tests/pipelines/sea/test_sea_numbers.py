@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.sea.result import _point
 
 
 def found_by(words, capsys):
@@ -67,3 +68,10 @@ def test_a_record_of_thirty_known_waves_has_the_means_of_its_highest_ten_and_thr
     assert max(v for name, v in height.items() if name.startswith("highest")) == pytest.approx(3.4, rel=0.005)
     assert period["T1/3"] == pytest.approx(8.0, rel=0.01)
     assert period["T02"] == pytest.approx(lengths.mean() / 10, rel=0.02)
+
+
+def test_a_place_is_its_two_numbers_in_their_order():
+    assert _point("3,-4.5") == _point((3, -4.5)) == (3.0, -4.5)
+    assert _point(None) == (0.0, 0.0)
+    with pytest.raises(ValueError, match=r"--point is '1'; allowed: two numbers x,y"):
+        _point("1")

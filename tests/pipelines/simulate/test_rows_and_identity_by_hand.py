@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.simulate import beside, over_runs, run, work
+from hakobune.pipelines.simulate import beside, over_runs, result, run, work
 
 # ------------------------------------------------------------------ identity
 
@@ -265,3 +265,31 @@ def test_a_row_has_statistics_after_the_ramp_in_the_order_of_its_quantities(monk
     made.motion[3, 2] = np.nan
     with pytest.raises(ValueError, match="not finite"):
         work.simulate_seed(task, 1, False)
+
+
+@pytest.mark.parametrize("error", [None, ValueError])
+def test_workers_are_let_go_without_waiting_whether_runs_are_made_or_not(monkeypatch, tmp_path, error):
+    said, outcome = [], SimpleNamespace(interrupted=False, failures=[(7, "the line is too short")])
+
+    def made(*_):
+        if error:
+            raise error("no")
+        return outcome
+
+    workers = SimpleNamespace(shutdown=lambda **words: said.append(words))
+    monkeypatch.setattr(result, "executor_of", lambda name: workers)
+    monkeypatch.setattr(result, "fill", made)
+    monkeypatch.setattr(result, "input_of", str)
+    monkeypatch.setattr(result, "database_of", str)
+    monkeypatch.setattr(result, "read_run", lambda *given: given)
+    if error:
+        with pytest.raises(error):
+            result.simulate("a.toml", "a.h5", tmp_path / "run.h5")
+    else:
+        path, window, failed = result.simulate("a.toml", "a.h5", tmp_path / "run.h5", window=3.0)
+        assert (path, window, len(failed)) == (tmp_path / "run.h5", 3.0, 1)
+        assert "7" in str(failed[0]) and "too short" in str(failed[0])
+        outcome.interrupted = True
+        with pytest.raises(KeyboardInterrupt):
+            result.simulate("a.toml", "a.h5", tmp_path / "run.h5")
+    assert said == [{"wait": False, "cancel_futures": True}] * (1 if error else 2)

@@ -1,0 +1,41 @@
+"""The Green function and its derivative by either depth: by differences, and as where it is by one alone."""
+
+import math
+
+import numpy as np
+import pytest
+from plain import plain
+
+forms, tables = plain("bem.green.finite_depth"), plain("bem.green.tables")
+G = 9.80665
+
+
+@pytest.mark.parametrize("depth", [20.0, np.inf])
+def test_derivatives_by_both_depths_are_differences_in_each_zone_of_a_table(depth):
+    table, h = tables.wave_table(0.9, depth, G, 80.0, 8.0, 1e-6), 1e-3
+    view, q = forms.table_view(table), math.exp(-table.k * table.double_depth) if np.isfinite(depth) else 0.0
+
+    def at(R, z, zeta):
+        depths, back = forms.depth_variables(z, zeta), forms.depth_variables(zeta, z)
+        wave, slope = forms.wave_factors(*depths, table.C, table.k, q)
+        _, slope_back = forms.wave_factors(*back, table.C, table.k, q)
+        return forms.standing_part_at(
+            forms.table_position(R, depths, view), R, depths, wave, slope, slope_back, view
+        ), forms.wave_part(R, depths, wave, slope, view)[:3]
+
+    zones = set()
+    for R, z, zeta in (
+        (1.5, -2.0, -3.0),
+        (9.0, -6.0, -1.0),
+        (25.0, -1.5, -4.0),
+        (45.0, -3.0, -7.0),
+        (70.0, -5.0, -2.0),
+    ):
+        (g, gr, by_zeta, by_z), alone = at(R, z, zeta)
+        zones.add(forms.table_position(R, forms.depth_variables(z, zeta), view)[0])
+        assert (g, gr, by_zeta) == pytest.approx(alone, rel=1e-9, abs=1e-12)
+        size = max(abs(g), 1e-3)
+        for found, step in ((gr, (h, 0, 0)), (by_zeta, (0, 0, h)), (by_z, (0, h, 0))):
+            before, after = (at(*(np.array([R, z, zeta]) + side * np.array(step)))[0][0] for side in (-1, 1))
+            assert found == pytest.approx((after - before) / (2 * h), abs=2e-4 * size)
+    assert len(zones) > 2 or not np.isfinite(depth)

@@ -1,0 +1,58 @@
+"""Iteration for several right-hand sides beside a direct solution, and which headings a class of symmetry has."""
+
+from types import SimpleNamespace
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from hakobune.bem.panels.compressed.iteration import _cycle, gmres
+from hakobune.bem.panels.one_frequency import PanelRun
+
+SIZE, SIDES = 30, 2
+
+
+class Columns(NamedTuple):
+    values: np.ndarray
+    signs: int
+
+
+@pytest.fixture
+def equations():
+    """A matrix with three eigenvalues, for which a space of three is enough (Saad & Schultz 1986)"""
+    rng = np.random.default_rng(3)
+    turn = np.linalg.qr(rng.normal(size=(SIZE, SIZE)) + 1j * rng.normal(size=(SIZE, SIZE)))[0]
+    matrix = (turn * np.resize([1.0, 2.0, 1.5j], SIZE)) @ turn.conj().T
+    sides = rng.normal(size=(SIZE, SIDES)) + 1j * rng.normal(size=(SIZE, SIDES))
+    return SimpleNamespace(matrix=matrix, sides=sides, apply=lambda c, exactly=False: matrix @ c.values)
+
+
+@pytest.mark.parametrize("scale", [1.0, 2.0])
+def test_a_space_of_as_many_as_there_are_eigenvalues_has_the_solution(equations, scale):
+    def divided(values, signs):
+        return values / scale
+
+    columns = Columns(np.zeros((SIZE, SIDES)), 1)
+    found, count = _cycle(equations, divided, columns, equations.sides, np.full(SIDES, 1e-3))
+    exact = np.linalg.solve(equations.matrix, equations.sides)
+    assert count == 3
+    assert found == pytest.approx(exact, abs=2e-4 * np.abs(exact).max())
+    found, left = gmres(equations, divided, columns, 1e-12, 40)
+    assert left < 1e-12
+    assert found == pytest.approx(exact, rel=1e-10)
+
+
+def test_no_more_iterations_are_begun_than_allowed(equations):
+    columns = Columns(np.zeros((SIZE, SIDES)), 1)
+    _, left = gmres(equations, lambda values, signs: values, columns, 1e-12, 3)
+    assert 1e-12 < left < 1e-3  # one cycle, in single precision
+    found, left = gmres(equations, lambda values, signs: values, columns, 1e-12, 0)
+    assert left == 1.0
+    assert np.all(found == 0)
+
+
+def test_a_class_has_the_headings_whose_waves_have_a_part_of_its_symmetry():
+    """Even about x: both, by the larger of two nodes, in whatever phase; odd: the second alone but for rounding"""
+    parts = {(1, 1): np.array([[-3.0, -2.0j], [-1.0, 0.0]]), (1, -1): np.array([[1e-13, -1e-13], [0.0, -1j]])}
+    run = SimpleNamespace(incident=[{cls: (None, velocity) for cls, velocity in parts.items()}])
+    assert PanelRun.incident_headings.fget(run) == {(1, 1): [0, 1], (1, -1): [1]}

@@ -1,0 +1,119 @@
+"""Hinges between bodies: rows are derivatives of what is held, and what they hold keeps it held, by differences."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from plain import plain
+
+from hakobune.mooring.lines.system.bodies import rotation
+
+links = plain("mooring.motion.links")
+PLACE = np.array([[0.0, 0.0, -1.0], [20.0, 1.0, -1.5]])
+POSES = np.array([[0.3, -0.2, 0.1, 0.02, -0.03, 0.2], [0.5, 0.1, -0.1, -0.04, 0.05, 0.15]])
+SPEED = np.array([0.3, -0.2, 0.1, 0.02, 0.03, -0.05, -0.1, 0.4, 0.2, -0.03, 0.01, 0.04])
+BACK = rotation(0.01, -0.02, 0.03)
+
+
+def a_link(second):
+    """A hinge about an axis near y, between two bodies or from the first to what stands still"""
+    ends, points = np.array([[0, second]]), np.array([[[10.0, 0.5, 0.2], [-9.5, -0.5, 0.7]]])
+    if second < 0:
+        points[0, 1] = (10.3, 0.4, -0.8)
+    held = np.array([[[1.0, 0.1, 0.0], [0.0, 0.2, 1.0], [0.0, 0.0, 0.0]]])
+    return links.Links(ends, points, BACK[None], held, np.array([0, 5]), PLACE, rotation(0.0, 0.0, 0.4)[None])
+
+
+def moved(poses, speed, t):
+    """Poses after t s: surge and sway go along the heading as it is at the start, for differences"""
+    out = poses.copy()
+    for b, (u, v, *rest) in enumerate(speed.reshape(-1, 6)):
+        cos, sin = np.cos(poses[b, 5]), np.sin(poses[b, 5])
+        out[b] += t * np.array([cos * u - sin * v, sin * u + cos * v, *rest])
+    return out
+
+
+def gap(link, poses):
+    """Way between the two points, and the part of the turn from the first to the second along what is held"""
+    turns, places = [], []
+    for b, point in zip(link.ends[0], link.points[0], strict=True):
+        turns.append(np.eye(3) if b < 0 else rotation(*poses[b, 3:]))
+        places.append(turns[-1] @ point + (0.0 if b < 0 else PLACE[b] + poses[b, :3]))
+    Q = turns[0].T @ turns[1] @ BACK
+    turned = 0.5 * np.array([Q[2, 1] - Q[1, 2], Q[0, 2] - Q[2, 0], Q[1, 0] - Q[0, 1]])
+    return np.concatenate([places[1] - places[0], link.held[0, :2] @ turned])
+
+
+@pytest.mark.parametrize("second", [1, -1])
+def test_rows_are_the_derivatives_of_what_is_held(second):
+    link, h = a_link(second), 1e-6
+    G, left = links.rows_at(link, POSES)
+    assert left == pytest.approx(gap(link, POSES), abs=1e-12)
+    for k in range(12):
+        way = np.eye(12)[k]
+        slope = (gap(link, moved(POSES, way, h)) - gap(link, moved(POSES, way, -h))) / (2 * h)
+        assert G[:, k] == pytest.approx(slope, abs=1e-8)
+
+
+@pytest.mark.parametrize("second", [1, -1])
+def test_what_a_hinge_holds_lets_its_gap_die_as_a_critically_damped_spring(second):
+    """g″ + 2αg′ + α²g = 0 with the velocities ν + W F t"""
+    link, rng = a_link(second), np.random.default_rng(2)
+    square = rng.normal(size=(12, 12))
+    inverse, force = square @ square.T / 12 + np.eye(12), rng.normal(size=12)
+    work = links.link_work(link)
+    work.speed[:] = SPEED
+    acting = force.copy()
+    links.hold_together(link, work, POSES, inverse, acting)
+    h, rate = 1e-3, inverse @ acting
+
+    def at(t):
+        """Gap after t s, in fifty steps of the mean velocity"""
+        poses, step = POSES, t / 50
+        for i in range(50):
+            half = moved(poses, SPEED + rate * step * i, step / 2)
+            turned = half.copy()
+            middle = SPEED + rate * step * (i + 0.5)
+            now = poses.copy()
+            now[:, 5] = turned[:, 5]
+            poses = poses + moved(now, middle, step) - now
+        return gap(link, poses)
+
+    first, second_rate = (at(h) - at(-h)) / (2 * h), (at(h) - 2 * at(0.0) + at(-h)) / h**2
+    left = second_rate + 2 * links.BACK * first + links.BACK**2 * at(0.0)
+    assert left == pytest.approx(np.zeros(5), abs=2e-5)
+    # and it does so by forces along the rows alone
+    G, _ = links.rows_at(link, POSES)
+    mu = np.linalg.lstsq(G.T, acting - force, rcond=None)[0]
+    assert G.T @ mu == pytest.approx(acting - force, abs=1e-9)
+    assert work.mu == pytest.approx(mu, rel=1e-8)
+
+
+def test_forces_told_of_a_hinge_do_the_work_of_its_rows():
+    """On the second body: f · v of its point and m · ω, told along axes turned by 0.4 rad from those of the first"""
+    link, mu, h = a_link(1), np.array([3.0, -2.0, 5.0, 0.7, -1.1]), 1e-6
+    told = links.held_by(link, POSES, mu)[0]
+    axes = rotation(*POSES[0, 3:]) @ rotation(0.0, 0.0, 0.4).T
+    f, m = axes @ told[:3], axes @ told[3:]
+    assert f == pytest.approx(mu[:3])
+    G, _ = links.rows_at(link, POSES)
+    R = rotation(*POSES[1, 3:])
+    for k in range(6, 12):
+        poses = [moved(POSES, np.eye(12)[k], t)[1] for t in (h, -h)]
+        ends = [PLACE[1] + pose[:3] + rotation(*pose[3:]) @ link.points[0, 1] for pose in poses]
+        spin = (rotation(*poses[0][3:]) - rotation(*poses[1][3:])) / (2 * h) @ R.T
+        turn = np.array([spin[2, 1], spin[0, 2], spin[1, 0]])
+        assert mu @ G[:, k] == pytest.approx(f @ (ends[0] - ends[1]) / (2 * h) + m @ turn, abs=1e-7)
+
+
+def test_a_definite_system_is_solved():
+    rng = np.random.default_rng(5)
+    square, x = rng.normal(size=(4, 4)), rng.normal(size=4)
+    A = square @ square.T + np.eye(4)
+    wanted = np.linalg.solve(A, x)
+    links.solve_positive(A.copy(), x)
+    assert x == pytest.approx(wanted)
+
+
+def test_links_stand_still_where_there_is_no_body():
+    assert links.links_of(SimpleNamespace(links=())) is None
