@@ -65,6 +65,7 @@ PARTS = {
     ("docs/several_bodies.md", "modes"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "damping_lids"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "hulls"): {"water": {"depth": 9.0}},
+    ("docs/several_bodies.md", "lines_file"): {"water": {"depth": 50.0}},
     ("docs/downtime.md", "simulation"): OF_DOWNTIME,
     ("docs/downtime.md", "lee"): OF_DOWNTIME,
     ("docs/downtime.md", "passages"): OF_DOWNTIME,
