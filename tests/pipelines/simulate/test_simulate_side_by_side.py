@@ -120,8 +120,9 @@ FAULTS = {
     "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some hold what others already do"),
     "two of a name": ({"hinges": [HINGE, {**HINGE, "kind": "ball"}]}, "two hinges are called 'H'"),
     "torn": (
-        {"hinges": [HINGE], "types": STUDY["types"] | {"chain": {**CHAIN, "weight_kg_per_m": 6000.0}}},
-        "hinges tear ship down by",
+        {"hinges": [HINGE], "types": STUDY["types"] | {"chain": {**CHAIN, "weight_kg_per_m": 700.0}},
+         "hulls": {"ship": {"freeboard": 0.1}, "barge": {"freeboard": 1.5}}},
+        "hinges tear ship down by 0.562 m at rest, limit 0.1 m",
     ),
     "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database is of several bodies"),
 }  # fmt: skip
