@@ -472,13 +472,18 @@ def main():
 
 
 def found_again(row, root):
-    """A row with its place in the file as it is now, None if that text is no longer there"""
+    """A row with its place in the file as it is now, the nearest to where it was; None if that text is not there"""
     source = (root / row["file"]).read_text(encoding="utf-8")
-    for operator, line, first, last, after, function in faults(source):
-        same = (operator, after, function) == (row["operator"], row["after"], row["function"])
-        if same and source.encode()[first:last].decode() == row["before"]:
-            return row | {"line": line, "first": first, "last": last}
-    return None
+    places = [
+        (abs(line - row["line"]), line, first, last)
+        for operator, line, first, last, after, function in faults(source)
+        if (operator, after, function) == (row["operator"], row["after"], row["function"])
+        and source.encode()[first:last].decode() == row["before"]
+    ]
+    if not places:
+        return None
+    _, line, first, last = min(places)
+    return row | {"line": line, "first": first, "last": last}
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 """Forces on a pile over a wave, in closed form."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -40,3 +42,14 @@ def test_a_pile_is_wet_up_to_the_surface():
         start, end = wet_part(*pile(1.0)[2:], wave, phase)
         assert start[2] == -12.0 and end[2] == pytest.approx(1.5 * np.cos(phase), abs=1e-9)
     assert wet_part(np.array([0, 0, 2.0]), np.array([0, 0, 5.0]), wave, 0.0) is None
+
+
+@pytest.mark.parametrize("level", [0.0, 1.5])
+def test_a_member_is_wet_below_the_surface_from_whichever_end_it_is_given(level):
+    wave = SimpleNamespace(elevation=lambda place, phase: np.full(len(place), level))
+    low, high = np.array([1.0, 2.0, -6.0]), np.array([5.0, 2.0, 2.0])
+    cut = low + (level + 6.0) / 8.0 * (high - low)
+    assert wet_part(low, high, wave, 0.0) == (pytest.approx(low), pytest.approx(cut))
+    assert wet_part(high, low, wave, 0.0) == (pytest.approx(cut), pytest.approx(low))
+    assert wet_part(low, low - 1.0, wave, 0.0) == (pytest.approx(low), pytest.approx(low - 1.0))
+    assert wet_part(high + 1.0, high, wave, 0.0) is None

@@ -360,3 +360,33 @@ def test_a_table_of_the_sea_has_velocities_and_slopes_of_linear_waves_where_node
             )
             wanted = [*flow(places[node], t), slopes[0, 0], slopes[0, 1], slopes[1, 1], slopes[0, 2], slopes[1, 2]]
             assert own[i] == pytest.approx(np.array(wanted), abs=3e-6)
+
+
+# ------------------------------------------------------------------ the water around a buoy
+
+buoys = plain("mooring.motion.buoy")
+
+
+def test_water_at_a_buoy_goes_from_that_of_the_begin_of_a_window_to_that_of_its_end():
+    """The buoy at (1, −2) m off its place; rows of the end become those of the next begin"""
+    table, times = a_table()
+    m, start = len(times), 7.0
+    buoy = SimpleNamespace(depth=30.0, draft=2.0, origin=np.array([4.0, 5.0, 0.0]),
+                           lines=SimpleNamespace(place=np.array([[50.0, 10.0, 0.0]])))  # fmt: skip
+    work = SimpleNamespace(window=np.ones((buoys.WATER, m)), rows=np.zeros((2, buoys.WATER, 4)), place=np.zeros(2),
+                           sums=np.zeros((buoys.WATER, m)))  # fmt: skip
+    at = np.array([50.0 + 1.0 - 4.0, 10.0 - 2.0 - 5.0]) + table.center[0]
+    for number in (0, 1):
+        begin = start + number * table.window
+        buoys.open_water(table, buoy, work, np.array([1.0, -2.0, 0.0]), number, begin)
+        assert work.place == pytest.approx(at)
+        for n, t in enumerate(times):
+            crest = AMPLITUDE * np.exp(1j * (at @ NUMBER + PHASE - OMEGA * (begin + t)))
+            assert work.window[0, n] == pytest.approx(crest.sum().real)  # at one place both ends say the same
+            k = np.hypot(*NUMBER)
+            over = np.cosh(k * (30.0 - 1.0)) / np.sinh(k * 30.0)
+            for j in range(2):
+                assert work.window[1 + j, n] == pytest.approx((crest.real * OWN * over * NUMBER[j] / k).sum())
+    still = SimpleNamespace(window=np.full((buoys.WATER, 1), 9.0))
+    buoys.open_water(table, buoy, still, np.zeros(3), 0, 0.0)
+    assert np.all(still.window == 9.0)
