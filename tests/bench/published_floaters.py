@@ -93,7 +93,7 @@ gyration = {gyration}
 {mass}
 [waves]
 {omega}
-headings_deg = [0, 45, 90]
+headings_deg = [0, 45, 90, 135, 180]
 """
 STUDY = """[water]
 depth = {depth}
