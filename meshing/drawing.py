@@ -41,6 +41,7 @@ ALLOWED = {"cylinder": ("end_radius",), "outline": ("y",)}
 EVERY = ("shape", "turns", "cut")
 MOST_PARTS, FINEST, COARSEST = 200, 1e-3, 0.5  # size of panels over that of the hull
 MOST_TRIES, SAME_VOLUME = 8, 2e-3  # of the volume that panels hold, whose corners lie on the body
+SEAM = 0.5 * math.pi  # by which that of a cylinder is turned off x: in a mirror plane panels may miss 4 % of a column
 AT_SURFACE = 1e-6  # of the size of the hull
 
 
@@ -220,9 +221,9 @@ def _solid(occ, part, grown):
     if shape == "cylinder":
         begin = np.array(part["from"], float)
         axis, end = np.array(part["to"], float) - begin, grown * part.get("end_radius", part["radius"])
-        if end == radius:
-            return occ.addCylinder(*begin, *axis, radius)
-        return occ.addCone(*begin, *axis, radius, end)
+        made = occ.addCylinder(*begin, *axis, radius) if end == radius else occ.addCone(*begin, *axis, radius, end)
+        occ.rotate([(3, made)], *begin, *axis, SEAM)
+        return made
     if shape == "box":
         size = np.array(part["size"], float)
         return occ.addBox(*(np.array(part["center"], float) - 0.5 * size), *size)
