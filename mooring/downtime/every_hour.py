@@ -34,7 +34,7 @@ from ..seas.families import families
 
 NODES = np.arange(-2, 4)  # of the six about a direction
 AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
-RING = 72, 720  # headings, fewest and most
+RING = 360, 720  # headings, fewest and most: with 72 of long waves the largest σ is off by 1e-5, so by 1e-7
 PER_HARMONIC = 13.4  # of them, for each of the 2kR harmonics that |X|² has over β
 HEADINGS_AT_ONCE = 72  # whose complex transfer functions are in memory together
 REFERENCE = 10.0  # s
