@@ -141,9 +141,9 @@ def hours_of(response, record):
     """`limits.Hours` of a Record, systems of waves added, or by its planes"""
     hindcast, planes = record.hindcast, record.planes
     if planes is None:
-        each = (moments_of_hours(response, shape, waves)
-                for shape, waves in zip(record.shapes, hindcast.waves, strict=True))  # fmt: skip
-        m0, m2 = sum(each)
+        each = [moments_of_hours(response, shape, waves)
+                for shape, waves in zip(record.shapes, hindcast.waves, strict=True)]  # fmt: skip
+        m0, m2 = np.sum(each, axis=0)
     else:
         m0, m2 = moments_of_planes(response, planes.omega, planes.angle, planes.density())
     return Hours(response.names, response.units, m0, m2, min(hindcast.step, 3600.0))
