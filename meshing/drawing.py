@@ -30,6 +30,7 @@ from itertools import groupby
 import numpy as np
 
 from .gmsh_session import panels_of, session
+from .hydrostatics import hydrostatics
 
 NEEDED = {
     "cylinder": ("from", "to", "radius"),
@@ -41,7 +42,10 @@ ALLOWED = {"cylinder": ("end_radius",), "outline": ("y",)}
 EVERY = ("shape", "turns", "cut")
 MOST_PARTS, FINEST, COARSEST = 200, 1e-3, 0.5  # size of panels over that of the hull
 MOST_TRIES, SAME_VOLUME = 8, 2e-3  # of the volume that panels hold, whose corners lie on the body
-SEAM = 0.5 * math.pi  # by which that of a cylinder is turned off x: in a mirror plane panels may miss 4 % of a column
+# rad, by which the seam of a cylinder is turned off x, and how many times `around`: tried one after another, since of a
+# column that a mirror plane cuts panels may hold 4 % less or more than of a whole one
+TRIES = ((0.5 * math.pi, 1.0), (0.0, 1.0), (0.5 * math.pi, 1.5))
+SAME_CENTER = 1e-3  # of the hull's length, between the centres of buoyancy of drawing and panels in plan: it makes trim
 AT_SURFACE = 1e-6  # of the size of the hull
 
 
@@ -125,8 +129,28 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`.  Raises ValueError where nothing lies below the surface, or panels do not suit it."""
-    mesh, volume = _panels(drawing, name, 1.0)
+    """PanelMesh of a `Drawing`: of `TRIES` the first with its centre of buoyancy in plan, or the nearest to it.
+
+    Raises ValueError where nothing lies below the surface, or panels do not suit it.
+    """
+    is_round = any(part["shape"] == "cylinder" for part, _ in drawing.parts)
+    found = []
+    for seam, more in TRIES if is_round else TRIES[:1]:
+        mesh, center = _of_volume(replace(drawing, around=math.ceil(more * drawing.around)), name, seam)
+        found.append((float(np.abs(_center(mesh) - center)[:2].max()), mesh))
+        if found[-1][0] <= SAME_CENTER * np.ptp(mesh.whole().points, axis=0).max():
+            break
+    return min(found, key=lambda one: one[0])[1]
+
+
+def _center(mesh):
+    """(3,) m, centre of buoyancy of the panels"""
+    return hydrostatics(mesh, center_of_mass=np.zeros(3)).center_of_buoyancy
+
+
+def _of_volume(drawing, name, seam):
+    """PanelMesh with radii that give it the volume of the drawing, and (3,) m, the centre of buoyancy of the drawing"""
+    mesh, volume, center = _panels(drawing, name, 1.0, seam)
     best, below, above = mesh, (1.0, mesh.volume), None  # panels change their number as radii grow, and volume jumps
     lost = math.copysign(1.0, volume - mesh.volume)  # to the chords of parts; a round hole gains it
     for _ in range(MOST_TRIES if any(part["shape"] in ("cylinder", "sphere") for part, _ in drawing.parts) else 0):
@@ -134,22 +158,22 @@ def meshed(drawing, name=""):
             break
         reach = 1.5 * abs(volume - below[1]) / (2 * volume) if above is None else 0.5 * (above[0] - below[0])
         grown = below[0] + max(reach, 1e-4)
-        mesh, _ = _panels(drawing, name, grown)
+        mesh = _panels(drawing, name, grown, seam)[0]
         if lost * mesh.volume < lost * volume:
             below = grown, mesh.volume
         else:
             above = grown, mesh.volume
         best = min(best, mesh, key=lambda one: abs(one.volume - volume))
-    return best
+    return best, center
 
 
-def _panels(drawing, name, grown):
-    """PanelMesh with radii `grown` by a factor, and the volume of the body, m³"""
+def _panels(drawing, name, grown, seam):
+    """PanelMesh with radii `grown` by a factor, the volume of the body, m³, and its centre (3,) m"""
     with session(name or "drawing") as gmsh:
         occ = gmsh.model.occ
         body = []
         for cut, several in groupby(drawing.parts, lambda one: bool(one[0].get("cut"))):
-            made = [_placed(occ, *one, grown) for one in several]
+            made = [_placed(occ, *one, grown, seam) for one in several]
             if cut:
                 body = occ.cut(body, made)[0]
             else:
@@ -174,7 +198,10 @@ def _panels(drawing, name, grown):
             gmsh.option.setNumber(f"Mesh.{option}", value)
         gmsh.model.mesh.generate(2)
         mesh = outwards(panels_of(gmsh, dict.fromkeys(sides), drawing.symmetry, name))
-        return mesh, mesh.copies * sum(occ.getMass(*one) for one in body)
+        volumes = np.array([occ.getMass(*one) for one in body])
+        center = volumes @ np.array([occ.getCenterOfMass(*one) for one in body]) / volumes.sum()
+        center[["xy".index(axis) for axis in drawing.symmetry]] = 0.0
+        return mesh, mesh.copies * float(volumes.sum()), center
 
 
 def outwards(mesh):
@@ -208,21 +235,21 @@ def outwards(mesh):
     return replace(mesh, corners=corners)
 
 
-def _placed(occ, part, turn, grown):
-    made = 3, _solid(occ, part, grown)
+def _placed(occ, part, turn, grown, seam):
+    made = 3, _solid(occ, part, grown, seam)
     if turn:
         occ.rotate([made], 0, 0, 0, 0, 0, 1, turn)
     return made
 
 
-def _solid(occ, part, grown):
-    """Tag of the volume of a part"""
+def _solid(occ, part, grown, seam):
+    """Tag of the volume of a part, the seam of a cylinder turned by `seam` rad about its axis"""
     shape, radius = part["shape"], grown * part.get("radius", 0.0)
     if shape == "cylinder":
         begin = np.array(part["from"], float)
         axis, end = np.array(part["to"], float) - begin, grown * part.get("end_radius", part["radius"])
         made = occ.addCylinder(*begin, *axis, radius) if end == radius else occ.addCone(*begin, *axis, radius, end)
-        occ.rotate([(3, made)], *begin, *axis, SEAM)
+        occ.rotate([(3, made)], *begin, *axis, seam)
         return made
     if shape == "box":
         size = np.array(part["size"], float)

@@ -5,6 +5,7 @@ import pytest
 
 from hakobune.meshing.drawing import drawing_of, meshed
 from hakobune.meshing.files import read_mesh
+from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.quality import findings
 
 COLUMN = {"shape": "cylinder", "from": [10.0, 0.0, -8.0], "to": [10.0, 0.0, 5.0], "radius": 3.0, "turns": 3}
@@ -35,6 +36,15 @@ def test_a_drawing_has_the_volume_of_its_parts_in_panels_without_a_finding(parts
     assert mesh.volume == pytest.approx(volume, rel=2e-3)
     assert not [one for one in findings(mesh) if one.severity == "error"]
     assert mesh.points[:, 2].max() <= 1e-9 * np.ptp(mesh.points)
+
+
+def test_a_column_that_the_mirror_plane_cuts_holds_what_the_whole_ones_do():
+    """Three columns about the origin: their centre of buoyancy is in it, where 3 % of one would be 0.3 m"""
+    parts = [COLUMN | {"from": [29.0, 0.0, -14.0], "to": [29.0, 0.0, 10.0], "radius": 6.0},
+             BASE | {"from": [29.0, 0.0, -20.0], "to": [29.0, 0.0, -14.0], "radius": 12.0}]  # fmt: skip
+    mesh = meshed(drawing_of({"size": 6.0, "symmetry": "y", "around": 12, "parts": parts}))
+    center = hydrostatics(mesh).center_of_buoyancy
+    assert np.abs(center[:2]).max() < 1e-3 * 82.0
 
 
 @pytest.mark.parametrize(
