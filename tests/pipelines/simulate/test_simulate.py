@@ -214,12 +214,13 @@ def test_ctrl_c_waits_for_no_process_and_keeps_what_each_has_done(folder, heard)
             self.ended = not wait and cancel_futures
 
     class Pressed(Future):
-        def result(self, timeout=None):
-            if executor.looks:
-                self.set_exception(TimeoutError("it is waited for"))
+        def done(self):
             executor.looks += 1
-            signal.raise_signal(signal.SIGINT)
-            return super().result(timeout)
+            if executor.looks == 1:
+                signal.raise_signal(signal.SIGINT)
+            elif executor.looks > 3:
+                self.set_exception(TimeoutError("it is waited for"))
+            return super().done()
 
     executor = Two()
     outcome = simulate(4, executor=executor)
