@@ -117,7 +117,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
     if drift is None:
         return Errors(motions, None, None, body.words, tuple(at))
     ring = body.ring_of("drift_force")
-    gap = ring.gap(np.add.outer((-TURN, TURN), heading).ravel()).max()
+    gap = np.max(ring.gap(np.add.outer((-TURN, TURN), heading).ravel()))
     aside = heading + np.array([0.0, -gap / 4, gap / 4]) if damping is not None and len(heading) == 1 else heading
     wrong = body.at(places, "drift_force", aside)[1]
     each = over_headings(wrong[:, : len(heading)], weights) * density

@@ -208,6 +208,8 @@ def motions_of(study, words=ONE_BODY):
     for name in asked:
         if name.lower() not in known:
             raise StudyError(f"simulation.motions: there is no motion {name!r}; allowed: {', '.join(words)}")
+    if asked and study.hinges:
+        raise StudyError("simulation.motions holds motions that hinges may need; allowed beside hinges: all, left out")
     return tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
 
 

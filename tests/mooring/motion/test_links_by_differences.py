@@ -21,7 +21,8 @@ def a_link(second):
     if second < 0:
         points[0, 1] = (10.3, 0.4, -0.8)
     held = np.array([[[1.0, 0.1, 0.0], [0.0, 0.2, 1.0], [0.0, 0.0, 0.0]]])
-    return links.Links(ends, points, BACK[None], held, np.array([0, 5]), PLACE, rotation(0.0, 0.0, 0.4)[None])
+    along, first, turns = np.eye(3)[None], np.array([0, 5]), np.array([3])
+    return links.Links(ends, points, BACK[None], along, held, first, turns, PLACE, rotation(0.0, 0.0, 0.4)[None])
 
 
 def moved(poses, speed, t):

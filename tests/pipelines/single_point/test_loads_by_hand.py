@@ -150,7 +150,7 @@ def test_drift_that_is_uncertain_between_stored_waves_is_told(monkeypatch, share
     said = list(loads._between_waves(body, sea))
     assert len(said) == told
     percent = 100 * share * loads.UNSURE
-    assert all(f"uncertain by {percent:.2g} % between stored waves; limit {100 * loads.UNSURE:g} %" in s for s in said)
+    assert all(f"uncertain by {percent:.3g} % between stored waves; limit {100 * loads.UNSURE:g} %" in s for s in said)
 
 
 def test_another_slenderness_keeps_the_waterplane_and_the_attachment_s_share():

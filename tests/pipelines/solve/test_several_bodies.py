@@ -223,7 +223,7 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
 @pytest.mark.parametrize(
     ("more", "said"),
     [({"wall": 20.0}, "beside which one body is solved"), ({"method": "contour"}, "knows one body alone"),
-     ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"), ({"panels": 9}, "allowed: 16 to"),
+     ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
      ({"waves": {"band": {"from": 0.5, "to": 1.0}}}, "places frequencies for one body"),
      ({"viscous": {"wave_height": 1.0}}, "no body a law"),
