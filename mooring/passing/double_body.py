@@ -11,6 +11,8 @@ and yaw, smaller by an order of the ship's slenderness, and taken at fewer place
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
@@ -43,7 +45,7 @@ def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
     return problem.prepared().added_mass_limit("zero")
 
 
-def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each=map):
+def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each: Callable[..., Iterable] = map):
     """`Passage` by panels.
 
     hulls : as `added_mass`, whole; track : Track; stagger : (n,) m, n ≥ 7, that are solved; between them splines

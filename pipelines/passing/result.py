@@ -52,18 +52,19 @@ def passing(study: File | Tables | PassingStudy) -> Result:
             f"the passing ship makes {track.through_water:.3g} m/s through water of {water.depth:g} m, faster than "
             f"waves there, {math.sqrt(GRAVITY * water.depth):.3g} m/s; allowed: less"
         )
-    places = along_track(track, *lengths, study.track.lengths, 1 if study.method == "panels" else FINE)
-    slender = [Slender(length, largest_section(hull)) for length, hull in zip(lengths, hulls, strict=True)]
+    fine = 1 if study.method == "panels" else FINE
+    places = along_track(track, lengths[0], lengths[1], study.track.lengths, fine)
+    moored, passer = (Slender(length, largest_section(hull)) for length, hull in zip(lengths, hulls, strict=True))
     if study.method == "panels":
         found = double_body(
             hulls, track, places, water.depth, wall=study.wall, density=water.density, each=_with_progress
         )
     elif study.method == "wang":
-        found = wang(*slender, track, places, water.depth, water.density)
+        found = wang(moored, passer, track, places, water.depth, water.density)
     else:
         factors = by_tests.depth_factors(sizes[0, 2], water.depth, gap, beams.mean())
         found = by_tests.kriebel(
-            *slender, track, places, factors, quay=study.quay, peaks=study.peaks, density=water.density
+            moored, passer, track, places, factors, quay=study.quay, peaks=study.peaks, density=water.density
         )
     center = np.array(study.moored.rotation_center or (0.0, 0.0, 0.0))
     found = found.about((center - middles[0]) * (1, 1, study.method == "panels"))  # the others know no height
@@ -73,7 +74,7 @@ def passing(study: File | Tables | PassingStudy) -> Result:
         "passing",
         {**_largest(found), **_course(found)},
         axes,
-        tuple(_findings(study, track, found, slender)),
+        tuple(_findings(study, track, found, moored, passer)),
         tuple(_notes(study, track, gap)),
         provenance=provenance(text),
         detail=found,
@@ -127,7 +128,7 @@ def _course(found):
     )
 
 
-def _findings(study, track, found, slender):
+def _findings(study, track, found, moored, passer):
     froude = track.froude(study.water.depth)
     squeezed = 1 / math.sqrt(1 - froude**2)
     if study.method != "kriebel" and squeezed > SQUEEZED:
@@ -142,7 +143,7 @@ def _findings(study, track, found, slender):
             "give more track.lengths"
         )
     if study.method == "kriebel":
-        yield from by_tests.beyond(*slender, track)
+        yield from by_tests.beyond(moored, passer, track)
     if study.method == "wang" and study.moored.shape != "mesh" and study.moored.draft > 0.5 * study.water.depth:
         yield (
             f"the moored ship blocks {100 * study.moored.draft / study.water.depth:.0f} % of the depth, which slender "

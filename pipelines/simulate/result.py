@@ -194,7 +194,8 @@ def _of_lines(file, rows):
         made["tension.used_simplified"] = Quantity(share, ("line",), "", "used, simplified", LINES, share=True)
     breaking = np.asarray(file.attrs["breaking_load"], float)
     berth, allowable = "fender_height" in file.attrs, float(file.attrs["allowable"])  # of fenders or ropes
-    made["line.breaking_load"] = Quantity(breaking, ("line",), "N", *(("MBL", LINES) if berth else ("breaking load",)))
+    word, table = ("MBL", LINES) if berth else ("breaking load", "")
+    made["line.breaking_load"] = Quantity(breaking, ("line",), "N", word, table)
     if berth:
         made["line.working_load"] = Quantity(allowable * breaking, ("line",), "N", "WLL", LINES)
         made["tension.used_of_working"] = Quantity(

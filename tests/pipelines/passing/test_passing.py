@@ -147,5 +147,5 @@ def test_a_ship_that_blocks_half_of_the_depth_is_told_to_slender_ships(draft, to
     study = SimpleNamespace(method="wang", water=SimpleNamespace(depth=10.0),
                             moored=SimpleNamespace(shape="box", draft=draft))  # fmt: skip
     track = SimpleNamespace(froude=lambda depth: 0.1)
-    said = list(result._findings(study, track, SimpleNamespace(left=0.0), None))
+    said = list(result._findings(study, track, SimpleNamespace(left=0.0), None, None))
     assert len(said) == told and all("blocks 50 % of the depth" in line for line in said)
