@@ -133,9 +133,10 @@ def meshed(drawing, name=""):
 
     Raises ValueError where nothing lies below the surface, or panels do not suit it.
     """
-    is_round = any(part["shape"] == "cylinder" for part, _ in drawing.parts)
+    if not any(part["shape"] == "cylinder" for part, _ in drawing.parts):
+        return _of_volume(drawing, name, 0.0)[0]
     found = []
-    for seam, more in TRIES if is_round else TRIES[:1]:
+    for seam, more in TRIES:
         mesh, center = _of_volume(replace(drawing, around=math.ceil(more * drawing.around)), name, seam)
         found.append((float(np.abs(_center(mesh) - center)[:2].max()), mesh))
         if found[-1][0] <= SAME_CENTER * np.ptp(mesh.whole().points, axis=0).max():

@@ -29,7 +29,7 @@ def lee(read, folder):
     order = np.argsort(2 * np.pi / periods)
     omega = np.geomspace(2 * np.pi / PERIODS[1], 2 * np.pi / PERIODS[0], COUNT)
     through = np.interp(omega, 2 * np.pi / periods[order], found["transmission"][order, names.index(wanted)])
-    power = np.broadcast_to((2 * through**1)[:, None, None] ** 2, (COUNT, RING[0], 1))
+    power = np.broadcast_to((2 * through)[:, None, None] ** 2, (COUNT, RING[0], 1))
     note = (
         f"behind {wanted} of {read.lee.study}: K_T of waves along its normal, of {periods.min():.3g} to "
         f"{periods.max():.3g} s and held beyond, for waves from all directions; {BEHIND} is twice a crest, the "

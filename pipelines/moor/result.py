@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hakobune.bem.hinges import damping_of
 from hakobune.mooring.criteria.anchors import anchor_findings
 from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
@@ -75,6 +76,8 @@ def studied(study, db):
         raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]], or hakobune simulate")
     anchors = study.anchors_on(system.line_names)
     berth, body = study.berth_of(db, hull) if db.bodies else None, linked(db.bodies_reader, study.hinges, db)
+    if study.hinges:
+        body = body.restrained(damping=damping_of(body))
     result = multi_point(db, system, hull, study.conditions(), study.allowable, berth, body)
     found = anchor_findings(system.line_names, anchors, *_at_anchors(result))
     return replace(result, warnings=(*study.remarks(hull, db), *result.warnings, *found)), hull

@@ -208,9 +208,10 @@ def motions_of(study, words=ONE_BODY):
     for name in asked:
         if name.lower() not in known:
             raise StudyError(f"simulation.motions: there is no motion {name!r}; allowed: {', '.join(words)}")
-    if asked and study.hinges:
+    found = tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
+    if len(found) < len(words) and study.hinges:
         raise StudyError("simulation.motions holds motions that hinges may need; allowed beside hinges: all, left out")
-    return tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
+    return found
 
 
 def _check_held(settings, motions, words):

@@ -79,6 +79,14 @@ def test_moor_finds_the_rest_between_fenders_ropes_and_hinges(database):
     assert len(made["period.at_rest"]) == 7
 
 
+def test_a_hinge_whose_damper_gives_no_way_moves_in_moor_as_a_rigid_link(database):
+    alone = {**STUDY, "lines": [], "fender": [], "rope": []}
+    kinds = {"damping": 1e9}, {"kind": "rigid"}, {}
+    damped, rigid, free = (hakobune.moor({**alone, "hinges": [HINGE | kind]}, database) for kind in kinds)
+    roll = [made["motion.amplitude"][[3, 9]] for made in (damped, rigid, free)]
+    assert roll[0] == pytest.approx(roll[1], rel=1e-4) and np.abs(roll[2] / roll[1] - 1).max() > 0.05
+
+
 def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
     run = tmp_path / "run.h5"
     made = hakobune.simulate({**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}, database, run)
