@@ -69,6 +69,27 @@ def typed(raw: dict[str, typing.Any], kind: type[Typed], error: type[ValueError]
         raise error(of_another(raw, kind) or _line(str(fault), raw, kind)) from None
 
 
+def differing(table):
+    """{key: value} of a msgspec.Struct, of all in it that is not its default, tables in it likewise.
+
+    A key that a later version adds is in none of them until somebody gives it.
+    """
+    return {
+        field.encode_name: _plain(value)
+        for field in msgspec.structs.fields(table)
+        if (value := getattr(table, field.name)) != field.default
+        and (field.default_factory is msgspec.NODEFAULT or value != field.default_factory())
+    }
+
+
+def _plain(value):
+    if isinstance(value, msgspec.Struct):
+        return differing(value)
+    if isinstance(value, dict):
+        return {key: _plain(part) for key, part in value.items()}
+    return [_plain(part) for part in value] if isinstance(value, list | tuple) else value
+
+
 def of_another(raw, kind):
     """Which commands read a file that is of another kind, whole and without a fault; "" where it is none"""
     known = {field.encode_name for field in msgspec.structs.fields(kind)}

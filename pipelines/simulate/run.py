@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
-import msgspec
 import numpy as np
 
 from hakobune.bem.database.integrity import DatabaseError
@@ -20,6 +19,7 @@ from hakobune.mooring.motion.statistics import over_runs
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
+from ..common.typed import differing
 from ..executors.choice import Here, in_order_until
 from ..moor.study import Study, make_study, read_study
 from ..results.given import given
@@ -43,6 +43,9 @@ from .file import (
 from .study import force_files, moving_lines, plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
 
+IDENTITY = "2"  # first word of an identity; another one where a default of a study changes what runs are
+ASKED = ("seeds", "keep_series", "duration", "duration_hours")  # of [simulation], how much is wanted of the same runs
+OF_MOVING_LINES = ("dynamic_lines", "dynamic_elements")
 SPREADS = ("sigma", "slow", "wave")
 AFTER = 10.0  # s between lines of a long run
 
@@ -140,45 +143,17 @@ def summary(file):
 
 
 def _identity(study, files, duration):
-    """Hash of what results depend on beside the seeds"""
-    words = msgspec.to_builtins(study)
-    for name in ("seeds", "keep_series", "duration", "duration_hours"):
-        (words.get("simulation") or {}).pop(name, None)
-    for name in ("anchors", "fender", "dolphin", "rope", "harbour", "quay", "hinges"):
-        if not words[name] or name == "harbour":
-            words.pop(name)
-    for name in (
-        "force",
-        "sea",
-        "linear_damping",
-        "quadratic_damping",
-        "record",
-        "constant_period",
-        "motions",
-    ):  # files of studies without them keep their hash
-        if not (words.get("simulation") or {}).get(name):
-            (words.get("simulation") or {}).pop(name, None)
-    for one in words["types"].values():
-        for name in ("termination", "efficiency", "corrosion_mm"):
-            if one.get(name) is None:
-                one.pop(name, None)
-    for one in (
-        *(words.get("fender") or ()),
-        *(words.get("rope") or ()),
-        *(words["simulation"] or {}).get("force", ()),
-    ):
-        for name in ("body", "to"):
-            if not one.get(name):
-                one.pop(name, None)
-    if not (study.simulation and moving_lines(study.simulation) and (study.spreads or study.lines)):
-        (words.get("simulation") or {}).pop("dynamic_lines", None)
-        (words.get("simulation") or {}).pop("dynamic_elements", None)
-    if (words.get("simulation") or {}).get("dynamic_water") == "still":
-        words["simulation"].pop("dynamic_water")
+    """Hash of what results depend on beside the seeds, after the mark of how it is made"""
+    words = differing(study)
+    words.pop("harbour", None)  # what is read off runs that are there
+    simulation = words.get("simulation", {})
+    moves = bool(study.simulation and (study.spreads or study.lines) and moving_lines(study.simulation))
+    for name in (*ASKED, *(() if moves else OF_MOVING_LINES)):
+        simulation.pop(name, None)
     digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
     for path in files:
         digest.update(hashlib.sha256(Path(path).read_bytes()).digest())
-    return digest.hexdigest()
+    return f"{IDENTITY} {digest.hexdigest()}"
 
 
 def _missing(output, identity, plan, fresh):
@@ -186,7 +161,13 @@ def _missing(output, identity, plan, fresh):
     if fresh or not output.exists():
         return list(plan.seeds)
     with opened(output) as file:
-        if file.attrs["identity"] != identity:
+        known = file.attrs["identity"]
+        if not known.startswith(f"{IDENTITY} "):
+            raise DatabaseError(
+                f"{output} was made by an earlier version, whose runs are not continued; give another name, or --fresh "
+                "to make them again"
+            )
+        if known != identity:
             raise DatabaseError(
                 f"{output} is of another study or database, or of longer runs; give another name, or --fresh to "
                 "replace it"

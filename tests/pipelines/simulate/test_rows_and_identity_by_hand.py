@@ -1,72 +1,64 @@
 """What a file of runs depends on, a row of a seed, pairs of waves, what runs use and how they are read: by hand."""
 
-import copy
 import hashlib
 import json
 from dataclasses import dataclass
 from types import SimpleNamespace
 
+import h5py
 import msgspec
 import numpy as np
 import pytest
 
+from hakobune.bem.database.integrity import DatabaseError
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate import beside, over_runs, result, run, work
 
 # ------------------------------------------------------------------ identity
 
-WORDS = {
-    "simulation": {
-        "seeds": 3, "keep_series": 1, "duration": 9.0, "duration_hours": 1.0, "tolerance": 1e-3, "sea": [],
-        "force": [{"file": "a.csv", "body": "", "to": ""}], "linear_damping": {}, "quadratic_damping": {},
-        "record": None, "constant_period": 0.0, "dynamic_lines": "auto", "dynamic_elements": 20,
-        "dynamic_water": "still", "motions": None,
-    },
-    "fender": [], "dolphin": [], "rope": [{"name": "r", "body": "", "to": "pier"}], "harbour": {"periods": [60.0]},
-    "quay": None, "lines": {"count": 4}, "anchors": {}, "hinges": [],
-    "types": {"chain": {"diameter": 0.1, "termination": None, "efficiency": None, "corrosion_mm": None}},
-}  # fmt: skip
-PLAIN = {
-    "simulation": {"tolerance": 1e-3, "force": [{"file": "a.csv"}]}, "rope": [{"name": "r", "to": "pier"}],
-    "lines": {"count": 4}, "types": {"chain": {"diameter": 0.1}},
-}  # fmt: skip
+WATER = {"water": {"depth": 20.0}}
+LINES = {"lines": [{"name": "a", "type": "chain", "fairlead": [1.0, 0.0, 0.0], "anchor": [90.0, 0.0], "length": 100.0}]}
 
 
-def changed(words, **more):
-    made = copy.deepcopy(words)
-    for key, value in more.items():
-        (made["simulation"] if key in made["simulation"] else made)[key] = value
-    return made
+def asked(*tables, **simulation):
+    """The study of tables, with a [simulation] of these words"""
+    raw = WATER | {key: value for table in tables for key, value in table.items()}
+    return make_study(raw | ({"simulation": simulation} if simulation else {}))
 
 
 @pytest.mark.parametrize(
-    ("more", "moving", "laid", "wanted"),
+    ("study", "wanted"),
     [
-        ({}, False, True, PLAIN),
-        ({"seeds": 99, "duration_hours": 3.0, "harbour": None, "keep_series": 0}, True, False, PLAIN),
-        ({}, True, True, changed(PLAIN) | {"simulation": PLAIN["simulation"] | {"dynamic_lines": "auto",
-                                                                               "dynamic_elements": 20}}),
-        ({"dynamic_water": "waves"}, False, True, changed(PLAIN) | {"simulation": PLAIN["simulation"] | {
-            "dynamic_water": "waves"}}),
-        ({"fender": [{"name": "f", "body": "ship", "to": ""}], "quay": {"y": 1.0}}, False, True,
-         PLAIN | {"fender": [{"name": "f", "body": "ship"}], "quay": {"y": 1.0}}),
-        ({"sea": [{"height": 1.0}], "record": {"file": "r.csv"}}, False, True, changed(PLAIN) | {
-            "simulation": PLAIN["simulation"] | {"sea": [{"height": 1.0}], "record": {"file": "r.csv"}}}),
-        ({"simulation": None}, False, True, {key: value for key, value in PLAIN.items() if key != "simulation"} | {
-            "simulation": None}),
+        (asked(), {}),
+        (asked(seeds=99, duration_hours=3.0, keep_series=0), {"simulation": {}}),
+        (asked(tolerance=1e-4, dynamic_lines="all", dynamic_elements=7), {"simulation": {"tolerance": 1e-4}}),
+        (asked({"harbour": {"periods": [60.0]}}, seeds=4), {"simulation": {}}),
+        (asked({"hull": {"freeboard": 5.0}, "hinges": []}), {"hull": {"freeboard": 5.0}}),
     ],
-)  # fmt: skip
-def test_results_depend_on_what_a_study_has_and_files_without_the_rest_keep_their_hash(
-    monkeypatch, tmp_path, more, moving, laid, wanted
-):
-    words = changed(WORDS, **more) if "simulation" not in more else WORDS | more
-    monkeypatch.setattr(run, "msgspec", SimpleNamespace(to_builtins=lambda study: copy.deepcopy(words)))
-    monkeypatch.setattr(run, "moving_lines", lambda simulation: moving)
+)
+def test_results_depend_on_what_a_study_gives_and_a_key_at_its_default_changes_no_hash(tmp_path, study, wanted):
     (tmp_path / "a.csv").write_bytes(b"forces")
-    study = SimpleNamespace(simulation=words["simulation"], spreads=(), lines=("a",) if laid else ())
-    by_hand = hashlib.sha256(json.dumps([wanted, 60.0], sort_keys=True).encode())
+    by_hand = hashlib.sha256(json.dumps([WATER | wanted, 60.0], sort_keys=True).encode())
     by_hand.update(hashlib.sha256(b"forces").digest())
-    assert run._identity(study, [tmp_path / "a.csv"], 60.0) == by_hand.hexdigest()
+    assert run._identity(study, [tmp_path / "a.csv"], 60.0) == f"2 {by_hand.hexdigest()}"
+
+
+def test_lines_that_move_are_part_of_what_runs_are_where_there_are_lines():
+    still, ten, twenty = (
+        run._identity(asked(LINES, dynamic_lines=which, dynamic_elements=count), [], 60.0)
+        for which, count in (("none", 10), ("all", 10), ("all", 20))
+    )
+    fewer = run._identity(asked(LINES, dynamic_lines="none", dynamic_elements=20), [], 60.0)
+    assert still == fewer and len({still, ten, twenty}) == 3
+
+
+def test_runs_of_an_earlier_version_are_not_continued_and_the_line_says_so(tmp_path, monkeypatch):
+    monkeypatch.setattr(run, "opened", h5py.File)
+    with h5py.File(tmp_path / "run.h5", "w") as file:
+        file.attrs["identity"] = "0" * 64
+    with pytest.raises(DatabaseError, match=r"run\.h5 was made by an earlier version, .* --fresh to make them again"):
+        run._missing(tmp_path / "run.h5", run._identity(asked(), [], 60.0), SimpleNamespace(seeds=(1,)), False)
 
 
 # ------------------------------------------------------------------ pairs of waves beside Newman's rule
