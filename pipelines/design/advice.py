@@ -19,8 +19,8 @@ from .kinds.changes import ways
 from .running import Ran, base_of, factors_of, grouped, judged_case, key_of, repeated, worst_of
 
 NOTHING = (
-    "No change was tried: the study has neither sizes of a catalogue, ropes, pretensions nor numbers of lines to try. "
-    "Change the layout or the kind of line or fender."
+    "No change was tried: the study has no catalogue size, rope, pretension or number of lines that could change. "
+    "Change the layout, or the kind of line or fender."
 )
 
 
@@ -95,7 +95,7 @@ def after_lines_move(advice, ran):
     ]
     if not (left and advice.tried):
         return advice
-    first = f"First let the lines move, what is advised here stands on static ones ({left[0]})."
+    first = f"This advice rests on static lines ({left[0]}). Run the lines in motion first."
     return advice._replace(beyond=" ".join(filter(None, (first, advice.beyond))))
 
 
@@ -107,12 +107,13 @@ def _beyond(judged, cases, fixed):
     earthquake = _shaken(judged, cases)
     if earthquake:
         return (
-            f"No change of lines was tried: a limit is exceeded in “{earthquake}”, and lines do not change what an "
-            "earthquake does to fenders and dolphins. Change these, then run the design again."
+            f"No change of lines was tried: a limit is exceeded in “{earthquake}”, and lines do not change the "
+            "effect of an earthquake on fenders and dolphins. Change the fenders or dolphins, then run the "
+            "design again."
         )
     missed = [one.criterion for one in judged if one.met is False and one.criterion.quantity in fixed]
     words = ", ".join(f"{one.name}, {one.quantity} {one.sense} {one.limit:.4g}" for one in missed)
-    return f"Lines have no part in {words}: what is found there is given by the project." if missed else ""
+    return f"No change of lines affects {words}: the project gives these values." if missed else ""
 
 
 def _shaken(judged, cases):

@@ -116,7 +116,10 @@ def check_cases(read, scenes):
     for case in intact_cases(replace(read, project=replace(read.project, states=states)), base, (1.0,)):
         other = files.setdefault(file_name(case).lower(), case.state)
         if other != case.state:
-            raise StudyError(f"states {other!r} and {case.state!r} have files of one name; allowed: each its own")
+            raise StudyError(
+                f"states {other!r} and {case.state!r} would write files of the same name; give "
+                f"each state a name of its own"
+            )
         try:
             read.kind.checked(case.study, bodies[case.level], read.folder)
         except ValueError as error:

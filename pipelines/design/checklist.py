@@ -26,14 +26,16 @@ def checklist(read):
     weather, pairs = read.project.states, read.project.simulation.qtf if in_time else ""
     return [
         Requirement("the hull in three dimensions", True, "potential theory in three dimensions and finite depth"),
-        Requirement("lines by their whole characteristic", True, "static form of every line at every position"),
+        Requirement("lines with their full tension–distance curve", True, "static shape of every line at every "
+        "position"),
         _fenders(read),
         _directions(weather, in_time),
         _gusts(weather, in_time),
-        Requirement("the current steady", True, "uniform and steady, with the drag of the depth"),
+        Requirement("the current is steady", True, "uniform and steady, with the drag of the depth"),
         Requirement(
-            "drift that varies slowly, and knows the depth", in_time,
-            "Newman's rule with drift of the finite depth" if in_time else "the simplified method has mean drift alone",
+            "slowly varying drift for the water depth", in_time,
+            "Newman's approximation with the drift for this water "
+            "depth" if in_time else "the simplified method includes the mean drift only",
         ),
         Requirement(
             "long bound waves in shallow water", in_time and pairs != "newman",
@@ -44,20 +46,20 @@ def checklist(read):
 
 
 def _pairs_words(pairs):
-    more = '; give "bound-wave" or "body" where they matter' if pairs == "newman" else ""
+    more = '; give "bound-wave" or "body" where second-order forces matter' if pairs == "newman" else ""
     return f'simulation.qtf is "{pairs}"{more}'
 
 
 def _earthquakes(read):
     text = "earthquakes as random motion"
     if "fender" not in read.study:
-        return Requirement(text, None, "lines leave the hull its long periods")
+        return Requirement(text, None, "lines leave the hull with long natural periods")
     given = [table.name for table in read.project.earthquakes]
     if not given:
-        return Requirement(text, False, "not among the load cases; give [[earthquakes]]")
+        return Requirement(text, False, "not a load case; give [[earthquakes]]")
     timed = [table.name for table in read.project.earthquakes if "record" in _raw(read.folder / table.study)]
     if not timed:
-        return Requirement(text, False, f"no record in time of {', '.join(given)}; give [record] of its study")
+        return Requirement(text, False, f"no record in time for {', '.join(given)}; give [record] in its study")
     return Requirement(text, True, f"records of {', '.join(timed)}")
 
 
@@ -67,25 +69,25 @@ def _raw(path):
 
 def _fenders(read):
     if read.study.get("fender"):
-        return Requirement("fenders by their whole characteristic, with clearance", True, "curves of [[fender]]")
-    return Requirement("fenders by their whole characteristic, with clearance", None, "there are none")
+        return Requirement("fenders with their full force–deflection curve and clearance", True, "curves of [[fender]]")
+    return Requirement("fenders with their full force–deflection curve and clearance", None, "there are none")
 
 
 def _directions(states, in_time):
-    text = "waves of random phase by a spectrum over directions"
+    text = "waves of random phase from a directional spectrum"
     waves = [state.waves for state in states if state.waves is not None]
     if not waves:
         return Requirement(text, None, "there are no waves")
     if not in_time:
-        return Requirement(text, False, "one regular wave of the significant height; give [simulation]")
+        return Requirement(text, False, "one regular wave with the significant height; give [simulation]")
     long = [state.name for state in states if state.waves is not None and state.waves.spreading is None]
     if long:
-        return Requirement(text, False, f"long crests in {', '.join(long)}; give waves.spreading")
+        return Requirement(text, False, f"long-crested waves in {', '.join(long)}; give waves.spreading")
     return Requirement(text, True, "waves.spreading of every state")
 
 
 def _gusts(states, in_time):
-    text = "the wind as a random process"
+    text = "the wind varies as a random process"
     windy = [state for state in states if state.wind is not None]
     if not windy:
         return Requirement(text, None, "there is no wind")

@@ -12,9 +12,11 @@ def design(
     project: Annotated[Path, Parameter(help="project (TOML)")],
     /,
     *,
-    output: Annotated[Path, Parameter(help="folder of the report, its load cases and databases")],
+    output: Annotated[Path, Parameter(help="folder for the report, its load cases and databases")],
     executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
-    advice: Annotated[bool, Parameter(help="try other sizes, pretensions, numbers of lines where it fails")] = True,
+    advice: Annotated[
+        bool, Parameter(help="try other sizes, pretensions and numbers of lines where the design fails")
+    ] = True,
 ):
     """A mooring through all load cases of a site, judged by rule sets, as one page.
 

@@ -36,7 +36,9 @@ def fatigue(read, ran):
     for state in read.project.states:
         if state.share and _is_regular(read, state):
             return Judged(
-                criterion, (), f"{state.name} has a regular wave, whose cycles are none of a sea; give irregular waves"
+                criterion,
+                (),
+                f"{state.name} has a regular wave, whose cycles do not represent a sea; give irregular waves",
             )
         cases = [one for one in ran if one.case.state == state.name and not one.case.lost and one.case.factor == 1]
         for one in cases if state.share else ():
@@ -50,8 +52,9 @@ def fatigue(read, ran):
     carrying = total[worst] ** 2 / squares[worst] if squares[worst] > 0 else np.inf
     if carrying < FEWEST * (1 - 1e-9):
         return Judged(
-            criterion, (), f"the damage of {one.numbers.names[worst]} is of {carrying:.1f} cycles of the runs, limit "
-            f"{FEWEST}, below which it has no interval of 90 %; give a longer simulation.duration_hours or more seeds",
+            criterion, (), f"the damage of {one.numbers.names[worst]} comes from {carrying:.1f} cycles of the "
+            f"runs; below {FEWEST} cycles it has no 90 % interval; give a longer simulation.duration_hours or "
+            f"more seeds",
         )  # fmt: skip
     name = max(parts, key=lambda part: part[1][worst])[0]
     return Judged(criterion, (Use(name, one.numbers.names[worst], float(total[worst]), float(total[worst])),))

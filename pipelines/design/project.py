@@ -99,7 +99,7 @@ def read_project(path):
     project = typed(raw, Project, StudyError)
     own = project.project
     if (own.probability is None) != (own.service_life is None):
-        raise StudyError("project: allowed: service_life and probability together, or neither")
+        raise StudyError("project: service_life and probability belong together; give both or neither")
     folder = path.parent
     kind = kind_of(folder / own.study)
     study, study_text = kind.read(folder / own.study)
@@ -125,12 +125,14 @@ def read_project(path):
 
 def _check_bodies(own, kind):
     if own.scene is not None and own.database is not None:
-        raise StudyError("project: both are given; allowed: one of scene, database")
+        raise StudyError("project: scene and database are both given; give one of them")
     given = own.scene is not None or own.database is not None
     if kind.DATABASE == "needed" and not given:
-        raise StudyError("project: neither is given; allowed: one of scene, database")
+        raise StudyError("project: neither scene nor database is given; give one of them")
     if kind.DATABASE == "none" and given:
-        raise StudyError(f"project.{'scene' if own.scene else 'database'} is given; a {kind.NAME} has its own section")
+        raise StudyError(
+            f"project.{'scene' if own.scene else 'database'} is given; a {kind.NAME} defines its own section"
+        )
 
 
 def _at_site(raw, folder):
@@ -140,7 +142,7 @@ def _at_site(raw, folder):
     asked = [state for state in states if isinstance(state, dict) and "weather" in state]
     if not isinstance(own_site, str):
         if asked:
-            raise StudyError("states have weather of a site and project.site is not given; give its file")
+            raise StudyError("states take their weather from a site and project.site is not given; give its file")
         return raw
     values = site_file(folder / own_site)
     laid = []
@@ -231,15 +233,17 @@ def _check_worn(worn):
 
 def _check_states(project, depth):
     if not project.states:
-        raise StudyError("the project has no states; allowed: at least one [[states]]")
+        raise StudyError("the project has no states; give at least one [[states]]")
     if not project.rules and not project.limits:
-        raise StudyError("the project has no rules; allowed: at least one [[rules]] or [[limits]]")
+        raise StudyError("the project has no rules; give at least one [[rules]] or [[limits]]")
     known = (MEAN, *project.levels)
     names = [state.name for state in project.states]
     for i, state in enumerate(project.states):
         where = f"states[{i}]"
         if names.count(state.name) > 1:
-            raise StudyError(f"{where}.name is {state.name!r} as of another state; allowed: each its own")
+            raise StudyError(
+                f"{where}.name is {state.name!r}, which another state has too; give each state a name of its own"
+            )
         _one(f"{where}.state", state.state, STATES)
         _one(f"{where}.lost", state.lost, ("worst", "each"))
         for key, allowed in (("lines", LINES), ("levels", known)):
@@ -289,16 +293,16 @@ def _check_wear(project, study):
     if wear.mm_per_year < 0:
         raise StudyError(f"wear.mm_per_year is {wear.mm_per_year:g}; allowed: at least 0")
     if wear.years is None and project.project.service_life is None:
-        raise StudyError("wear: for how many years is not said; give wear.years or project.service_life")
+        raise StudyError("wear: the number of years is missing; give wear.years or project.service_life")
     if wear.years is not None:
         positive("wear.years", wear.years)
     twice = [name for name, table in study.get("types", {}).items() if "corrosion_mm" in table]
     if twice:
-        raise StudyError(f"[wear] is given, and types.{twice[0]}.corrosion_mm; allowed: one of them")
+        raise StudyError(f"[wear] and types.{twice[0]}.corrosion_mm are both given; give one of them")
     unnamed = [name for name, table in study.get("types", {}).items() if "catalogue" not in table]
     if unnamed:
         raise StudyError(
-            f"wear of type {unnamed[0]!r} needs its diameter; give it by catalogue, such as catalogue = "
+            f"wear of type {unnamed[0]!r} needs a diameter; name a size of the catalogue, such as catalogue = "
             '"R3 studless 76 mm"'
         )
 
@@ -308,13 +312,13 @@ def _check_fatigue(project, study):
 
     shares = [state.share for state in project.states]
     if any(not 0 <= share <= 1 for share in shares) or sum(shares) > 1 + 1e-9:
-        raise StudyError(f"states: shares of the time are {shares}; allowed: 0 to 1, together at most 1")
+        raise StudyError(f"states: the shares of the time are {shares}; allowed: 0 to 1 each, at most 1 in total")
     own = project.fatigue
     if own is None:
         return
     numbers = (own.exponent, own.constant)
     if (own.curve is None) == (None in numbers) or (own.curve is not None and any(numbers)):
-        raise StudyError("fatigue: allowed: either curve, or exponent and constant of N = constant · s^−exponent")
+        raise StudyError("fatigue: give either curve, or exponent and constant of N = constant · s^−exponent")
     if own.curve is not None:
         _one("fatigue.curve", own.curve, tuple(curves()))
     else:
@@ -324,10 +328,12 @@ def _check_fatigue(project, study):
     if not own.factor >= 1:
         raise StudyError(f"fatigue.factor is {own.factor:g}; allowed: at least 1")
     if project.simulation is None or project.project.service_life is None or not any(shares):
-        raise StudyError("fatigue needs [simulation], project.service_life and a share of the time of some state")
+        raise StudyError(
+            "fatigue needs [simulation], project.service_life and a share of the time for at least one state"
+        )
     unnamed = [name for name, table in study.get("types", {"ropes": {}}).items() if "catalogue" not in table]
     if unnamed:
-        raise StudyError(f"fatigue of type {unnamed[0]!r} needs its diameter; give it by catalogue")
+        raise StudyError(f"fatigue of type {unnamed[0]!r} needs a diameter; name a size of the catalogue")
 
 
 def _check_limits(project, found):
@@ -348,7 +354,7 @@ def _check_own_rules(project, found, folder):
         for one in () if table.file is None else of_rule(read_rules(folder / table.file), table.rule, table.subject):
             if one.quantity not in known:
                 raise StudyError(
-                    f"rules[{i}], {table.file}: quantity {one.quantity!r} is found by no load case; allowed: "
+                    f"rules[{i}], {table.file}: no load case computes the quantity {one.quantity!r}; allowed: "
                     f"{'; '.join((*OF_TENSIONS, *found, *KNOWN_OF_PROJECT))}; or give it by [[values]]"
                 )
 
@@ -359,7 +365,7 @@ def _check_needs(needs, criteria):
         if not need.judged(criteria):
             subject = ' with subject = "hawser"' if need.hawser else ""
             raise StudyError(
-                f"the study has {need.what} and no criterion chosen judges them; allowed: a rule set that does, or "
+                f"the study has {need.what} and no chosen criterion judges them; give a rule set that does, or "
                 f"[[limits]] of {need.quantities[0]!r}{subject}"
             )
 
@@ -369,7 +375,9 @@ def _check_hawsers(project, needs):
     if not any(need.hawser for need in needs):
         for i, one in enumerate(project.limits):
             if one.subject == HAWSER:
-                raise StudyError(f"limits[{i}].subject is {HAWSER!r} and the study has none; allowed: left out")
+                raise StudyError(
+                    f"limits[{i}].subject is {HAWSER!r} and the study has no hawser; leave the subject out"
+                )
 
 
 def _check_used(project, criteria):
@@ -378,8 +386,8 @@ def _check_used(project, criteria):
     for table, quantity in USED.items():
         if getattr(project, table) is not None and quantity not in asked:
             raise StudyError(
-                f"[{table}] is given and no criterion chosen is of {quantity!r}; allowed: a rule set or [[limits]] "
-                f"that is, or no [{table}]"
+                f"[{table}] is given and no chosen criterion limits {quantity!r}; give a rule set or [[limits]] "
+                f"that does, or leave out [{table}]"
             )
 
 
@@ -393,17 +401,21 @@ def _check_values(project, criteria):
             raise StudyError(f"{where}.value is {one.value:g}; allowed: 0 or more, finite")
         if one.quantity not in asked:
             known = "; ".join(asked) or "none is asked for"
-            raise StudyError(f"{where}.quantity is {one.quantity!r}; allowed, of the criteria chosen: {known}")
+            raise StudyError(f"{where}.quantity is {one.quantity!r}; allowed by the chosen criteria: {known}")
 
 
 def _check_earthquakes(project, study, folder):
     from .kinds.earthquake import check_study
 
     if project.earthquakes and not study.get("fender"):
-        raise StudyError("earthquakes are given and the study has no fenders; lines leave the hull its long periods")
+        raise StudyError(
+            "earthquakes are given and the study has no fenders; lines leave the hull with long natural periods"
+        )
     for i, one in enumerate(project.earthquakes):
         if [other.name for other in project.earthquakes].count(one.name) > 1:
-            raise StudyError(f"earthquakes[{i}].name is {one.name!r} as of another; allowed: each its own")
+            raise StudyError(
+                f"earthquakes[{i}].name is {one.name!r}, which another earthquake has too; give each a name of its own"
+            )
         check_study(folder / one.study)
 
 
@@ -415,9 +427,9 @@ def _criteria(project, folder):
         unsure = [criterion for criterion in found if criterion.status == "unverified"]
         if unsure and table.confirmed is None:
             raise StudyError(
-                f"rules[{i}] ({table.rule}) holds {len(unsure)} criteria that nobody has checked in the book, such as "
-                f"{unsure[0].quantity} {unsure[0].sense} {unsure[0].limit:g}; look there, then say confirmed = true; "
-                "with confirmed = false they are left out"
+                f"rules[{i}] ({table.rule}) contains {len(unsure)} criteria that have not been checked against "
+                f"the printed rule, such as {unsure[0].quantity} {unsure[0].sense} {unsure[0].limit:g}; check "
+                "them there, then set confirmed = true; with confirmed = false they are not used"
             )
         chosen += [criterion for criterion in found if table.confirmed or criterion.status != "unverified"]
     return (*chosen, *(_limit(f"limits[{i}]", one) for i, one in enumerate(project.limits)))
@@ -426,7 +438,7 @@ def _criteria(project, folder):
 def _limit(where, table):
     """The Criterion of a LimitTable.  Raises StudyError."""
     if (table.at_most is None) == (table.at_least is None):
-        raise StudyError(f"{where}: allowed: one of at_most, at_least")
+        raise StudyError(f"{where}: give one of at_most, at_least")
     _one(f"{where}.state", table.state, KNOWN_STATES)
     _one(f"{where}.lines", table.lines, KNOWN_LINES)
     _one(f"{where}.statistic", table.statistic, STATISTICS)

@@ -148,7 +148,10 @@ def _checks(paths):
             if not one.passed:
                 text = f"{level}: {one.name} is {one.largest:.2g} at ω {one.omega:.3g} rad/s; limit {one.limit:g}"
                 yield {"css": "fails", "text": text}
-    text = "Checked: reciprocity, Haskind, energy, residual, estimated errors; limits as stored."
+    text = (
+        "Checks passed: reciprocity, Haskind relation, energy, residual, estimated errors, each against its "
+        "stored limit."
+    )
     yield {"css": "source", "text": text}
 
 

@@ -29,13 +29,13 @@ def summary(verdict):
     if verdict.word == OPEN:
         unknown = sum(one.met is None for one in verdict.judged)
         failed = sum(one.numbers is None for one in verdict.ran)
-        return f": {unknown} criteria are not judged, {failed} load cases could not be run"
+        return f": {unknown} criteria could not be judged, {failed} load cases could not be run"
     if worst is None:
         return ""
     use, criterion = worst.governing, worst.criterion
     return (
         f": {percent(use.utilisation)} of {criterion.name}, {criterion.quantity} {criterion.sense} "
-        f"{criterion.limit:.4g}, is used by {_used_by(use, criterion)}"
+        f"{criterion.limit:.4g}, is reached by {_used_by(use, criterion)}"
     )
 
 
@@ -62,21 +62,25 @@ def advice_words(advice, verdict):
     if vain and not advice.found:
         return (
             *beyond,
-            f"Run in the cases that govern: {vain}. None lowers the largest utilisation. Change the layout or the kind "
-            "of line or fender.",
+            f"Tried in the governing cases: {vain}. None lowers the largest utilisation. Change the layout, or "
+            "the kind of line or fender.",
         )
     found = map(_tried_words, sorted(advice.found, key=lambda one: (not one.passes, one.utilisation)))
-    return *beyond, *found, *((f"Run in vain, for the largest utilisation does not fall: {vain}.",) if vain else ())
+    return (
+        *beyond,
+        *found,
+        *((f"Tried without success, since the largest utilisation does not fall: {vain}.",) if vain else ()),
+    )
 
 
 def _tried_words(one):
     used = f"{percent(one.utilisation)} of {one.criterion.rule}, {one.criterion.quantity}"
     if one.passes:
         return (
-            f"Passes in the cases that govern: {one.words}, which uses {used}. It is the smallest of its kind that "
-            "does."
+            f"Passes in the governing cases: {one.words}, which uses {used}. It is the smallest change of its "
+            "kind that passes."
         )
-    return f"Not enough by itself: {one.words}, the best of its kind, uses {used}."
+    return f"Not enough alone: {one.words}, the best change of its kind, still uses {used}."
 
 
 def _worst(verdict):
@@ -89,8 +93,8 @@ def return_words(own, verdict):
     if verdict.return_period is None:
         return ""
     return (
-        f"A value that is not exceeded in {own.service_life:g} years with probability {own.probability:g} has a return "
-        f"period of {verdict.return_period:.0f} years."
+        f"A value that stays unexceeded for {own.service_life:g} years with probability {own.probability:g} has "
+        f"a return period of {verdict.return_period:.0f} years."
     )
 
 
@@ -101,7 +105,7 @@ def time_words(read):
         return ""
     hours = (own.duration or 0.0) / 3600.0 if own.duration_hours is None else own.duration_hours
     count = own.seeds if isinstance(own.seeds, int) else len(own.seeds)
-    return f"Each case is run in time {count} times, {hours:.3g} h each."
+    return f"Each case is simulated {count} times, for {hours:.3g} h each."
 
 
 def _system(waves):
@@ -228,7 +232,7 @@ def criterion(one, found_in):
 def rule_set(one):
     c, use = one.criterion, one.use
     limit = f"{c.quantity} {c.sense} {c.limit:.4g}"
-    unread = f"{one.unread} of them to be confirmed in the book" if one.unread else ""
+    unread = f"{one.unread} of them still to be checked against the printed rule" if one.unread else ""
     return {
         "cells": (one.name, one.subject, "yes" if one.chosen else "no", f"{one.judged} of {one.known}", limit),
         "used": percent(use.utilisation),
@@ -284,6 +288,6 @@ def warnings(verdict):
             found.setdefault(NUMBER.sub("#", text), []).append((text, one.case.name))
     for group in found.values():
         text, name = max(group, key=lambda pair: float((NUMBER.search(pair[0]) or "0")[0]))
-        own = ", with numbers of their own" if len({pair[0] for pair in group}) > 1 else ""
-        more = f"; likewise{own}, in {len(group) - 1} more" if len(group) > 1 else ""
+        own = ", each with its own numbers" if len({pair[0] for pair in group}) > 1 else ""
+        more = f"; likewise{own}, in {len(group) - 1} more cases" if len(group) > 1 else ""
         yield {"text": text, "cases": f"{name}{more}"}

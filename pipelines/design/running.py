@@ -70,7 +70,7 @@ def databases(read, folder, executor, console):
             raise KeyboardInterrupt
         if outcome.exit_status:
             where, reason = outcome.failures[0] if outcome.failures else ("", "not all frequencies are stored")
-            raise StudyError(f"the database of level {level!r} is not whole: {where} {reason}")
+            raise StudyError(f"the database of level {level!r} is incomplete: {where} {reason}")
     return found
 
 
@@ -145,7 +145,7 @@ def given_parts(read, case, numbers):
     for one in read.project.values:
         if one.state in ("any", case.kind) and one.lines in ("any", case.lines) and not case.apart:
             if one.quantity in numbers.parts:
-                raise StudyError(f"values: {one.quantity!r} is given, and {case.name} finds it; leave it out")
+                raise StudyError(f"values: {one.quantity!r} is given, but {case.name} computes it; leave it out")
             found.setdefault(one.quantity, {})[one.source] = one.value
     lines = [i for i, name in enumerate(numbers.names) if name not in numbers.hawsers and numbers.types[i] != ("rope",)]
     if "water" in read.study and lines:

@@ -63,7 +63,7 @@ def berth_numbers(study, database, path, runs):
 def _periods(file):
     known = [(n, T) for n, T in zip(PLANE, file.attrs["natural_period"], strict=True) if np.isfinite(T)]
     words = ", ".join(f"{name} {T:.3g} s" for name, T in known)
-    return f"natural periods of small motions at the berth: {words or 'none, nothing holds them at rest'}"
+    return f"natural periods of small motions at the berth: {words or 'none, since nothing holds the body at rest'}"
 
 
 def _steady_of_few(file):
@@ -71,7 +71,7 @@ def _steady_of_few(file):
     kept, runs = len(file["deflection"]), len(file["seed"])
     if kept < runs:
         yield (
-            f"steady strains are of the {kept} runs whose records are kept, of {runs}; others may have more: "
+            f"steady strains cover the {kept} of {runs} runs whose records are kept; others may be larger; give "
             f"simulation.keep_series = {runs}"
         )
 

@@ -30,13 +30,13 @@ SIDES = (-1, 1)  # of the front and the back line: waves travel to +y
 PROVIDED = {"capacity_kN", "weight_kN_per_m", "spacing"}  # of an anchor that the study has
 HOURS = 3.0  # of a sea, where the study has none
 SOURCES = (
-    "Tensions are pretension and expected greatest amplitude in the sea, of a line, or the largest of it in time where "
-    "it goes slack; NAME.h5 has the curves behind them."
+    "A tension is the pretension plus the expected largest amplitude in the sea, or the largest in time where a line "
+    "goes slack. NAME.h5 contains the curves."
 )
 METHOD = (
-    "Linear motion in two dimensions. A line that goes slack snaps: its tension is then the largest in time, in the "
-    "regular waves of the study, where that is more. Anchors are sized by regular waves as high as the highest of the "
-    "sea."
+    "Motions are linear and two-dimensional. A line that goes slack snaps: its tension is then the largest in "
+    "time in the regular waves of the study, if that is larger. Anchors are sized for regular waves as high as "
+    "the highest wave of the sea."
 )
 
 
@@ -51,17 +51,17 @@ def read(path):
 def check(project, raw):
     """Raises StudyError where a project asks what this kind has not."""
     if project.simulation is not None:
-        raise StudyError("simulation is given; a breakwater has no runs in time")
+        raise StudyError("simulation is given; a breakwater is not simulated in time")
     if project.levels:
-        raise StudyError("levels are given; a breakwater has those of its study, water.tide")
+        raise StudyError("levels are given; a breakwater takes its water levels from water.tide of its study")
     for i, state in enumerate(project.states):
         for key in ("wind", "current"):
             if getattr(state, key) is not None:
-                raise StudyError(f"states[{i}].{key} is given; a breakwater stands waves alone")
+                raise StudyError(f"states[{i}].{key} is given; a breakwater is loaded by waves only")
         if state.waves is None:
-            raise StudyError(f"states[{i}].waves is missing; allowed: height and period of the sea")
+            raise StudyError(f"states[{i}].waves is missing; give height and period of the sea")
         if state.waves.swell:
-            raise StudyError(f"states[{i}].waves.swell is given; a breakwater stands one system of waves")
+            raise StudyError(f"states[{i}].waves.swell is given; a breakwater is computed in one wave system only")
         if state.lines != ["intact"]:
             raise StudyError(f"states[{i}].lines is {state.lines}; allowed: intact")
 
@@ -131,7 +131,7 @@ def lost(study):
 
 def without(study, name):
     """Never asked for"""
-    raise StudyError(f"{name}: a breakwater loses no line")
+    raise StudyError(f"{name}: a lost line is not a load case of a breakwater")
 
 
 def run(study, database, path, _):

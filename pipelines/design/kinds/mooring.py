@@ -37,25 +37,28 @@ LAYING = (
     "corner_headings_deg", "pretension_tonf", "pretension_kN", "fairlead_z", "heading_deg", "anchor", "bollard", "name",
 )  # fmt: skip
 SIMPLIFIED = (
-    "The largest motions are those of the free body, lines follow them by statics (SR179 report, 1982, 5.1.1), slow "
-    "drift is not in the method. Where a natural period lies near the waves, give the project [simulation]."
+    "The largest motions are those of the free body, and the lines follow them statically (SR179 report, 1982, "
+    "5.1.1). Slow drift is not included. Where a natural period lies near the wave periods, give the project "
+    "[simulation]."
 )
 IN_TIME = (
-    "Tensions and motions are those of simulations in time, in which lines move by themselves where dynamic_lines or "
-    "its trial asks for it. The simplified method was run beside them for the place under steady forces; its findings "
-    "are of it alone."
+    "Tensions and motions come from simulations in time, with lines in motion of their own where dynamic_lines or "
+    "its trial requires it. The simplified method gives the place under steady forces only; its findings "
+    "concern that method alone."
 )
 AT_BERTH = (
-    "Tensions, strains and motions are the largest of all simulations in time; forces at anchors and bollards are "
-    "static ones where the body is at the largest tension. A steady strain is the largest mean of ten minutes. Ropes "
+    "Tensions, strains and motions are the largest of all simulations in time. Forces at anchors and bollards are "
+    "static, at the place of the body with the largest tension. A steady strain is the largest ten-minute mean. Ropes "
     "are tended to their pretension at every water level."
 )
-SOURCES = "Tensions are tension.largest of its file, offsets pose.x, pose.y, pose.yaw, motions motion.amplitude."
+SOURCES = (
+    "In its file, tensions are tension.largest, offsets are pose.x, pose.y, pose.yaw, and motions are motion.amplitude."
+)
 IN_TIME_SOURCES = (
     "Tensions, motions and forces at the anchor are the largest of its runs (NAME_runs.h5), kept as values.largest, "
     "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
 )
-BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."
+BERTH_SOURCES = "Tensions, strains and motions are in the summary of its run file; offsets are the means."
 KEPT = ("hull", "types", "anchors", "fender", "dolphin", "rope", "harbour", "quay")
 
 
@@ -72,9 +75,11 @@ def check(project, raw):
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
     made = make_study(raw)
     if made.quay is not None and not made.at_berth:
-        raise StudyError("the study has a quay and neither fenders nor ropes; a project knows a quay at a berth alone")
+        raise StudyError("the study has a quay but neither fenders nor ropes; a project accepts a quay only at a berth")
     if project.simulation is None and made.at_berth:
-        raise StudyError("the study has fenders or ropes, which are judged in time; give the project [simulation]")
+        raise StudyError(
+            "the study has fenders or ropes, which are judged in simulations; give the project [simulation]"
+        )
 
 
 def base(raw, db):

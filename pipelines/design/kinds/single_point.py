@@ -32,12 +32,13 @@ BELONGING = {
 LEFT_OUT = ("wind", "current", "waves", "maps", "site")
 STABLE, SLEWING = "stable headings", "slewing amplitude"  # number; degrees, at the end of the run
 SOURCES = (
-    "Tensions are the largest of the run in time where the study has one, with 20 % where waves are without their slow "
-    "drift, else those at rest; a line's pretension is its tension with the buoy alone, offsets are of the buoy."
+    "Tensions are the largest of the run in time if the study has one, with 20 % added if the waves have no slow "
+    "drift; otherwise they are tensions at rest. A line's pretension is its tension with the buoy alone. "
+    "Offsets are those of the buoy."
 )
 METHOD = (
-    "Of all headings of rest the one that decays fastest, or grows least, is taken (SR179 report, 1982, 3.6). Slow "
-    "drift is in no run of the two scales: tensions have the 20 % that the report adds for it."
+    "Of all equilibrium headings, the one whose motion decays fastest, or grows least, is used (SR179 report, "
+    "1982, 3.6). Slow drift is not included in a two-scale run: tensions include the 20 % that the report adds for it."
 )
 STRONGEST = 1e6  # kN, of lines whose breaking load is not known
 CLOSE = 1e-10  # of the anchors' distance, to which they are laid again in other water
@@ -52,7 +53,7 @@ def read(path):
 def check(project, raw):
     """Raises StudyError where a project asks what this kind has not."""
     if project.simulation is not None:
-        raise StudyError("simulation is given; a single-point study runs in time by its own [slewing]")
+        raise StudyError("simulation is given; a single-point study is simulated by its own [slewing]")
     if project.database_with_levels:
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
 

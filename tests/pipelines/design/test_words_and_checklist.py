@@ -37,7 +37,7 @@ GUSTY, STEADY = WindTable(speed=30.0, gusts="davenport"), WindTable(speed=30.0)
 
 @pytest.mark.parametrize("states, qtf, met, how", [
     ([state()], "body", None, "there are no waves"),
-    ([state(waves=SHORT)], None, False, "one regular wave of the significant height; give [simulation]"),
+    ([state(waves=SHORT)], None, False, "one regular wave with the significant height; give [simulation]"),
     ([state(waves=SHORT), state("swell", waves=LONG)], "body", False, "long crests in swell; give waves.spreading"),
     ([state(waves=SHORT)], "body", True, "waves.spreading of every state"),
 ])  # fmt: skip
@@ -62,7 +62,7 @@ def test_drift_and_bound_waves_are_those_of_the_simulation():
         assert asked("drift that varies", states=[state()], qtf=qtf).met is drift
         assert asked("long bound waves", states=[state()], qtf=qtf).met is bound
     said = asked("long bound waves", states=[state()], qtf="newman").how
-    assert said == 'simulation.qtf is "newman"; give "bound-wave" or "body" where they matter'
+    assert said == 'simulation.qtf is "newman"; give "bound-wave" or "body" where second-order forces matter'
 
 
 def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path):
@@ -74,8 +74,8 @@ def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path)
         asked("fenders by", states=[state()]).met is None and asked("fenders by", states=[state()], study=fenders).met
     )
     for study, given, met, how in (
-        ({}, (), None, "lines leave the hull its long periods"),
-        (fenders, (), False, "not among the load cases; give [[earthquakes]]"),
+        ({}, (), None, "lines leave the hull with long natural periods"),
+        (fenders, (), False, "not a load case; give [[earthquakes]]"),
         (fenders, (rule,), False, "no record in time of rule; give [record] of its study"),
         (fenders, (rule, timed), True, "records of timed"),
     ):
@@ -178,7 +178,7 @@ def test_findings_of_cases_that_differ_in_numbers_are_told_once_with_the_largest
     )
     found = {one["text"]: one["cases"] for one in report_words.warnings(verdict)}
     assert found == {
-        "uplift of 30 kN": "b; likewise, with numbers of their own, in 1 more",
+        "uplift of 30 kN": "b; likewise, each with its own numbers, in 1 more",
         "slack": "b; likewise, in 1 more",
     }
 
