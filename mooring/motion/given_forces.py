@@ -56,7 +56,7 @@ def read_force(path):
     """
     names, values = read_table(path)
     if names is None or sorted(names) != sorted(COLUMNS):
-        shown = "no names of columns in its first row" if names is None else f"the columns {', '.join(names)}"
+        shown = "no column names in its first row" if names is None else f"the columns {', '.join(names)}"
         raise TableError(f"{path} has {shown}; allowed: {', '.join(COLUMNS)}: name them so")
     values = values[:, [names.index(name) for name in COLUMNS]]
     t, steps = values[:, 0], np.diff(values[:, 0])

@@ -12,10 +12,12 @@ def berth(
     study: Annotated[Path | None, Parameter(help="ship, approach and fenders (TOML)")] = None,
     /,
     *,
-    database: Annotated[Path | None, Parameter(help="of the ship, for the memory of the water")] = None,
-    output: Annotated[Path | None, Parameter(help="course in time, .csv, or everything, .h5")] = None,
+    database: Annotated[Path | None, Parameter(help="database of the ship, for the memory of the water")] = None,
+    output: Annotated[Path | None, Parameter(help="time series, .csv, or all results, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
-    measured: Annotated[bool, Parameter(negative=(), help="fifty berthings of Ueda (1981) instead of a study")] = False,
+    measured: Annotated[
+        bool, Parameter(negative=(), help="the fifty measured berthings of Ueda (1981) instead of a study")
+    ] = False,
 ):
     """Energy of a ship that berths by the methods of the literature, what its fenders do, and its course in time.
 
@@ -24,10 +26,10 @@ def berth(
     from .command import berth, show_measured
 
     if measured == (study is not None):
-        raise ValueError(f"{'both are' if measured else 'neither is'} given; allowed: a study, or --measured")
+        raise ValueError(f"a study and --measured: {'both are' if measured else 'neither is'} given; give one of them")
     if measured:
         given = [name for name, value in (("database", database), ("output", output), ("plot", plot)) if value]
         if given:
-            raise ValueError(f"--{given[0]} is given with --measured; allowed: with a study")
+            raise ValueError(f"--{given[0]} is given with --measured; it needs a study")
         return show_measured()
     return berth(study, database, output, plot)

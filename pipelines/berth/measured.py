@@ -17,10 +17,10 @@ def measured():
     rows = {"median": "median", "low": "lower quartile", "high": "upper quartile"}
     columns = {f"ratio.{name}": ([getattr(c, name) for c in found], "", words) for name, words in rows.items()}
     columns["contacts"] = [c.contacts for c in found], "", "contacts"
-    columns["bounded"] = [c.bounded for c in found], "%", "within what speeds cut to whole cm/s allow"
+    columns["bounded"] = [c.bounded for c in found], "%", "within the rounding of speeds to whole cm/s"
     return Result(
         "berth measured",
-        quantities("absorbed over effective energy", columns, "virtual_mass"),
+        quantities("absorbed energy over effective energy", columns, "virtual_mass"),
         labels("virtual_mass", METHODS),
         notes=(f"{len({c.ship for c in table})} ships, {len(table)} contacts (Ueda 1981, tables 2.1 to 2.5)",),
     )

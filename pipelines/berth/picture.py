@@ -16,7 +16,7 @@ def draw(approach, course, path):
         label = f"{fender.name}, x = {x:g} m"
         force.plot(course.time, course.reaction[:, k] / KN, label=label)
         deep.plot(course.time, course.deflection[:, k], label=label)
-    energy.plot(course.time, course.taken / KN, label="in fenders and lost in them")
+    energy.plot(course.time, course.taken / KN, label="stored and dissipated in fenders")
     energy.plot(course.time, course.lost / KN, label="in waves")
     energy.axhline(approach.energy / KN, linewidth=0.8, linestyle=":", color="grey", label="kinetic-energy method")
     force.set(ylabel="reaction, kN", title=f"C_M {course.virtual_mass:.3f}")

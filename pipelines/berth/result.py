@@ -36,7 +36,7 @@ LINEAR_TO = 0.15  # strain up to which Ueda (1981) takes a fender as a spring
 BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "stiffest")
 BEHIND = ("x", "gap", "dolphin", "dolphin_yield", "dolphin_beyond")  # keys that the fender of a simulation has not
 DEFAULT = dict(zip(BerthFender.__struct_fields__[::-1], BerthFender.__struct_defaults__[::-1], strict=False))
-TAKEN = "the same energy, where the fender differs from its catalogue"
+TAKEN = "the same energy, with a fender that differs from its catalogue"
 
 
 def berth(study: File | Tables | BerthStudy, database: File | Database | None = None) -> Result:
@@ -86,11 +86,13 @@ def _ship(study, approach, db):
     displaced = db.density * float(db["displaced_volume"])
     if abs(displaced / ship.mass - 1) > MASS_DIFFERS:
         told.append(
-            f"the body of {db.path} displaces {displaced / 1e3:.4g} t, the ship has {ship.mass / 1e3:.4g} t, which is "
-            "what moves"
+            f"the body of {db.path} displaces {displaced / 1e3:.4g} t, and the ship has {ship.mass / 1e3:.4g} "
+            "t; the ship's mass is used"
         )
     if study.depth is not None and abs(db.water_depth / study.depth - 1) > DEPTH_DIFFERS:
-        told.append(f"the memory of {db.path} is that of {db.water_depth:g} m of water, depth is {study.depth:g} m")
+        told.append(
+            f"the memory of {db.path} holds for a water depth of {db.water_depth:g} m, and depth is {study.depth:g} m"
+        )
     return made, told
 
 
@@ -110,7 +112,7 @@ def _to_paste(study, approach):
         fenders.append(own)
     lists = {"fender": fenders, "dolphin": dolphins} if dolphins else {"fender": fenders}
     words = "; ".join(f"{name} = [{', '.join(map(_inline, rows))}]" for name, rows in lists.items())
-    return f"at the top of the study of a simulation, with z of the face in place of 0: {words}"
+    return f"for the top of a simulation study, with z of the fender face in place of 0: {words}"
 
 
 def _inline(table):
@@ -129,12 +131,12 @@ def _of_approach(approach):
         "ship.mass": (ship.mass, "kg", "mass of the ship"),
         "ship.block": (ship.block, "", "block coefficient"),
         "approach.speed": (approach.speed, "m/s", "speed across the berth"),
-        "approach.offset": (approach.offset, "m", "contact from the centre of gravity"),
+        "approach.offset": (approach.offset, "m", "distance of the contact from the centre of gravity"),
         "approach.eccentricity": (approach.eccentricity, "", "eccentricity C_e"),
         "approach.virtual_mass": (approach.virtual_mass, "", "virtual mass C_M"),
         "approach.energy": (approach.energy, "J", "energy of the berthing"),
         "fender.rated_energy": (fender.rated_energy, "J", "rated energy of the fender"),
-        "fender.rated_reaction": (fender.rated_reaction, "N", "its rated reaction"),
+        "fender.rated_reaction": (fender.rated_reaction, "N", "rated reaction of the fender"),
     })  # fmt: skip
 
 
@@ -152,7 +154,7 @@ def _by_method(approach):
     rows = {"C_M": (masses, "", "C_M"), "energy": (energies, "J", "energy")}
     rows |= _taken([_first(approach)] * len(energies), energies)
     named = {f"method.{name}": row for name, row in rows.items()}
-    return quantities("energy, and what the fender does with it", named, "virtual_mass")
+    return quantities("energy, and the response of the fender", named, "virtual_mass")
 
 
 def _by_band(approach, table):
@@ -164,7 +166,7 @@ def _by_band(approach, table):
         fenders += both
         factors += pair
     rows = {"factor": (factors, "", "factor")}
-    rows["used"] = [energy / one.rated_energy for one in fenders], "%", "of its rated energy"
+    rows["used"] = [energy / one.rated_energy for one in fenders], "%", "share of its rated energy"
     rows |= _taken(fenders, [energy] * len(fenders))
     return quantities(TAKEN, {f"taken.{name}": row for name, row in rows.items()}, "band")
 
@@ -177,12 +179,12 @@ def _two_springs(table, approach):
     dolphin = math.inf if table.dolphin is None else 1e3 * table.dolphin
     made = TwoSprings(mass, approach.speed, dolphin, plateau / (LINEAR_TO * table.height), plateau)
     y1, y2 = (float(y) for y in made.deflections(made.rest_time))
-    return quantities("Ueda's two springs in a row", {
+    return quantities("Ueda's two springs in series", {
         "two_springs.energy": (made.energy, "J", "energy"),
         "two_springs.reaction": (made.reaction, "N", "reaction"),
         "two_springs.fender": (y2, "m", "deflection of the fender"),
         **({} if table.dolphin is None else {"two_springs.dolphin": (y1, "m", "deflection of the dolphin")}),
-        "two_springs.rest_time": (made.rest_time, "s", "time until the ship rests"),
+        "two_springs.rest_time": (made.rest_time, "s", "time until the ship stops"),
     })  # fmt: skip
 
 
@@ -191,13 +193,13 @@ def _in_time(approach, course):
     fenders = [fender for fender, _, _ in approach.meetings]
     strain, _ = at_deflections(fenders, most)
     found = quantities("in time", {
-        "course.energy": (course.energy, "J", "energy into the fenders"),
+        "course.energy": (course.energy, "J", "energy absorbed by the fenders"),
         "course.virtual_mass": (course.virtual_mass, "", "virtual mass C_M"),
-        "course.largest": (whole.max(), "N", "largest force of all fenders"),
-        "course.largest_time": (course.time[whole.argmax()], "s", "its time from contact"),
-        "course.into_waves": (course.lost[-1], "J", "energy into waves"),
+        "course.largest": (whole.max(), "N", "largest total force of the fenders"),
+        "course.largest_time": (course.time[whole.argmax()], "s", "time of the largest force, from contact"),
+        "course.into_waves": (course.lost[-1], "J", "energy radiated as waves"),
     })  # fmt: skip
-    found |= quantities("", {"course.ledger": (course.ledger, "", "energy that the course does not close")})
+    found |= quantities("", {"course.ledger": (course.ledger, "", "error of the energy balance")})
     found |= quantities("largest in time", {
         "met.deflection": (most, "m", "deflection"),
         "met.strain": (strain, "%", "strain"),
@@ -208,7 +210,7 @@ def _in_time(approach, course):
         "course.yaw": (course.position[:, 1], "rad", "yaw"),
         "course.sway_velocity": (course.velocity[:, 0], "m/s", "velocity of sway"),
         "course.yaw_velocity": (course.velocity[:, 1], "rad/s", "velocity of yaw"),
-        "course.taken": (course.taken, "J", "energy in fenders and lost in them"),
+        "course.taken": (course.taken, "J", "energy stored and dissipated in fenders"),
         "course.lost": (course.lost, "J", "energy in waves"),
     }, "time", record=True)  # fmt: skip
     return found | quantities("", {

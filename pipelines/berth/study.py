@@ -174,7 +174,7 @@ def approach_of(study):
 def _speed(approach):
     if (approach.speed is None) == (approach.speeds is None):
         state = "neither is given" if approach.speed is None else "both are given"
-        raise StudyError(f"approach: speed and speeds: {state}; allowed: one of them")
+        raise StudyError(f"approach: speed and speeds: {state}; give one of them")
     if approach.speed is not None:
         return below("approach.speed", approach.speed, FASTEST)
     table = approach.speeds
@@ -202,11 +202,11 @@ def _place(table, where, study, ship):
     x, approach = table.x, study.approach
     if x is None:
         if len(study.fender) > 1 or (approach.offset is None and approach.eccentricity is None):
-            raise StudyError(f"{where}.x is missing; allowed: m ahead of midship where the ship meets it")
+            raise StudyError(f"{where}.x is missing; give the place of contact, m ahead of midship")
         x = study.ship.center + _offset(approach, ship, None)
     if not abs(x) <= 0.5 * ship.length:
         raise StudyError(
-            f"{where}: no ship reaches it, x is {x:g} m; allowed: within half the length of the ship, "
+            f"{where}: the ship does not reach x = {x:g} m; allowed: within half the length of the ship, "
             f"{0.5 * ship.length:g} m"
         )
     return x
@@ -214,7 +214,7 @@ def _place(table, where, study, ship):
 
 def _offset(approach, ship, of_fender):
     if approach.offset is not None and approach.eccentricity is not None:
-        raise StudyError("approach: offset and eccentricity are given; allowed: one of them, or neither")
+        raise StudyError("approach: offset and eccentricity are both given; give at most one")
     if approach.eccentricity is not None:
         return energy.offset_of(approach.eccentricity, ship.gyration)
     if approach.offset is not None:
@@ -231,5 +231,5 @@ def _virtual_mass(given, masses):
     if name in masses:
         return masses[name]
     if given == "pianc":
-        raise StudyError("approach.virtual_mass is 'pianc', which needs the depth at the berth; give depth, m")
+        raise StudyError("approach.virtual_mass is 'pianc', which needs the water depth at the berth; give depth, m")
     raise StudyError(f"approach.virtual_mass is {given!r}; allowed: {', '.join(METHODS)}, or a number")

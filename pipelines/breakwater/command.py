@@ -14,8 +14,8 @@ def breakwater(
     *,
     output: Annotated[Path | None, Parameter(help="results: .h5, or .csv of their tables")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
-    database: Annotated[Path | None, Parameter(help="of a unit of finite length along x, for [map]")] = None,
-    map_plot: Annotated[Path | None, Parameter(help="picture of the waves around it: .png, .svg or .pdf")] = None,
+    database: Annotated[Path | None, Parameter(help="database of a unit of finite length along x, for [map]")] = None,
+    map_plot: Annotated[Path | None, Parameter(help="picture of the waves around the unit: .png, .svg or .pdf")] = None,
 ):
     """A floating breakwater in two dimensions: transmission, a sea behind it, line tensions, pretension, anchors.
 
@@ -34,7 +34,7 @@ def breakwater(
     for picture in (plot, map_plot):
         check_picture(picture, PLOTS)
     if map_plot is not None and database is None:
-        raise ValueError("--map-plot is given without --database; allowed: with it, of a study with [map]")
+        raise ValueError("--map-plot is given without --database; it needs a database, and [map] in the study")
     with Console(stderr=True).status("it is computed"):
         result = found(study, database)
     read, asked, made, measured = result.detail

@@ -24,14 +24,14 @@ def failures(optimisation, found):
         if one.utilisation is not None and one.utilisation > 1:
             size, unit = (1.0, "m apart") if one.unit == "m" else (KN, f"k{one.unit}")
             yield fails(
-                f"anchor, {one.name}: {one.needed / size:.4g} {unit} are needed, {one.provided / size:.4g} provided, "
-                f"{100 * one.utilisation:.4g} % used; give a larger one"
+                f"anchor, {one.name}: {one.needed / size:.4g} {unit} are needed and {one.provided / size:.4g} "
+                f"are provided, {100 * one.utilisation:.4g} % used; give a larger one"
             )
     wanted = None if optimisation is None or found.front is None else optimisation.behind
     if wanted is not None and not np.any(found.front.behind <= wanted):
         yield fails(
-            f"no design leaves {wanted:g} or less behind; the best leaves {found.front.behind.min():.4g}; give "
-            "wider or deeper ones"
+            f"no design transmits {wanted:g} or less; the best transmits {found.front.behind.min():.4g}; allow "
+            "wider or deeper sections"
         )
 
 
@@ -39,17 +39,17 @@ def _of_pretension(held):
     if held.slack:
         where = ", ".join(f"{end} at {level} water" for level, end in held.slack)
         yield fails(
-            f"lines go slack: {where}; the linear tensions do not hold there, taut again they snap: give more "
-            f"pretension than {_kN(held.used)}"
+            f"lines go slack: {where}; linear tensions are not valid there, and lines snap when they become "
+            f"taut again; give more pretension than {_kN(held.used)}"
         )
     if held.most is not None and held.most < held.least:
         yield fails(
-            f"no pretension is both enough, {_kN(held.least)}, and allowed, {_kN(held.most)}; give "
-            "stronger lines, another angle or section"
+            f"the least pretension that keeps lines taut, {_kN(held.least)}, exceeds the largest allowed, "
+            f"{_kN(held.most)}; give stronger lines, another angle or section"
         )
     elif held.most is not None and held.most < held.used:
         yield fails(
-            f"the pretension of {_kN(held.used)} is above the {_kN(held.most)} within the allowable "
+            f"the pretension of {_kN(held.used)} exceeds {_kN(held.most)}, the most within the allowable "
             "tension; give less, or stronger lines"
         )
 
@@ -61,7 +61,7 @@ def wanted(optimisation, front):
     if len(enough):
         i = enough[0]
         sizes = ", ".join(f"{name} {x:.4g}" for name, x in zip(front.names, front.designs[i], strict=True))
-        yield f"{wanted:g} or less behind takes at least {_kN(front.tension[i])}: {sizes}"
+        yield f"{wanted:g} or less behind needs at least {_kN(front.tension[i])}: {sizes}"
 
 
 def _kN(value):

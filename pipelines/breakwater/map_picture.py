@@ -23,7 +23,7 @@ def draw_map(path, name, lee):
         for middle in lee.units:
             corner = middle - lee.half
             axis.add_patch(matplotlib.patches.Rectangle(corner, *(2 * lee.half), color="k"))
-        figure.colorbar(filled, ax=axis, label="height over that of the waves that come", shrink=0.8)
+        figure.colorbar(filled, ax=axis, label="height over incident wave height", shrink=0.8)
         axis.set(aspect="equal", xlabel="x  m, along the row", ylabel="y  m, to leeward")
         axis.set_title(lee.waves, loc="left", fontsize=9)
         figure.suptitle(name, x=0.01, ha="left", fontsize=11)

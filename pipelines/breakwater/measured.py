@@ -29,5 +29,5 @@ def read_measured(path):
         return {name: np.array([float(row[name] or "nan") for row in rows]) for name in names}
     except (TypeError, ValueError):
         raise StudyError(
-            f"{path} has rows that are not numbers, or are too short; allowed: numbers, or nothing"
+            f"{path} has rows that are too short or are not numbers; allowed: numbers, or empty cells"
         ) from None

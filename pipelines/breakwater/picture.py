@@ -61,7 +61,7 @@ def _tensions(axis, held, period, measured):
             pulls = measured[f"{name}_kN_per_m2"]
             axis.plot(measured["period_s"], pulls, marker, color="C3", markersize=4, label=f"measured, {name}")
     axis.set(xlabel="period  s", ylabel="kN/m per m of amplitude")
-    axis.set_title("amplitude of tension, that of the back line paler", loc="left", fontsize=9)
+    axis.set_title("tension amplitude (back line paler)", loc="left", fontsize=9)
     axis.legend(frameon=False, fontsize=8, ncols=2, loc="upper right")
     axis.set_ylim(0, 1.35 * axis.get_ylim()[1])
 
@@ -71,14 +71,14 @@ def _sea(axis, sea):
         axis.set_axis_off()
         return
     density = sea.cells.energy / sea.cells.width
-    axis.plot(sea.cells.omega, density, color="0.4", linewidth=1.6, label=f"before, {sea.cells.height:.3g} m")
+    axis.plot(sea.cells.omega, density, color="0.4", linewidth=1.6, label=f"in front, {sea.cells.height:.3g} m")
     for name, K in sea.transmission.items():
         kind = name.partition(",")[0]
         style = {"color": COLORS[kind], "linestyle": "--" if "," in name else "-"}
         axis.plot(sea.cells.omega, K**2 * density, linewidth=1.1, label=f"{name}, {sea.heights[name]:.3g} m", **style)
     axis.set(xlabel="ω  rad/s", ylabel="S(ω)  m² s/rad", ylim=(0, None))
     axis.set_xlim(0, sea.cells.omega[np.searchsorted(np.cumsum(sea.cells.energy), 0.99 * sea.cells.energy.sum())])
-    axis.set_title("sea before and behind", loc="left", fontsize=9)
+    axis.set_title("sea in front and behind", loc="left", fontsize=9)
     axis.legend(frameon=False, fontsize=8)
 
 

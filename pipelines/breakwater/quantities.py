@@ -20,7 +20,7 @@ TIDE = {  # of a Tide: unit, description
     "rise": ("m", "rise"), "change": ("N/m", "change of P₀"), "front": ("N/m", "front"),
     "front_at": ("s", "front, at"), "back": ("N/m", "back"), "back_at": ("s", "back, at"),
 }  # fmt: skip
-PULLS = "amplitudes of tension for each metre of wave amplitude"
+PULLS = "tension amplitudes per metre of wave amplitude"
 DESIGN = {"draft": ("m", 1.0, "draft"), "width": ("m", 1.0, "width"), "angle_deg": ("rad", np.pi / 180, "lines at")}
 
 
@@ -64,7 +64,7 @@ def checks_of(asked, found):
     if THEORIES[0] in asked.theories:
         waters = sections(asked, asked.wetted(0.0), 0.0, omega, obliquity)
         misses = [abs(one.haskind - one.excitation).max() / abs(one.excitation).max() for one in waters]
-        made["check.haskind"] = Quantity(misses, ("period",), "", "Haskind's relation amiss")
+        made["check.haskind"] = Quantity(misses, ("period",), "", "error of Haskind's relation")
     return made, {}
 
 
@@ -134,7 +134,7 @@ def behind_of(asked, found):
         made |= quantities(f"lines in the greatest of {sea.waves:.0f} waves of the sea", {
             "sea.amplitude": (sea.greatest, "N/m", "greatest amplitude"),
             "sea.tension": (sea.tension, "N/m", "greatest tension at the worst level"),
-            "sea.slack": (sea.slack, "%", "slack in of the cycles"),
+            "sea.slack": (sea.slack, "%", "slack in this share of the cycles"),
         }, "end")  # fmt: skip
         made |= quantities("", {"sea.deviation": (sea.deviation, "N/m", "standard deviation")}, "end")
         made["sea.least_pretension"] = Quantity(sea.least, (), "N/m", "least pretension that keeps lines taut in it")
@@ -146,12 +146,12 @@ def snapping_of(asked, found):
     if found.snapping is None:
         return {}, {}
     level, period, snap = found.snapping
-    title = f"lines that snap, in time, {period:.4g} s at {level} water"
+    title = f"snapping lines in time, {period:.4g} s at {level} water"
     when = {"snap.level": (level, "", "level"), "snap.period": (float(period), "s", "period")}
     return quantities("", when) | quantities(title, {
         "snap.largest": (snap.largest, "N/m", "snaps to"),
         "snap.mean": (snap.peaks, "N/m", "mean of the cycles"),
-        "snap.slack": (snap.slack, "%", "slack of the time"),
+        "snap.slack": (snap.slack, "%", "slack for this share of the time"),
     }, "end"), {}  # fmt: skip
 
 
@@ -179,15 +179,17 @@ def lee_of(asked, found):
     units = f"{len(lee.units)} unit{'s' * (len(lee.units) > 1)} of {2 * lee.half[0]:.4g} m"
     leeward, ratios = np.array(lee.behind).T
     made = {
-        "lee.behind": Quantity(ratios, ("leeward",), "", "height over that before", f"behind {units} in {lee.waves}"),
-        "lee.ratio": Quantity(lee.ratio, ("map_y", "map_x"), "", "height over that before", record=True),
+        "lee.behind": Quantity(
+            ratios, ("leeward",), "", "height over incident height", f"behind {units} in {lee.waves}"
+        ),
+        "lee.ratio": Quantity(lee.ratio, ("map_y", "map_x"), "", "height over incident height", record=True),
         "lee.unit": Quantity(lee.units, ("unit", "xy"), "m", "middle of a unit"),
     }
     axes = labels("leeward", leeward, "m") | labels("map_x", lee.x, "m") | labels("map_y", lee.y, "m")
     axes |= labels("unit", np.arange(1, len(lee.units) + 1)) | labels("xy", ["x", "y"])
     if lee.tension is not None:
         made["lee.tension"] = Quantity(lee.tension, ("end", "along"), "N/m2", "amplitude of tension")
-        made |= quantities("lines of a unit alone, for each metre of wave amplitude", {
+        made |= quantities("lines of a single unit, per metre of wave amplitude", {
             "lee.largest": (lee.tension.max(axis=1), "N/m2", "largest amplitude"),
             "lee.largest_at": (lee.lines[lee.tension.argmax(axis=1)], "m", "at x"),
         }, "end")  # fmt: skip

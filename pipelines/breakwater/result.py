@@ -45,9 +45,9 @@ def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database
     """
     read, text = given(study, BreakwaterStudy, read_breakwater, make_breakwater)
     if read.map is not None and database is None:
-        raise StudyError("the study has a [map]; give --database of a unit of finite length, or leave the table out")
+        raise StudyError("the study has a [map]; give --database of a unit of finite length, or leave out the table")
     if read.map is None and database is not None:
-        raise StudyError("the study has no [map]; add one, or leave --database and --map-plot out")
+        raise StudyError("the study has no [map]; add one, or leave out --database and --map-plot")
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
     measured = None if read.measured is None else read_measured(folder / read.measured)
     asked = breakwater_of(read)

@@ -60,7 +60,7 @@ def _check_directions(study):
                 f"{key}.obliquity_deg is {table.obliquity_deg:g}; allowed: {-MOST_OBLIQUE} to {MOST_OBLIQUE}"
             )
     if study.loss is not None and (study.waves.obliquity_deg or (study.sea is not None and not study.sea.is_normal)):
-        raise StudyError("loss is given with waves at an angle; allowed: with waves along the normal")
+        raise StudyError("loss is given with waves at an angle; it holds for waves along the normal only")
 
 
 def periods(study):
@@ -91,9 +91,9 @@ def _check_section(section):
     for key in ("beam", "height", "diameter", "points"):
         value = getattr(section, key)
         if key in needed and value is None:
-            raise StudyError(f"section.{key} is missing; shape {section.shape} needs {' and '.join(needed)}")
+            raise StudyError(f"section.{key} is missing; the shape {section.shape} needs {' and '.join(needed)}")
         if key not in needed and value is not None:
-            raise StudyError(f"section.{key} is given; shape {section.shape} has {' and '.join(needed)}")
+            raise StudyError(f"section.{key} is given; the shape {section.shape} has {' and '.join(needed)} only")
         if value is not None and key != "points":
             positive(f"section.{key}", value)
     for place, point in enumerate(section.points or []):
@@ -143,13 +143,13 @@ def _check_needs(study):
     body, lines = study.body, study.lines
     for holding in study.holdings:
         if holding != "fixed" and body is None:
-            raise StudyError(f"body is missing; holding {holding} needs center_of_gravity, gyration and the weight")
+            raise StudyError(f"body is missing; the holding {holding} needs center_of_gravity, gyration and the weight")
         if holding in ("taut", "elastic") and lines is None:
-            raise StudyError(f"lines is missing; holding {holding} needs angle_deg and attachment")
+            raise StudyError(f"lines is missing; the holding {holding} needs angle_deg and attachment")
         if holding == "elastic" and lines.axial_stiffness_kN is None:
-            raise StudyError("lines.axial_stiffness_kN is missing; holding elastic needs it")
+            raise StudyError("lines.axial_stiffness_kN is missing; the holding elastic needs it")
         if holding not in ("fixed", "taut") and study.theories == ["long waves"]:
-            raise StudyError(f"holdings has {holding!r}; theory long waves has fixed and taut only")
+            raise StudyError(f"holdings has {holding!r}; the theory of long waves covers fixed and taut only")
     if body is None:
         return
     positive("body.gyration", body.gyration)
@@ -163,7 +163,7 @@ def _check_needs(study):
     given = [key for key, value in weights.items() if value is not None]
     if len(given) != 1:
         state = "nothing is given" if not given else " and ".join(given) + " are given"
-        raise StudyError(f"the body's weight: {state}; allowed: one of {', '.join(weights)}")
+        raise StudyError(f"the body's weight: {state}; give one of {', '.join(weights)}")
     if not given[0].startswith("lines"):
         positive(given[0], weights[given[0]])
 
@@ -171,7 +171,7 @@ def _check_needs(study):
 def _check_map(study):
     asked = study.map
     if asked.period is None and study.sea is None:
-        raise StudyError("map has no waves; allowed: map.period, or [sea]")
+        raise StudyError("map has no waves; give map.period or [sea]")
     if asked.period is not None:
         positive("map.period", asked.period)
     check_count("map.units", asked.units, 1, MOST_UNITS, StudyError)
@@ -184,7 +184,7 @@ def _check_map(study):
         if ends is not None and not -np.inf < ends[0] < ends[1] < np.inf:
             raise StudyError(f"map.{key} is from {ends[0]:g} to {ends[1]:g} m; allowed: rising, finite")
     if study.loss is not None:
-        raise StudyError("map is given with loss; the waves of a database lose none; leave one of them out")
+        raise StudyError("map is given with loss, which a database does not include; leave out one of them")
 
 
 def _check_optimisation(study):
@@ -195,7 +195,7 @@ def _check_optimisation(study):
         raise StudyError("optimisation needs a rectangle or a circle; section.shape is 'outline'")
     ranges = {key: getattr(asked, key) for key in ("draft", "width", "angle_deg") if getattr(asked, key) is not None}
     if not ranges:
-        raise StudyError("optimisation has no range; allowed: draft, width, angle_deg, each [from, to]")
+        raise StudyError("optimisation has no range; give draft, width or angle_deg as [from, to]")
     for key, (first, last) in ranges.items():
         if not 0 < first < last < np.inf:
             raise StudyError(f"optimisation.{key} is from {first:g} to {last:g}; allowed: above 0, rising")

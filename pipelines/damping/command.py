@@ -10,12 +10,12 @@ from cyclopts import Parameter
 
 def damping(
     record: Annotated[
-        Path, Parameter(help="CSV: time_s, motion_m, and force_kN where the body is moved; or motion_deg, moment_kNm")
+        Path, Parameter(help="CSV: time_s, motion_m, and force_kN of a forced motion; or motion_deg, moment_kNm")
     ],
     /,
     *,
     mass: Annotated[
-        float | None, Parameter(help="t with added mass, of a decay; t m² of a rotation", allow_leading_hyphen=True)
+        float | None, Parameter(help="t, with added mass, for a decay; t m² for a rotation", allow_leading_hyphen=True)
     ] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):

@@ -49,7 +49,7 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
         _check_columns(columns, names)
         time, motion, *force = (np.asarray(columns[name], float) for name in ("time_s", *names) if name in columns)
         if force and mass is not None:
-            raise ValueError(f"mass is given with {names[1]} in the record; allowed: of a decay")
+            raise ValueError(f"mass is given and the record has {names[1]}; mass is needed for a decay only")
         motion = np.radians(motion) if turned else motion
         found, findings, notes = (
             _forced(time, motion, 1e3 * force[0]) if force else _decay(time, motion, mass, "rad" if turned else "m")
@@ -71,10 +71,10 @@ def read_record(path: File) -> dict[str, np.ndarray]:
     names, values = read_table(path)
     wrong = [name for name in names or () if name not in COLUMNS]
     if names is None or wrong or "time_s" not in names or not {"motion_m", "motion_deg"} & set(names):
-        shown = "no names of columns in its first row" if names is None else f"the columns {', '.join(names)}"
+        shown = "no column names in its first row" if names is None else f"the columns {', '.join(names)}"
         raise ValueError(
-            f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved, "
-            "or motion_deg and moment_kNm: name them so"
+            f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN of a forced motion, "
+            "or motion_deg and moment_kNm; rename them"
         )
     columns = dict(zip(names, values.T, strict=True))
     check_even(path, columns["time_s"], UNEVEN)
@@ -97,8 +97,9 @@ def _to_paste(found, motion):
         return ()
     B1, B2 = (float(found[name].values) for name in ("B1", "B2"))
     return (
-        f"as keys, of {motion} or whichever it is: [simulation] linear_damping = {{ {motion} = {B1 / 1e3:.4g} }}, "
-        f"quadratic_damping = {{ {motion} = {B2 / 1e3:.4g} }}; of a scene [viscous] {motion} = {{ drag = {B2:.4g} }}",
+        f"as keys, for {motion} or whichever motion was recorded: [simulation] linear_damping = "
+        f"{{ {motion} = {B1 / 1e3:.4g} }}, quadratic_damping = {{ {motion} = {B2 / 1e3:.4g} }}; in a scene "
+        f"[viscous] {motion} = {{ drag = {B2:.4g} }}",
     )
 
 
@@ -115,20 +116,20 @@ def _forced(time, motion, force):
         "B2": (made.quadratic, "N s2/m2", "B2"),
         "B2.by_harmonics": (by_paper[1], "N s2/m2", "B2 by harmonics"),
         "B2.error": (error[1], "N s2/m2", "standard error of B2"),
-        "linear.same_energy": (made.same_energy, "N s/m", "linear damping of the same energy"),
-        "linear.same_force": (made.same_force, "N s/m", "linear damping of the same largest force"),
+        "linear.same_energy": (made.same_energy, "N s/m", "equivalent linear damping by energy"),
+        "linear.same_force": (made.same_force, "N s/m", "equivalent linear damping by largest force"),
         "left": (made.off, "%", "force not explained"),
         "cubic.B1": (float(made.with_cubic[0]), "N s/m", "B1 beside a cube"),
         "cubic.B3": (float(made.with_cubic[1]), "N s3/m3", "B3"),
-        "cubic.left": (made.with_cubic[2], "%", "force not explained with it"),
+        "cubic.left": (made.with_cubic[2], "%", "force not explained with the cubic term"),
     })  # fmt: skip
     findings = [*_rest(made.off, "force", "a sine that moves a body with added mass and damping")]
     if made.same_energy < 0:
         findings.append(
             fails(
-                f"the damping is negative, {significant(made.same_energy / 1e3)} kN s/m of the same energy, limit 0: "
-                "the force gives energy to the body; is force_kN that of what moves it? the water's reaction has the "
-                "other sign"
+                f"the equivalent damping by energy is negative, {significant(made.same_energy / 1e3)} kN s/m, limit 0: "
+                "the force must be the one that moves the body; the reaction of the water has the "
+                "opposite sign"
             )
         )
     records = {
@@ -144,10 +145,10 @@ def _decay(time, motion, mass, unit):
         "period": (2 * np.pi / made.omega, "s", "natural period"),
         "a": (made.a, "", "a by half cycles"),
         "b": (made.b, "1/m", "b by half cycles"),
-        "a.alone": (made.linear_only, "", "a by half cycles with b = 0"),
+        "a.alone": (made.linear_only, "", "a from half cycles with b = 0"),
         "B1_over_M": (made.linear, "1/s", "B1/M"),
         "B2_over_M": (made.quadratic, "1/m", "B2/M"),
-        "critical": (made.linear / (2 * made.omega), "%", "B1 over the critical"),
+        "critical": (made.linear / (2 * made.omega), "%", "B1 over critical damping"),
     }
     if mass is not None:
         rows |= {
@@ -156,9 +157,9 @@ def _decay(time, motion, mass, unit):
         }
     rows |= {
         "left": (made.off, "%", "motion not explained"),
-        "cubic.B1_over_M": (made.with_cubic[0], "1/s", "B1/M beside a cube"),
+        "cubic.B1_over_M": (made.with_cubic[0], "1/s", "B1/M with a cubic term"),
         "cubic.B3_over_M": (made.with_cubic[1], "s/m2", "B3/M"),
-        "cubic.left": (made.with_cubic[2], "%", "motion not explained with it"),
+        "cubic.left": (made.with_cubic[2], "%", "motion not explained with the cubic term"),
     }
     records = {"record.motion": (motion, "m", "motion"), "fitted.motion": (made.fitted, "m", "motion")}
     found = quantities("free decay", rows) | quantities("", records, "time", record=True)
@@ -170,6 +171,6 @@ def _rest(off, what, kind):
     """What fails of a fit that leaves too much"""
     if off > LEFT:
         yield fails(
-            f"{100 * off:.3g} % of the {what} is left over, limit {100 * LEFT:g} %; this is no record of {kind}; look "
-            "at --plot"
+            f"{100 * off:.3g} % of the {what} is not explained, limit {100 * LEFT:g} %; this is not a record of "
+            f"{kind}; check it with --plot"
         )

@@ -14,7 +14,7 @@ from ..results.result import labels
 
 YEAR = 8766.0  # h
 ALL, MONTHS, YEARS, SECTORS = "downtime", "downtime by month", "downtime by year", "downtime by direction of the waves"
-CAUSE, WINDOW, WAIT = "causes of downtime", "windows of weather", "waiting for a window"
+CAUSE, WINDOW, WAIT = "causes of downtime", "weather windows", "waiting for a window"
 NAMES = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 SECTOR = 30.0  # degrees
 DIRECTIONS = np.arange(0.0, 360.0, 10.0)  # degrees of the compass, of limiting seas
@@ -98,7 +98,7 @@ def _whole(chance, known, hindcast, years, error):
         for (part, values), said in zip(hours.items(), words, strict=True)
     }
     made |= _three("downtime", ALL, ("operation",), three, "of the time")
-    made["downtime.known"] = Quantity(known.mean(axis=0), ("operation",), "", "rows that are known", "", True)
+    made["downtime.known"] = Quantity(known.mean(axis=0), ("operation",), "", "rows with data", "", True)
     return made
 
 
@@ -174,10 +174,12 @@ def _windows(study, down, known, hindcast, years):
         wait[..., o], late[:, o] = _by_arrival(waited, hindcast, years)
     needs = ", ".join(f"{one.name} {one.window_hours:g} h" for one in study.operations)
     made = {
-        "window.share": Quantity(share, ("window", "operation"), "", "of the time in such, ", WINDOW, True),
+        "window.share": Quantity(share, ("window", "operation"), "", "of the time in such windows, ", WINDOW, True),
         "window.often": Quantity(often, ("window", "operation"), "1/year", "a year,", WINDOW),
         **_three("wait", WAIT, ("month", "operation"), wait, "mean,", unit="h", share=False),
-        "wait.late": Quantity(late, ("month", "operation"), "h", f"of nine in ten arrivals at most ({needs}),", ""),
+        "wait.late": Quantity(
+            late, ("month", "operation"), "h", f"not exceeded by nine in ten arrivals ({needs}),", ""
+        ),
     }
     return made, labels("window", np.array(lengths), "h", "at least")
 

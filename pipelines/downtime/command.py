@@ -10,17 +10,17 @@ from cyclopts import Parameter
 
 
 def downtime(
-    study: Annotated[Path, Parameter(help="downtime study (TOML), its hindcast beside it")],
+    study: Annotated[Path, Parameter(help="downtime study (TOML); its hindcast file lies beside it")],
     /,
     *,
-    database: Annotated[Path | None, Parameter(help="of the body, .h5; not with [lee]")] = None,
+    database: Annotated[Path | None, Parameter(help="database of the body, .h5; not with [lee]")] = None,
     output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
     plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
     states: Annotated[
-        Path | None, Parameter(help="file of simulated states, .jsonl [beside the study, with [simulation]]")
+        Path | None, Parameter(help="file for simulated states, .jsonl [beside the study, with [simulation]]")
     ] = None,
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
-    page: Annotated[Path | None, Parameter(help=".html: tables and pictures of all answers")] = None,
+    page: Annotated[Path | None, Parameter(help=".html: tables and pictures of all results")] = None,
 ):
     """Hours of years in which operations at a berth stop, and windows of weather between, from a hindcast.
 

@@ -19,7 +19,7 @@ def lee(read, folder):
     """Limits, `every_hour.Response` and notes of a DowntimeStudy with [lee].  Raises StudyError."""
     for key in ("points", "keel", "turned_deg"):
         if getattr(read, key):
-            raise StudyError(f"{key} is given with [lee]; allowed: of a body, without it")
+            raise StudyError(f"{key} is given with [lee]; it needs a body: leave out one of the two")
     limits = limits_of(read, [], {BEHIND: "m"})
     found = breakwater(folder / read.lee.study)
     names, periods = list(found.labels["holding"].values), found.labels["period"].values
@@ -31,9 +31,9 @@ def lee(read, folder):
     through = np.interp(omega, 2 * np.pi / periods[order], found["transmission"][order, names.index(wanted)])
     power = np.broadcast_to((2 * through)[:, None, None] ** 2, (COUNT, RING[0], 1))
     note = (
-        f"behind {wanted} of {read.lee.study}: K_T of waves along its normal, of {periods.min():.3g} to "
-        f"{periods.max():.3g} s and held beyond, for waves from all directions; {BEHIND} is twice a crest, the "
-        "significant one or the mean largest of an hour"
+        f"behind {wanted} of {read.lee.study}: K_T for waves along its normal with periods of {periods.min():.3g} to "
+        f"{periods.max():.3g} s, constant outside that range and used for all wave directions; {BEHIND} is "
+        "twice the crest height, for the significant wave or the mean largest wave of an hour"
     )
     return limits, Response((BEHIND,), ("m",), omega, power), [note]
 

@@ -66,7 +66,7 @@ def limits_of(study, points, responses, moored=None):
         criteria = [_own(f"{where}.limits[{i}]", table) for i, table in enumerate(operation.limits)]
         criteria += _of_rule(where, operation)
         if not criteria:
-            raise StudyError(f"{where}, {operation.name!r}, has no limits and no rule; allowed: one of them")
+            raise StudyError(f"{where}, {operation.name!r}, has neither limits nor a rule; give one of them")
         for one in criteria:
             source = _source(where, one.quantity, study, points, responses, moored)
             found.append(_limit(where, number, operation.name, one, source))
@@ -76,7 +76,7 @@ def limits_of(study, points, responses, moored=None):
 def _own(where, table):
     if (table.at_most is None) == (table.at_least is None):
         state = "neither is given" if table.at_most is None else "both are given"
-        raise StudyError(f"{where}: {state}; allowed: one of at_most, at_least")
+        raise StudyError(f"{where}: {state}; give one of at_most, at_least")
     if table.statistic not in STATISTICS:
         raise StudyError(f"{where}.statistic is {table.statistic!r}; allowed: {', '.join(STATISTICS)}")
     value, sense = (table.at_most, "at most") if table.at_least is None else (table.at_least, "at least")
@@ -103,10 +103,10 @@ def _limit(where, number, name, criterion, source):
     quantity, (kind, names, rest, unit) = criterion.quantity, source
     if kind not in ("response", SIMULATED) and criterion.statistic not in ("largest", ""):
         raise StudyError(
-            f"{where}: {quantity} has no statistic {criterion.statistic!r}; allowed: of a motion or a point"
+            f"{where}: {quantity} has no statistic {criterion.statistic!r}; only motions and points have one"
         )
     if kind == "response" and criterion.sense != "at most":
-        raise StudyError(f"{where}: {quantity} has a least value; allowed: at_most")
+        raise StudyError(f"{where}: {quantity} is limited from above; give at_most")
     try:
         unit = unit_of(where, quantity, criterion.unit or unit) or unit
     except RuleError as error:
@@ -127,7 +127,7 @@ def _source(where, quantity, study, points, responses, moored):
         if quantity in moored:
             return SIMULATED, (), (), moored[quantity]
         known = ", ".join(["significant height", *columns, *moored])
-        raise StudyError(f"{where}: no simulation of this study gives {quantity!r}; there are {known}")
+        raise StudyError(f"{where}: no simulation of this study gives {quantity!r}; allowed: {known}")
     if quantity in responses:
         unit = responses[quantity]
         return "response", (quantity,), (), READ_IN.get(unit, (unit, 1.0))[0]
@@ -138,9 +138,9 @@ def _source(where, quantity, study, points, responses, moored):
     if quantity in dry:
         return "air gap", (relative_name(dry[quantity]),), (dry[quantity].clearance,), "m"
     known = ["significant height", *columns, *responses, *dry, *([KEEL] if keel else [])]
-    missing = ", which needs a column in hindcast.columns" if quantity in WEATHER else ""
-    missing = ", which needs [keel] and a bed" if quantity == KEEL else missing
-    raise StudyError(f"{where}: nothing computes {quantity!r}{missing}; there are {', '.join(known)}")
+    missing = ", which requires a column in hindcast.columns" if quantity in WEATHER else ""
+    missing = ", which requires [keel] and a finite depth" if quantity == KEEL else missing
+    raise StudyError(f"{where}: no result gives {quantity!r}{missing}; allowed: {', '.join(known)}")
 
 
 def used_of(limits, hours, hindcast):

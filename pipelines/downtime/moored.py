@@ -28,7 +28,7 @@ from .tables import AlternativeTable, DowntimeStudy
 if TYPE_CHECKING:
     from .simulated import Simulated
 
-STATES, OTHERS = "hours of this record by simulated states", "other moorings and headings"
+STATES, OTHERS = "downtime hours of this record from simulated states", "other moorings and headings"
 HEIGHTS, UNSURE = 32, 0.3  # levels of height of a limiting sea, and error in ln of its share from which it is left out
 IN_SI = {"deg": ("rad", np.pi / 180), "kN": ("N", 1e3)}
 SEED = 1987
@@ -61,7 +61,9 @@ def moored(read, folder, db, states, executor, say):
     """
     for key in ("points", "keel", "lee"):
         if getattr(read, key):
-            raise StudyError(f"{key} is given with [simulation]; allowed: of linear responses, without it")
+            raise StudyError(
+                f"{key} is given with [simulation]; it belongs to linear responses: leave out one of the two"
+            )
     workers = executor_of(executor)
     with tempfile.TemporaryDirectory() as place:
         path = Path(place) / "states.jsonl" if states is None else Path(states)
@@ -73,12 +75,14 @@ def moored(read, folder, db, states, executor, say):
             workers.shutdown(wait=False, cancel_futures=True)
     made = {
         "simulated.hours": Quantity(found.hours, ("operation",), "h", "hours a year in this record", STATES),
-        "simulated.interpolant": Quantity(NORMAL * found.error, ("operation",), "h", "± interpolant, 90 %", STATES),
-        "simulated.sea": Quantity(NORMAL * found.sea, ("operation",), "h", "± chance of the sea, 90 %", STATES),
+        "simulated.interpolant": Quantity(
+            NORMAL * found.error, ("operation",), "h", "± interpolation error, 90 %", STATES
+        ),
+        "simulated.sea": Quantity(NORMAL * found.sea, ("operation",), "h", "± random error of the sea, 90 %", STATES),
     }
     made |= records({
         "state.hour": (found.rows, ("state",), "", "row of the hindcast"),
-        "state.used": (found.used, ("state", "seed", "limit"), "", "share used of each limit that is simulated"),
+        "state.used": (found.used, ("state", "seed", "limit"), "", "utilisation of each simulated limit"),
     })  # fmt: skip
     axes = labels("state", np.arange(len(found.rows))) | labels("seed", np.arange(found.used.shape[1]))
     for more, names in (_compared(found, others), _returned(read, record.hindcast, limits, found),
@@ -107,11 +111,12 @@ def _notes(read, hindcast, found):
     table = read.simulation
     with_it = "".join(f", {stream}" for *_, stream in streams_of(hindcast))
     yield (
-        f"simulated: {len(found.rows)} states of {60 * table.duration_hours:g} min, {table.seeds} seeds each, "
-        f"waves{with_it} of the hour, all else of {table.study}; windows are those of one realisation of the chances"
+        f"simulated: {len(found.rows)} states of {60 * table.duration_hours:g} min with {table.seeds} seeds each, "
+        f"with the waves{with_it} of the hour and all else from {table.study}; weather windows are those of one "
+        f"random realisation"
     )
     if len(hindcast.waves) > 1:
-        yield "limiting seas are of one system of waves; with several systems there are none"
+        yield "limiting seas are defined for one wave system; none are given with several systems"
 
 
 def _others(read, folder, db, path, workers, say):
@@ -138,7 +143,7 @@ def _compared(found, others):
     made = {
         "alternative.hours": Quantity(hours, axes, "h", "hours a year,", OTHERS),
         "alternative.gain": Quantity(found.hours - hours, axes, "h", "gained,", OTHERS),
-        "alternative.error": Quantity(either, axes, "h", "± interpolants, 90 %,", OTHERS),
+        "alternative.error": Quantity(either, axes, "h", "± interpolation error, 90 %,", OTHERS),
     }
     return made, labels("alternative", [name for name, _ in others])
 
@@ -168,7 +173,7 @@ def _returned(read, hindcast, limits, found):
         "return.value": Quantity(value, ("response",), units, f"once in {read.return_years:g} years", shown),
         "return.low": Quantity(low, ("response",), units, "90 % from", shown),
         "return.high": Quantity(high, ("response",), units, "90 % to", shown),
-        **records({"return.maxima": (maxima, ("response", "whole_year"), units, "largest of each year, drawn")}),
+        **records({"return.maxima": (maxima, ("response", "whole_year"), units, "largest of each year, as drawn")}),
     }
     return made, labels("response", names) | labels("whole_year", years)
 

@@ -28,7 +28,8 @@ def record_with_passages(read, folder, depth):
     study, _ = read_study(folder / table.study)
     if study.track.current:
         raise StudyError(
-            f"passages.study has track.current = {study.track.current:g}; allowed: 0, speeds through water"
+            f"passages.study has track.current = {study.track.current:g}; allowed: 0, since speeds are through "
+            f"the water"
         )
     wanted = {table.distance: "level", table.speed: "speed"}
     moments, found, _ = read_columns(folder / table.file, table.time, read.hindcast.zone, wanted)
@@ -42,7 +43,7 @@ def record_with_passages(read, folder, depth):
     there = (row < len(hindcast.slot)) & (hindcast.slot[np.minimum(row, len(hindcast.slot) - 1)] == slot)
     largest = np.zeros((len(hindcast.time), len(PASSING)))
     np.maximum.at(largest, row[there], force[there])
-    said = f"{there.sum()} of {len(there)} passages of {table.file} are within the hours of the record"
+    said = f"{there.sum()} of {len(there)} passages in {table.file} fall within the hours of the record"
     columns = hindcast.columns | dict(zip(PASSING, largest.T / 1e3, strict=True))
     return record._replace(hindcast=type(hindcast)(hindcast.time, hindcast.step, hindcast.waves, columns,
                                                    (*hindcast.said, said)))  # fmt: skip

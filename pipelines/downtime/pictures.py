@@ -51,14 +51,14 @@ def _operations(result):
 def months(result, axes):
     """Share of each month with its interval"""
     _bars(result, axes, 100 * result["month.share"], 100 * result["month.low"], 100 * result["month.high"])
-    axes.set(ylabel="downtime, %", title="by month, with the 90 % interval of years")
+    axes.set(ylabel="downtime, %", title="by month, with the 90 % interval between years")
     axes.set_xticks(range(12), result.labels["month"].values)
 
 
 def waits(result, axes):
     """Mean waiting time of who arrives in a month"""
     _bars(result, axes, result["wait.mean"], result["wait.low"], result["wait.high"])
-    axes.set(ylabel="mean wait, h", title="waiting for the window that each needs")
+    axes.set(ylabel="mean wait, h", title="waiting time for the window that each operation needs")
     axes.set_xticks(range(12), result.labels["month"].values)
 
 
@@ -93,7 +93,7 @@ def rose(result, axes):
     for o, name in operations:
         place = at + (o - 0.5 * (len(operations) - 1)) * width
         axes.bar(place, result["sector.hours"][:, o], width, color=COLOURS[o], alpha=0.75, label=name)
-    axes.set_title("hours a year, by where waves come from", fontsize="medium")
+    axes.set_title("hours a year, by the direction that waves come from", fontsize="medium")
 
 
 def persistence(result, axes):
@@ -101,7 +101,7 @@ def persistence(result, axes):
     for o, name in _operations(result):
         hours = result.labels["window"].values
         axes.plot(hours, 100 * result["window.share"][:, o], "o-", ms=4, color=COLOURS[o], label=name)
-    axes.set(xlabel="window of at least, h", ylabel="of the time, %", title="windows of weather", xlim=(0, None))
+    axes.set(xlabel="window length, at least, h", ylabel="of the time, %", title="weather windows", xlim=(0, None))
     axes.grid(alpha=0.3)
 
 
@@ -126,7 +126,8 @@ def limiting(result, number, axes):
     axes.figure.colorbar(filled, ax=axes, shrink=0.75, label="significant height, m")
     name = result.labels["operation"].values[number]
     axes.set_title(
-        f"{name}: limiting sea; outwards period, s; around where waves come from\nwhite: not reached, or not known",
+        f"{name}: limiting sea\nradius: period, s; angle: the direction that waves come from; white: not "
+        f"reached, or unknown",
         fontsize="medium",
     )
 

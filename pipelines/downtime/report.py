@@ -43,14 +43,14 @@ def _verdict(result, number):
     worst = max(own, key=lambda i: result["cause.hours"][i])
     label = result.labels["limit"].values[worst].removeprefix(f"{name}: ")
     share = 100 * result["downtime.share"][number]
-    cause = f"; most of it by {label}, {result['cause.hours'][worst]:.4g} h" if at > 0 else ""
-    return {"name": name, "text": f"stops {at:.4g} h a year, {share:.3g} % of the time{between}{cause}."}
+    cause = f"; the main cause is {label}, {result['cause.hours'][worst]:.4g} h" if at > 0 else ""
+    return {"name": name, "text": f"is down {at:.4g} h a year, {share:.3g} % of the time{between}{cause}."}
 
 
 def _pictures(result):
     for panel, words, polar in (
         (pictures.months, "downtime by month", False), (pictures.years, "downtime by year", False),
-        (pictures.rose, "rose of downtime", True), (pictures.persistence, "windows of weather", False),
+        (pictures.rose, "rose of downtime", True), (pictures.persistence, "weather windows", False),
         (pictures.waits, "waiting times", False),
     ):  # fmt: skip
         yield {"words": words, "data": data_address(partial(_drawn, panel, result, polar))}

@@ -42,10 +42,10 @@ if TYPE_CHECKING:
 KIND = "downtime"
 WAVES = "waves"  # a response of 1, whose m0 tells what of the waves is within the stored frequencies
 TURNED = "the body turned clockwise"
-OF_PLANES = "limiting seas are of JONSWAP's shape and cos⁴ over directions, period its energy period"
+OF_PLANES = "limiting seas have a JONSWAP spectrum with cos⁴ spreading; the period is the energy period"
 LINEAR = (
-    "largest: mean largest amplitude of an hour in linear waves about the mean place; a body that floats freely, "
-    "without lines, fenders and slow drift"
+    "largest: the mean largest amplitude in an hour, in linear waves about the mean place, of a freely floating body "
+    "without lines, fenders or slow drift"
 )
 
 
@@ -69,7 +69,7 @@ def downtime(
     read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
     if (database is None) != (read.lee is not None):
-        state = "is given with [lee], which has no body" if read.lee else "of the body is missing"
+        state = "is given with [lee], which needs no body" if read.lee else "of the body is missing"
         raise StudyError(f"the database {state}; allowed: a database, or [lee] and none")
     db = None if database is None else database_of(database)
     if read.simulation is None:
@@ -80,7 +80,7 @@ def downtime(
     made, axes = answers(read, hindcast, limits, verdicts)
     made, axes = made | found.quantities, axes | found.axes
     used = verdicts.used.astype(np.float32)
-    made |= records({"hour.used": (used, ("hour", "limit"), "", "share used of each limit")})
+    made |= records({"hour.used": (used, ("hour", "limit"), "", "utilisation of each limit")})
     axes |= labels("hour", hindcast.time.astype("datetime64[s]").astype(np.int64), "seconds since 1970-01-01")
     needed = {axis for one in made.values() for axis in one.axes}
     told = tuple(dict.fromkeys([*found.findings, *_too_long(read, made)]))
@@ -126,8 +126,8 @@ def _too_long(read, made):
         hours = made["downtime.hours"].values[number]
         if one.allowed_hours is not None and hours > one.allowed_hours:
             yield fails(
-                f"{one.name} stops {hours:.4g} h a year, limit {one.allowed_hours:g} h; another heading (turned_deg), "
-                "wider limits, or another mooring"
+                f"{one.name} is down {hours:.4g} h a year, limit {one.allowed_hours:g} h; try another heading "
+                "(turned_deg), wider limits or another mooring"
             )
 
 
@@ -151,11 +151,11 @@ def hours_of(response, record):
 
 def _viscous(read, db):
     if read.body.viscous is not None:
-        raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a record of years")
+        raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a record over years")
     if db.has_viscous_motions:
         yield (
-            "viscous damping of the database's scene is left out over years, whose hours would have one each: motions "
-            "near resonance are too large; give body.damping_ratio"
+            "the viscous damping of the database's scene is not included, since each hour would need its own "
+            "value: motions near resonance come out too large; give body.damping_ratio"
         )
 
 
@@ -169,12 +169,14 @@ def _outside(response, record, hours):
     if missed > 0:
         low, high = (2 * np.pi / response.omega[i] for i in (-1, 0))
         text = (
-            f"in {100 * missed:.3g} % of the rows with waves more than {100 * MISSED:g} % of their energy is beyond "
+            f"in {100 * missed:.3g} % of the rows with waves, more than {100 * MISSED:g} % of the energy lies outside "
             f"the stored {low:.3g} to {high:.3g} s, at most {100 * np.nanmax(share):.0f} %; add periods to the scene "
             "and solve again"
         )
         if np.nanmedian(share) > MOST_OUTSIDE:
-            raise StudyError(f"{text}; allowed: at most {100 * MOST_OUTSIDE:g} % in half of them; are periods in s?")
+            raise StudyError(
+                f"{text}; allowed: at most {100 * MOST_OUTSIDE:g} % in half of them; check that periods are in s"
+            )
         yield text
 
 
@@ -182,10 +184,10 @@ def _notes(hindcast):
     years = len(hindcast.time) * hindcast.hours / YEAR
     yield (
         f"record: {len(hindcast.time)} rows of {hindcast.hours:g} h, {years:.3g} years, {hindcast.time[0]} to "
-        f"{hindcast.time[-1]} UTC; years and months are those of UTC; intervals are those of years"
+        f"{hindcast.time[-1]} UTC; years and months are in UTC; intervals come from the variation between years"
     )
     if len(np.unique(hindcast.year)) < FEWEST:
-        yield f"fewer than {FEWEST} years have no interval"
+        yield f"no intervals are given for fewer than {FEWEST} years"
 
 
 def _returned(read, hindcast, hours):
@@ -201,7 +203,7 @@ def _returned(read, hindcast, hours):
         "return.value": Quantity(value, ("response",), units, f"once in {read.return_years:g} years", shown),
         "return.low": Quantity(low, ("response",), units, "90 % from", shown),
         "return.high": Quantity(high, ("response",), units, "90 % to", shown),
-        **records({"return.maxima": (maxima.T, ("response", "whole_year"), units, "largest of each year, drawn")}),
+        **records({"return.maxima": (maxima.T, ("response", "whole_year"), units, "largest of each year, as drawn")}),
     }
     return made, labels("response", [hours.names[i] for i in some]) | labels("whole_year", years)
 

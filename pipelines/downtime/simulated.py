@@ -92,14 +92,14 @@ def simulated(read, record, limits, ready, path, executor, say):
         used = _used(limits, there, rows[chosen], table.seeds)
         sound = np.isfinite(used).any(axis=(1, 2))
         if sound.sum() < 8:
-            raise StudyError(f"{sound.sum()} of {len(chosen)} states have an answer, limit 8: "
+            raise StudyError(f"only {sound.sum()} of {len(chosen)} states could be simulated, limit 8: "
                              f"{next(there[r]['failed'] for r in rows[chosen] if 'failed' in there[r])}")  # fmt: skip
         at = np.array(chosen)[sound]
         fits = _fits(read, limits, x, height, at, used[sound], exact[rows])
         worst = max(fits, key=lambda one: one.error / table.tolerance_hours)
         for one in fits:
-            say(f"{len(chosen)} states: {one.name} {one.hours:.4g} h a year, interpolant ± {NORMAL * one.error:.3g} h, "
-                f"chance of the sea ± {NORMAL * one.sea:.3g} h")  # fmt: skip
+            say(f"{len(chosen)} states: {one.name} {one.hours:.4g} h a year, interpolation ± "
+                f"{NORMAL * one.error:.3g} h, random sea ± {NORMAL * one.sea:.3g} h")  # fmt: skip
         if NORMAL * worst.error <= table.tolerance_hours or len(chosen) >= table.most_states:
             break
         more = where_it_may_change(x, worst.mean, worst.spread, worst.fit.scatter, worst.free,
@@ -112,8 +112,8 @@ def simulated(read, record, limits, ready, path, executor, say):
     verdicts = _verdicts(limits, hindcast, rows, exact, fits, each, read)
     failed = tuple((int(r), there[r]["failed"]) for r in rows[chosen] if "failed" in there[r])
     said = tuple(
-        f"{one.name}: interpolant of {len(at)} states ± {NORMAL * one.error:.3g} h a year, tolerance "
-        f"{table.tolerance_hours:g} h; add to most_states"
+        f"{one.name}: the interpolation over {len(at)} states is uncertain by ± {NORMAL * one.error:.3g} h a "
+        f"year, tolerance {table.tolerance_hours:g} h; raise most_states"
         for one in fits if NORMAL * one.error > table.tolerance_hours
     )  # fmt: skip
     by_name = {one.name: one for one in fits}

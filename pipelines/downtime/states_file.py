@@ -35,11 +35,13 @@ def read(path, identity):
     whole = content[: content.rfind(b"\n") + 1]
     first, *lines = whole.decode("utf-8", "replace").splitlines() or [""]
     if not content.startswith(MARK.encode()[: len(content)]):
-        raise StudyError(f"{path} is no file of simulated states and is not replaced; give another name (--states)")
+        raise StudyError(
+            f"{path} is not a file of simulated states, so it is not replaced; give another name (--states)"
+        )
     if first and first != f"{MARK}{identity}":
         raise StudyError(
-            f"{path} is of another hindcast, mooring study, database, seeds or duration; give another name (--states), "
-            "or take it away"
+            f"{path} belongs to another hindcast, mooring study, database, seeds or duration; give another name "
+            "(--states), or delete it"
         )
     if len(whole) < len(content) or not first:
         with path.open("r+b") as file:
@@ -50,7 +52,7 @@ def read(path, identity):
     for number, line in enumerate(lines, 2):
         text, _, mark = line.rpartition(" ")
         if not mark.isdigit() or zlib.crc32(text.encode()) != int(mark):
-            raise StudyError(f"{path}, line {number}, is damaged: it does not match its checksum; take the line out")
+            raise StudyError(f"{path}, line {number}, is damaged: it does not match its checksum; delete the line")
         row = json.loads(text)
         found[row["hour"]] = row
     return found

@@ -57,12 +57,12 @@ def make_downtime(raw):
     """The DowntimeStudy of nested dictionaries.  Raises StudyError."""
     study = typed(raw, DowntimeStudy, StudyError)
     if not study.operations:
-        raise StudyError("there are no [[operations]]; allowed: at least one, with limits or a rule")
+        raise StudyError("there are no [[operations]]; give at least one, with limits or a rule")
     twice = [name for name, count in Counter(one.name for one in study.operations).items() if count > 1]
     if twice:
-        raise StudyError(f"two operations are called {twice[0]!r}; allowed: each its own name")
+        raise StudyError(f"two operations are called {twice[0]!r}; give each a name of its own")
     if not study.hindcast.waves and Path(study.hindcast.file).suffix.lower() not in NETCDF:
-        raise StudyError("hindcast.waves is empty; allowed: at least one system of waves, or netCDF of spectra")
+        raise StudyError("hindcast.waves is empty; give at least one wave system, or a netCDF file of spectra")
     if not 1 <= len(study.windows_hours) <= MOST_WINDOWS or len(study.turned_deg) > MOST_TURNS:
         raise StudyError(f"windows_hours has {len(study.windows_hours)} and turned_deg {len(study.turned_deg)} "
                          f"numbers; allowed: 1 to {MOST_WINDOWS}, and 0 to {MOST_TURNS}")  # fmt: skip
@@ -98,7 +98,7 @@ def files_of(table, folder):
         return [Path(folder) / table.file]
     found = sorted(Path(folder).glob(table.file))
     if not found:
-        raise StudyError(f"hindcast.file is {table.file!r}, and no such file is in {folder}; allowed: one or more")
+        raise StudyError(f"hindcast.file is {table.file!r}, and {folder} contains no such file; give one or more")
     return found
 
 
@@ -107,8 +107,8 @@ def record_of(table, folder, depth=None):
     systems = [_system(f"hindcast.waves[{i}]", one, depth) for i, one in enumerate(table.waves)]
     if "level" in table.columns and table.level_at_rest is None:
         raise StudyError(
-            "hindcast.columns has a level, which is above some datum, and level_at_rest is not given; give what that "
-            "column has at the water level of the database, m"
+            "hindcast.columns has a level above some datum, and level_at_rest is missing; give the value of that "
+            "column at the water level of the database, m"
         )
     wanted = {}
     for one, (_, kind, angle, _) in zip(table.waves, systems, strict=True):
@@ -167,7 +167,7 @@ def _check_direction(where, name, angle):
     beyond = np.abs(degrees[~code]) > 361
     if beyond.any():
         worst = degrees[~code][beyond][0]
-        raise StudyError(f"{where}: {name} is {worst:g}°; allowed: −360 to 360, or -99, 999, -999 for what is missing")
+        raise StudyError(f"{where}: {name} is {worst:g}°; allowed: −360 to 360, or -99, 999, -999 for missing data")
 
 
 class _Peak:
@@ -181,20 +181,22 @@ def _system(where, table, depth):
     kinds = [kind for kind in KINDS if getattr(table, kind) is not None]
     if len(kinds) != 1:
         state = " and ".join(kinds) + " are given" if kinds else "no period is given"
-        raise StudyError(f"{where}: {state}; allowed: one of {', '.join(KINDS)}")
+        raise StudyError(f"{where}: {state}; give one of {', '.join(KINDS)}")
     if (table.direction_from is None) == (table.direction_to is None):
         state = "neither is given" if table.direction_from is None else "both are given"
-        raise StudyError(f"{where}: {state}; allowed: one of direction_from, direction_to")
+        raise StudyError(f"{where}: {state}; give one of direction_from, direction_to")
     if table.spectrum not in (*FAMILIES, "tma"):
         raise StudyError(
-            f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}, tma; of two peaks give wind sea "
+            f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}, tma; for two peaks give wind sea "
             "and swell as two [[hindcast.waves]]"
         )
     if table.gamma is not None and (table.spectrum not in PEAKED or not 1 <= table.gamma <= LARGEST_GAMMA):
-        raise StudyError(f"{where}.gamma is {table.gamma:g} of {table.spectrum}; allowed: 1 to 10 of jonswap, tma")
+        raise StudyError(
+            f"{where}.gamma is {table.gamma:g} for {table.spectrum}; allowed: 1 to 10, for jonswap and tma"
+        )
     if table.spectrum == "tma" and (depth is None or not np.isfinite(depth) or kinds[0] == "significant_period"):
-        raise StudyError(f"{where}.spectrum is 'tma', which needs a finite depth of water and another kind of period "
-                         "than significant_period; allowed: jonswap")  # fmt: skip
+        raise StudyError(f"{where}.spectrum is 'tma', which needs a finite water depth and a period other "
+                         "than significant_period; or give jonswap")  # fmt: skip
     try:
         spread = spreading(table.spreading, _Peak)
     except ValueError as error:

@@ -22,7 +22,7 @@ def earthquake(study, database, output, plot):
     result = found(study, database)
     run = "course.body" in result
     if output is not None and not is_hdf5(output) and result.detail.ground is None:
-        raise StudyError("--output is the course in time; allowed: with [record] in the study, or .h5")
+        raise StudyError("--output is a time series, which needs [record] in the study; give it, or an .h5 file")
     written = [path for path in (output, plot) if path is not None and (run or path != output or is_hdf5(output))]
     if output in written:
         write_records(result, output)
@@ -30,7 +30,7 @@ def earthquake(study, database, output, plot):
         _draw(result, plot)
     status = printed(result)
     if output is not None and output not in written:
-        print(f"warning: {output} is not written: record in time has no course")
+        print(f"warning: {output} is not written, since the record gave no time series")
     for path in written:
         print(path)
     return status

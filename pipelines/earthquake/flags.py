@@ -9,11 +9,13 @@ from cyclopts import Parameter
 
 
 def earthquake(
-    study: Annotated[Path, Parameter(help="body, fenders, and what is known of the earthquake (TOML)")],
+    study: Annotated[Path, Parameter(help="body, fenders and the earthquake (TOML)")],
     /,
     *,
-    database: Annotated[Path | None, Parameter(help="of the body, for its mass and the memory of the water")] = None,
-    output: Annotated[Path | None, Parameter(help="course in time, .csv, or everything, .h5")] = None,
+    database: Annotated[
+        Path | None, Parameter(help="database of the body, for its mass and the memory of the water")
+    ] = None,
+    output: Annotated[Path | None, Parameter(help="time series, .csv, or all results, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Reaction of the fenders of a floating body when the ground under its dolphins moves.

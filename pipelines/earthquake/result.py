@@ -39,7 +39,8 @@ def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database
         found |= _in_time(quake, run)
         axes |= labels("time", run.time, "s")
     note = (
-        "normalised reaction: that of springs over ω² y M, y and ω of the ground; it is 1 for the seismic coefficient"
+        "normalised reaction: reaction of the springs over ω² y M, with y and ω of the ground; the seismic "
+        "coefficient has 1"
     )
     return Result(
         "earthquake", found, axes, tuple(failures(quake, rows)), (note,), provenance=provenance(text, database),
@@ -74,7 +75,7 @@ def _by_method(quake, rows):
 
 def _springs(quake, springs):
     stiffness, periods = map(np.array, zip(*springs.values(), strict=True))
-    found = quantities("fenders of one side as a spring", {
+    found = quantities("stiffness of the fenders of one side", {
         "stiffness.value": (stiffness, "N/m", "stiffness"),
         "stiffness.period": (periods, "s", "natural period"),
     }, "stiffness")  # fmt: skip
@@ -87,9 +88,9 @@ def _in_time(quake, run):
     found = quantities("record, largest", {
         "ground.largest_acceleration": (np.abs(ground.acceleration).max(), "m/s2", "acceleration of the ground"),
         "ground.largest_displacement": (np.abs(ground.displacement).max(), "m", "displacement of the ground"),
-        "course.largest_displacement": (np.abs(run.body).max(), "m", "displacement of the body in space"),
-        "ground.added_first": (first, "m/s2", "added to the record's first acceleration, to end at rest"),
-        "ground.added_last": (last, "m/s2", "added to its last"),
+        "course.largest_displacement": (np.abs(run.body).max(), "m", "absolute displacement of the body"),
+        "ground.added_first": (first, "m/s2", "correction of the first acceleration, so that the ground ends at rest"),
+        "ground.added_last": (last, "m/s2", "correction of the last acceleration"),
     })  # fmt: skip
     return found | quantities("", {
         "course.ground": (ground.displacement, "m", "displacement of the ground"),

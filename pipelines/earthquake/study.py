@@ -117,11 +117,11 @@ def make_study(raw):
     if study.motion not in MOTIONS:
         raise StudyError(f"motion is {study.motion!r}; allowed: {', '.join(MOTIONS)}")
     if study.rule is not None and study.coefficient is not None:
-        raise StudyError("rule and coefficient are given; allowed: one of them")
+        raise StudyError("rule and coefficient are both given; give one of them")
     if study.coefficient is not None and not 0 < study.coefficient <= LARGEST_COEFFICIENT:
         raise StudyError(f"coefficient is {study.coefficient:g}; allowed: above 0, at most {LARGEST_COEFFICIENT:g}")
     if all(one is None for one in (study.record, study.spectrum, study.rule, study.coefficient)):
-        raise StudyError("nothing is told of the earthquake; allowed: [record], [spectrum] or [rule], one or more")
+        raise StudyError("the earthquake is not defined; give one or more of [record], [spectrum] and [rule]")
     return study
 
 
@@ -156,7 +156,7 @@ def _one(table):
 def _floater(study, database):
     if (study.body is None) == (database is None):
         state = "neither is given" if database is None else "both are given"
-        raise StudyError(f"[body] and --database: {state}; allowed: one of them")
+        raise StudyError(f"[body] and --database: {state}; give one of them")
     if database is None:
         body = study.body
         for name in ("added_mass", "damping"):
@@ -175,9 +175,11 @@ def _floater(study, database):
 def _spectrum(table):
     T, S = np.array(table.periods, float), np.array(table.acceleration, float)
     if len(T) < 2 or T.shape != S.shape:
-        raise StudyError(f"spectrum has {len(T)} periods and {len(S)} accelerations; allowed: as many, at least 2")
+        raise StudyError(
+            f"spectrum has {len(T)} periods and {len(S)} accelerations; allowed: the same number, at least 2"
+        )
     if not (np.all(np.isfinite(T)) and T[0] > 0 and np.all(np.diff(T) > 0)):
-        raise StudyError("spectrum.periods do not rise; allowed: s, above 0, rising")
+        raise StudyError("spectrum.periods are not increasing; allowed: s, above 0, increasing")
     if not (np.all(S > 0) and np.all(S <= STRONGEST)):
         wrong = S[np.argmax(~((S > 0) & (S <= STRONGEST)))]
         raise StudyError(f"spectrum.acceleration has {wrong:g}; allowed: above 0, at most {STRONGEST:g} m/s²")
@@ -186,7 +188,8 @@ def _spectrum(table):
     def at(period):
         if period > T[-1]:
             raise EarthquakeError(
-                f"the body swings with {period:.3g} s on its fenders, the spectrum ends at {T[-1]:g} s; give it further"
+                f"the natural period on the fenders is {period:.3g} s, and the spectrum ends at {T[-1]:g} s; "
+                f"extend the spectrum"
             )
         return np.interp(period, T, S)
 
@@ -205,8 +208,8 @@ def _ground(table, folder):
     known = [name for name in names if name in COLUMNS]
     if "time_s" not in names or len(known) != 1:
         raise StudyError(
-            f"{path} has {'the columns ' + ', '.join(names) if names else 'no names of columns in its first row'}; "
-            f"allowed: time_s, and one of {', '.join(COLUMNS)}: name them so"
+            f"{path} has {'the columns ' + ', '.join(names) if names else 'no column names in its first row'}; "
+            f"allowed: time_s and one of {', '.join(COLUMNS)}; rename them"
         )
     if not 0 <= table.after <= LONGEST:
         raise StudyError(f"record.after is {table.after:g} s; allowed: 0 to {LONGEST:g}")

@@ -59,7 +59,7 @@ def export(database, to, output, fresh):
     _check_place(output, kind, fresh, database)
     if db.bodies and not kind.several:
         raise ValueError(
-            f"{database} is of {len(db.bodies)} bodies, which --to {to} does not write; allowed: --to wamit, capytaine"
+            f"{database} contains {len(db.bodies)} bodies, which --to {to} cannot write; allowed: --to wamit, capytaine"
         )
     values = values_of(db, kind.several)
     made = import_module(f"hakobune.bem.formats.{kind.module}").write(values, output)
@@ -113,14 +113,14 @@ def _check_place(output, kind, fresh, database):
     if output.exists() and output.resolve() == Path(database).resolve():
         raise ValueError(f"{output} is the database itself; give another name by --output")
     if taken and not fresh:
-        raise ValueError(f"{output} is there already; give --fresh to replace it, or another name by --output")
+        raise ValueError(f"{output} exists already; give --fresh to replace it, or another name by --output")
 
 
 def _left_out(db, values, to):
     if not db.rows.all():
         yield fails(
-            f"{db.path} has {db.rows.sum()} of {len(db.rows)} frequencies solved, which alone are written; run the "
-            "command that made it again, then this one with --fresh"
+            f"{db.path} has {db.rows.sum()} of {len(db.rows)} frequencies solved, and only these are written; run the "
+            "command that made the database again, then this one with --fresh"
         )
     gaps = gaps_of(db)
     yield from map(fails, gaps._replace(unknown={n: m for n, m in gaps.unknown.items() if n in CARRIED}).not_known())
@@ -129,9 +129,9 @@ def _left_out(db, values, to):
     if to in ("wamit", "hams"):
         gone = [name for name in LIMITS if name in endless or values.get(name) is None]
         if gone:
-            yield f"{', '.join(gone)} is that of the frequency next to it: HydroDyn needs rows of both limits"
+            yield f"{', '.join(gone)} repeats the nearest frequency, since HydroDyn needs rows for both limits"
     elif endless:
-        yield f"{', '.join(endless)} is not finite and left out"
+        yield f"{', '.join(endless)} is not finite and is not written"
     if to not in ("wamit", "hams"):
         lost += [name for name in ("rao", "drift_force", "drift_force_fixed") if name in db.names]
         if to == "orcaflex":
@@ -144,10 +144,13 @@ def _left_out(db, values, to):
     elif "drift_force" in db.names and "drift_force_fixed" in db.names:
         lost.append("drift_force_fixed")
     if lost:
-        yield f"{to} has no place for {', '.join(lost)}"
+        yield f"the format of {to} cannot hold {', '.join(lost)}"
     if to == "wamit" and values.bodies:
         points = "; ".join(f"{b.name} ({', '.join(f'{x:g}' for x in b.rotation_center)}) m" for b in values.bodies)
-        yield f"of each body along the axes of the scene, moments and rotations about the point of each: {points}"
+        yield f"all bodies along the axes of the scene, moments and rotations about the point of each: {points}"
     if to == "wamit" and np.any(values.rotation_center):
         about = ", ".join(f"{x:g}" for x in values.rotation_center)
-        yield f"moments and rotations are about ({about}) m, which these files do not say; read them again with --about"
+        yield (
+            f"moments and rotations are about ({about}) m, which these files do not record; give --about when "
+            f"they are imported"
+        )

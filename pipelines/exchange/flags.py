@@ -33,30 +33,40 @@ def import_(
     /,
     *,
     from_: Annotated[str, Parameter(name="--from", help=f"{FORMATS}, aqwa, diodore or hydrostar")],
-    mesh: Annotated[Path | None, Parameter(help="of the hull [what lies with the results]")] = None,
-    depth: Annotated[float | None, Parameter(help="m or inf, of files that do not say it")] = None,
-    density: Annotated[float, Parameter(help="kg/m³, of files that do not say it")] = 1025.0,
-    gravity: Annotated[float, Parameter(help="m/s², of files that do not say it")] = 9.80665,
+    mesh: Annotated[Path | None, Parameter(help="mesh of the hull [the one beside the results]")] = None,
+    depth: Annotated[float | None, Parameter(help="m or inf, where the files do not give it")] = None,
+    density: Annotated[float, Parameter(help="kg/m³, where the files do not give it")] = 1025.0,
+    gravity: Annotated[float, Parameter(help="m/s², where the files do not give it")] = 9.80665,
     length_unit: Annotated[float | None, Parameter(help="m, ULEN of WAMIT [of the .gdf beside it]")] = None,
     about: Annotated[
         str | None,
-        Parameter(help="m, x,y,z of the point that moments are about [what the files say]", allow_leading_hyphen=True),
+        Parameter(help="m, x,y,z of the reference point of moments [as in the files]", allow_leading_hyphen=True),
     ] = None,
-    body: Annotated[int | None, Parameter(help="of several in the files, from 1; the others are held fixed")] = None,
-    bodies: Annotated[str | None, Parameter(help="names of all in the files, which all move: float,spar")] = None,
-    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, those that are taken [all]")] = None,
-    mass: Annotated[float | None, Parameter(help="kg [of the files, else displaced]")] = None,
+    body: Annotated[
+        int | None,
+        Parameter(help="number of the body, from 1, where the files have several; the others are held fixed"),
+    ] = None,
+    bodies: Annotated[
+        str | None, Parameter(help="names of all bodies in the files, all of which move, such as float,spar")
+    ] = None,
+    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, frequencies to import [all]")] = None,
+    mass: Annotated[float | None, Parameter(help="kg [as in the files, else displaced mass]")] = None,
     center_of_gravity: Annotated[
         str | None,
-        Parameter(help="m, x,y,z [of the files, else 0,0,0]; of several x,y,z;x,y,z", allow_leading_hyphen=True),
+        Parameter(
+            help="m, x,y,z [as in the files, else 0,0,0]; for several bodies x,y,z;x,y,z", allow_leading_hyphen=True
+        ),
     ] = None,
     gyration: Annotated[
-        str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration, of several with ; between; motions follow")
+        str | None,
+        Parameter(help="m, kxx,kyy,kzz: radii of gyration, needed for motions; for several bodies separated by ;"),
     ] = None,
-    output: Annotated[Path | None, Parameter(help="the database [beside it, .h5]")] = None,
+    output: Annotated[Path | None, Parameter(help="database to write [beside the files, .h5]")] = None,
     correct: Annotated[
         bool,
-        Parameter(help="units, points, phases or headings that our own solution of the hull contradicts", negative=""),
+        Parameter(
+            help="correct units, points, phases or headings that our own solution of the hull contradicts", negative=""
+        ),
     ] = False,
     fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
 ):
@@ -88,7 +98,8 @@ def _of_several(place, kind, names, known, others, points, output, fresh):
 
     if any(one is not None for one in others):
         raise ValueError(
-            "--bodies is given with --mesh, --about, --body, --mass or --correct; allowed: what the files say"
+            "--bodies is given with --mesh, --about, --body, --mass or --correct; several bodies are read as "
+            "the files describe them"
         )
     names, each = names.split(","), []
     for flag, text in points.items():
@@ -104,11 +115,11 @@ def body_(
     database: Annotated[Path, Parameter(help="imported, .h5")],
     /,
     *,
-    mass: Annotated[float | None, Parameter(help="kg [as stored, else displaced]")] = None,
+    mass: Annotated[float | None, Parameter(help="kg [as stored, else displaced mass]")] = None,
     center_of_gravity: Annotated[str | None, Parameter(help="m, x,y,z [as stored]", allow_leading_hyphen=True)] = None,
-    gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration; motions follow")] = None,
-    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, those that stay [all]")] = None,
-    output: Annotated[Path | None, Parameter(help="another database [this one is changed]")] = None,
+    gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration, needed for motions")] = None,
+    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, frequencies to keep [all]")] = None,
+    output: Annotated[Path | None, Parameter(help="database to write [the same file]")] = None,
 ):
     """Give an imported database mass, centre of gravity and radii of gyration, so that every study reads it.
 

@@ -50,14 +50,15 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     panels = hull_of(place, kind, module, mesh, of_module)
     values, left_out = _finite(between(values, *known["frequencies"]))
     lost = [
-        fails(f"{name} is not finite at {omega} rad/s, left out with all else there; compute these frequencies again")
+        fails(f"{name} is not finite at {omega} rad/s; these frequencies are not stored: compute them again")
         for name, omega in left_out.items()
     ]
     pairs = _pairs_of(place, kind_name, values, of_module)
     draft = -float(panels.points[:, 2].min())
     if not draft < values.water_depth:
         raise ValueError(
-            f"the water is {values.water_depth:g} m deep and {panels.name} draws {draft:g} m; allowed: deeper water"
+            f"the water is {values.water_depth:g} m deep and {panels.name} has a draft of {draft:g} m; allowed: "
+            f"deeper water"
         )
     on_hull(values, panels, weight)  # volume, stiffness, mass first
     values, agreed, doubts = believed(values, panels, correct)
@@ -86,7 +87,7 @@ def read_set(module, place, known):
         depth = depth_of(module.read(place, known | {"water_depth": np.inf}))
         if depth is None:
             raise
-        raise FormatError(f"{error}; its damping and excitation agree with --depth {depth:.3g}") from None
+        raise FormatError(f"{error}; damping and excitation agree with --depth {depth:.3g}") from None
 
 
 def check_import(kind, known, output, fresh, place):
@@ -98,11 +99,11 @@ def check_import(kind, known, output, fresh, place):
     if length is not None and not 0 < length < np.inf:
         raise ValueError(f"--length-unit is {length:g} m; allowed: above 0")
     if length is not None and "length_unit" not in kind.silent:
-        raise ValueError("--length-unit is given, and these files say their units; allowed: with --from wamit")
+        raise ValueError("--length-unit is given, and these files define their units; it is for --from wamit only")
     check_place(output)
     check_ending(output, DATABASE)
     if output.exists() and (not fresh or output.resolve() == place.resolve()):
-        raise ValueError(f"{output} is there already; give --fresh to replace it, or another name by --output")
+        raise ValueError(f"{output} exists already; give --fresh to replace it, or another name by --output")
 
 
 def hull_of(place, kind, module, mesh, known):
@@ -115,7 +116,7 @@ def hull_of(place, kind, module, mesh, known):
     if path is None and hasattr(module, "hull_of"):
         path = module.hull_of(place, known)
     if path is None or not path.resolve().is_file():
-        raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {path} is not there' if path else ''}")
+        raise ValueError(f"the hull is missing; give its mesh by --mesh{f' ({path} does not exist)' if path else ''}")
     panels = read_mesh(path.resolve())
     if mesh is None and origin is not None and np.any(origin):
         panels = wetted(panels.moved(*origin))  # a lid that lay at the height of the axes
@@ -131,14 +132,14 @@ def _remarks(place, said, values):
         if one != "ULEN 1 m of " + place.with_suffix(".gdf").name:
             yield f"{one} is taken"
     if values.others:
-        yield "other bodies, or modes beyond the six of this one, are in the files: they are held fixed, and left out"
+        yield "the files contain other bodies, or modes beyond the six of this one: they are held fixed and not stored"
     idle = [name for name, size in zip(DOFS, _sizes(values), strict=True) if size == 0]
     if idle:
-        yield f"{', '.join(idle)} has no added mass in the files, which is stored as 0: the motion is not in them"
+        yield f"{', '.join(idle)} has no added mass in the files, and 0 is stored: the files do not contain this motion"
     if values.get("inertia_matrix") is None:
         yield (
-            "no inertia_matrix in it: no motions follow from this database; `hakobune body` gives it --gyration "
-            "kxx,kyy,kzz, --center-of-gravity x,y,z and --mass"
+            "the database has no inertia_matrix, so that no motions can be computed; give it by `hakobune body` "
+            "with --gyration kxx,kyy,kzz, --center-of-gravity x,y,z and --mass"
         )
 
 
@@ -172,7 +173,7 @@ def between(values, low, high):
     kept = (values.omega >= low) & (values.omega <= high)
     if not kept.any():
         raise ValueError(
-            f"--frequencies {low:g}:{high:g} leaves none; the files have {values.omega.min():.4g} to "
+            f"--frequencies {low:g}:{high:g} selects no frequency; the files have {values.omega.min():.4g} to "
             f"{values.omega.max():.4g} rad/s"
         )
     if kept.all():
@@ -191,7 +192,8 @@ def _finite(values):
     kept = np.all([*whole.values()], axis=0)
     if not kept.any():
         raise FormatError(
-            f"no frequency has only finite numbers: {', '.join(n for n, ok in whole.items() if not ok.all())}"
+            "every frequency has numbers that are not finite, in "
+            f"{', '.join(n for n, ok in whole.items() if not ok.all())}"
         )
     left = {name: ", ".join(f"{w:g}" for w in values.omega[~ok]) for name, ok in whole.items() if not ok.all()}
     if kept.all():

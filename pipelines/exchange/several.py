@@ -38,9 +38,11 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
     if not hasattr(module, "coupled"):
         able = ", ".join(n for n, one in FORMATS.items() if one.module == "wamit")
-        raise ValueError(f"--bodies is given with --from {kind_name}; allowed: {able}, or --body for one of several")
+        raise ValueError(
+            f"--bodies is given with --from {kind_name}; allowed with {able}, or give --body for one of several"
+        )
     if len(set(names)) < len(names) or not all(names):
-        raise ValueError(f"--bodies is {','.join(names)!r}; allowed: a name for each, all different")
+        raise ValueError(f"--bodies is {','.join(names)!r}; give each body a different name")
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     check_import(kind, known, output, fresh, place)
     parts, hulls, remarks = [], [], []
@@ -51,7 +53,7 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
         values = with_headings_once(read_set(module, place, of_module))
         if values.others + 1 != len(names):
             raise FormatError(
-                f"{place} has {values.others + 1} bodies, --bodies names {len(names)}; allowed: all of them"
+                f"{place} has {values.others + 1} bodies, and --bodies names {len(names)}; name all of them"
             )
         hull = hull_of(place, kind, module, None, of_module)
         values, said = on_hull(values, hull, weight)
@@ -61,7 +63,9 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
     values = _together(parts, module.coupled(place, of_module, len(names)))
     if len(values.wave_direction) == 1 and _round(hulls):
         values = _all_around(values)
-        remarks.append("forces at other headings are those stored, turned: the bodies are of revolution about one axis")
+        remarks.append(
+            "forces at other headings follow from the stored ones, since the bodies are of revolution about one axis"
+        )
     values = between(values, *known["frequencies"])
     points = [tuple(map(float, one.rotation_center)) for one in parts]
     bodies = tuple(Body(name, point) for name, point in zip(names, points, strict=True))

@@ -30,7 +30,8 @@ def weigh(database, weight, frequencies, output):
     db = open_database(database)
     if "imported" not in db.attributes:
         raise ValueError(
-            f"{database} is solved here; give --gyration, --center-of-gravity and --mass to the command that made it"
+            f"{database} was solved by hakobune; give --gyration, --center-of-gravity and --mass to the command "
+            f"that made it"
         )
     if not weight.given and frequencies == (0.0, float("inf")):
         print(_line(db))
@@ -39,7 +40,7 @@ def weigh(database, weight, frequencies, output):
     check_place(output)
     check_ending(output, DATABASE)
     if output.exists() and output.resolve() != database.resolve():
-        raise ValueError(f"{output} is there already; give another name by --output")
+        raise ValueError(f"{output} exists already; give another name by --output")
     values, lost = values_of(db), []
     if weight.given:
         gone = [name for name in NEEDS_MOTION if name in values.quantities]
@@ -48,7 +49,7 @@ def weigh(database, weight, frequencies, output):
     values, remarks = on_hull(between(values, *frequencies), db.mesh, weight)
     lost += _pairs(db)
     if lost:
-        remarks = [*remarks, f"{', '.join(lost)} belongs to the body as it was and is left out"]
+        remarks = [*remarks, f"{', '.join(lost)} depends on the former mass and is removed"]
     source = db.attributes["imported"]
     with made_beside(output) as partial:
         store(values, db.mesh, partial, source)

@@ -10,7 +10,7 @@ import logging
 
 LOST = 3  # workers that one piece of work may take with it before it counts as failed
 ONE_THREAD = {"OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "NUMBA_NUM_THREADS": 1}
-MISSING = "executor {text!r} needs {package}; install it by: pip install 'hakobune[cluster]'"
+MISSING = "executor {text!r} needs {package}; install it with: pip install 'hakobune[cluster]'"
 
 
 class Dask:
@@ -50,10 +50,12 @@ def there(text, address):
         client = distributed.Client(f"tcp://{address}", timeout=10)
     except (OSError, ValueError) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise ValueError(f"executor {text!r}: no scheduler answers ({reason}); start one by: dask scheduler") from None
+        raise ValueError(
+            f"executor {text!r}: no scheduler answers ({reason}); start one with: dask scheduler"
+        ) from None
     if not client.scheduler_info(n_workers=-1)["workers"]:
         client.close()
-        raise ValueError(f"executor {text!r}: its scheduler has no workers; start some by: dask worker {address}")
+        raise ValueError(f"executor {text!r}: the scheduler has no workers; start some with: dask worker {address}")
     return Dask(client)
 
 
@@ -70,7 +72,7 @@ def slurm(text, count):
     except ImportError:
         raise ValueError(MISSING.format(text=text, package="dask-jobqueue")) from None
     if which("sbatch") is None:
-        raise ValueError(f"executor {text!r}: there is no sbatch here; run it where Slurm takes jobs")
+        raise ValueError(f"executor {text!r}: sbatch is not found; run this on a machine that submits Slurm jobs")
     lines = [f"export {name}={value}" for name, value in ONE_THREAD.items()]
     cluster = SLURMCluster(cores=1, processes=1, memory="4GB", job_script_prologue=lines)
     cluster.scale(jobs=count)

@@ -13,20 +13,34 @@ Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 def fender(
     *,
     family: Annotated[str | None, Parameter(help="cell, v, h, cone, foam, tyre, pneumatic")] = None,
-    table: Annotated[str | None, Parameter(help="CSV of the maker: strain or deflection_m, reaction_kN, …")] = None,
-    height: Annotated[float, Parameter(help="m, the diameter of a pneumatic one", allow_leading_hyphen=True)],
+    table: Annotated[
+        str | None, Parameter(help="CSV of the manufacturer: strain or deflection_m, reaction_kN, …")
+    ] = None,
+    height: Annotated[
+        float, Parameter(help="m, height; of a pneumatic fender its diameter", allow_leading_hyphen=True)
+    ],
     length: Annotated[float | None, Parameter(help="m, of v, h, pneumatic", allow_leading_hyphen=True)] = None,
     rated_reaction: Annotated[float | None, Parameter(help="kN", allow_leading_hyphen=True)] = None,
-    pressure: Annotated[float | None, Parameter(help="kPa, of a pneumatic one [50]", allow_leading_hyphen=True)] = None,
+    pressure: Annotated[
+        float | None, Parameter(help="kPa, initial pressure of a pneumatic fender [50]", allow_leading_hyphen=True)
+    ] = None,
     overload: Annotated[float | None, Parameter(help="kN/m beyond the table", allow_leading_hyphen=True)] = None,
     count: Annotated[int, Parameter(help="side by side", allow_leading_hyphen=True)] = 1,
-    causes: Annotated[str | None, Parameter(help="of softest and stiffest, as temperature,velocity [all]")] = None,
-    dolphin: Annotated[float | None, Parameter(help="kN/m, stiffness behind it", allow_leading_hyphen=True)] = None,
-    angle: Annotated[float, Parameter(help="degrees, inclination of the face on it", allow_leading_hyphen=True)] = 0.0,
-    width: Annotated[float | None, Parameter(help="m, inclined [length]", allow_leading_hyphen=True)] = None,
-    strain: Annotated[float | None, Parameter(help="of its height, as 0.35", allow_leading_hyphen=True)] = None,
+    causes: Annotated[str | None, Parameter(help="causes of variation, such as temperature,velocity [all]")] = None,
+    dolphin: Annotated[
+        float | None, Parameter(help="kN/m, stiffness of the dolphin behind it", allow_leading_hyphen=True)
+    ] = None,
+    angle: Annotated[
+        float, Parameter(help="degrees, inclination of the pressing face", allow_leading_hyphen=True)
+    ] = 0.0,
+    width: Annotated[
+        float | None, Parameter(help="m, width of the inclined face [length]", allow_leading_hyphen=True)
+    ] = None,
+    strain: Annotated[
+        float | None, Parameter(help="deflection over height, such as 0.35", allow_leading_hyphen=True)
+    ] = None,
     deflection: Annotated[float | None, Parameter(help="m", allow_leading_hyphen=True)] = None,
-    energy: Annotated[float | None, Parameter(help="kJ, to be taken up", allow_leading_hyphen=True)] = None,
+    energy: Annotated[float | None, Parameter(help="kJ, energy to absorb", allow_leading_hyphen=True)] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Reaction and energy of a fender over its compression, what it returns, softest and stiffest; lengths in m.

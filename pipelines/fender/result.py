@@ -61,7 +61,7 @@ def fender(
     asked = {"strain": strain, "deflection": deflection, "energy": energy}
     asked = {key: value for key, value in asked.items() if value is not None}
     if len(asked) > 1:
-        raise StudyError(f"{' and '.join(asked)} are given; allowed: one of strain, deflection, energy")
+        raise StudyError(f"{' and '.join(asked)} are given; give one of strain, deflection, energy")
     alone = fender_of(table)
     pair = pair_of(table, alone)
     bands, factors = softest_and_stiffest(table, alone)
@@ -112,7 +112,7 @@ def _curve(made):
         with np.errstate(invalid="ignore"):
             shares = {"reaction": pair.loading(x) / loading(x), "energy": energy / loading.integral(x)}
         rows = {f"curve.{name}_share": (share, "", name) for name, share in shares.items()}
-        found |= quantities("over the same fender under an upright face", rows, *axes)
+        found |= quantities("relative to the same fender under an upright face", rows, *axes)
     return found
 
 
@@ -141,11 +141,11 @@ def _whole(made):
     rows = {
         "rated.strain": (pair.own(pair.rated * pair.height) / pair.height, "%", "rated strain"),
         "allowable.strain": (pair.own_allowable, "%", "allowable strain"),
-        "limit.strain": (pair.own(pair.limit) / pair.height, "%", "strain where the table ends"),
+        "limit.strain": (pair.own(pair.limit) / pair.height, "%", "strain at the end of the table"),
     }
     for name in ("reaction", "energy") if straight is not None else ():
         share = getattr(pair, f"rated_{name}") / getattr(straight, f"rated_{name}")
-        rows[f"inclined.{name}"] = share, "", f"rated {name} over that of the upright fender"
+        rows[f"inclined.{name}"] = share, "", f"rated {name} relative to the upright fender"
     if at is not None:
         rows["asked.energy"] = float(pair.energy(at)), "J", "energy taken up"
         rows["asked.reaction"] = float(pair.reaction(at)), "N", "reaction there"
@@ -153,12 +153,12 @@ def _whole(made):
 
 
 def _notes(table, made):
-    yield f"factors on the reaction of the softest and the stiffest are of {', '.join(causes_of(table))}"
+    yield f"the reaction factors of the softest and the stiffest fender cover {', '.join(causes_of(table))}"
     if made.straight is not None:
         width = table.length if table.width is None else table.width
         yield (
-            f"inclined by {table.angle_deg:g}° over {width:g} m, by strips; deflections are those "
-            "of the edge that is pressed most"
+            f"face inclined by {table.angle_deg:g}° over {width:g} m, computed in strips; a deflection is that "
+            "of the edge with the largest compression"
         )
 
 
@@ -168,8 +168,8 @@ def _failures(table, alone, made, energy):
     strain = pair.own(made.at) / pair.height
     if strain > pair.own_allowable * (1 + 1e-9):
         yield fails(
-            f"the fender is pressed to {100 * strain:.4g} % of its height; allowable {100 * pair.own_allowable:.4g} %; "
-            "take a larger one or more of them"
+            f"the fender is compressed by {100 * strain:.4g} % of its height, allowable "
+            f"{100 * pair.own_allowable:.4g} %; choose a larger fender or more fenders"
         )
     if energy is not None:
         yield from beyond_batch("energy asked for", energy, table, alone)

@@ -38,7 +38,7 @@ def _draw(result, path):
         elif not name.endswith(", wind"):
             style = ("-", (0, (4, 4)))[k % 2]  # piles side by side have the same force: both are to be seen
             axis.plot(degrees, size[:, k], linestyle=style, label=name)
-    axis.set(xlabel="phase, °, crest at the origin at 0", ylabel="force, kN", xlim=(0, 360), ylim=(0, None))
+    axis.set(xlabel="phase, °; 0: crest at the origin", ylabel="force, kN", xlim=(0, 360), ylim=(0, None))
     axis.set_xticks(range(0, 361, 45))
     axis.grid(alpha=0.3)
     axis.legend()

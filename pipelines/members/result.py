@@ -72,7 +72,7 @@ def _largest(force, phases, waves):
 
 
 def _records(rows, force):
-    about = {"about": (np.array([place for _, place, _ in rows]), "m", "place that moments are about")}
+    about = {"about": (np.array([place for _, place, _ in rows]), "m", "reference point of moments")}
     series = {"course.force": (force[..., :3], "N", "force"), "course.moment": (force[..., 3:], "N m", "moment")}
     return quantities("", about, "member", "xyz") | quantities("", series, "phase", "member", "xyz", record=True)
 
@@ -81,7 +81,7 @@ def findings(standing, force, wave):
     """One line each on members that are never wet or too wide for Morison's formula; force : (p, m, 6)"""
     dry = [one.name for k, one in enumerate(standing) if not force[:, k].any()]
     if dry:
-        yield f"{', '.join(dry)}: no force, or never in the water; z goes up from still water"
+        yield f"{', '.join(dry)}: no force, since never in the water; z is measured upwards from still water"
     length = 2 * np.pi / wave.k
     wide = [one for one in standing if wave.amplitude > 0 and one.section.width > SLENDER * length]
     if wide:
@@ -96,10 +96,10 @@ def _notes(wave):
     if wave.amplitude > 0:
         alone = ""
         if wave.current is not None:
-            met = f"a place at rest meets it every {significant(wave.met_period)} s"
-            alone = f" in the water that moves along, as without the current; {met}"
+            met = f"a fixed point meets a crest every {significant(wave.met_period)} s"
+            alone = f" in water that moves with the current; {met}"
         yield (
             f"wave of {significant(2 * wave.amplitude)} m, {significant(2 * np.pi / wave.k)} m long{alone}; linear "
-            "theory up to the surface (Wheeler); phase 0 with the crest at the origin"
+            "theory, stretched to the surface (Wheeler); phase 0: crest at the origin"
         )
-    yield "moments about the foot of each member, of all and of the wind about the bed under the origin"
+    yield "moments are about the foot of each member; totals and wind are about the bed under the origin"

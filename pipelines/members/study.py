@@ -124,13 +124,13 @@ def make_study(raw):
     """The MembersStudy of nested dictionaries.  Raises StudyError."""
     study = typed(raw, MembersStudy, StudyError)
     if not study.members and not study.wind_members:
-        raise StudyError("there are no members; allowed: [[members]], [[wind_members]], one or more")
+        raise StudyError("there are no members; give at least one [[members]] or [[wind_members]]")
     if len(study.members) > MOST:
         raise StudyError(f"there are {len(study.members)} members; allowed: at most {MOST}")
     if study.members and study.wave is None and study.current is None:
-        raise StudyError("nothing moves the water; allowed: [wave], [current] or both")
+        raise StudyError("there is neither wave nor current; give [wave], [current] or both")
     if study.wind_members and study.wind is None:
-        raise StudyError("wind is missing; needed by [[wind_members]]")
+        raise StudyError("wind is missing; [[wind_members]] need it")
     return study
 
 
@@ -164,10 +164,10 @@ def _placed(member, depth):
         raise StudyError(f"{where}: growth is {member.growth:g} m; allowed: 0 to {THICKEST:g}")
     start, end = np.array(member.start), np.array(member.end)
     if not np.all(np.isfinite([start, end])) or not np.linalg.norm(end - start) > 0:
-        raise StudyError(f"{where} goes from {member.start} to {member.end}; allowed: two finite places, apart")
+        raise StudyError(f"{where} goes from {member.start} to {member.end}; allowed: two different finite points")
     lowest = min(start[2], end[2])
     if lowest < -depth * (1 + 1e-9):
-        raise StudyError(f"{where} reaches down to z = {lowest:g} m; allowed: at least {-depth:g}, the bed")
+        raise StudyError(f"{where} reaches down to z = {lowest:g} m; allowed: at least {-depth:g} m, the sea bed")
     inertia = () if member.inertia is None else (member.inertia,)
     try:
         section = SHAPES[member.shape](member.width + 2 * member.growth, member.drag, *inertia)
@@ -183,7 +183,7 @@ def wind_on(study):
     towards, found = direction("wind", study.wind), []
     for one in study.wind_members:
         if (one.shape is None) == (one.drag is None):
-            raise StudyError(f"wind member {one.name!r}: allowed: one of shape, drag")
+            raise StudyError(f"wind member {one.name!r}: give one of shape, drag")
         if not np.all(np.isfinite(one.position)):
             raise StudyError(f"wind member {one.name!r}: position is {list(one.position)}; allowed: finite")
         member = wind_loads.Member(one.drag if one.shape is None else one.shape, one.area, one.position)

@@ -56,7 +56,7 @@ def _draw(passage, path):
     for name, style in (("surge", "-"), ("sway", "--")):
         above.plot(passage.stagger, passage.force[:, LARGEST[name]] / KN, style, label=name)
     below.plot(passage.stagger, passage.force[:, LARGEST["yaw"]] / KN, "k-", label="yaw")
-    above.set(ylabel="force, kN", title="moored ship while another passes")
+    above.set(ylabel="force, kN", title="force on a moored ship during a passage")
     below.set(xlabel="passing ship ahead of the moored one by, m", ylabel="moment, kN m")
     for axis in (above, below):
         axis.grid(alpha=0.3)

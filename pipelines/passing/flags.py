@@ -12,7 +12,7 @@ def passing(
     study: Annotated[Path, Parameter(help="water, moored and passing ship, track (TOML)")],
     /,
     *,
-    forces: Annotated[Path | None, Parameter(help="table over time for [[simulation.force]]: .csv")] = None,
+    forces: Annotated[Path | None, Parameter(help="force over time for [[simulation.force]]: .csv")] = None,
     output: Annotated[Path | None, Parameter(help="result: .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="forces along the track: .png, .svg or .pdf")] = None,
 ):

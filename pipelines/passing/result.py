@@ -49,8 +49,8 @@ def passing(study: File | Tables | PassingStudy) -> Result:
     gap = check_apart(study, beams)
     if not track.froude(water.depth) < 1:
         raise StudyError(
-            f"the passing ship makes {track.through_water:.3g} m/s through water of {water.depth:g} m, faster than "
-            f"waves there, {math.sqrt(GRAVITY * water.depth):.3g} m/s; allowed: less"
+            f"the passing ship moves at {track.through_water:.3g} m/s through water of {water.depth:g} m depth, "
+            f"faster than long waves there, {math.sqrt(GRAVITY * water.depth):.3g} m/s; allowed: less"
         )
     fine = 1 if study.method == "panels" else FINE
     places = along_track(track, lengths[0], lengths[1], study.track.lengths, fine)
@@ -97,7 +97,7 @@ def _hull(study, name):
 
 
 def _with_progress(at, places):
-    pace = Pace(f"{len(places)} places of two hulls take", len(places), "give fewer panels, or a shorter track")
+    pace = Pace(f"{len(places)} positions of two hulls take", len(places), "give fewer panels, or a shorter track")
     for place in places:
         yield at(place)
         pace.step()
@@ -115,7 +115,7 @@ def _largest(found):
         "largest.stagger": (found.stagger[place], "m", "passing ship ahead by"),
         "largest.lowest": (force.min(axis=0), units, "lowest"),
         "largest.highest": (force.max(axis=0), units, "highest"),
-        "largest.steady": (steady, "%", "of it by squares of the flow"),
+        "largest.steady": (steady, "%", "part of it from the square of the flow speed"),
     }, "motion")  # fmt: skip
 
 
@@ -133,29 +133,31 @@ def _findings(study, track, found, moored, passer):
     squeezed = 1 / math.sqrt(1 - froude**2)
     if study.method != "kriebel" and squeezed > SQUEEZED:
         line = (
-            f"depth Froude number {froude:.2f}: water as shallow raises the pressure about {squeezed:.2f} times, which "
-            f"a surface taken as a lid leaves out, limit {SQUEEZED:g}; the ship's own waves are left out too"
+            f"depth Froude number {froude:.2f}: such shallow water raises the pressure about {squeezed:.2f} "
+            f"times, which a rigid surface does not include, limit {SQUEEZED:g}; the ship's own waves are not "
+            f"included either"
         )
         yield fails(line) if squeezed > BROKEN else line
     if found.left > FAR:
         yield (
-            f"{100 * found.left:.3g} % of the largest force is left at the ends of the track, limit {100 * FAR:g} %; "
-            "give more track.lengths"
+            f"{100 * found.left:.3g} % of the largest force remains at the ends of the track, limit {100 * FAR:g} %; "
+            "raise track.lengths"
         )
     if study.method == "kriebel":
         yield from by_tests.beyond(moored, passer, track)
     if study.method == "wang" and study.moored.shape != "mesh" and study.moored.draft > 0.5 * study.water.depth:
         yield (
-            f"the moored ship blocks {100 * study.moored.draft / study.water.depth:.0f} % of the depth, which slender "
-            'ships leave out; method = "panels" has it'
+            f"the moored ship blocks {100 * study.moored.draft / study.water.depth:.0f} % of the depth, which "
+            f"slender-ship theory "
+            'does not include; method = "panels" does'
         )
 
 
 def _notes(study, track, gap):
     if study.method == "panels":
-        yield f"both hulls under a rigid surface, about {study.panels} panels each; forces have all six components"
+        yield f"both hulls under a rigid surface, about {study.panels} panels each; all six force components"
     else:
-        yield "ships with parabolic section areas; surge, sway and yaw alone"
+        yield "slender ships with parabolic section areas; surge, sway and yaw only"
     about = ", ".join(map(significant, study.moored.rotation_center or (0.0, 0.0, 0.0)))
     yield (
         f"{significant(track.through_water)} m/s through the water, {significant(gap)} m between the sides, depth "

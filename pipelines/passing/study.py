@@ -108,26 +108,26 @@ def _check_fits(study):
     own = {"wall": "panels", "quay": "kriebel", "peaks": "kriebel"}
     for key, method in own.items():
         if getattr(study, key) not in (None, False) and study.method != method:
-            raise StudyError(f"{key} is given with method = {study.method!r}; it is read with {method!r}")
+            raise StudyError(f"{key} is given with method = {study.method!r}; it applies to {method!r} only")
     if study.wall is not None and not math.isfinite(study.wall):
         raise StudyError(f"wall is {study.wall} m; allowed: finite; leave it out for open water")
     if study.peaks is not None and not all(0 < value < 100 for value in study.peaks):
         raise StudyError(f"peaks are {list(study.peaks)}; allowed: above 0, below 100")
     if study.method == "kriebel" and not math.isfinite(study.water.depth):
-        raise StudyError('the tests of method = "kriebel" are in shallow water; give a depth, or method = "wang"')
+        raise StudyError('method = "kriebel" rests on tests in shallow water; give a depth, or method = "wang"')
 
 
 def _check_ship(name, body, depth):
     """Raise StudyError for a body that is none, or has what a passage does not ask for"""
     check_body(name, body, depth)
     if body.rotation_center is not None and name != "moored":
-        raise StudyError(f"{name}.rotation_center is given; allowed: of the moored ship, whose moments are about it")
+        raise StudyError(f"{name}.rotation_center is given; only the moored ship has one")
     others = {key: getattr(body, key) for key in ("mass", "GM", "gyration", "name", "place", "viscous")}
     others |= {"center_of_gravity": any(body.center_of_gravity) or None, "trimmed": body.trimmed or None,
                "fixed": body.fixed or None}  # fmt: skip
     for key, value in others.items():
         if value is not None:
-            raise StudyError(f"{name}.{key} is given; a passage asks for the hull alone: leave it out")
+            raise StudyError(f"{name}.{key} is given; a passage needs the hull only: leave it out")
 
 
 def track_of(study):

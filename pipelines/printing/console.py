@@ -33,7 +33,7 @@ def tables_as(form):
         with contextlib.redirect_stdout(sys.stderr):
             yield
         if not made.getvalue():
-            print(f"no table was printed, so there is nothing for --{form}", file=sys.stderr)
+            print(f"there is no table for --{form}", file=sys.stderr)
     finally:
         _asked = None
         out.write(made.getvalue())
@@ -52,7 +52,7 @@ def taken(arguments):
     """Arguments without --csv and --json, and which of them was asked for.  Raises ValueError for both."""
     given = [form for form in FORMS if f"--{form}" in arguments]
     if len(given) > 1:
-        raise ValueError("--csv and --json are given; allowed: one of the two")
+        raise ValueError("--csv and --json are both given; give one of them")
     return [word for word in arguments if not given or word != f"--{given[0]}"], given[0] if given else None
 
 

@@ -53,7 +53,7 @@ def solved_in_climate(read, body, db, points, beside):
     if db.has_viscous_motions:
         warnings.warn(
             "viscous damping of the database's scene is left out in a climate, whose seas would have one each: motions "
-            "near resonance are too large; give body.damping_ratio", stacklevel=2
+            "near resonance come out too large; give body.damping_ratio", stacklevel=2
         )  # fmt: skip
     from hakobune.mooring.response.climate import climate
 

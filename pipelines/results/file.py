@@ -18,11 +18,11 @@ def read(path, kind=None):
     """The Result of a file; kind : that it has to be of, None for any.  Raises DatabaseError."""
     kind = kind or kind_of(path)
     if not kind:
-        raise DatabaseError(f"{path} is no file of a result")
+        raise DatabaseError(f"{path} is not a result file")
     check_version(path, schema(kind))
     with opened_result(path, schema(kind)) as file:
         if "quantities" not in file.attrs:
-            raise DatabaseError(f"{path} fills case by case; hakobune.read reads it")
+            raise DatabaseError(f"{path} is filled case by case; read it with hakobune.read")
         names, axes = (json.loads(str(file.attrs[key])) for key in ("quantities", "axes"))
         lines = {key: tuple(filter(None, str(file.attrs[key]).split("\n"))) for key in LINES}
         return Result(

@@ -35,7 +35,7 @@ def given(
     if read and isinstance(study, str | os.PathLike):
         return read(study)
     allowed = f"{'a path, ' if read else ''}a dictionary or {kind.__name__}"
-    raise TypeError(f"a study is {type(study).__name__}; allowed: {allowed}")
+    raise TypeError(f"the study is of type {type(study).__name__}; allowed: {allowed}")
 
 
 def _text(study):

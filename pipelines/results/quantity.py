@@ -54,7 +54,9 @@ class Quantity:
     def __post_init__(self):
         values = np.asarray(self.values)
         if values.ndim != len(self.axes):
-            raise ValueError(f"{self.description}: {values.ndim} axes of values, {len(self.axes)} names {self.axes}")
+            raise ValueError(
+                f"{self.description}: values have {values.ndim} axes, and {len(self.axes)} axes are named: {self.axes}"
+            )
         object.__setattr__(self, "values", values.astype(object).astype(str) if values.dtype.kind == "O" else values)
 
     @property

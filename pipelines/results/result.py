@@ -48,12 +48,14 @@ class Result(Mapping[str, Any]):
     def __post_init__(self):
         both = self.quantities.keys() & self.labels.keys()
         if both:
-            raise ValueError(f"{min(both)!r} is the name of a quantity and of an axis; allowed: one of them")
+            raise ValueError(f"{min(both)!r} names both a quantity and an axis; rename one of them")
         for name, one in self.quantities.items():
             for axis, size in zip(one.axes, one.values.shape, strict=True):
                 found = self.labels.get(axis)
                 if found is None or len(found.values) != size:
-                    raise ValueError(f"{name} has {size} values on the axis {axis!r}, which has not as many labels")
+                    raise ValueError(
+                        f"{name} has {size} values on the axis {axis!r}, which has a different number of labels"
+                    )
 
     def __getitem__(self, name: str) -> Any:
         """Values by name: "tension.largest", of one line "tension[bow].largest" or "bow.largest".  Raises KeyError."""
@@ -99,13 +101,13 @@ class Result(Mapping[str, Any]):
             label = name.removesuffix("." + whole.partition(".")[2])
             if one.axes and label != name and label in self._shown(one.axes[0]):
                 return self._at(whole, label)
-        raise KeyError(f"{name!r} is no quantity of this result; there are {', '.join(self.quantities)}")
+        raise KeyError(f"{name!r} is not a quantity of this result; allowed: {', '.join(self.quantities)}")
 
     def _at(self, name, label):
         one = self.quantities[name]
         shown = self._shown(one.axes[0])
         if label not in shown:
-            raise KeyError(f"{label!r} is no {one.axes[0]} of this result; there are {', '.join(shown)}")
+            raise KeyError(f"{label!r} is not a {one.axes[0]} of this result; allowed: {', '.join(shown)}")
         place = shown.index(label)
         unit = one.unit[place] if isinstance(one.unit, tuple) else one.unit
         return replace(one, values=one.values[place], axes=one.axes[1:], unit=unit)

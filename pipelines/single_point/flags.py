@@ -12,9 +12,9 @@ def single_point(
     study: Annotated[Path, Parameter(help="study of a body on a buoy or turret (TOML)")],
     /,
     *,
-    database: Annotated[Path | None, Parameter(help="of the body, for its masses and the drift of the waves")] = None,
+    database: Annotated[Path | None, Parameter(help="database of the body, for its masses and wave drift")] = None,
     output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
-    plot: Annotated[Path | None, Parameter(help="plan of all equilibria, .png, .svg or .pdf")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: plan of all equilibria, .png, .svg or .pdf")] = None,
 ):
     """A body on a buoy or turret: all headings of rest, whether it slews (fishtails), hawser and lines.
 

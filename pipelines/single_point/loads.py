@@ -35,7 +35,7 @@ from ..common.weather.seas import sea_with_swell
 from ..common.weather.streams import current_of, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
-ONE_OF = "allowed: one of turning, coefficients, file"
+ONE_OF = "give one of turning, coefficients, file"
 PROPORTIONS = {"L/B": "length_over_beam = 2", "B/d": "beam_over_draft = 10", "H/d": "depth_over_draft = 8"}  # tested
 
 
@@ -67,14 +67,12 @@ def _water(study, hull, density, center, mass, findings):
         return WaterLoad(table, h.length, True, height=-0.5 * h.draft)
     ways = [name for name in ("turning", "coefficients") if getattr(c, name) is not None]
     if len(ways) > 1:
-        raise StudyError(f"current: {' and '.join(ways)} are given, which both hold its force; {ONE_OF}")
+        raise StudyError(f"current: {' and '.join(ways)} are given, and each defines the force; {ONE_OF}")
     stream = speed("current", c), direction("current", c)
     if not ways or ways == ["turning"]:
         own = [k for k in ("yaw_drag", "yaw_rate", "sway_damping", "yaw_damping") if getattr(c, k)]
         if own:
-            raise StudyError(
-                f"current.{own[0]} is given beside turning tests, which contain it; allowed: with {ONE_OF}"
-            )
+            raise StudyError(f"current.{own[0]} is given with turning tests, which contain it already; leave it out")
         height = -0.5 * h.draft if c.center_z is None else c.center_z
         table = _turning(study, c.turning, density, center, findings)
         return WaterLoad(table, h.length, True, *stream, height=height)
@@ -124,13 +122,15 @@ def _turning(study, given, density, center, findings):
         "depth_over_draft": study.water.depth / h.draft,
     }
     if center[0] or center[1]:
-        raise StudyError("turning tests are about midship, where hull.center is not; give current coefficients or file")
+        raise StudyError(
+            "turning tests refer to midship, and hull.center lies elsewhere; give current coefficients or file"
+        )
     asked = {name: getattr(given, name, None) for name in own}
     taken = {name: value if asked[name] is None else asked[name] for name, value in own.items()}
     for name, value in taken.items():
         positive(f"current.turning.{name}", value)
         if not math.isclose(value, own[name], rel_tol=1e-6):
-            findings.append(f"turning tests are those of {name} = {value:g}, the hull has {own[name]:.3g}")
+            findings.append(f"the turning tests were made with {name} = {value:g}, and the hull has {own[name]:.3g}")
     try:
         found = turning_coefficients(*taken.values())
     except OutsideTests as error:
@@ -138,7 +138,7 @@ def _turning(study, given, density, center, findings):
         one = len(error.proportions) == 1
         what = "proportion to take in its place" if one else "proportions to take in their place"
         raise StudyError(
-            f"current: {error.limits}; give current.turning the {what} ({tested}), or coefficients, or file"
+            f"current: {error.limits}; give current.turning with the {what} ({tested}), or coefficients, or file"
         ) from None
     findings += found.notes
     return turning_table(found, h.length, h.draft, density)
@@ -152,15 +152,17 @@ def _drift(study, db, center, findings):
         if not 0 <= w.drift_tonf_per_m2 < math.inf:
             raise StudyError(f"waves.drift_tonf_per_m2 is {w.drift_tonf_per_m2:g}; allowed: at least 0")
         if w.height is None:
-            raise StudyError("waves.height is missing; allowed: m, significant, beside drift_tonf_per_m2")
+            raise StudyError("waves.height is missing; drift_tonf_per_m2 needs the significant height, m")
         if w.swell:
-            raise StudyError("waves.swell is given beside drift_tonf_per_m2; allowed: with the drift of --database")
+            raise StudyError("waves.swell is given with drift_tonf_per_m2; swell needs the drift of --database")
         height, to = positive("waves.height", w.height), direction("waves", w)
         return isotropic_drift(w.drift_tonf_per_m2 * TONF * height**2, to, center, MIDDLE)
     if db is None:
-        raise StudyError("waves: their drift is not known; give --database, or drift_tonf_per_m2")
+        raise StudyError("waves: the wave drift is unknown; give --database or drift_tonf_per_m2")
     if not db.reader.knows_drift:
-        raise StudyError('the database holds no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2')
+        raise StudyError(
+            'the database contains no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2'
+        )
     sea = sea_with_swell("waves", w, db.water_depth)
     body, _ = in_sea(db.reader, sea)
     findings += _between_waves(body, sea)

@@ -56,7 +56,7 @@ def _axes(raw, study, number):
         with_value(raw, axis.key, float(value[0]))
     x, y = values[0], np.full(1, np.nan) if len(values) == 1 else values[1]
     if len(x) * len(y) > MOST:
-        raise StudyError(f"maps[{number}] has {len(x) * len(y)} places; allowed: {MOST}")
+        raise StudyError(f"maps[{number}] has {len(x) * len(y)} points; allowed: at most {MOST}")
     return tuple(axis.key for axis in axes), x, y
 
 
@@ -65,7 +65,7 @@ def computed(raw, number, db):
     keys, x, y = _axes(raw, make_study(raw), number)
     shape, failed, reason = (len(y), len(x)), 0, ""
     growth, period, heading = (np.full(shape, np.nan) for _ in range(3))
-    pace = Pace(f"{len(x) * len(y)} places of a map take", len(x) * len(y), "give a smaller count")
+    pace = Pace(f"a map of {len(x) * len(y)} points takes", len(x) * len(y), "give a smaller count")
     for i, j in np.ndindex(shape):
         changed = with_value(raw, keys[0], float(x[j]))
         if len(keys) == 2:
@@ -78,7 +78,7 @@ def computed(raw, number, db):
             failed, reason = failed + 1, reason or " ".join(str(error).split())
         pace.step()
     if failed == growth.size:
-        raise StudyError(f"maps[{number}]: no place of it has an answer: {reason}")
+        raise StudyError(f"maps[{number}]: no point could be computed: {reason}")
     return Map(keys, x, y, growth, period, heading, failed, reason)
 
 
@@ -93,7 +93,7 @@ def with_value(raw, key, value):
         table = table.get(part) if isinstance(table, dict) else None
     old = table.get(name) if isinstance(table, dict) else None
     if isinstance(old, bool) or not isinstance(old, int | float):
-        raise StudyError(f"maps: {key!r} is no number of this study; give the path of one, as 'hawser.length'")
+        raise StudyError(f"maps: {key!r} is not a number of this study; give its path, such as 'hawser.length'")
     table[name] = type(old)(round(value)) if isinstance(old, int) and value == round(value) else float(value)
     return out
 
@@ -125,11 +125,11 @@ def draw(found: Map, path: Path):
     if len(found.keys) == 1:
         axes.plot(found.x, per_hour[0], "k.-")
         axes.axhline(0, color="0.6", lw=0.8)
-        axes.set_ylabel("growth of the slowest motion, 1/h (above 0 it slews)")
+        axes.set_ylabel("growth of the slowest motion, 1/h (slewing above 0)")
     else:
         size = np.nanmax(np.abs(per_hour))
         drawn = axes.pcolormesh(found.x, found.y, per_hour, cmap="RdBu_r", vmin=-size, vmax=size, shading="nearest")
-        figure.colorbar(drawn, ax=axes, label="growth of the slowest motion, 1/h (red: it slews)")
+        figure.colorbar(drawn, ax=axes, label="growth of the slowest motion, 1/h (red: slewing)")
         if np.nanmin(found.growth) < 0 < np.nanmax(found.growth) and not np.isnan(found.growth).any():
             axes.contour(found.x, found.y, found.growth, [0.0], colors="k")
         axes.set_ylabel(_named(found.keys[1]))

@@ -48,7 +48,7 @@ def rest_of(found):
         "rest.force": ([one.force for one in rest], "N, N, N m", "force of wind, water and drift", ""),
         "rest.hawser": ([one.hawser for one in rest], "N", "pull of", title if len(rest[0].hawser) > 1 else ""),
         "rest.line": ([one.lines.tension for one in rest], "N", "tension", ""),
-        "rest.root": ([one.roots for one in rest], "1/s", "root of small motions", ""),
+        "rest.root": ([one.roots for one in rest], "1/s", "eigenvalue of small motions", ""),
         "rest.quartic": ([[np.nan] * 5 if q.quartic is None else q.quartic for q in rest], "", "quartic", ""),
     }
     second = {"place": "xy", "buoy": "xy", "force": "plane", "hawser": "hawser", "line": "line", "root": "root"}
@@ -66,7 +66,7 @@ def rest_of(found):
 def state_of(found):
     """The heading it comes to, its slewing, and published criteria of it"""
     one = found.best
-    (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading it comes to"
+    (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading at which it settles"
     state = {
         "heading": (float(turned(one.heading)), "rad", "heading, from +x to the bow"),
         "place.x": (x, "m", "centre of mass, x"),
@@ -78,14 +78,14 @@ def state_of(found):
         "slewing.time": (1 / abs(s.growth), "s", f"{'grows' if s.growth > 0 else 'decays'} by a factor e in"),
         "slewing.period": (s.period, "s", "period"),
     }
-    growth = {"slewing.growth": (s.growth, "1/s", "growth, below 0 where it decays")}
+    growth = {"slewing.growth": (s.growth, "1/s", "growth, below 0 for decay")}
     return quantities(title, state) | quantities("", growth) | _scope(found) | _criteria(one), {}
 
 
 def _scope(found):
     """Length of the most loaded line without uplift of its anchor"""
     one, system = found.best, found.point.system
-    line, title = system.lines[int(np.argmax(one.lines.tension))], "scope without uplift, steady"
+    line, title = system.lines[int(np.argmax(one.lines.tension))], "scope without uplift, steady loads"
     if not isinstance(line, UniformLine) or not line.type.weight > 0:
         return {}
     height = one.lines.position[0, 2] + system.depth
@@ -107,9 +107,9 @@ def _criteria(one):
         "criterion.routh_hurwitz": (STABLE[bool(routh_hurwitz(one.quartic))], "", "Routh–Hurwitz"),
         "criterion.undamped": (STABLE[bool(undamped_stable(undamped(one.quartic)))], "", "undamped"),
         "criterion.arm": (m.arm, "m", "attachment ahead of the centre of mass"),
-        "criterion.lever": (y.lever, "m", "side force of a small heading ahead of it"),
+        "criterion.lever": (y.lever, "m", "centre of the side force at a small heading, ahead of it"),
         "criterion.static": ("stable" if y.static else "unstable", "", "in yaw, statically"),
-        "criterion.straight": (bool(y.straight_line > 0), "", "running free keeps a straight line"),
+        "criterion.straight": (bool(y.straight_line > 0), "", "keeps a straight course when towed free"),
     }) | quantities("", straight)  # fmt: skip
 
 
@@ -142,7 +142,7 @@ def cycle_of(found):
         return {}, {}
     pull = np.linalg.norm(c.hawser, axis=1)
     made = quantities("limit cycle", {
-        "cycle.amplitude": (c.amplitude, "rad", "heading to either side"),
+        "cycle.amplitude": (c.amplitude, "rad", "heading amplitude"),
         "cycle.middle": (float(turned(c.middle)), "rad", "of"),
         "cycle.period": (c.period, "s", "period"),
         "cycle.least_pull": (pull.min(), "N", "least pull"),
@@ -170,9 +170,9 @@ def run_of(found):
         for words, table in [_of_rope(name, title, run.drifts)]
     }
     made |= quantities(f"{title}, motion", {
-        "run.amplitude": (float(c.amplitude), "rad", "heading to either side at the end"),
+        "run.amplitude": (float(c.amplitude), "rad", "heading amplitude at the end"),
         "run.period": (float(c.period), "s", "period at the end"),
-        "run.settled": (float(run.settled), "s", "within 0.2° of rest after"),
+        "run.settled": (float(run.settled), "s", "time to come within 0.2° of rest"),
         "run.radius": (float(run.radius), "m", "watch circle about the buoy at rest, radius"),
     })  # fmt: skip
     wave, motions = wave_deviations(r, run.full_waves), ["surge", "sway", "heave", "roll", "pitch", "yaw"]
@@ -207,7 +207,7 @@ def maps_of(found):
         over = " and ".join(one.keys)
         known = one.growth[~np.isnan(one.growth)]
         made[f"map_{i}.slews"] = Quantity(
-            float(np.mean(known > 0)), (), "", f"map over {over}: slews", "maps", share=True
+            float(np.mean(known > 0)), (), "", f"map over {over}: slewing", "maps", share=True
         )
         for name, unit in (("growth", "1/s"), ("period", "s"), ("heading", "rad")):
             values = np.radians(one.heading) if name == "heading" else getattr(one, name)
@@ -238,6 +238,6 @@ def notes_of(found):
     if one.quartic is not None:
         low, high = (part * one.lateral.length for part in REACH)
         turn = ", ".join(f"{length:.4g} m" for length in yaw_of(one).lengths) or "none"
-        yield f"slewing begins or ends at effective lines of {turn} (of {low:.3g} to {high:.3g} m)"
+        yield f"slewing begins or ends at effective line lengths of {turn} (range {low:.3g} to {high:.3g} m)"
     if found.run is not None:
         yield from running.words(found.run)

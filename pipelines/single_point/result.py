@@ -85,7 +85,7 @@ def _cycle_of(one):
     """
     if one.slewing.stable:
         return None, None
-    told("the body slews; its limit cycle takes minutes where nothing damps it, else", A_CYCLE)
+    told("the body slews; its limit cycle takes minutes if nothing damps it, otherwise", A_CYCLE)
     try:
         return limit_cycle(one), None
     except NotFollowedError as error:
@@ -110,6 +110,6 @@ def result_of(found, first, notes, text, db):
 
 def _lost(found):
     return (
-        f"map over {' and '.join(found.keys)}: {found.failed} of {found.growth.size} places have no answer: "
+        f"map over {' and '.join(found.keys)}: {found.failed} of {found.growth.size} points could not be computed: "
         f"{found.reason}"
     )

@@ -32,7 +32,7 @@ def check(study, db=None):
     s = study.slewing
     _check(s)
     if s.scheme == "two_scale" and not _with_waves(study, db):
-        raise StudyError('slewing.scheme is "two_scale"; allowed: with [waves] and --database, or "slow"')
+        raise StudyError('slewing.scheme is "two_scale", which needs [waves] and --database; give them, or "slow"')
     if s.scheme == "full" and study.hawser is not None:
         _buoy_and_rope(study)
 
@@ -70,7 +70,7 @@ def _in_one(study, times, steady, db, waves):
     )  # fmt: skip
     left = ()
     if study.waves is not None and not waves:
-        left = ("waves push with their mean drift alone; give --database for the motion that they make",)
+        left = ("waves act by their mean drift only; give --database for first-order motions",)
     return found._replace(findings=tuple(dict.fromkeys((*said, *left, *found.findings))))
 
 
@@ -78,7 +78,7 @@ def _buoy_and_rope(study):
     """BuoyBody and RopePart of a study.  Raises StudyError."""
     b, h = study.buoy, study.hawser
     if b.mass is None:
-        raise StudyError('slewing.scheme is "full"; allowed with a hawser: the mass, diameter and height of [buoy]')
+        raise StudyError('slewing.scheme is "full"; with a hawser it needs mass, diameter and height of [buoy]')
     lever = 0.0 if b.hawser_z is None else b.hawser_z - b.z
     if b.hawser_z is not None and not b.z <= b.hawser_z <= b.height:
         allowed = f"at least buoy.z, {b.z:g} m, at most buoy.height, {b.height:g} m"
@@ -99,7 +99,7 @@ def words(run: Run):
     if c.stays and run.steady.slewing.stable and (run.drifts or np.ptp(run.record.wind_speed) > 0):
         yield (
             f"the heading swings ±{np.degrees(c.amplitude):.1f}° at about {c.period:.0f} s at the end: gusts "
-            "and slow drift drive it, at rest it is stable"
+            "and slow drift drive this motion; the heading itself is stable"
         )
     elif c.stays:
         yield (
@@ -111,7 +111,7 @@ def words(run: Run):
     else:
         yield f"the heading is still {np.degrees(c.amplitude):.2g}° about its mean at the end of the run"
     if not run.drifts and np.any(wave_deviations(run.record, run.full_waves) > 0):
-        yield "slow drift is not in the run; the report adds 20 % for it"
+        yield "the run does not include slow drift; the report adds 20 % for it"
     yield from run.findings
 
 

@@ -101,15 +101,13 @@ def _hawsers(study, center):
     a, hull = study.attachment, study.hull
     for name, place, size in (("x", a.x, hull.length), ("y", a.y, hull.beam)):
         if not abs(place) <= size:
-            raise StudyError(
-                f"attachment.{name} is {place:g} m; allowed: -{size:g} to {size:g}, the hull and around it"
-            )
+            raise StudyError(f"attachment.{name} is {place:g} m; allowed: -{size:g} to {size:g}, on or near the hull")
     at = np.array([a.x, a.y]) - center
     if study.hawser is None:
         return at[None], np.zeros(1)
     h = study.hawser
     if not 0 < h.length < math.inf:
-        raise StudyError(f"hawser.length is {h.length:g} m; allowed: above 0; leave [hawser] out for a contact buoy")
+        raise StudyError(f"hawser.length is {h.length:g} m; allowed: above 0; leave out [hawser] for a contact buoy")
     if h.count not in (1, 2):
         raise StudyError(f"hawser.count is {h.count}; allowed: 1 or 2")
     if h.count == 1:
@@ -148,7 +146,7 @@ def system_of(study, depth, density):
 def _headings(m):
     """rad, from the buoy to each anchor"""
     if (m.headings_deg is None) == (m.count is None):
-        raise StudyError("mooring: allowed: one of headings_deg, count")
+        raise StudyError("mooring: give one of headings_deg, count")
     if m.headings_deg is not None:
         if not 1 <= len(m.headings_deg) <= MOST_LINES:
             raise StudyError(f"mooring.headings_deg has {len(m.headings_deg)} values; allowed: 1 to {MOST_LINES}")
@@ -162,11 +160,11 @@ def _pretension(m, line, height):
     """N, horizontal, at rest"""
     horizontal, top = force("mooring", m, "pretension"), force("mooring", m, "top_tension")
     if (horizontal is None) == (top is None):
-        raise StudyError("mooring: allowed: one of pretension (horizontal) and top_tension, in tonf or kN")
+        raise StudyError("mooring: give one of pretension (horizontal) and top_tension, in tonf or kN")
     if top is None:
         return horizontal
     if not isinstance(line, UniformLine):
-        raise StudyError("mooring.top_tension is of a uniform line; give a line of segments its pretension")
+        raise StudyError("mooring.top_tension applies to a uniform line; give pretension for a line of segments")
     try:
         return horizontal_at_rest(top, line.type.weight, line.type.axial_stiffness, height)
     except ValueError as error:
@@ -181,7 +179,7 @@ def _buoy(study, density):
     if given == [None] * 3:
         return MooredBody("buoy", at, ("Surge", "Sway")), math.inf
     if None in given:
-        raise StudyError("buoy: allowed: mass, diameter and height together, or none of them")
+        raise StudyError("buoy: mass, diameter and height belong together; give all or none")
     named = zip(("mass", "diameter", "height"), given, strict=True)
     mass, diameter, height = (positive(f"buoy.{key}", value) for key, value in named)
     area = 0.25 * math.pi * diameter**2

@@ -47,7 +47,7 @@ def _findings(outcome, output):
         yield fails(f"{len(outcome.failed) - SHOWN} more cases have a status above 0; {output} has their messages")
     lost, reason = outcome.lost
     if lost:
-        yield fails(f"{lost} cases were not done, {reason}; run the same command to go on")
+        yield fails(f"{lost} cases were not run, {reason}; run the same command to continue")
 
 
 def _shown(result, keep):

@@ -87,7 +87,7 @@ def _store(file, name, case, one, axes):
     if data is None:
         data = _made(file, place, one, axes)
     if data.shape[1:] != one.values.shape:
-        return f"{name} has the shape {one.values.shape}, {data.shape[1:]} in the first case; it is left out"
+        return f"{name} has the shape {one.values.shape}, and {data.shape[1:]} in the first case; it is not stored"
     data[case] = one.values.astype(object) if one.values.dtype.kind == "U" else one.values
     return ""
 
@@ -124,7 +124,7 @@ def _axis(file, axis, size, one):
 def result_of(path):
     """Result of a sweep: its keys and what each case gave.  Raises DatabaseError."""
     if not is_sweep(path):
-        raise DatabaseError(f"{path} is no file of a sweep")
+        raise DatabaseError(f"{path} is not the result of a sweep")
     with h5py.File(path) as file:
         check_version(path, SCHEMA, str(file.attrs["schema"]))
         quantities = {f"keys.{name}": _read(file["keys"][name], ("case",), name) for name in file["keys"]}

@@ -60,7 +60,7 @@ def one_case(command, raw, study, given, keep):
     if not absent:
         return status, message, kept(quantities, keep), axes
     there = [name for name in keep if name not in absent]
-    message = "; ".join(filter(None, (message, f"no {', '.join(absent)} was found")))
+    message = "; ".join(filter(None, (message, f"no result named {', '.join(absent)} was found")))
     return status, message, kept(quantities, there) if there else {}, axes
 
 
@@ -95,7 +95,7 @@ def kept(quantities, keep):
     elif keep:
         missing = [name for name in keep if name not in quantities]
         if missing:
-            raise StudyError(f"keep: {missing[0]!r} is no quantity; there are {', '.join(quantities)}")
+            raise StudyError(f"keep: {missing[0]!r} is not a quantity of the result; allowed: {', '.join(quantities)}")
         return {name: quantities[name] for name in keep}
     else:
         return quantities

@@ -17,7 +17,7 @@ def draw(result, path):
     keys = [name for name in result.quantities if name.startswith("keys.")]
     first, others = result.quantities[keys[0]], keys[1:]
     if not first.numeric:
-        raise ValueError(f"{keys[0]} has no numbers to draw over; allowed: a first key of numbers")
+        raise ValueError(f"{keys[0]} has no numeric values for the horizontal axis; put a numeric key first")
     shown = [n for n, one in result.quantities.items() if one.table and n not in keys and one.axes == ("case",)][:MOST]
     columns = min(2, len(shown)) or 1
     rows = -(-len(shown) // columns) or 1

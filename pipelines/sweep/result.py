@@ -41,7 +41,7 @@ def sweep(
         _, outcome = filled(path, place, executor, fresh, say or (lambda line: None))
         lost, reason = outcome.lost
         if lost:
-            raise DatabaseError(f"{lost} cases were not done, {reason}; call it again to go on")
+            raise DatabaseError(f"{lost} cases were not run, {reason}; call it again to continue")
         return result_of(place)
 
 

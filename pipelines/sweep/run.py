@@ -35,7 +35,7 @@ def sweep(table, text, folder, output, executor, say, fresh=False):
     """
     study = Path(folder) / table.study
     if not study.is_file():
-        raise StudyError(f"study is {table.study!r}; there is no such file beside the sweep")
+        raise StudyError(f"study is {table.study!r}, and no such file lies beside the sweep")
     study_text = study.read_text(encoding="utf-8")
     raw, keys, values = tomllib.loads(study_text), [one.key for one in table.vary], cases(table)
     check_keys(table.command, varied(raw, keys, values[0]))
@@ -48,7 +48,7 @@ def sweep(table, text, folder, output, executor, say, fresh=False):
     else:
         file.create(output, keys, values, texts)
     todo, done, lost = file.pending(output), 0, []
-    say(f"{len(values)} cases, {len(values) - len(todo)} are there")
+    say(f"{len(values)} cases, {len(values) - len(todo)} of them stored already")
     together = 1 if executor.count == 1 else BATCH * executor.count
     with _kept_together(output) as keep:
         for batch in (todo[i : i + together] for i in range(0, len(todo), together)):
@@ -104,7 +104,7 @@ def _check_same(output, texts):
         check_version(output, file.SCHEMA, str(stored.attrs["schema"]))
         for name, text in texts.items():
             if stored.attrs[name] != text:
-                raise StudyError(f"{output} is of another {name}; give --fresh to replace it, or another name")
+                raise StudyError(f"{output} belongs to another {name}; give --fresh to replace it, or another name")
 
 
 def _failed(output):

@@ -90,10 +90,10 @@ def read_sweep(path):
         if value not in allowed:
             raise StudyError(f"{key} is {value!r}; allowed: {', '.join(allowed)}")
     if not sweep.vary:
-        raise StudyError("vary is empty; allowed: at least one [[vary]]")
+        raise StudyError("vary is empty; give at least one [[vary]]")
     keys = [one.key for one in sweep.vary]
     if len(set(keys)) < len(keys):
-        raise StudyError(f"two [[vary]] have the key {max(keys, key=keys.count)!r}; allowed: each its own")
+        raise StudyError(f"two [[vary]] have the key {max(keys, key=keys.count)!r}; give each key once")
     return sweep, text
 
 
@@ -101,7 +101,7 @@ def cases(sweep):
     """[(value of each key), …] in the order they are run.  Raises StudyError."""
     if sweep.sampling == "grid":
         if sweep.samples is not None:
-            raise StudyError('samples is given; allowed: with sampling = "latin-hypercube"')
+            raise StudyError('samples is given; it needs sampling = "latin-hypercube"')
         axes = [_values(f"vary[{i}]", one) for i, one in enumerate(sweep.vary)]
         check_count("the sweep", int(np.prod([len(axis) for axis in axes])), 1, MOST, StudyError)
         return list(itertools.product(*axes))
@@ -110,7 +110,7 @@ def cases(sweep):
 
     for i, one in enumerate(sweep.vary):
         if one.values is not None or one.first is None or one.last is None or not one.first < one.last:
-            raise StudyError(f"vary[{i}]: a Latin hypercube needs from and to, rising; allowed: no values")
+            raise StudyError(f"vary[{i}]: a Latin hypercube needs from below to, and no values")
     unit = qmc.LatinHypercube(len(sweep.vary), rng=sweep.seed).random(sweep.samples)
     low, high = np.array([(one.first, one.last) for one in sweep.vary]).T
     return [tuple(row) for row in (low + unit * (high - low)).tolist()]
@@ -118,7 +118,7 @@ def cases(sweep):
 
 def _values(where, one):
     if (one.values is None) == (one.first is None or one.last is None or one.count is None):
-        raise StudyError(f"{where} ({one.key}): allowed: values, or from, to and count")
+        raise StudyError(f"{where} ({one.key}): give values, or from, to and count")
     if one.values is not None:
         check_count(f"{where}.values", len(one.values), 1, MOST, StudyError)
         return one.values
@@ -155,7 +155,7 @@ def put(raw, key, value):
         for at in _tables(made, path):
             at[int(last) if isinstance(at, list) else last] = value
     except (KeyError, IndexError, ValueError, TypeError):
-        raise StudyError(f"the study has no table for the key {key!r}; give it there first") from None
+        raise StudyError(f"the study has no table for the key {key!r}; add the table to the study") from None
     return made
 
 

@@ -23,7 +23,7 @@ def draw(path, found):
         figure = Figure(figsize=(12, 5.6), layout="constrained")
         left, right = figure.subplots(1, 2, sharey=True)
         filled = left.contourf(found.x, found.y, height, np.arange(0, top + LEVELS / 2, LEVELS), cmap="viridis")
-        figure.colorbar(filled, ax=left, label="height over that of the waves that come", shrink=0.8)
+        figure.colorbar(filled, ax=left, label="height over incident wave height", shrink=0.8)
         swing = math.ceil(np.nanmax(np.abs(moment)) / LEVELS) * LEVELS
         levels = np.linspace(-swing, swing, 41)
         filled = right.contourf(found.x, found.y, moment, levels, cmap="RdBu_r")

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 POINTS = 161  # of a side of the map
 A_POINT = 4e-6  # s, with 60 sources
-HEIGHT = "height over that of the waves that come"
+HEIGHT = "height over incident wave height"
 
 
 def waves(

@@ -119,7 +119,9 @@ def test_the_course_on_one_spring_is_a_quarter_of_a_sine(tmp_path, asked, pictur
     )
     assert deep.lines[0].get_xydata() == pytest.approx(np.stack([t, course["deflection_1"]], 1), rel=1e-6, abs=1e-6)
     drawn = {line.get_label(): line.get_ydata() for line in energies.lines}
-    assert drawn["in fenders and lost in them"] == pytest.approx(course["energy_fenders"] / 1e3, rel=1e-6, abs=1e-6)
+    assert drawn["stored and dissipated in fenders"] == pytest.approx(
+        course["energy_fenders"] / 1e3, rel=1e-6, abs=1e-6
+    )
     assert np.all(drawn["in waves"] == 0)
     assert drawn["kinetic-energy method"][0] == pytest.approx(energy, rel=1e-9)
 

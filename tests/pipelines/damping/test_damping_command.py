@@ -76,7 +76,7 @@ def test_a_record_of_something_else_fails(tmp_path, capsys):
         ("# a\ntime_s,motion_m\n0,1\n1,2\n4,1\n5,2\n6,3\n7,3\n", [], "line 5: time goes from 1 to 4 s"),
         ("time_s,motion_m\n0,1\n1,2\n1,1\n2,2\n", [], "line 4: time stays at 1 s; allowed: equal steps: put"),
         ("time_s\n0\n1\n", [], "has the columns time_s; allowed: the columns time_s, motion_m"),
-        ("0,1\n1,2\n", [], "no names of columns in its first row"),
+        ("0,1\n1,2\n", [], "no column names in its first row"),
         ("", [], "record.csv has no rows"),
         ("time_s,motion_m\n0,1\n1,2\n", ["--mass", "-1"], "mass is -1000 kg; allowed: above 0"),
         ("time_s,motion_m\n0,1\n1,2\n", ["--plot", "f.txt"], "has the suffix '.txt'"),

@@ -79,7 +79,10 @@ def test_limits_are_on_the_largest_of_the_hour_and_what_it_leaves():
         ({"quantity": "heave"}, "neither is given; allowed: one of at_most"),
         ({"quantity": "heave", "at_most": 1.0, "at_least": 1.0}, "both are given"),
         ({"quantity": "heave", "at_most": 0.0}, "at_most is 0; allowed: above 0"),
-        ({"quantity": "ice", "at_most": 1.0}, "'ice', which needs a column in hindcast.columns; there are significant"),
+        (
+            {"quantity": "ice", "at_most": 1.0},
+            "'ice', which requires a column in hindcast.columns; there are significant",
+        ),
     ],
 )
 def test_limits_that_are_none_are_refused(limit, words):

@@ -226,7 +226,7 @@ RESPONSES = {"roll": "rad", "heave": "m"}
 
 @pytest.mark.parametrize(("limit", "words"), [
     ({"quantity": "rol", "at_most": 1.0}, "nothing computes 'rol'; there are significant height, roll, heave"),
-    ({"quantity": "wind speed", "at_most": 1.0}, "'wind speed', which needs a column in hindcast.columns"),
+    ({"quantity": "wind speed", "at_most": 1.0}, "'wind speed', which requires a column in hindcast.columns"),
     ({"quantity": "under-keel clearance", "at_least": 1.0}, "which needs .keel. and a bed"),
     ({"quantity": "roll", "at_least": 1.0}, "roll has a least value; allowed: at_most"),
     ({"quantity": "roll"}, "neither is given; allowed: one of at_most, at_least"),

@@ -196,7 +196,7 @@ def test_a_course_is_asked_for_with_a_record_alone(tmp_path, capsys):
     assert "nothing is told of the earthquake" in capsys.readouterr().err
     both = "coefficient = 0.001\n" + STUDY + '[rule]\nrule = "A"\nfactors = { coefficient = 0.2 }\n'
     assert main(["earthquake", str(written(tmp_path, both))]) == 2
-    assert "rule and coefficient are given; allowed: one of them" in capsys.readouterr().err
+    assert "rule and coefficient are both given; give one of them" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("deflection, secant", [(np.nan, False), (0.99e-3, False), (1.01e-3, True), (0.5, True)])

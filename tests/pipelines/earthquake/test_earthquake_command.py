@@ -66,7 +66,7 @@ def test_a_wrong_study_is_told_in_one_line(study, capsys, old, new, says):
         ),
         (lambda rows: rows[:50] + rows[49:], "line 51: time stays at 0.96 s"),
         (lambda rows: rows[:50] + ["1.0,nan"] + rows[51:], "line 51 has 'nan'; allowed: finite numbers: fill it in"),
-        (lambda rows: rows[1:], "no names of columns in its first row; allowed: time_s"),
+        (lambda rows: rows[1:], "no column names in its first row; allowed: time_s"),
         (lambda rows: rows[:1], "no rows of numbers"),
         (lambda rows: rows[:1] + [f"{t:g},0" for t in T], "all accelerations of the record are 0"),
     ],

@@ -61,7 +61,7 @@ def test_inertia_of_piles_that_stand_apart_adds_with_their_phases(tmp_path, aske
         F / 1e3 * np.abs(np.sin(np.radians(degrees))), abs=3e-6 * F
     )
     assert lines["all in the water"][1].max() == pytest.approx(both / 1e3)
-    assert (axis.get_xlabel(), axis.get_ylabel()) == ("phase, °, crest at the origin at 0", "force, kN")
+    assert (axis.get_xlabel(), axis.get_ylabel()) == ("phase, °; 0: crest at the origin", "force, kN")
 
 
 @pytest.mark.parametrize("change, share", [
@@ -113,8 +113,8 @@ def test_what_lacks_members_water_or_wind_is_refused(tmp_path, capsys):
     wind = '[[wind_members]]\nname = "a"\ndrag = 1.0\narea = 1.0\nposition = [0, 0, 5]\n'
     for tables, height, says in (
         ((), HEIGHT, "there are no members; allowed: [[members]], [[wind_members]]"),
-        ((pile("one", 0.0),), 0, "nothing moves the water; allowed: [wave], [current] or both"),
-        ((wind,), HEIGHT, "wind is missing; needed by [[wind_members]]"),
+        ((pile("one", 0.0),), 0, "there is neither wave nor current; give [wave], [current] or both"),
+        ((wind,), HEIGHT, "wind is missing; [[wind_members]] need it"),
         ((pile("one", 0.0).replace("[0.0, 0.0, 3.0]", "[0.0, 0.0, -12.0]"),), HEIGHT, "two finite places, apart"),
         ((pile("one", 0.0), "[wind]\nspeed = 30\ndirection_deg = 0\n", wind.replace("drag = 1.0\n", "")), HEIGHT,
          "wind member 'a': allowed: one of shape, drag"),

@@ -156,7 +156,7 @@ def test_motions_in_waves_are_along_and_across_the_hull():
     values, _, _ = kept(run)
     assert values["run.wave_sigma"] == pytest.approx([a[1], a[0], *a[2:]], rel=2e-3)
     said = list(words(run))
-    assert said[1:] == ["slow drift is not in the run; the report adds 20 % for it", "found"]
+    assert said[1:] == ["the run does not include slow drift; the report adds 20 % for it", "found"]
     assert not any("report adds" in line for line in words(ran(wave=100.0, drifts=True)))
 
 

@@ -94,7 +94,7 @@ def test_turning_tests_are_of_the_hull_s_proportions_or_of_those_that_are_given(
     load, told = found(**turning(**tested))
     assert load.water.turning and load.water.height == pytest.approx(-0.5 * DRAFT)
     for name, value in tested.items():
-        said = f"turning tests are those of {name} = {value:g}, the hull has {own[name]:.3g}"
+        said = f"the turning tests were made with {name} = {value:g}, and the hull has {own[name]:.3g}"
         assert (said in told) is not math.isclose(value, own[name])
     assert water(**turning(**tested), current__center_z=-3.0).height == -3.0
 

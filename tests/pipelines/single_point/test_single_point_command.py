@@ -179,7 +179,7 @@ def test_a_slender_ship_with_its_own_coefficients_does_not_lie_still_in_a_curren
         text = text.replace(old, new)
     assert run(tmp_path, text + "\n[hawser]\nlength = 100.0\n", monkeypatch=monkeypatch) == 0
     said = capsys.readouterr().out
-    assert "no heading is stable: the body slews; see the growth over hawser and attachment with [[maps]]" in said
+    assert "no heading is stable: the body slews; [[maps]] shows the growth over hawser length and attachment" in said
     assert "limit cycle" in said
 
 

@@ -136,7 +136,7 @@ def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site
             [],
             "site.level is 'high'; an earthquake study takes no",
         ),
-        ("earthquake_box.toml", "earthquake", {}, [], "rule and coefficient are given; allowed: one of them"),
+        ("earthquake_box.toml", "earthquake", {}, [], "rule and coefficient are both given; give one of them"),
     ],
 )
 def test_what_such_a_study_does_not_take_of_a_site_is_one_line(bay, name, reader, site, leave_out, words):

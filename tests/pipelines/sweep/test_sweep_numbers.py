@@ -40,7 +40,7 @@ def test_a_hypercube_has_a_sample_in_each_part_of_every_range_and_its_seed_makes
     ({"vary": [vary("a", values=[])]}, r"vary\[0\].values has 0 numbers"),
     ({"vary": [vary("a", first=0.0, last=1.0)]}, "allowed: values, or from, to and count"),
     ({"vary": [vary("a", values=[1.0], first=0.0, last=1.0, count=3)]}, "allowed: values, or from, to and count"),
-    ({"vary": [vary("a", values=[1.0])], "samples": 3}, 'samples is given; allowed: with sampling = "latin-hypercube"'),
+    ({"vary": [vary("a", values=[1.0])], "samples": 3}, 'samples is given; it needs sampling = "latin-hypercube"'),
     ({"vary": [vary("a", first=1.0, last=1.0)], "sampling": "latin-hypercube", "samples": 3},
      "needs from and to, rising"),
     ({"vary": [vary("a", first=0.0, last=1.0)], "sampling": "latin-hypercube", "samples": 1}, None),
