@@ -49,7 +49,7 @@ def check_result(path, say, repair=False):
     raises : ValueError where there is no file, and for one of another version of its schema, of which nothing is known
     """
     if repair:
-        raise DatabaseError(f"{path} is a result, and no database that can be repaired; if it is damaged: {REMEDY}")
+        raise DatabaseError(f"{path} is a result, and only a database can be repaired; if it is damaged: {REMEDY}")
     try:
         what, sealed = _found(path)
     except VersionError:
@@ -62,9 +62,9 @@ def check_result(path, say, repair=False):
     if what == file_of(SWEEP):
         return _check_sweep(path, say)
     if not sealed:
-        say(fails(f"{path}: {what} without a checksum: nothing tells whether it is what was written; make it anew"))
+        say(fails(f"{path}: {what} without a checksum: changes cannot be detected; run the command again"))
         return 1
-    say(f"{path}: {what}, as it was written")
+    say(f"{path}: {what}, unchanged since it was written")
     for remark in () if path.suffix.lower() in TEXT else _remarks(path):
         say(f"warning: {remark}")
     return 0
@@ -82,7 +82,7 @@ def _found(path):
 def _check_sweep(path, say):
     """Which cases of a sweep are there: it fills case by case, and has no checksums"""
     count, missing = case_count(path), len(pending(path))
-    say(f"{path}: a file of sweep, {count - missing} of {count} cases are there; sweeps have no checksums")
+    say(f"{path}: a file of sweep, {count - missing} of {count} cases are stored; a sweep has no checksums")
     if missing:
         say(fails(f"{missing} cases are missing; 'hakobune sweep SWEEP --output {path}' runs them"))
     return int(bool(missing))
@@ -98,7 +98,7 @@ def _remarks(path):
     if source is None or made_with is None:
         return
     if not Path(source).is_file():
-        yield f"the database it was made with, {source}, is not there"
+        yield f"the database it was made with, {source}, does not exist"
     elif _sha256(source) != made_with:
         yield f"the database it was made with, {source}, has changed since; run the command of the result again"
 

@@ -51,15 +51,15 @@ OWN_FORMS = ("keys",)  # commands that write JSON of their own
 app = App(
     name="hakobune",
     help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
-    "Any command prints its tables as CSV with --csv, as JSON with --json, a line for each table;\n"
-    "with --timing it tells on stderr where its time went.",
+    "Every command prints its tables as CSV with --csv and as JSON with --json.\n"
+    "With --timing it reports on stderr how long each phase took.",
     version=__version__,
     result_action="return_value",
     suppress_keyboard_interrupt=False,
     help_format="plaintext",  # without the 0.1 s that a reader of Markdown takes to load
 )
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
-SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the flags are laid over")]
+SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML); flags override it")]
 
 
 @app.command
@@ -103,9 +103,11 @@ def ship(
     beam: Annotated[Size, Parameter(help="m")] = None,
     draft: Annotated[Size, Parameter(help="m")] = None,
     block: Annotated[float | None, Parameter(help="block coefficient", allow_leading_hyphen=True)] = None,
-    bow: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
-    stern: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
-    waterplane: Annotated[float | None, Parameter(help="its coefficient C_WP, without bow and stern")] = None,
+    bow: Annotated[float | None, Parameter(help="waterplane coefficient C_WP", allow_leading_hyphen=True)] = None,
+    stern: Annotated[float | None, Parameter(help="waterplane coefficient C_WP", allow_leading_hyphen=True)] = None,
+    waterplane: Annotated[
+        float | None, Parameter(help="its waterplane coefficient C_WP, in place of bow and stern")
+    ] = None,
     flags: SceneFlags = SceneFlags(),  # noqa: B008
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
@@ -135,12 +137,12 @@ def look(
     /,
     *,
     plot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
-    page: Annotated[
-        Path | None, Parameter(help=".html to turn the mesh in, in any browser, in place of a window")
-    ] = None,
+    page: Annotated[Path | None, Parameter(help=".html: the mesh to rotate in a browser, in place of a window")] = None,
     field: Annotated[str | None, Parameter(help="colour panels by area, size, aspect or pressure")] = None,
-    omega: Annotated[float | None, Parameter(help="rad/s, of the pressure; the nearest stored is shown")] = None,
-    heading: Annotated[Size, Parameter(help="degrees, one stored with the pressure")] = None,
+    omega: Annotated[
+        float | None, Parameter(help="rad/s, frequency of the pressure; the nearest stored one is shown")
+    ] = None,
+    heading: Annotated[Size, Parameter(help="degrees, a stored heading of the pressure")] = None,
 ):
     """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
     from .view.looking import look
@@ -155,13 +157,15 @@ def mesh(
     *,
     output: Annotated[Path, Parameter(help=".gdf, .pnl, .nemoh, .dat, .msh or .vtu")],
     scale: Annotated[str, Parameter(help="a factor, or three")] = "1",
-    heal: Annotated[float, Parameter(help="m: points closer than that are one", show_default=False)] = 0.0,
-    turn: Annotated[str, Parameter(help="degrees about z, or about x,y,z in turn", allow_leading_hyphen=True)] = "0",
+    heal: Annotated[float, Parameter(help="m: merge points closer than this", show_default=False)] = 0.0,
+    turn: Annotated[
+        str, Parameter(help="degrees: rotate about z, or about x,y,z in turn", allow_leading_hyphen=True)
+    ] = "0",
     move: Annotated[str, Parameter(help="m, x,y,z", allow_leading_hyphen=True)] = "0,0,0",
-    flip: Annotated[bool, Parameter(help="turn the normals round", negative="")] = False,
-    mirror: Annotated[str, Parameter(help="x, y or xy: add the images in these planes")] = "",
+    flip: Annotated[bool, Parameter(help="reverse the normals", negative="")] = False,
+    mirror: Annotated[str, Parameter(help="x, y or xy: add the mirror images in these planes")] = "",
     clip: Annotated[bool, Parameter(help="cut the hull at z = 0, keep what is below", negative="")] = False,
-    fold: Annotated[bool, Parameter(help="keep a half or quarter of a symmetric hull", negative="")] = False,
+    fold: Annotated[bool, Parameter(help="keep one half or quarter of a symmetric hull", negative="")] = False,
 ):
     """Change a mesh file, in the order of the flags below, and write it in the format of the new name.
 
@@ -210,7 +214,7 @@ def check(
     file: Annotated[Path, Parameter(help="database, or result of a study")],
     /,
     *,
-    repair: Annotated[bool, Parameter(negative=(), help="mark damage as unsolved")] = False,
+    repair: Annotated[bool, Parameter(negative=(), help="mark damaged frequencies as unsolved")] = False,
 ):
     """Physics checks of a database against its tolerance, and mesh findings; of a result (.h5, .csv), its checksum.
 
@@ -227,7 +231,9 @@ def moor(
     /,
     *,
     database: Annotated[Path, Parameter(help="of the body, .h5")],
-    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv, with a picture of the plan beside")] = None,
+    output: Annotated[
+        Path | None, Parameter(help="results, .h5 or .csv, with a picture of the plan beside them")
+    ] = None,
 ):
     """Equilibrium, natural periods and line tensions of a mooring study on a database."""
     from .moor.command import moor
@@ -237,13 +243,13 @@ def moor(
 
 @app.command
 def sweep(
-    study: Annotated[Path, Parameter(help="study of many cases (TOML)")],
+    study: Annotated[Path, Parameter(help="sweep: a study and the keys to vary (TOML)")],
     /,
     *,
     output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
-    fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
-    plot: Annotated[Path | None, Parameter(help="picture over the first key: .png, .svg or .pdf")] = None,
+    fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
+    plot: Annotated[Path | None, Parameter(help="picture, over the first varied key: .png, .svg or .pdf")] = None,
 ):
     """Run many cases of a study over its keys; a second call takes up where the first stopped.
 
@@ -309,7 +315,7 @@ def main(arguments=None):
         print(f"{name}: {_one_line(error)}", file=sys.stderr)
         return 2
     except MemoryError as error:
-        print(f"{name}: there is not enough memory: {error or 'more was asked for than is free'}", file=sys.stderr)
+        print(f"{name}: there is not enough memory: {error or 'the request exceeds the free memory'}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as stop:
         print(f"{name}: {str(stop) or interrupted(command, arguments)}", file=sys.stderr)

@@ -41,7 +41,7 @@ def compile_all(tables=(LINES, BODIES)):
             print(f"  {len(done)} of {count} {name:<24}{time.monotonic() - begin:5.0f} s", flush=True)
             if ended.returncode not in (0, 1):  # 1 is a verdict
                 told = ended.stderr.strip().splitlines() or ["no message"]
-                said.append(f"kernels of {name} were not compiled: {told[-1]}")
+                said.append(f"the kernels of {name} could not be compiled: {told[-1]}")
         return said
 
     print("compiling kernels, by studies")

@@ -18,12 +18,12 @@ from .printing.verdict import tell
 
 NEEDED = ("numpy", "scipy", "numba", "h5py", "gmsh", "meshio", "pyvista", "matplotlib", "msgspec", "cyclopts", "rich")
 OLD = {"meshing": "gmsh_session.py", "bem": "stored_laws.py", "mooring": "catenary.py", "pipelines": "start.py"}
-OPTIONAL = {"xarray": "reads databases by their labels"}
+OPTIONAL = {"xarray": "reads databases with labelled axes"}
 
 
 def doctor(
     *,
-    compile: Annotated[bool, Parameter(help="compile the kernels of all studies ahead", negative="")] = False,
+    compile: Annotated[bool, Parameter(help="compile the kernels of all studies now", negative="")] = False,
 ):
     """Say what is installed and what is amiss; 1 where a command cannot work.
 
@@ -74,7 +74,7 @@ def _left_over():
     ours = [name for name, module in OLD.items() if (place / name / module).is_file()]
     if not ours:
         return ""
-    return f"{', '.join(ours)} in {place} are left over from an older installation; remove these folders"
+    return f"{', '.join(ours)} in {place} belong to an older installation; remove these folders"
 
 
 def _gmsh():
@@ -85,7 +85,7 @@ def _gmsh():
         with session():
             pass
     except (ImportError, OSError) as error:
-        return f"gmsh cannot be loaded, meshes cannot be made: {' '.join(str(error).split())}"
+        return f"gmsh cannot be loaded, so that no meshes can be made: {' '.join(str(error).split())}"
     return None
 
 

@@ -18,7 +18,7 @@ def overused(names, used, allowable, where, help=HELP):
     """
     used = np.asarray(used, float)
     kinds = (
-        (used > 1, "beyond the breaking load, limit 100 %, where they part"),
+        (used > 1, "beyond the breaking load, limit 100 %, at which they break"),
         ((used > allowable) & (used <= 1), f"above the allowable {100 * allowable:g} % of the breaking load"),
     )
     for chosen, text in kinds:

@@ -111,7 +111,7 @@ def sea_components(sea, count, seed, reader, carrier=None, gravity=9.80665):
     if missed > MISSED:
         raise ValueError(
             f"{100 * missed:.0f} % of the waves' energy lies outside the stored frequencies; allowed: "
-            f"{100 * MISSED:g} %; solve {ends[0]:.3g} to {ends[1]:.3g} rad/s too"
+            f"{100 * MISSED:g} %; solve {ends[0]:.3g} to {ends[1]:.3g} rad/s as well"
         )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # said above where it is more than the report's own spectrum leaves out

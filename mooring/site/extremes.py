@@ -174,7 +174,7 @@ class Extreme(NamedTuple):
 
 
 def extreme(maxima, family, years, confidence):
-    """Extreme of a return period, of yearly maxima (n,), and what a reader has to know of it, one line each.
+    """Extreme of a return period, of yearly maxima (n,), and findings on it, one line each.
 
     Raises ValueError for maxima that are none, and where the value is not above 0.
     """

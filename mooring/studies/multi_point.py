@@ -52,7 +52,7 @@ class MultiPoint:
     hulls : `conditions.Afloat` of every body; berth : `motion.contacts.Berth`, None for none
     contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
     held : (2, k, 6) N, N m with which the first body of each of k `hinges` holds the second, along its axes, at both
-    warnings : what a reader has to know, a line each; of what fails as `criteria.failing.fails` marks it
+    warnings : findings, a line each; of what fails as `criteria.failing.fails` marks it
     """
 
     system: System

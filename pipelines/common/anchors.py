@@ -13,7 +13,7 @@ def warn_of_anchors(heights, depth):
     high = [f"{name} (z = {z:g} m)" for name, z in heights.items() if z > HIGHEST]
     if high:
         warnings.warn(
-            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, as of a quay; z is 0 at the water and "
+            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, as on a quay; z is 0 at still water and "
             "negative below it",
             stacklevel=2,
         )
@@ -22,6 +22,6 @@ def warn_of_anchors(heights, depth):
     if floating:
         warnings.warn(
             f"anchors above the bed: {', '.join(floating)}, limit {limit:.3g} m; the bed is at z = {-depth:g} m; check "
-            "their z, or ignore this where they are on piles",
+            "their z, or ignore this if they are on piles",
             stacklevel=2,
         )

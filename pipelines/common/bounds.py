@@ -29,7 +29,7 @@ def check_memory(what, needed, way_out, error=TooMuchError):
     what : of the question, with its verb, as "5000 panels need"; way_out : "give fewer panels (--panels)"
     """
     if needed > LITTLE and needed > (free := available_memory()):
-        raise error(f"{what} about {needed / 1e9:.3g} GB, {free / 1e9:.1f} GB are free; {way_out}")
+        raise error(f"{what} about {needed / 1e9:.3g} GB, and {free / 1e9:.1f} GB are free; {way_out}")
 
 
 def check_seconds(what, seconds, way_out, error=TooMuchError):

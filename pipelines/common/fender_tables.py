@@ -84,7 +84,7 @@ def fender_of(table, where="fender"):
     below(f"{where}.height", table.height, LARGEST)
     if (table.family is None) == (table.table is None):
         state = "neither is given" if table.family is None else "both are given"
-        raise StudyError(f"{where}: family and table: {state}; allowed: one of them")
+        raise StudyError(f"{where}: family and table: {state}; give one of them")
     if not 1 <= table.count <= MOST:
         raise StudyError(f"{where}.count is {table.count}; allowed: 1 to {MOST}")
     factor = positive(f"{where}.factor", table.factor) * table.count
@@ -100,13 +100,15 @@ def upright(table):
 def _inclined(table, where, fender):
     if table.angle_deg == 0:
         if table.width is not None:
-            raise StudyError(f"{where}.width is {table.width:g} m without an angle_deg; allowed: of an inclined face")
+            raise StudyError(
+                f"{where}.width is {table.width:g} m without an angle_deg; the width is for an inclined face"
+            )
         return fender
     width = table.width if table.width is not None else table.length
     if width is None:
         raise StudyError(
-            f"{where}.angle_deg is {table.angle_deg:g} without a width; give it in m: that of the panel, or of a cell "
-            "its flange, 1.1 to 1.3 of the height"
+            f"{where}.angle_deg is {table.angle_deg:g} without a width; give the width of the panel, m, or of a "
+            "cell fender the flange, 1.1 to 1.3 of the height"
         )
     return inclined(fender, below(f"{where}.width", width, WIDEST), math.radians(table.angle_deg))
 
@@ -115,10 +117,12 @@ def pair_of(table, fender, where="fender"):
     """The fender in series with the dolphin of a FenderTable; the fender where there is none.  Raises ValueError."""
     if table.dolphin is None:
         if table.dolphin_yield is not None or table.dolphin_beyond is not None:
-            raise StudyError(f"{where}: dolphin_yield or dolphin_beyond without dolphin, its stiffness in kN/m")
+            raise StudyError(
+                f"{where}: dolphin_yield or dolphin_beyond is given without dolphin, the stiffness in kN/m"
+            )
         return fender
     if (table.dolphin_yield is None) != (table.dolphin_beyond is None):
-        raise StudyError(f"{where}: dolphin_yield and dolphin_beyond: one is given; allowed: both or neither")
+        raise StudyError(f"{where}: only one of dolphin_yield and dolphin_beyond is given; give both or neither")
     yields = np.inf if table.dolphin_yield is None else 1e3 * table.dolphin_yield
     beyond = None if table.dolphin_beyond is None else 1e3 * table.dolphin_beyond
     return in_series(fender, bilinear(1e3 * positive(f"{where}.dolphin", table.dolphin), yields, beyond))
@@ -128,7 +132,7 @@ def causes_of(table):
     """What the reaction of a fender varies by; of pneumatic ones only ±10 % of manufacture is known (SR179, 3.3.2)"""
     if table.causes is not None:
         if not table.causes:
-            raise StudyError(f"fender.causes is empty; allowed: some of {', '.join(bands())}, or left out for all")
+            raise StudyError(f"fender.causes is empty; give some of {', '.join(bands())}, or leave it out for all")
         return table.causes
     return ["manufacture"] if table.family == "pneumatic" else list(bands())
 
@@ -157,9 +161,9 @@ def beyond_batch(what, energy, table, fender):
         rated = pair_of(table, fender).rated_energy
         yield fails(
             f"{what}: {energy / 1e3:.4g} kJ are {100 * energy / soft.rated_energy:.4g} % of the "
-            f"{soft.rated_energy / 1e3:.4g} kJ that the softest fender of a batch takes up at its rated strain, with "
+            f"{soft.rated_energy / 1e3:.4g} kJ that the softest fender of a batch absorbs at its rated strain, with "
             f"{factor:g} of the catalogue's reaction (Ueda 1981, section 6), and {100 * energy / rated:.4g} % of the "
-            "catalogue's; take a larger fender or more of them"
+            "catalogue's; choose a larger fender or more fenders"
         )
 
 
@@ -170,7 +174,7 @@ def _kilo(value):
 def _of_family(table, where):
     for key in ("rated_strain", "allowable_strain", "return_length"):
         if getattr(table, key) is not None:
-            raise StudyError(f"{where}.{key} is given with a family, which has its own; allowed: with a table")
+            raise StudyError(f"{where}.{key} is given with a family, which has its own; it is for a table")
     return fender_of_family(
         table.family,
         table.height,
@@ -184,7 +188,7 @@ def _of_family(table, where):
 def _of_file(table, where):
     for key in ("length", "rated_reaction", "pressure"):
         if getattr(table, key) is not None:
-            raise StudyError(f"{where}.{key} is given with a table of the maker; allowed: with a family")
+            raise StudyError(f"{where}.{key} is given with a table of the manufacturer; it is for a family")
     return fender_of_file(
         table.table,
         table.height,

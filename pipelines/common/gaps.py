@@ -57,7 +57,10 @@ class Gaps(NamedTuple):
                 low, high = solved[places[[0, -1]]]
                 span = f"{low:.4g} rad/s" if len(places) == 1 else f"{low:.4g} to {high:.4g} rad/s"
                 at = f"at {len(places)} of {len(solved)} frequencies, {span}"
-            yield f"{self.path}: {name}{of} is not a number {at}; solve it anew with --fresh, by a method that knows it"
+            yield (
+                f"{self.path}: {name}{of} is not a number {at}; solve it again with --fresh, by a method that "
+                f"computes it"
+            )
 
 
 def gaps_of(db):

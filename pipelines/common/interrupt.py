@@ -24,11 +24,11 @@ STORING = (
 def interrupted(command, arguments):
     """What to say of a command that Ctrl-C ended at once"""
     if command in STORING and "--mesh-only" not in arguments:
-        return "interrupted; what was solved is stored, the same command goes on"
+        return "interrupted; solved frequencies are stored, and the same command continues"
     if command == "sweep":
-        return "interrupted; the cases that were done are kept, the same command goes on with the others"
+        return "interrupted; finished cases are stored, and the same command continues with the others"
     if command == "qtf":
-        return "interrupted; the pairs that were written are kept, the same command goes on from them"
+        return "interrupted; finished pairs are stored, and the same command continues with the others"
     return "interrupted"
 
 
@@ -89,7 +89,7 @@ def ctrl_c(say=None):
         stop.asked = True
         signal.signal(signal.SIGINT, before)
         if say:
-            say("stopping after this frequency; Ctrl-C again stops at once")
+            say("stopping after this frequency; press Ctrl-C again to stop at once")
         elif callable(before) and hasattr(signal, "setitimer"):
             signal.signal(signal.SIGALRM, before)
             signal.setitimer(signal.ITIMER_REAL, PATIENCE)

@@ -148,7 +148,7 @@ def _strength_left(where, table):
     from hakobune.mooring.lines.catalogue import line_type as of_catalogue
 
     if table.termination is not None and table.efficiency is not None:
-        raise StudyError(f"{where}: termination and efficiency are given; allowed: one of them")
+        raise StudyError(f"{where}: termination and efficiency are both given; give one of them")
     if table.termination is not None and table.termination not in TERMINATIONS:
         raise StudyError(
             f"{where}.termination is {table.termination!r}; allowed: {', '.join(TERMINATIONS)}, or efficiency"
@@ -160,7 +160,8 @@ def _strength_left(where, table):
         return left
     if table.catalogue is None or of_catalogue(table.catalogue).proof_load is None:
         raise StudyError(
-            f'{where}.corrosion_mm is given without a chain; allowed: of one of the catalogue, "R3 studless 76 mm"'
+            f'{where}.corrosion_mm is given without a chain; it needs a chain of the catalogue, such as "R3 '
+            f'studless 76 mm"'
         )
     try:
         return left * worn_breaking_load(1.0, kind_and_size(table.catalogue)[1], table.corrosion_mm, 1.0)
@@ -187,17 +188,19 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     """
     whole = table.type, table.length
     if whole != (None, None) if table.segments else None in whole:
-        raise StudyError(f"{where} ({name}): allowed: either type and length, or segments")
+        raise StudyError(f"{where} ({name}): give either type and length, or segments")
     if table.type in types and types[table.type].straight:
         if table.bodies or table.bed:
-            raise StudyError(f"{where} ({name}): a hawser has no bodies and no bed; allowed: on a line of segments")
+            raise StudyError(
+                f"{where} ({name}): a hawser has neither bodies nor a bed; these belong to a line of segments"
+            )
         return hawser_of(where, name, table.type, types[table.type], _length(where, table), ends)
     parts = table.segments or [SegmentTable(type=table.type, length=table.length)]
     places = [f"{where}.segments[{i}]" if table.segments else where for i in range(len(parts))]
     kinds = [of_types(place, part.type, types) for place, part in zip(places, parts, strict=True)]
     for place, part, kind in zip(places, parts, kinds, strict=True):
         if kind.straight:
-            raise StudyError(f"{place}.type {part.type} is a hawser; allowed: segments with a weight")
+            raise StudyError(f"{place}.type {part.type} is a hawser; segments need a weight")
     made = [
         line_type(f"types.{part.type}", kind, density, gravity, part.type)
         for part, kind in zip(parts, kinds, strict=True)
@@ -208,8 +211,8 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     for place, kind in zip(places, made, strict=True):
         if kind.weight <= 0 and not alone:
             raise StudyError(
-                f"{place} ({name}): {kind.name} weighs {kind.weight:.4g} N/m in water; allowed: above 0; what is "
-                "lighter than water is a line of its own between two points, of `hakobune lines`"
+                f"{place} ({name}): the weight of {kind.name} in water is {kind.weight:.4g} N/m; allowed: above "
+                "0; a segment lighter than water has to be a separate line between two points in `hakobune lines`"
             )
     if alone:
         return UniformLine(name, made[0], lengths[0], *ends, rough[0])
@@ -231,7 +234,9 @@ def hawser_of(where, name, kind_name, kind, length, ends=("", "")):
     heavy = [key for key in MaterialTable.__struct_fields__ if not key.startswith("breaking")
              and getattr(kind, key) is not None]  # fmt: skip
     if heavy:
-        raise StudyError(f"{place}: a hawser has no {heavy[0]}; allowed: its table or spring, and a breaking load")
+        raise StudyError(
+            f"{place}: {heavy[0]} does not apply to a hawser; give its table or spring, and a breaking load"
+        )
     pull, most = _pull(place, name, kind, length)
     return Hawser(name, pull, length, *ends, force(place, kind, "breaking_load") or math.inf, most)
 
@@ -245,8 +250,8 @@ def hawser_at_tension(where, name, kind_name, kind, distance, tension):
         length = distance - tension / (1e3 * positive(f"{place}.spring_kN_per_m", kind.spring_kN_per_m))
     if not length > 0:
         raise StudyError(
-            f"{where} ({name}): its spring would be {length:.4g} m long without its pretension, over {distance:.4g} m; "
-            "allowed: above 0; give a stiffer spring or less pretension"
+            f"{where} ({name}): the unstretched spring would be {length:.4g} m long over a distance of "
+            f"{distance:.4g} m; allowed: above 0; give a stiffer spring or less pretension"
         )
     return hawser_of(where, name, kind_name, kind, length)
 
@@ -269,13 +274,11 @@ def _pull(place, name, kind, length):
     given = [key for key in ("tension_tonf", "tension_kN") if getattr(kind, key) is not None]
     if kind.spring_kN_per_m is not None:
         if kind.elongation_percent is not None or given:
-            raise StudyError(f"{place} has a spring and a table; allowed: one of spring_kN_per_m, elongation_percent")
+            raise StudyError(f"{place} has both a spring and a table; give one of spring_kN_per_m, elongation_percent")
         stiffness = 1e3 * positive(f"{place}.spring_kN_per_m", kind.spring_kN_per_m)
         return pull_of_points(name, [0.0, length], [0.0, stiffness * length]), math.inf
     if len(given) != 1:
-        raise StudyError(
-            f"{place} has {' and '.join(given) or 'no tensions'}; allowed: one of tension_tonf, tension_kN"
-        )
+        raise StudyError(f"{place} has {' and '.join(given) or 'no tensions'}; give one of tension_tonf, tension_kN")
     tension = [value * (TONF if given[0] == "tension_tonf" else 1e3) for value in getattr(kind, given[0])]
     elongation = [length * value / 100 for value in kind.elongation_percent]
     return pull_of_points(name, elongation, tension), tension[-1]
@@ -287,10 +290,12 @@ def attached(where, bodies, joints):
     for i, body in enumerate(bodies):
         place, at = f"{where}bodies[{i}]", body.after_segment
         if not 1 <= at <= joints:
-            allowed = f"1 to {joints}" if joints else "none, the line has one segment; cut it in two where the body is"
+            allowed = (
+                f"1 to {joints}" if joints else ("none, since the line has one segment; divide the segment at the body")
+            )
             raise StudyError(f"{place}.after_segment is {at}; allowed: {allowed}")
         if found[at - 1] is not None:
-            raise StudyError(f"{place}.after_segment is {at}, where another body is; allowed: one at a joint")
+            raise StudyError(f"{place}.after_segment is {at}, where another body is; allowed: one body at a joint")
         for key in ("mass", "volume"):
             if not 0 <= getattr(body, key) < math.inf:
                 raise StudyError(f"{place}.{key} is {getattr(body, key):g}; allowed: at least 0, finite")
@@ -313,7 +318,7 @@ def _friction(where, bed, of_segments):
     if len(set(of_segments)) > 1:
         low, high = min(of_segments), max(of_segments)
         raise StudyError(
-            f"{where}: bed_friction of its types is {low:g} to {high:g}, a line has one; allowed: give bed.friction"
+            f"{where}: bed_friction of its types is {low:g} to {high:g}, and a line has only one; give bed.friction"
         )
     return of_segments[0]
 

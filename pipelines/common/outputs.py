@@ -32,7 +32,7 @@ def check_output(path, kind, is_one, endings, inputs=()):
             raise ValueError(f"{path} is an input of the study; give another name")
     check_place(path)
     if path.is_file() and not is_one(path):
-        raise ValueError(f"{path} is not {kind} and is not replaced; give another name")
+        raise ValueError(f"{path} is not {kind}, so it is not replaced; give another name")
     check_ending(path, endings)
 
 
@@ -41,7 +41,7 @@ def check_folder(path):
     path = Path(path)
     there = next((place for place in (path, *path.parents) if place.exists()), path)
     if not there.is_dir():
-        raise ValueError(f"{path} cannot be made: {there} is no folder")
+        raise ValueError(f"{path} cannot be written: {there} is not a folder")
     if not os.access(there, os.W_OK):
         raise ValueError(f"{path} cannot be written: no permission in {there}")
 

@@ -75,8 +75,8 @@ def _give_letters(figure):
     if font is None:
         name = next(text.get_text() for text in texts if set(text.get_text()) & strange)
         print(
-            f"warning: no installed font has the letters of {name!r}, which the picture leaves empty; install one, as "
-            "fonts-noto-cjk of Debian or Ubuntu",
+            f"warning: no installed font has the letters of {name!r}, which stay empty in the picture; install "
+            "one, such as fonts-noto-cjk on Debian or Ubuntu",
             file=sys.stderr,
         )
         return

@@ -66,7 +66,7 @@ def one_of(where, table, units, required=False):
     given = [key for key in units if getattr(table, key) is not None]
     if len(given) > 1 or (required and not given):
         state = " and ".join(given) + " are given" if given else "nothing is given"
-        raise StudyError(f"{where}: {state}; allowed: one of {', '.join(units)}")
+        raise StudyError(f"{where}: {state}; give one of {', '.join(units)}")
     return positive(f"{where}.{given[0]}", getattr(table, given[0])) * units[given[0]] if given else None
 
 
@@ -95,7 +95,7 @@ def direction(where, table):
     to, incidence = table.direction_deg, table.incidence_deg
     if (to is None) == (incidence is None):
         state = "neither is given" if to is None else "both are given"
-        raise StudyError(f"{where}: {state}; allowed: one of direction_deg, incidence_deg")
+        raise StudyError(f"{where}: {state}; give one of direction_deg, incidence_deg")
     degrees = incidence + 180.0 if to is None else to
     if not -360 <= degrees <= 720:
         key = "incidence_deg" if to is None else "direction_deg"

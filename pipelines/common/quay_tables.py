@@ -176,18 +176,19 @@ def _dolphins(fenders, dolphins):
     """{name: DolphinTable}.  Raises StudyError where dolphins and fenders do not belong together."""
     known = {one.name: one for one in dolphins}
     if len(known) < len(dolphins):
-        raise StudyError("two [[dolphin]] have one name; allowed: each its own")
+        raise StudyError("two [[dolphin]] have the same name; give each a name of its own")
     stands = [one.on for one in fenders if one.on is not None]
     for name in stands:
         if name not in known:
             raise StudyError(f"fender.on: there is no dolphin {name!r}; allowed: {', '.join(known) or 'none is given'}")
         if stands.count(name) > 1:
             raise StudyError(
-                f"dolphin {name!r} carries {stands.count(name)} fenders; allowed: one, of count side by side"
+                f"dolphin {name!r} carries {stands.count(name)} fenders; allowed: one [[fender]], with count "
+                f"for fenders side by side"
             )
     for name in known:
         if name not in stands:
-            raise StudyError(f"dolphin {name!r} carries no fender; allowed: one, by its key on")
+            raise StudyError(f"dolphin {name!r} carries no fender; name the dolphin in the key on of one")
     return known
 
 
@@ -196,11 +197,12 @@ def _fender(where, table, dolphin, hull):
 
     if table.causes is not None:
         raise StudyError(
-            f"{where}.causes is given; a simulation has one fender of each: give factor, as hakobune fender finds"
+            f"{where}.causes is given; a simulation uses one characteristic per fender: give the factor that "
+            f"hakobune fender computes"
         )
     if dolphin is not None:
         if table.dolphin is not None:
-            raise StudyError(f"{where}: on and dolphin are given; allowed: one of them")
+            raise StudyError(f"{where}: on and dolphin are both given; give one of them")
         stands = {"dolphin": dolphin.stiffness, "dolphin_yield": dolphin.yield_force}
         table = msgspec.structs.replace(table, **stands, dolphin_beyond=dolphin.stiffness_beyond)
     face = np.array(table.position)
@@ -218,7 +220,7 @@ def _side(where, face, hull):
     if not reached:
         x, y, z = face
         raise StudyError(
-            f"{where}: the body cannot reach it at {x:g}, {y:g}, {z:g} m; allowed: before a side of the hull of "
+            f"{where}: the body cannot reach {x:g}, {y:g}, {z:g} m; allowed: in front of a side of the hull of "
             f"{hull.length:g} × {hull.beam:g} m, at most {FARTHEST:g} m off, z {-hull.draft:g} to {hull.freeboard:g}"
         )
     normal = np.zeros(3)
@@ -234,7 +236,7 @@ def _rope(table):
     main, tail = RopePart(load, table.break_strain, table.exponent), None
     if table.tail_length:
         if table.tail_break_strain is None:
-            raise StudyError(f"{where}: tail_break_strain is missing; allowed: of a tail, above 0")
+            raise StudyError(f"{where}: tail_break_strain is missing; a tail needs it, above 0")
         own = table.tail_breaking_load_kN
         tail = RopePart(load if own is None else 1e3 * own, table.tail_break_strain, table.tail_exponent)
     return rope(
@@ -270,17 +272,18 @@ class HingeTable(Table):
             given = wrong[:1] or list(self.bodies)
             raise StudyError(
                 f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different of {', '.join(known)}, "
-                "of which one moves"
+                "of which at least one moves"
             )
         if self.kind not in KINDS:
             raise StudyError(f"{where}.kind is {self.kind!r}; allowed: {', '.join(KINDS)}")
         if not all(map(math.isfinite, (*self.position, *self.axis))) or not any(self.axis):
             raise StudyError(
-                f"{where} has position {self.position} and axis {self.axis}; allowed: finite, an axis not 0"
+                f"{where} has position {self.position} and axis {self.axis}; allowed: finite, with an axis other than 0"
             )
         if not (math.isfinite(self.damping) and self.damping >= 0) or (self.damping and self.kind not in DAMPED):
             raise StudyError(
-                f"{where}.damping is {self.damping:g} of a {self.kind}; allowed: 0 or more, of a {' or '.join(DAMPED)}"
+                f"{where}.damping is {self.damping:g} for a {self.kind}; allowed: 0 or more, for a "
+                f"{' or '.join(DAMPED)}"
             )
         return Link(self.name, self.bodies, self.position, self.axis, self.kind, 1e3 * self.damping)
 

@@ -29,7 +29,7 @@ def _peak(one):
     damping = f"damping ratio {one.damping:.2g}"
     if not one.viscous:
         damping += " of waves alone"
-        damping += ", without the viscous damping that lowers it" * underdamped(one)
+        damping += ", without viscous damping, which lowers it" * underdamped(one)
     return (
         f"resonance of {one.name} at {one.period:.4g} s ({one.omega:.5g} rad/s): peak "
         f"{significant(factor * one.peak, 3)} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"
@@ -49,4 +49,4 @@ def _uncertain(one):
     share = one.error / one.peak
     if share <= UNSURE:
         return ""
-    return f"; the peak is uncertain by {100 * share:.3g} %, limit {100 * UNSURE:g} %: solve {one.omega:.6g} rad/s too"
+    return f"; the peak is uncertain by {100 * share:.3g} %, limit {100 * UNSURE:g} %: also solve {one.omega:.6g} rad/s"

@@ -99,7 +99,7 @@ def of_another(raw, kind):
     from ..keys.kinds import that_read
 
     commands = that_read(raw)
-    return f"{strange[0]} is for another command: this file is read by {' or '.join(commands)}" if commands else ""
+    return f"{strange[0]} belongs to another command: this file is read by {' or '.join(commands)}" if commands else ""
 
 
 def _line(message, raw, kind):

@@ -17,7 +17,7 @@ def export(
     *,
     to: Annotated[str, Parameter(help=FORMATS)],
     output: Annotated[Path | None, Parameter(help="file or folder [beside the database]")] = None,
-    fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
+    fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
     """Write a database in the files of another program.
 
@@ -68,7 +68,7 @@ def import_(
             help="correct units, points, phases or headings that our own solution of the hull contradicts", negative=""
         ),
     ] = False,
-    fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
+    fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
     """Read results of another program into a database; a file, or the folder of Nemoh or HAMS.
 

@@ -13,16 +13,20 @@ def animate(
     /,
     *,
     output: Annotated[Path, Parameter(help="film, .gif")],
-    seed: Annotated[int | None, Parameter(help="whose record is stored; the first if not given")] = None,
-    start: Annotated[float | None, Parameter(help="s after the ramp; if not given around the largest tension")] = None,
-    length: Annotated[float | None, Parameter(help="s of the run; 60, or all at a single point")] = None,
-    step: Annotated[float | None, Parameter(help="s between frames, ten a second; 1, or 150 frames of all")] = None,
-    period: Annotated[float | None, Parameter(help="s, of the waves around the body of a database")] = None,
+    seed: Annotated[int | None, Parameter(help="number of a seed with a stored record [the first]")] = None,
+    start: Annotated[float | None, Parameter(help="s after the ramp [around the largest tension]")] = None,
+    length: Annotated[
+        float | None, Parameter(help="s, length of the film [60; at a single point the whole run]")
+    ] = None,
+    step: Annotated[
+        float | None, Parameter(help="s between frames, shown ten a second [1, or 150 frames in total]")
+    ] = None,
+    period: Annotated[float | None, Parameter(help="s, period of the waves around the body of a database")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
     heading: Annotated[
-        float | None, Parameter(help="degrees, towards which they travel; 180", allow_leading_hyphen=True)
+        float | None, Parameter(help="degrees, direction they travel to [180]", allow_leading_hyphen=True)
     ] = None,
-    height: Annotated[float | None, Parameter(help="m, of these waves; a thirtieth of their length")] = None,
+    height: Annotated[float | None, Parameter(help="m, height of these waves [1/30 of their length]")] = None,
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     field: Annotated[str | None, Parameter(help="pressure: colour the panels by it")] = None,
 ):

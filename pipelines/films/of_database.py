@@ -72,7 +72,7 @@ def _pressure(db, path, around):
             f"other waves in {path}; give one of them, or add this one by the command that made the file"
         )
     if (db.inertia_matrix is None) != (around.motion is None):
-        raise ValueError("the pressure is stored of a body that floats freely; leave --fixed out")
+        raise ValueError("the stored pressure is that of a freely floating body; leave out --fixed")
     value = db["pressure"][i, j]
     return Coloured(value, float(np.abs(value).max()))
 

@@ -80,7 +80,7 @@ def check_reach(line, breaking, course):
         how = (
             f"breaks at {significant(breaking / KN)} kN"
             if parts
-            else f"is {LONGEST_STRAIN:.0%} longer, where any rope parts"
+            else f"is stretched by {LONGEST_STRAIN:.0%}, at which any rope parts"
         )
         raise StudyError(
             f"the fairlead is {away[far]:.2f} m from the anchor at t = {times[far]:.2f} s; allowed: up to "
@@ -90,7 +90,7 @@ def check_reach(line, breaking, course):
         over, most = away[far] - line.length, min(breaking, sum(segment.stiffness for segment in line.segments))
         pull = brentq(lambda tension: stretch(tension) - over, 0.0, most)
         warnings.warn(
-            f"the fairlead goes {away[far] - line.length:.2f} m farther from the anchor than the line is long, at "
-            f"t = {times[far]:.2f} s: stretching it so takes {significant(pull / KN)} kN",
+            f"the fairlead moves {away[far] - line.length:.2f} m farther from the anchor than the line length, at "
+            f"t = {times[far]:.2f} s, which takes {significant(pull / KN)} kN",
             stacklevel=2,
         )

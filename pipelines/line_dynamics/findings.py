@@ -28,12 +28,15 @@ def findings(found, result, strength, line):
         )
     if anywhere > (1 + INSIDE) * ends:
         when = result.time[np.argmax(result.largest_tension)]
-        yield f"between its ends the line has {significant(anywhere / KN)} kN at t = {when:.2f} s, more than at either"
+        yield (
+            f"the largest tension lies between the ends of the line: {significant(anywhere / KN)} kN at t = "
+            f"{when:.2f} s, more than at either end"
+        )
     if largest > 1.01 * found.fairlead.largest:
         when = result.time[np.argmax(result.tension_fairlead)]
         yield (
-            f"before the figures begin the fairlead had {significant(largest / KN)} kN at t = {when:.2f} s, more than "
-            "in them; give a longer ramp"
+            f"before the evaluated time the fairlead tension was {significant(largest / KN)} kN at t = "
+            f"{when:.2f} s, more than within it; give a longer ramp"
         )
     if found.change > STEADY:
         yield (
@@ -43,17 +46,17 @@ def findings(found, result, strength, line):
     if abs(found.imbalance) > BALANCE * found.exchanged > 0:
         share = abs(found.imbalance) / found.exchanged
         yield fails(
-            f"{share:.1%} of the work that goes in and out is neither lost nor stored, allowed {BALANCE:.0%}; give a "
+            f"{share:.1%} of the work at the ends is neither dissipated nor stored, allowed {BALANCE:.0%}; give a "
             "smaller tolerance"
         )
     dynamic = found.fairlead.over_quasi_static - 1
     if not isinstance(found.regime, str) and found.regime.regime == 1 and abs(dynamic) > DYNAMIC:
         yield (
-            f"the simplified method calls this line quasi-static, but the run is {dynamic:+.0%} off statics, allowed "
-            f"{DYNAMIC:.0%}: believe the run"
+            f"the simplified method predicts a quasi-static line, but the run differs by {dynamic:+.0%} from "
+            f"statics, allowed {DYNAMIC:.0%}: use the run"
         )
     if np.isnan(found.fairlead.quasi_static):
-        yield "the line has no static shape at any place of its fairlead; no quasi-static tension is given"
+        yield "the line has no static shape at any position of its fairlead, so that no quasi-static tension is given"
 
 
 def _of_segment(used, strength):

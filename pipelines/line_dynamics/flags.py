@@ -13,8 +13,8 @@ def line_dynamics(
     /,
     *,
     duration: Annotated[float | None, Parameter(help="s, in place of the study's")] = None,
-    tolerance: Annotated[float | None, Parameter(help="error of a time step, of the largest tension")] = None,
-    output: Annotated[Path | None, Parameter(help="histories and frames, .h5")] = None,
+    tolerance: Annotated[float | None, Parameter(help="error of a time step over the largest tension")] = None,
+    output: Annotated[Path | None, Parameter(help="time series and frames, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
 ):
     """Tension, slack and work of one mooring line whose fairlead moves (TOML), beside its quasi-static tension."""

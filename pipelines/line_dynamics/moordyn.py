@@ -77,7 +77,7 @@ def _way(system, name):
         while isinstance(points[ends[side]], FreePoint) and len(at[ends[side]]) == 2:
             (following,) = (line for line in at[ends[side]] if line is not way[-side])
             if following in way:
-                raise StudyError(f"moordyn: line {name} goes in a ring; allowed: lines that end at an anchor")
+                raise StudyError(f"moordyn: line {name} forms a closed loop; allowed: lines that end at an anchor")
             way.insert(len(way) if side else 0, following)
             ends[side] = following.b if following.a == ends[side] else following.a
     if not isinstance(points[ends[0]], Anchor):
@@ -85,8 +85,8 @@ def _way(system, name):
     first, last = (points[end] for end in ends)
     for end, good in ((ends[0], isinstance(first, Anchor)), (ends[1], not isinstance(last, FreePoint))):
         if not good:
-            what = f"point {end}, a {type(points[end]).__name__}, which {len(at[end])} lines share"
-            raise StudyError(f"moordyn: line {name} ends at {what}; allowed: at an anchor and a point that is moved")
+            what = f"point {end}, a {type(points[end]).__name__} shared by {len(at[end])} lines"
+            raise StudyError(f"moordyn: line {name} ends at {what}; allowed: an anchor and a moving point")
     table = [line.name for line in way if isinstance(line, CompositeLine)]
     if table:
         raise StudyError(
@@ -104,7 +104,9 @@ def _type(line, path):
         if not (value and value > 0 and math.isfinite(value)):
             raise StudyError(f"{path}: {name} of line type {kind.name} is {value:g}; allowed: finite, above 0")
     if kind.weight <= 0:
-        raise StudyError(f"{path}: line type {kind.name} weighs {kind.weight:g} N/m in water; allowed: above 0")
+        raise StudyError(
+            f"{path}: the weight of line type {kind.name} in water is {kind.weight:g} N/m; allowed: above 0"
+        )
     ratio = -own.damping
     if own.damping > 0:
         size = max(line.length / max(line.elements or LEAST, LEAST), line.length / 40)

@@ -36,7 +36,7 @@ class Course:
         if not 0 <= begin <= self.duration - least * (1 - 1e-9) or begin == self.duration:
             one = "" if self.cycle is None else f", one cycle of {least:g} s before the end"
             raise StudyError(
-                f"the figures begin at {begin:g} s of {self.duration:g} s; allowed: 0 to "
+                f"the evaluation begins at {begin:g} s of {self.duration:g} s; allowed: 0 to "
                 f"{max(self.duration - least, 0.0):g} s{one}; give a longer duration, or an earlier measure_from"
             )
         if self.cycle is None:
@@ -52,12 +52,12 @@ def course_of(study, folder):
     given = study.fairlead
     if (given.table is None) == (given.position is None):
         state = "neither is given" if given.table is None else "both are given"
-        raise StudyError(f"fairlead: position and table: {state}; allowed: one of them")
+        raise StudyError(f"fairlead: position and table: {state}; give one of them")
     if given.ramp is not None and not 0 <= given.ramp < np.inf:
         raise StudyError(f"fairlead.ramp is {given.ramp:g} s; allowed: finite, at least 0")
     if given.table is not None:
         if given.motions:
-            raise StudyError("fairlead: motions are given beside a table; allowed: one of them")
+            raise StudyError("fairlead: motions and a table are both given; give one of them")
         time, position = read_positions(Path(folder) / given.table)
         ramp = 0.0 if given.ramp is None else given.ramp
         motion = FairleadMotion.table(time, faded(time, position, ramp))
@@ -76,11 +76,11 @@ def _harmonic(study, kind):
     )
     sea = [] if study.sea is None else [mean_period("sea", study.sea, study.water.depth)]
     if sea and study.duration is None:
-        raise StudyError("duration is not given beside a sea, which does not repeat; allowed: above 0 s")
+        raise StudyError("duration is missing; a sea does not repeat and needs one, above 0 s")
     longest = max(periods + sea, default=0.0)
     ramp = longest if given.ramp is None else given.ramp
     if study.duration is None and not periods:
-        raise StudyError("duration is not given and nothing moves; allowed: above 0 s, or a motion or a wave")
+        raise StudyError("duration is missing and nothing moves; give a duration above 0 s, or a motion or a wave")
     duration = ramp + CYCLES * longest if study.duration is None else study.duration
     if not moving:
         return Course(kind.still(given.position), ramp, duration, None if sea else longest or None)
@@ -105,7 +105,9 @@ def read_positions(path):
         raise StudyError(f"fairlead.table: {path} has {len(time)} rows; allowed: 4 or more of t,x,y,z")
     if not np.all(np.diff(time) > 0):
         at = rows[int(np.argmin(np.diff(time) > 0)) + 1][0]
-        raise StudyError(f"fairlead.table: {path}, line {at}: the time does not rise; allowed: later than before")
+        raise StudyError(
+            f"fairlead.table: {path}, line {at}: the time does not increase; allowed: later than the line before"
+        )
     if time[0] > 0:
         raise StudyError(f"fairlead.table: {path} begins at {time[0]:g} s; allowed: at 0 s or before")
     return time, values[:, 1:]

@@ -58,13 +58,13 @@ def _properties(where, kind, water):
     stiffness = static.axial_stiffness if kind.elongation_percent is None else _elongation(where, kind)
     if np.ndim(stiffness) == 0 and math.isinf(stiffness):
         raise StudyError(
-            f"{where}: no axial stiffness is given, a dynamic line has to stretch; "
-            "allowed: one of axial_stiffness_tonf, axial_stiffness_kN, or elongation_percent with tensions"
+            f"{where}: the axial stiffness is missing, which a line in motion needs; "
+            "give one of axial_stiffness_tonf, axial_stiffness_kN, or elongation_percent with tensions"
         )
     given = {"mass": kind.mass_kg_per_m, "diameter": kind.diameter}
     for key, name in (("mass", "mass_kg_per_m"), ("diameter", "diameter")):
         if given[key] is None and kind.catalogue is None:
-            raise StudyError(f"{where}: {name} is not given; allowed: a number above 0, or a catalogue name")
+            raise StudyError(f"{where}: {name} is missing; give a number above 0, or a catalogue name")
         given[key] = getattr(static, key) if given[key] is None else positive(f"{where}.{name}", given[key])
     known = static.dynamics or LineDynamics()
     felt = {
@@ -82,13 +82,13 @@ def _properties(where, kind, water):
 def _elongation(where, kind):
     """Pairs of strain and tension, N"""
     if kind.axial_stiffness_tonf is not None or kind.axial_stiffness_kN is not None:
-        raise StudyError(f"{where} has an axial stiffness and a table; allowed: one of them")
+        raise StudyError(f"{where} has both an axial stiffness and a table; give one of them")
     given = {"tension_tonf": (kind.tension_tonf, TONF), "tension_kN": (kind.tension_kN, 1e3)}
     tables = [np.array(values, float) * unit for values, unit in given.values() if values is not None]
     if len(tables) != 1 or len(tables[0]) != len(kind.elongation_percent):
         count = len(kind.elongation_percent)
         raise StudyError(
-            f"{where}: elongation_percent has {count} numbers; allowed: as many in one of {', '.join(given)}"
+            f"{where}: elongation_percent has {count} numbers; give the same number in one of {', '.join(given)}"
         )
     return tuple(zip((0.01 * np.array(kind.elongation_percent)).tolist(), tables[0].tolist(), strict=True))
 
@@ -110,7 +110,7 @@ def _bed(study):
 
     if math.isinf(study.water.depth):
         if study.bed is not None:
-            raise StudyError("bed is given and water.depth is inf; allowed: a bed in finite depth")
+            raise StudyError("bed is given and water.depth is inf; a bed needs a finite depth")
         return None
     below, table = study.anchor[2] + study.water.depth, study.bed or BedTable()
     if below < -1e-9 * study.water.depth:
@@ -137,7 +137,7 @@ def _uphill(study, table):
     if table.uphill_deg is not None or not table.points:
         return math.radians(table.uphill_deg or 0.0)
     if study.fairlead.position is None:
-        raise StudyError("bed.points need a way where the fairlead has a table; allowed: bed.uphill_deg beside them")
+        raise StudyError("bed.points need a direction if the fairlead has a table; give bed.uphill_deg")
     x, y = (end - begin for begin, end in zip(study.anchor[:2], study.fairlead.position[:2], strict=True))
     return math.atan2(y, x)
 
@@ -152,12 +152,14 @@ def current_of(study):
         return None
     heading = direction("current", given)
     if (given.z is None) != (given.speeds is None):
-        raise StudyError("current: one of z and speeds is given; allowed: both, as many of each, or speed")
+        raise StudyError(
+            "current: only one of z and speeds is given; give both with the same number of values, or speed"
+        )
     if given.z is None:
         profile = power_law(speed("current", given), heading, depth, given.exponent)
         z = np.linspace(-depth, 0.0, LEVELS) if math.isfinite(depth) else np.array([0.0])
     elif given.speed is not None or given.speed_knots is not None or given.exponent != 0:
-        raise StudyError("current: z and speeds are given beside speed or exponent; allowed: one of the two")
+        raise StudyError("current: z and speeds are given with speed or exponent; give one of the two")
     else:
         profile = table(given.z, given.speeds, heading)
         z = np.unique(np.concatenate([given.z, np.linspace(given.z[0], given.z[-1], LEVELS)]))
@@ -203,4 +205,6 @@ def _check_breaking(where, height, period, water):
     k = float(wavenumber(2 * math.pi / period, water.depth, water.gravity))
     breaking = 0.142 * 2 * math.pi / k * math.tanh(min(k * water.depth, 20.0))
     if height > breaking:
-        raise StudyError(f"{where}.height is {height:g} m; allowed: up to {breaking:.3g} m, where a wave of it breaks")
+        raise StudyError(
+            f"{where}.height is {height:g} m; allowed: up to {breaking:.3g} m, at which such a wave breaks"
+        )

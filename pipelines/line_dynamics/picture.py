@@ -34,7 +34,7 @@ def _history(axes, name, result, found, strength):
             found.fairlead.quasi_static / KN, color="C0", ls="--", lw=1, label="fairlead, largest quasi-static"
         )
     top = max(top, *_breaking_loads(axes, strength, 1.5 * top)) or KN  # of a line that lies without tension
-    axes.axvspan(found.begin, found.end, color="0.92", zorder=0, label="time of the figures")
+    axes.axvspan(found.begin, found.end, color="0.92", zorder=0, label="evaluated time")
     axes.plot([found.fairlead.time], [found.fairlead.largest / KN], "o", color="C0", ms=5)
     axes.set(xlabel="t, s", ylabel="tension, kN", xlim=(result.time[0], result.time[-1]), ylim=(0, 1.12 * top / KN))
     axes.set_title(name, loc="left")

@@ -159,7 +159,7 @@ def _work(found):
             values / (found.cycles or 1), ("work",), "J", "work", title if found.cycles else ""
         ),
         "work.share": Quantity(share, ("work",), "", "of the work", title, share=True),
-        "work.exchanged": Quantity(found.exchanged, (), "J", "work that went in or out"),
+        "work.exchanged": Quantity(found.exchanged, (), "J", "work at the ends"),
     }  # fmt: skip
 
 
@@ -187,7 +187,7 @@ def _nearest(run):
     used = run.strength.most_used(run.line, run.result)
     if used is None:
         return {}
-    title = "where the line is nearest to parting" if len(run.strength.breaking) > 1 else ""
+    title = "utilisation where the line is nearest to breaking" if len(run.strength.breaking) > 1 else ""
     return quantities(title, {
         "nearest.used": (used.share, "%", "breaking load used"),
         "nearest.tension": (used.tension, "N", "tension"),

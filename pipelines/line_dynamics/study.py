@@ -191,18 +191,18 @@ def make_line_dynamics(raw):
     """The LineDynamicsStudy of nested dictionaries as TOML gives them.  Raises StudyError."""
     study = typed(raw, LineDynamicsStudy, StudyError)
     if study.wave is not None and study.sea is not None:
-        raise StudyError("wave and sea are both given; allowed: one of them")
+        raise StudyError("wave and sea are both given; give one of them")
     given = {key: getattr(study, key) for key in ("water", "types", "segments", "anchor")}
     if study.moordyn is not None:
         twice = [key for key, value in (given | {"bodies": study.bodies}).items() if value]
         if twice:
-            raise StudyError(f"moordyn is given beside {', '.join(twice)}; allowed: one of them")
+            raise StudyError(f"moordyn and {', '.join(twice)} are both given; give one of them")
         return study
     for key in ("water", "types", "anchor"):
         if not given[key]:
-            raise StudyError(f"{key} is missing; allowed: water, types, segments and anchor, or moordyn")
+            raise StudyError(f"{key} is missing; give water, types, segments and anchor, or moordyn")
     if not study.water.depth > 0:
         raise StudyError(f"water.depth is {study.water.depth:g}; allowed: above 0, inf for a line without a bed")
     if not study.segments:
-        raise StudyError("segments is empty; allowed: at least one [[segments]], from the anchor up")
+        raise StudyError("segments is empty; give at least one [[segments]], from the anchor upwards")
     return study

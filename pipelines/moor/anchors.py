@@ -74,7 +74,9 @@ def anchors_of(tables, names, bollards=()):
             found[name] = one
     rest = [i for i, table in enumerate(tables) if not table.lines]
     if len(rest) > 1:
-        raise StudyError(f"anchors[{rest[0]}] and anchors[{rest[1]}] have no lines; allowed: one, for all others")
+        raise StudyError(
+            f"anchors[{rest[0]}] and anchors[{rest[1]}] have no lines; allowed: one table without lines, for all others"
+        )
     others = made[rest[0]] if rest else None
     return [None if name in bollards else found.get(name, others) for name in names]
 
@@ -98,15 +100,15 @@ def _anchor(where, table):
 def _drag(where, table, safety):
     if table.holding_kN is not None:
         if table.type is not None or table.soil is not None or table.mass is not None:
-            raise StudyError(f"{where}: allowed: either holding_kN, or type, soil and mass of a chart")
+            raise StudyError(f"{where}: give either holding_kN, or type, soil and mass for a chart")
         return Anchor("drag", 1e3 * table.holding_kN, safety=safety)
     known = charts()
     if (table.type, table.soil) not in known:
         soils = [soil for name, soil in known if name == table.type]
         allowed = f"soil {', '.join(soils)}" if soils else f"type {', '.join(dict.fromkeys(name for name, _ in known))}"
         raise StudyError(
-            f"{where}: no chart of a drag anchor of type {table.type!r} in soil {table.soil!r}; allowed: {allowed}; or "
-            "give holding_kN"
+            f"{where}: there is no chart for a drag anchor of type {table.type!r} in soil {table.soil!r}; "
+            f"allowed: {allowed}; or give holding_kN"
         )
     chart = known[table.type, table.soil]
     holding = np.nan if table.mass is None else holding_of(chart, table.mass)
@@ -115,7 +117,9 @@ def _drag(where, table, safety):
 
 def _sinker(where, table, safety):
     if table.friction is None:
-        raise StudyError(f"{where}.friction is missing; allowed: coefficient of the sinker on the bed, above 0")
+        raise StudyError(
+            f"{where}.friction is missing; give the friction coefficient of the sinker on the bed, above 0"
+        )
     weight = np.nan if table.weight_kN is None else 1e3 * table.weight_kN
     return Anchor("sinker", weight=weight, friction=table.friction, safety=safety)
 
@@ -123,9 +127,9 @@ def _sinker(where, table, safety):
 def _pile(where, table, safety):
     skin = table.girth, table.length, table.cohesion_kPa
     if table.holding_kN is None:
-        raise StudyError(f"{where}.holding_kN is missing; allowed: kN that the pile holds along the bed")
+        raise StudyError(f"{where}.holding_kN is missing; give the horizontal capacity of the pile, kN")
     if (None in skin) == (table.uplift_kN is None) or (table.uplift_kN is not None and any(skin)):
-        raise StudyError(f"{where}: allowed: either uplift_kN, or girth, length and cohesion_kPa of the pile")
+        raise StudyError(f"{where}: give either uplift_kN, or girth, length and cohesion_kPa of the pile")
     uplift = table.uplift_kN if table.uplift_kN is not None else skin[0] * skin[1] * skin[2]
     return Anchor("pile", 1e3 * table.holding_kN, 1e3 * uplift, safety=safety)
 
@@ -140,7 +144,7 @@ def quantities_of_anchors(anchors, along, up):
         for kind in KINDS
     }
     columns = {
-        "holding": ("N", "holds along the bed", _of(rows, lambda one, h, v: one.capacity(v))),
+        "holding": ("N", "horizontal capacity", _of(rows, lambda one, h, v: one.capacity(v))),
         "used": ("", "used", _of(rows, lambda one, h, v: one.used(h, v))),
         "needed_mass": ("kg", "needed, drag anchor", of_kind["drag"]),
         "needed_weight": ("N", "needed, sinker in water", of_kind["sinker"]),

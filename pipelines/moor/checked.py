@@ -66,14 +66,14 @@ def body_of_scene(name, scene):
 def check_stored(body, in_waves):
     """Raises StudyError where the motions of a Body, or the drift of waves, cannot follow from what is solved for"""
     if not body.has_inertia:
-        raise StudyError(f"{body.name}: the radii of gyration are missing; give gyration (m) and solve it with them")
+        raise StudyError(f"{body.name}: the radii of gyration are missing; give gyration (m) and solve the body again")
     lacking = [name for name in (*RADIATION, "excitation_force") if name not in body.stored]
     if in_waves and DRIFT[1] not in body.stored and not set(KOCHIN) <= body.stored:
         lacking.append(DRIFT[1])
     if lacking:
         raise StudyError(
-            f"{body.name}: want leaves out {', '.join(lacking)}; allowed: with radiation, diffraction, motions and "
-            "drift, or no want"
+            f"{body.name}: want does not include {', '.join(lacking)}; give radiation, diffraction, motions and "
+            "drift, or leave out want"
         )
 
 
@@ -104,7 +104,7 @@ def check_period(waves, omega):
     if not omega[0] <= waves.omega <= omega[-1]:
         raise StudyError(
             f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
-            f"{2 * np.pi / omega[0]:.4g} s; solve them too"
+            f"{2 * np.pi / omega[0]:.4g} s; solve them as well"
         )
 
 

@@ -26,7 +26,7 @@ def with_lines(raw, text, path):
 
     given = [key for key in ("types", "lines", "spreads") if key in raw]
     if given:
-        raise StudyError(f"{given[0]} is given beside {KEY}; allowed: one of them, or all lines in the file")
+        raise StudyError(f"{given[0]} and {KEY} are both given; give one of them, or put all lines in the file")
     file, water = Path(path).parent / raw[KEY], raw.get("water")
     depth = water.get("depth") if isinstance(water, dict) else None
     made = tables_of(file, depth if isinstance(depth, int | float) and math.isfinite(depth) else None)
@@ -45,7 +45,9 @@ def tables_of(file, depth=None):
     except ValueError as error:
         raise StudyError(f"{KEY}: {error}") from None
     if depth is not None and not math.isclose(system.depth, depth, rel_tol=1e-3):
-        raise StudyError(f"water.depth is {depth:g} m, {file.name} has a bed in {system.depth:g} m; allowed: the same")
+        raise StudyError(
+            f"water.depth is {depth:g} m, {file.name} has a depth of {system.depth:g} m; allowed: the same depth"
+        )
     bodies, points = {body.name: body for body in system.bodies}, {point.name: point for point in system.points}
     if len(bodies) != 1:
         raise StudyError(f"{KEY}: {file.name} has {len(bodies)} bodies; allowed: one, the hull of the study")
@@ -72,8 +74,8 @@ def _chains(system):
                 if isinstance(points[here], Anchor) or len(at[here]) != 2:
                     what = "an anchor" if isinstance(points[here], Anchor) else f"a joint of {len(at[here])} lines"
                     raise StudyError(
-                        f"{KEY}: line {line.name} ends at {what}, {here}; allowed: from an anchor, over joints of two, "
-                        "to the body; `hakobune lines` takes it"
+                        f"{KEY}: line {line.name} ends at {what}, {here}; allowed: from an anchor, over joints "
+                        "of two lines, to the body; `hakobune lines` can compute it"
                     )
                 line = next(one for one in at[here] if one is not line)
             yield chain
@@ -120,8 +122,8 @@ def _parts(line, along, types):
     curved = any(isinstance(part.axial_stiffness, tuple) for part in getattr(line, "segments", ()))
     if not isinstance(line, CompositeLine) or line.bed is not None or line.loads or curved:
         raise StudyError(
-            f"{KEY}: line {line.name} has a bed of its own, bodies between its ends or a rope of a curve; allowed: "
-            "segments of one stiffness each; `hakobune lines` takes it"
+            f"{KEY}: line {line.name} has its own bed, bodies between its ends or a rope with a tension curve; "
+            "allowed: segments of constant stiffness; `hakobune lines` can compute it"
         )
     values = [(part.name, part.weight, part.axial_stiffness, part.breaking_load) for part in line.segments]
     found = [

@@ -23,7 +23,7 @@ def notes(made):
         f"{_used(made, worst)}"
     )
     if any(NO_DAMPING in line for line in made.warnings):
-        largest += "; by motions at a resonance that nothing but waves damps, far above what runs in time would show"
+        largest += "; the motions are at a resonance damped by waves only, and far larger than in simulations"
     return (*_waves(made), largest)
 
 
@@ -34,7 +34,7 @@ def resonant(made, db):
 
 def _used(result, line):
     if np.isinf(result.system.breaking_load[line]):
-        return "how much of its breaking load is unknown: none is given"
+        return "its utilisation is unknown, since no breaking load is given"
     return f"{100 * result.utilisation[line]:.0f} % of its breaking load (allowable {100 * result.allowable:.0f} %)"
 
 
@@ -46,7 +46,7 @@ def _waves(made):
     if chosen.by_current is not None:
         yield _by_current(w.current, chosen)
     if w.motion_factor != 1:
-        yield f"lines are tightened by {w.motion_factor:g} times these motions"
+        yield f"the lines follow {w.motion_factor:g} times these motions"
 
 
 def _by_current(current, effects):
@@ -62,6 +62,7 @@ def _by_current(current, effects):
         if abs(value) > rounding
     ]
     return (
-        f"the current of {current.speed:.3g} m/s changes the drift by {', '.join(parts) or 'nothing'} of that in still "
+        f"the current of {current.speed:.3g} m/s changes the mean drift by {', '.join(parts) or 'nothing'} "
+        f"relative to still "
         f'water, which current.waves = "still" has; waves are given in {current.waves} frequencies'
     )

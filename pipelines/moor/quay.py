@@ -8,7 +8,7 @@ METHODS = ("far-field", "panels")
 SAID, REFUSED = 0.05, 0.3  # of a wave that decays between hull and quay, and is left out
 GIVEN_BACK = 0.01  # of the largest damping
 SAME = 1e-6  # m, of the wall of a database and the quay of a study
-NO_DRIFT = "no drift of the waves is known before it, and none is taken"
+NO_DRIFT = "wave drift in front of the quay is unknown and not included"
 _made = {}
 
 
@@ -41,7 +41,7 @@ def method_of(quay, wall, name):
         )
     if method == "far-field" and wall is not None:
         raise StudyError(
-            f'quay.method is "far-field", and {name} is of a wall at y = {wall:g} m; allowed: of open water'
+            f'quay.method is "far-field", and {name} is for a wall at y = {wall:g} m; allowed: a database of open water'
         )
     return method
 
@@ -61,17 +61,20 @@ def by_far_field(db, y):
         raise StudyError(f"quay: {error}") from None
     made, left_out, energy = _made[key]
     share = 100 * left_out
-    told = f"quay at y = {y:g} m: by the far field; {share:.3g} % of a wave decays between hull and quay, left out"
+    told = (
+        f"quay at y = {y:g} m: by the far field; {share:.3g} % of a wave decays between hull and quay and is "
+        f"not included"
+    )
     if left_out > REFUSED:
         raise StudyError(f"{told}; allowed: up to {100 * REFUSED:g} %; solve the body with hakobune solve --wall {y:g}")
     if left_out > SAID:
         told += (
-            f"; more than {100 * SAID:g} %: forces and added mass are about as much off; hakobune simulate takes the "
-            f"quay as panels, of a database by hakobune solve --wall {y:g}"
+            f"; more than {100 * SAID:g} %: forces and added mass have errors of about this size; hakobune "
+            f"simulate models the quay by panels, from a database by hakobune solve --wall {y:g}"
         )
     if energy > GIVEN_BACK:
         told += (
-            f"; damping before it is as low as {-energy:.2g} of its largest, and may not be negative: solve with "
-            "headings every 15° or less, and to a smaller tolerance"
+            f"; damping in front of it falls to {-energy:.2g} of its largest value, and must not be negative: "
+            "solve with headings every 15° or less, and to a smaller tolerance"
         )
     return made, (told,)

@@ -26,7 +26,10 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 LOADS, PERIODS, LINES = "steady forces", "natural periods", "lines, tension at the fairlead"
-CONTACTS, HINGES = "fenders and ropes, deflection or elongation", "what hinges hold, along the axes of their first body"
+CONTACTS, HINGES = (
+    "fenders and ropes, deflection or elongation",
+    ("forces and moments of hinges, along the axes of their first body"),
+)
 FREE, DRIFT, PLACE = "free motions, largest expected amplitude", "mean drift of the waves", "equilibrium"
 FORCE_UNITS = ("N", "N", "N", "N m", "N m", "N m")
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
@@ -73,7 +76,7 @@ def studied(study, db):
     hull = study.hulls_of(db)
     system = study.system_of(db, hull)
     if system is None:
-        raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]], or hakobune simulate")
+        raise StudyError("the study has no lines; give at least one [[spreads]] or [[lines]], or use hakobune simulate")
     anchors = study.anchors_on(system.line_names)
     berth, body = study.berth_of(db, hull) if db.bodies else None, linked(db.bodies_reader, study.hinges, db)
     if study.hinges:
@@ -171,7 +174,7 @@ def _held(made):
 def _waves(made):
     count = len(made.amplitudes) // 6
     units = MOTION_UNITS * count
-    found = {"motion.amplitude": Quantity(made.amplitudes, ("motion",), units, "amplitude that tightens the lines")}
+    found = {"motion.amplitude": Quantity(made.amplitudes, ("motion",), units, "amplitude applied to the lines")}
     for method, effects in made.waves.items():
         words = ("" if method == made.conditions.method else UNUSED) + WORDS[method]
         found[f"free_motion.{method}"] = Quantity(effects.amplitudes, ("motion",), units, words, FREE)

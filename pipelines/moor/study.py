@@ -84,7 +84,7 @@ class Study(Table):
         if waves.method not in METHODS:
             raise StudyError(f"waves.method is {waves.method!r}; allowed: {', '.join(METHODS)}")
         if waves.swell and waves.method != "irregular":
-            raise StudyError(f'waves.swell is given with method = "{waves.method}"; allowed: with "irregular"')
+            raise StudyError(f'waves.swell is given with method = "{waves.method}"; it needs "irregular"')
         sea = sea_with_swell("waves", waves, self.water.depth)
         regular = Waves(*mean_wave(waves, sea.spectrum), sea.direction)
         duration = 3600 * positive("waves.duration_hours", waves.duration_hours)
@@ -95,7 +95,7 @@ class Study(Table):
         """ExposedBox as `hull_of` of a database of one body; of several {name: ExposedBox} of those that move"""
         if not db.bodies:
             if self.hulls:
-                raise StudyError(f"hulls.{min(self.hulls)} is given, and the database is of one body; allowed: [hull]")
+                raise StudyError(f"hulls.{min(self.hulls)} is given, and the database contains one body; give [hull]")
             return self.hull_of(db.sizes)
         moving = [body for body in db.bodies if not body.fixed]
         unknown = set(self.hulls) - {body.name for body in moving}
@@ -120,17 +120,17 @@ class Study(Table):
         for key in ("length", "beam", "draft"):
             own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:
-                raise StudyError(f"hull.{key} is not given and the database does not know it; allowed: m, above 0")
+                raise StudyError(f"hull.{key} is missing and the database does not contain it; give it, m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         if given.freeboard is None and self.wind is not None:
-            raise StudyError("hull.freeboard is not given, and a wind blows on it; allowed: m, above 0")
+            raise StudyError("hull.freeboard is missing and there is wind; give it, m, above 0")
         freeboard = sizes["draft"] if given.freeboard is None else positive("hull.freeboard", given.freeboard)
         return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
 
     def remarks(self, hull, db):
-        """What comes first of what a reader has to know of an `ExposedBox` and the database of its hull, a line each
+        """The first findings on an `ExposedBox` and the database of its hull, a line each
 
         raises : StudyError as `check_streams`
         """
@@ -175,20 +175,20 @@ class Study(Table):
             return self.berth(hulls, db.rotation_center)
         if self.quay is not None or self.harbour is not None:
             key = "quay" if self.quay is not None else "harbour"
-            raise StudyError(f"[{key}] is given, and the database is of several bodies; allowed: with one body")
+            raise StudyError(
+                f"[{key}] is given, and the database contains several bodies; it is available for one body only"
+            )
         return berth_between(self.fender, self.dolphin, self.rope, afloat(db, hulls), db.bodies)
 
     def without_berth(self, command):
         """Itself.  Raises StudyError where fenders, ropes, hinges or a quay would be left out by a command."""
         if self.hinges:
-            raise StudyError(f"{command} knows no [[hinges]]; allowed: with hakobune simulate")
+            raise StudyError(f"{command} does not support [[hinges]]; use hakobune simulate")
         if self.at_berth:
-            raise StudyError(
-                f"{command} knows no [[fender]], [[dolphin]] and [[rope]]; allowed: with hakobune simulate"
-            )
+            raise StudyError(f"{command} does not support [[fender]], [[dolphin]] and [[rope]]; use hakobune simulate")
         if self.quay is not None:
             raise StudyError(
-                f"{command} knows no [quay]; allowed: with hakobune simulate, or a database solved with --wall"
+                f"{command} does not support [quay]; use hakobune simulate, or a database solved with --wall"
             )
         return self
 
@@ -203,7 +203,7 @@ class Study(Table):
         """
         known = [line.body or line.to for line in (*self.spreads, *self.lines) if getattr(line, "to", "") or line.body]
         if known:
-            raise StudyError(f"body {known[0]!r} is given, and the database is of one body; leave body and to out")
+            raise StudyError(f"body {known[0]!r} is given, and the database contains one body; leave out body and to")
         legs = self._legs({"": hull}, density, gravity, in_time)
         return None if legs is None else moored_body(legs, self.water.depth, center, density, gravity)
 
@@ -227,15 +227,16 @@ class Study(Table):
             if self.at_berth or in_time:
                 return None
             raise StudyError(
-                "the study has no lines; allowed: at least one [[spreads]] or [[lines]], or none with hakobune simulate"
+                "the study has no lines; give at least one [[spreads]] or [[lines]], or use hakobune simulate "
+                "without lines"
             )
         if not math.isfinite(self.water.depth):
-            raise StudyError("water.depth is inf; lines need the depth of their anchors, m")
+            raise StudyError("water.depth is inf; lines need a finite depth, m")
         count = len(self.lines) + sum(4 * len(spread.corner_headings_deg) for spread in self.spreads)
         if count > MOST_LINES:
             raise StudyError(
-                f"the study has {count} lines; allowed: up to {MOST_LINES}; give lines that pull alike as one of their "
-                "summed weight, stiffness and breaking load"
+                f"the study has {count} lines; allowed: up to {MOST_LINES}; combine lines in parallel into one "
+                "with their summed weight, stiffness and breaking load"
             )
         legs = []
         for i, spread in enumerate(self.spreads):
@@ -253,7 +254,7 @@ class Study(Table):
 
     def _spread(self, where, spread, hull, density, gravity):
         if self._straight(spread):
-            raise StudyError(f"{where}.type {spread.type} is a hawser; allowed: as [[lines]] with a bollard")
+            raise StudyError(f"{where}.type {spread.type} is a hawser; give it as [[lines]] with a bollard")
         line = line_of(where, "spread", spread, self.types, density=density, gravity=gravity, level=-self.water.depth)
         headings = _corner_headings(where, spread.corner_headings_deg)
         pretension = force(where, spread, "pretension", required=True)
@@ -270,13 +271,13 @@ class Study(Table):
         if given.bollard is not None and pretension is None and given.anchor is None and given.heading_deg is None:
             return Leg(line, given.bollard, given.fairlead, given.body, given.to)
         if straight:
-            raise StudyError(f"{where} ({given.name}) is a hawser; allowed: a bollard, with its length or a pretension")
+            raise StudyError(f"{where} ({given.name}) is a hawser; give a bollard, with a length or a pretension")
         if given.anchor is not None and given.heading_deg is None and pretension is None:
             return Leg(line, (*given.anchor, -depth), given.fairlead, given.body)
         if given.anchor is None and given.heading_deg is not None and pretension is not None:
             leg = leg_at_tension(line, given.fairlead, math.radians(given.heading_deg), depth, pretension)
             return leg._replace(body=given.body)
-        raise StudyError(f"{where} ({given.name}): allowed: one of anchor, bollard, heading_deg with a pretension")
+        raise StudyError(f"{where} ({given.name}): give one of anchor, bollard, or heading_deg with a pretension")
 
     def _straight(self, table):
         return table.type in self.types and self.types[table.type].straight
@@ -329,7 +330,7 @@ def _in_space(where, line, body, bodies):
             others = ", ".join(name for name in bodies if name != line.body)
             raise StudyError(f"{where}.to is {line.to!r}; allowed: another body, {others}")
         if line.bollard is None:
-            raise StudyError(f"{where}.bollard is missing; allowed: m, x, y, z on {line.to}, where the line ends")
+            raise StudyError(f"{where}.bollard is missing; give x, y, z on {line.to}, m, where the line ends")
         changed["bollard"] = tuple(map(float, bodies[line.to].in_scene(line.bollard)))
     return msgspec.structs.replace(line, **changed)
 
@@ -349,11 +350,11 @@ def make_study(raw):
     """The Study of nested dictionaries as TOML gives them.  Raises StudyError."""
     study = typed(raw, Study, StudyError)
     if study.site is not None:
-        raise StudyError("site is given to tables without a file; allowed: in a study file, read by read_study")
+        raise StudyError("site is given without a file; it needs a study file, read by read_study")
     if study.lines_file is not None:
-        raise StudyError("lines_file is given to tables without a file; allowed: in a study file, read by read_study")
+        raise StudyError("lines_file is given without a file; it needs a study file, read by read_study")
     if study.lines_body:
-        raise StudyError(f"lines_body is {study.lines_body!r} without lines_file; allowed: beside it")
+        raise StudyError(f"lines_body is {study.lines_body!r} without lines_file, which it needs")
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
     if study.water.depth != math.inf:

@@ -9,21 +9,25 @@ from cyclopts import Parameter
 
 
 def qtf(
-    database: Annotated[Path, Parameter(help="database of a body, with its inertia where it floats")],
+    database: Annotated[Path, Parameter(help="database of a body, with its inertia if it floats")],
     /,
     *,
     omega: Annotated[str | None, Parameter(help="rad/s at even steps, start:stop:count, in the stored band")] = None,
-    heading: Annotated[str | None, Parameter(help="degrees the waves travel to; all pairs of them")] = None,
+    heading: Annotated[
+        str | None, Parameter(help="degrees, directions the waves travel to; all pairs are computed")
+    ] = None,
     difference: Annotated[float | None, Parameter(help="rad/s, the largest", allow_leading_hyphen=True)] = None,
-    sums: Annotated[bool, Parameter(name="--sum", negative=(), help="at sums of frequencies, not differences")] = False,
+    sums: Annotated[
+        bool, Parameter(name="--sum", negative=(), help="forces at the sums of frequencies instead of the differences")
+    ] = False,
     highest: Annotated[float | None, Parameter(help="rad/s, the largest sum", allow_leading_hyphen=True)] = None,
-    fixed: Annotated[bool, Parameter(negative=(), help="of the body held, instead of floating")] = False,
+    fixed: Annotated[bool, Parameter(negative=(), help="for the body held fixed, instead of floating")] = False,
     moored: Annotated[Path | None, Parameter(help="mooring study whose lines hold the floating body")] = None,
     level: Annotated[
         str | None, Parameter(help="body, full (with the surface's forcing) or auto; body, of sums full")
     ] = None,
     method: Annotated[str, Parameter(help="panel, contour (vertical cylinders) or auto")] = "auto",
-    fresh: Annotated[bool, Parameter(negative=(), help="again, though they are stored")] = False,
+    fresh: Annotated[bool, Parameter(negative=(), help="compute again, even if stored")] = False,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Slow forces of pairs of waves: squares of the first order, bound long waves, the moving hull and, with
@@ -49,7 +53,7 @@ def qtf(
     check_picture(plot, PLOTS)
     if (difference if sums else highest) is not None:
         wrong, right = ("--difference", "without") if sums else ("--highest", "with")
-        raise ValueError(f"{wrong} is given; allowed: {right} --sum")
+        raise ValueError(f"{wrong} is given; it is for use {right} --sum")
     db = open_database(database)
     result = found(
         db, omega=None if omega is None else listed("--omega", omega), highest=highest if sums else difference,

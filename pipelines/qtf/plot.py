@@ -29,7 +29,7 @@ def draw(forces, db, floats, path):
         _levels(figure, axes[0], low, low + Ω, np.abs(total) / 1e3, f"|T| of {NAMES[mode]}, kN/m²")
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = np.log10(np.abs(newman(forces, mode, h)) / np.abs(total))
-        _levels(figure, axes[1], low, low + Ω, np.clip(ratio, -2, 0.5), "log10 of Newman's rule over it")
+        _levels(figure, axes[1], low, low + Ω, np.clip(ratio, -2, 0.5), "log10 of Newman's approximation over it")
         _over_difference(axes[2], forces, h, mode)
         of = f"{NAMES[mode]}, {np.degrees(forces.headings[h]):.4g}°, {_where(db, floats)}"
         figure.suptitle(f"slow force of pairs of waves, {of}", x=0.01, ha="left", fontsize=11)

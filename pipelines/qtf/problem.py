@@ -41,7 +41,8 @@ def bodies(db, method, highest, of_force):
     fits = _fits_contour(db, highest)
     if method == "contour" and not fits:
         raise ValueError(
-            f"--method contour for {db.path}; allowed: a vertical cylinder in finite depth, with waves that it resolves"
+            f"--method contour is given for {db.path}; it needs a vertical cylinder in finite depth, and waves "
+            f"that it resolves"
         )
     if method != "panel" and fits:
         fine, rough = (_cylinder(db, panels, tolerance) for tolerance in TOLERANCES)

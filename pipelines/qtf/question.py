@@ -116,13 +116,13 @@ def waves_of(db, omega, heading, difference):
     step = frequencies[1] - frequencies[0]
     if difference is not None and difference < step * (1 - EVEN):
         raise ValueError(
-            f"--difference is {difference:g}; allowed: {step:.4g} rad/s, the step of the frequencies, or above; "
-            "more of them by --omega"
+            f"--difference is {difference:g}; allowed: {step:.4g} rad/s, the frequency step, or above; "
+            "or give more frequencies with --omega"
         )
     if len(frequencies) * len(headings) > MOST_WAVES:
         raise ValueError(
-            f"{len(frequencies)} frequencies and {len(headings)} headings are asked for; allowed: {MOST_WAVES} waves "
-            "in all, choose with --omega and --heading"
+            f"{len(frequencies)} frequencies and {len(headings)} headings are requested; allowed: {MOST_WAVES} waves "
+            "in total; choose fewer with --omega and --heading"
         )
     widest = float(np.ptp(frequencies))
     return frequencies, np.unique(headings), min(difference or SHARE * float(frequencies.mean()), widest)
@@ -137,7 +137,9 @@ def listed(flag, text):
 def _frequencies(omega, low, high):
     given = np.asarray(omega, float)
     if len(given) < 2 or not np.all(np.diff(given) > 0) or np.ptp(np.diff(given)) > EVEN * np.diff(given).mean():
-        raise ValueError(f"--omega is {_said(given)}; allowed: two or more frequencies at equal steps, rising, rad/s")
+        raise ValueError(
+            f"--omega is {_said(given)}; allowed: two or more increasing frequencies at equal steps, rad/s"
+        )
     if not (np.all(np.isfinite(given)) and given.min() >= low * (1 - 1e-9) and given.max() <= high * (1 + 1e-9)):
         raise ValueError(f"--omega is {_said(given)}; allowed: within the stored {low:.4g} to {high:.4g} rad/s")
     return given

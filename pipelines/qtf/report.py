@@ -44,7 +44,7 @@ def failures(stored, db=None):
     gap = None if stored.forces.kind is SUM else diagonal_gap(stored.forces)
     if gap is not None and gap > APART:
         yield fails(
-            f"mean drift by pressure differs from that of the far field by {100 * gap:.3g} % of the largest, limit "
+            f"mean drift by pressure differs from the far-field drift by {100 * gap:.3g} % of the largest, limit "
             f"{100 * APART:g} %; {_smaller_panels(stored.forces, db)}"
         )
 
@@ -53,11 +53,12 @@ def _smaller_panels(forces, db):
     """The way out: panels that carry the waves, or waves that the panels carry"""
     size, most = (np.inf, np.inf) if db is None else (float(db.mesh.sizes.max()), _carried(db))
     if most >= forces.omega[-1]:
-        return "more panels bring them together"
+        return "the difference falls with more panels"
     length = 2 * np.pi / wavenumber(float(forces.omega[-1]), db.water_depth, db.gravity)
     return (
-        f"the waves go to {forces.omega[-1]:.3g} rad/s, {length:.3g} m long, on panels of up to {size:.3g} m, of which "
-        f"a wave has {A_WAVE:g} up to {most:.3g} rad/s; give the scene smaller panels, or --omega up to there"
+        f"the waves reach {forces.omega[-1]:.3g} rad/s, {length:.3g} m long, on panels of up to {size:.3g} m; "
+        f"there are {A_WAVE:g} panels to a wave only up to {most:.3g} rad/s; use smaller panels in the scene, "
+        f"or --omega up to there"
     )
 
 
@@ -79,26 +80,29 @@ def notes(stored):
     gap = diagonal_gap(forces)
     if gap is not None:
         yield (
-            f"mean drift on the diagonal is that of the far field; by pressure it differs by {100 * gap:.3g} % of the "
-            "largest"
+            "mean drift on the diagonal comes from the far field; the pressure gives a value that differs by "
+            f"{100 * gap:.3g} % of the largest"
         )
     if stored.errors is None:
-        yield "no estimated error: there is no mesh of half as many panels"
+        yield "no estimated error, since there is no mesh with half as many panels"
     else:
         shares = _relative(forces, stored.errors)
         yield f"estimated error of the {_way(stored)}, root mean square of the force's: {shares}"
     size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
     if forces.surface is None:
-        yield f"left out: the forcing of the surface around the body, estimated from few pairs: {size}; --level full"
+        yield (
+            f"not included: the free-surface forcing around the body, estimated from few pairs at {size}; "
+            f"--level full includes it"
+        )
     else:
-        yield f"the forcing of the surface around the body is {size}, root mean square"
+        yield f"the free-surface forcing around the body is {size}, root mean square"
 
 
 def _of_sums(stored):
     """Lines about forces at sums of frequencies"""
     forces = stored.forces
     if stored.errors is None:
-        yield "no estimated error: there is no mesh of half as many panels"
+        yield "no estimated error, since there is no mesh with half as many panels"
     else:
         each = np.arange(len(forces.headings))
         parts = (np.abs(part[:, :, each, each]) ** 2 for part in (stored.errors, forces.total))
@@ -107,7 +111,10 @@ def _of_sums(stored):
         shares = (f"{name} {100 * e / s:.3g} %" for name, e, s in zip(ALL, error, size, strict=True) if e > 1e-6 * s)
         yield f"estimated error of the {_way(stored)}, of the largest force and moment: {', '.join(shares)}"
     if forces.surface is None:
-        yield "left out: the forcing of the surface around the body, a large part of the force at sums; --level full"
+        yield (
+            "not included: the free-surface forcing around the body, a large part of sum-frequency forces; "
+            "--level full includes it"
+        )
 
 
 def parts_of_sums(forces, mode, heading):

@@ -58,7 +58,7 @@ def qtf(
     if method not in METHODS:
         raise ValueError(f"--method is {method!r}; allowed: {', '.join(METHODS)}")
     if fixed and moored is not None:
-        raise ValueError("--fixed and --moored are both given; allowed: one of them")
+        raise ValueError("--fixed and --moored are both given; give one of them")
     db = database_of(database)
     chosen = any(value is not None for value in (omega, headings, highest))
     held = Held(not fixed, "" if moored is None else str(moored))
@@ -103,7 +103,7 @@ def result_of(stored, db):
     forces, sums = stored.forces, stored.forces.kind is SUM
     rows = list(_rows(forces, sums))
     parts = list(rows[0][3]) if rows else []
-    title = f"force of pairs at {forces.kind.name}s of frequencies, root mean square, with each next part"
+    title = f"force of wave pairs at frequency {forces.kind.name}s, root mean square, as parts are added"
     units = tuple("N m/m2" if name in ("roll", "pitch", "yaw") else "N/m2" for _, name, _, _ in rows)
     made = {
         f"force.{_key(part)}": Quantity([row[3][part] for row in rows], ("force",), units, part, title)
@@ -112,8 +112,8 @@ def result_of(stored, db):
     words = [f"{np.degrees(beta):.4g}° {name}, {frequency:.4g} rad/s" for beta, name, frequency, _ in rows]
     gap = None if sums else diagonal_gap(forces)
     for name, value, word in (
-        ("drift_apart", gap, "mean drift by pressure off that of the far field"),
-        ("surface_share", stored.share, "forcing of the surface, of the force"),
+        ("drift_apart", gap, "difference of drift by pressure and by far field"),
+        ("surface_share", stored.share, "free-surface forcing over the force"),
     ):
         if value is not None:
             made[name] = Quantity(float(value), (), "", word, "checks", share=True)

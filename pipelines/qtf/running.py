@@ -38,8 +38,8 @@ def solve(db, question, fresh):
     """
     if question.held.floats and db.inertia_matrix is None:
         raise ValueError(
-            f"{db.path} has no inertia with which its body floats; its solve command with --gyration kxx,kyy,kzz adds "
-            f"it, 'hakobune qtf {db.path} --fixed' is of the body held"
+            f"{db.path} has no inertia, which a floating body needs; its solve command with --gyration "
+            f"kxx,kyy,kzz adds it; 'hakobune qtf {db.path} --fixed' computes the body held fixed"
         )
     check_place(db.path)
     with writing(db.path):

@@ -21,7 +21,7 @@ def sections(
     depth_draft: Annotated[str | None, _flag("H/d, above 1; inf for deep water [1.2,1.4,2,3,10]")] = None,
     xi: Annotated[str | None, _flag("ξ_B = ω²B/2g [0.1,0.2,0.4,0.6,0.8,1,1.5,2,2.5,3]")] = None,
     tolerance: Annotated[float, _flag("relative error, 1e-8 or more")] = 1e-6,
-    output: Annotated[Path | None, _flag(".csv or .h5; without it the table goes to the terminal")] = None,
+    output: Annotated[Path | None, _flag(".csv or .h5 [table in the terminal]")] = None,
 ):
     """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20.
 
@@ -61,7 +61,7 @@ def _listed(flag, text):
         return np.linspace(values["from"], values["to"], values["count"]).tolist()
     check_count(flag, len(values))
     if len(set(values)) < len(values):
-        raise ValueError(f"{flag} is {text!r}; allowed: every number once")
+        raise ValueError(f"{flag} is {text!r}; give each number once")
     return values
 
 

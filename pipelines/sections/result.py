@@ -17,7 +17,7 @@ from ..results.result import Result, labels
 
 NOTES = (
     "Rectangle of beam B and draft d in water of depth H, two-dimensional, ideal fluid; matched eigenfunctions",
-    "Definitions: SR179 report (1982), section 2.1.3; a table's number is given where the report has the shape",
+    "Definitions: SR179 report (1982), section 2.1.3; the table of the report is named for shapes that it covers",
     "Axes: y to the right, z up, roll from y to z about the middle of the waterline; waves towards +y",
     "Force = |E| cos(omega t - eps) per unit amplitude, eps in degrees, 0 when the crest passes y = 0",
     "xi_B = (omega^2/g)(B/2), S = B d; M_H, M_S: M/(rho S); M_R: M/(rho S (B/2)^2); M_SR: M/(rho S (B/2))",
@@ -59,7 +59,7 @@ def sections(
         wrong = [value for value in values if not low < value <= largest]
         if wrong:
             raise ValueError(f"{name.replace('_', '-')} is {wrong[0]:g}; allowed: {allowed}")
-    count, way_out = math.prod(map(len, grid.values())), "give fewer in beam-draft, depth-draft or xi"
+    count, way_out = math.prod(map(len, grid.values())), "give fewer values of beam-draft, depth-draft or xi"
     check_memory(f"{count} sections need", BYTES * count, way_out)
     rows = tables(beam_draft, depth_draft, xi, tolerance, Pace(f"{count} sections take", count, way_out).step)
     axes = dict(zip(SHAPE_COLUMNS, (depth_draft, beam_draft, xi), strict=True))

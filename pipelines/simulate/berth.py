@@ -23,8 +23,9 @@ def findings_on_periods(file):
         for own in harbour:
             if abs(T / own - 1) <= NEAR:
                 yield (
-                    f"{name} swings with {T:.3g} s at the berth, the harbour with {own:g} s: it resonates; change "
-                    f"pretension or stiffness of the ropes until they are {100 * NEAR:g} % apart"
+                    f"the natural period of {name} at the berth, {T:.3g} s, is near that of the harbour, "
+                    f"{own:g} s: they resonate; change pretension or stiffness of the ropes until they are "
+                    f"{100 * NEAR:g} % apart"
                 )
 
 
@@ -46,8 +47,8 @@ def findings_on_fenders(file):
     for name, share, allowable in zip(fender_names(file), *(fender_strains(file) or ((), ())), strict=False):
         if share > allowable:
             yield fails(
-                f"{name} is pressed to {100 * share:.4g} % of its height; allowed: {100 * allowable:.4g} %; take a "
-                "larger one or more of them"
+                f"{name} is compressed by {100 * share:.4g} % of its height; allowed: {100 * allowable:.4g} %; "
+                "choose a larger fender or more fenders"
             )
 
 
@@ -98,11 +99,13 @@ def check_windows(length, plan, bodies=()):
     from ..common.quantities import StudyError
 
     if bodies:
-        raise StudyError("--windows is given, and the database is of several bodies; allowed: with one body")
+        raise StudyError(
+            "--windows is given, and the database contains several bodies; it is available for one body only"
+        )
     step, duration = plan.settings.step, plan.settings.duration
     if not FEWEST_IN_WINDOW * step <= length <= duration:
         raise StudyError(
             f"--windows is {length:g} s; allowed: {FEWEST_IN_WINDOW * step:g} s to the duration, {duration:g} s"
         )
     if plan.keep_series < 1:
-        raise StudyError("--windows is given, and no record is stored; allowed: with keep_series of 1 or more")
+        raise StudyError("--windows is given, and no record is stored; it needs keep_series of 1 or more")

@@ -54,13 +54,15 @@ def simplified(study, db):
         (alone, "body without lines"),
     ):  # fmt: skip
         if there:
-            return Beside(none, none, unknown, unknown, (f"the simplified method knows no {words} and is left out",))
+            return Beside(
+                none, none, unknown, unknown, (f"the simplified method does not cover {words} and was not run",)
+            )
     hull = study.hulls_of(db)
     system = study.system_of(db, hull)
     try:
         found = multi_point(db, system, hull, study.conditions(), study.allowable)
     except ValueError as error:
-        reason = f"the simplified method has no answer here: {' '.join(str(error).split())}"
+        reason = f"the simplified method fails here: {' '.join(str(error).split())}"
         return Beside(none, none, unknown, unknown, (reason,))
     if db.bodies:
         return Beside(found.tension, found.utilisation, unknown, unknown)

@@ -24,11 +24,11 @@ def check_run(path, say):
     except DatabaseError as error:
         say(fails(str(error)))
         return 1
-    say(f"{path}: {whole.sum()} of {len(seeds)} seeds are stored and are what was written, by their checksums")
+    say(f"{path}: {whole.sum()} of {len(seeds)} seeds are stored and unchanged, by their checksums")
     for chosen, text in ((marked & ~whole, "damaged"), (~marked, "missing")):
         if chosen.any():
             named = ", ".join(map(str, seeds[chosen][:10])) + (" …" if np.count_nonzero(chosen) > 10 else "")
-            say(fails(f"{text}: seeds {named}; the command that made the file makes them again"))
+            say(fails(f"{text}: seeds {named}; run the command that made the file to compute them again"))
     if not summed:
-        say(fails("damaged: the statistics over all seeds; the command that made the file makes them again"))
+        say(fails("damaged: the statistics over all seeds; run the command that made the file to compute them again"))
     return 0 if whole.all() and summed else 1

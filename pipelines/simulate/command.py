@@ -11,7 +11,7 @@ from .pictures import draw
 from .result import NoWholeRun
 from .result import simulate as found
 
-NOTHING = "interrupted before a seed was finished; nothing is stored yet, the same command begins with the first"
+NOTHING = "interrupted before a seed was finished; nothing is stored yet, and the same command starts again"
 
 
 def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", window=None,
@@ -25,7 +25,7 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
 
     console = new_console()
     if division is not None and not methods:
-        raise StudyError("--division is given without --methods; allowed: with it")
+        raise StudyError("--division is given without --methods, which it needs")
     if seeds is not None and seeds < 1:
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
     try:

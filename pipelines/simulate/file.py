@@ -38,7 +38,7 @@ SERIES = {  # name: (axes, unit, long name)
     "slow": (
         ("kept_seed", "time", "slow_dof"),
         "m, m, rad",
-        "slow pose: surge, sway and yaw by a filter, late",
+        "slow pose: surge, sway and yaw by a causal filter, with its delay",
     ),
     "wave": (("kept_seed", "time"), "m", "elevation of the undisturbed wave at the origin"),
     "wind_speed": (("kept_seed", "time"), "m/s", "wind speed with its gusts"),
@@ -47,7 +47,7 @@ SERIES = {  # name: (axes, unit, long name)
     "links": (
         ("kept_seed", "time", "hinge"),
         "N, N, N, N m, N m, N m",
-        "what the first body of a hinge holds the second with",
+        "force and moment of the first body of a hinge on the second",
     ),
 }
 ONLY_WITH = "fender", "hinge"  # axes that are there only where they have a name
@@ -57,7 +57,11 @@ ROWS = {
     "estimated_error": (("seed", "dof"), "m, m, m, rad, rad, rad", "root mean square error of the motions"),
     "steps": (("seed",), "1", "steps of the integrator"),
     "used": (("seed", "line"), "1", "largest share of a breaking load in one run, nan where none is known"),
-    "anchor_pull": (("seed", "line", "pull"), "N", "pull along the bed and up at the largest tension of one run"),
+    "anchor_pull": (
+        ("seed", "line", "pull"),
+        "N",
+        "pull at the anchor, along the bed and up, at the largest tension of one run",
+    ),
 }
 
 
@@ -150,8 +154,8 @@ def _lay_out(file, header, seeds, kept):
         _dataset(file, name, dims, data, unit, words)
     for name, data in (("anchor", header.anchor), ("fairlead", header.fairlead)):
         _dataset(file, name, ("line", "xyz"), np.asarray(data, float), "m", f"{name} with the body at rest")
-    _dataset(file, "findings", ("seed",), np.zeros(len(seeds), f"S{LONGEST}"), "", "what a reader has to know")
-    _dataset(file, "stored", ("seed",), np.zeros(len(seeds), np.uint32), "", "CRC-32 of a row, 0 where there is none")
+    _dataset(file, "findings", ("seed",), np.zeros(len(seeds), f"S{LONGEST}"), "", "findings")
+    _dataset(file, "stored", ("seed",), np.zeros(len(seeds), np.uint32), "", "CRC-32 of a row, 0 for an empty row")
     _dataset(
         file, "summary", ("quantity", "summary_statistic"), np.full((len(header.quantities), len(SUMMARY)), np.nan),
         "unit of the quantity; T in s", "statistics over all runs",

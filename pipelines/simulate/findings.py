@@ -27,9 +27,10 @@ def slow_findings(file):
         if slow > max(FAR * expected, NOTABLE * value["wave"], NOTHING * length):
             factor, word = UNITS[unit]
             yield (
-                f"slow {mode} has σ {slow * factor:.3g} {word}, slow forces on springs as stiff as the lines under the "
-                f"mean loads give {expected * factor:.3g} {word}: lines that stiffen let waves alone drive it; see "
-                'how much with simulation.slow_drift = "none" and without wind and current'
+                f"slow {mode} has σ {slow * factor:.3g} {word}, but slow forces on springs as stiff as the "
+                f"lines under the mean loads give {expected * factor:.3g} {word}: first-order waves drive it "
+                f"through the stiffening of the lines; compare "
+                'with simulation.slow_drift = "none" without wind and current'
             )
 
 
@@ -45,18 +46,20 @@ def findings(file):
     if duration < LONG * slow and differ(file):
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
         yield (
-            f"a run of {duration:g} s holds {duration / slow:.2g} of the slowest natural periods ({slow:.3g} s), "
-            f"wanted {LONG:g}: its σ is uncertain by about {100 * share:.0f} %; simulate {LONG * slow:.3g} s"
+            f"a run of {duration:g} s covers {duration / slow:.2g} of the slowest natural periods ({slow:.3g} s), "
+            f"recommended {LONG:g}: its σ is uncertain by about {100 * share:.0f} %; simulate {LONG * slow:.3g} s"
         )
     depth, draft = float(file.attrs["water_depth"]), float(file.attrs["hull"][2])
     if np.isfinite(wave_period) and moored_periods:
         near = [f"{n} {v / wave_period:.2g}" for n, v in moored_periods.items() if np.isfinite(v)]
         named = f"depth over draft {depth / draft:.3g}; natural over wave period: {', '.join(near)}"
         if float(file.attrs["hull"][0]) < SMALL:
-            yield f"{named}; the report's limits in metres of water are for floaters of 100 to 200 m, not for this one"
+            yield (
+                f"{named}; the report's limits of water depth are for floaters of 100 to 200 m length, not for this one"
+            )
         elif depth <= SHALLOW:
-            yield f"{named}; in up to {SHALLOW:g} m of water take the simulation (SR179 report, section 5.5.3)"
+            yield f"{named}; in up to {SHALLOW:g} m of water use the simulation (SR179 report, section 5.5.3)"
         elif depth >= DEEP:
-            yield f"{named}; from {DEEP:g} m of water on the simplified method is on the safe side there as well"
+            yield f"{named}; in {DEEP:g} m of water or more, the simplified method is also on the safe side"
         else:
-            yield f"{named}; between {SHALLOW:g} and {DEEP:g} m of water take the larger of the two"
+            yield f"{named}; between {SHALLOW:g} and {DEEP:g} m of water use the larger of the two"

@@ -14,16 +14,19 @@ def simulate(
     *,
     database: Annotated[Path, Parameter(help="of the body, .h5")],
     output: Annotated[Path, Parameter(help="the file of all runs, .h5, with pictures beside it")],
-    seeds: Annotated[int | None, Parameter(help="how many runs, from seed 1 on, in place of the study's")] = None,
-    duration: Annotated[float | None, Parameter(help="s of a run, in place of the study's")] = None,
-    fresh: Annotated[bool, Parameter(help="replace a file that is there", negative="")] = False,
+    seeds: Annotated[int | None, Parameter(help="number of runs, from seed 1 on, in place of the study's")] = None,
+    duration: Annotated[float | None, Parameter(help="s, duration of a run, in place of the study's")] = None,
+    fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
-    windows: Annotated[float | None, Parameter(help="s: significant motions of the first record, one by one")] = None,
+    windows: Annotated[
+        float | None, Parameter(help="s, length of windows: significant motions in each window of the first record")
+    ] = None,
     methods: Annotated[
-        bool, Parameter(help="the first seed with memory and with constant coefficients beside each other", negative="")
+        bool, Parameter(help="compare the first seed with memory and with constant coefficients", negative="")
     ] = False,
     division: Annotated[
-        Path | None, Parameter(help="--methods: also on the water of a box of the ship's sizes, --method contour, .h5")
+        Path | None,
+        Parameter(help="with --methods: database of a box of the ship's dimensions, solved with --method contour, .h5"),
     ] = None,
 ):
     """A mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.

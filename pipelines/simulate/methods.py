@@ -41,10 +41,12 @@ def compared(result, study, database, duration=None, division=None):
     asked, db = input_of(study), database_of(database)
     task = work.Task(asked.study, str(db.path), duration, None, asked.folder)
     if db.bodies:
-        raise StudyError("--methods is given, and the database is of several bodies; allowed: with one body")
+        raise StudyError(
+            "--methods is given, and the database contains several bodies; it is available for one body only"
+        )
     body, plan, _ = work.prepared(task, db)
     if plan.mean_period is None:
-        raise StudyError("--methods compares motions in waves, and there are none; allowed: with [waves] or a record")
+        raise StudyError("--methods compares motions in waves, and the study has no waves; give [waves] or a record")
     periods, states = periods_at_berth(body), {"memory": "states", "constant_period": None}
     known = periods[np.isfinite(periods)]
     wave = plan.mean_period / SIGNIFICANT
@@ -106,7 +108,7 @@ def _divided(study, body, path):
     study.hull_of(db.sizes)  # of the same length, beam and draft
     water, here = db.reader, body.reader
     if not np.allclose(water.rotation_center, here.rotation_center, atol=1e-6) or water.depth != here.depth:
-        raise StudyError(f"--division is {path}, of another depth or rotation centre; allowed: those of the database")
+        raise StudyError(f"--division is {path}, with another depth or rotation centre; allowed: those of the database")
     water = replace(water, inertia=here.inertia, stiffness=here.stiffness, viscous=None, own=False)
     return moored(
         water, body.system, body.hull, spring=body.spring, damping=body.damping, quadratic=body.quadratic,

@@ -17,9 +17,12 @@ from ..moor.study import make_study
 from .beside import differ as differ_by
 from .file import STATISTICS, told, whole_rows
 
-OF_LINES = "left out: inertia and drag"  # what `mooring.motion.simulation.trial` says of lines in their static shape
+OF_LINES = (
+    "not included: inertia and drag"  # what `mooring.motion.simulation.trial` says of lines in their static shape
+)
 MOVE = (
-    "let the lines move first (dynamic_lines): snaps of static lines are no reason for a larger size or more pretension"
+    "run the lines in motion first (dynamic_lines): snaps of static lines do not justify a larger size or more "
+    "pretension"
 )
 
 
@@ -45,7 +48,7 @@ def overloads(file, allowable=None):
     names, most = file["line"].asstr()[()], used.max(axis=0)
     allowed = f"above the allowable {100 * allowable:g} % of the breaking load"
     for chosen, limit, text in (
-        (most > 1, 1.0, "beyond the breaking load, limit 100 %, where they part"),
+        (most > 1, 1.0, "beyond the breaking load, limit 100 %, at which they break"),
         ((most > allowable) & (most <= 1), allowable, allowed),
     ):
         counts, order = beyond(used, limit), [i for i in np.argsort(-most, kind="stable") if chosen[i]]
@@ -72,18 +75,21 @@ def on_anchors(file):
 def notes(file):
     """How the largest values are to be read"""
     runs = int(whole_rows(file).sum())
-    further = f"up to {100 * share_beyond(runs):.2g} % of such runs go beyond it (confidence {100 * CONFIDENCE:.0f} %)"
+    further = f"up to {100 * share_beyond(runs):.2g} % of such runs exceed it (confidence {100 * CONFIDENCE:.0f} %)"
     if not differ(file):
-        yield "no waves or gusts differ between seeds: the largest and smallest values are those of every run"
+        yield (
+            "seeds do not differ, since there are no random waves or gusts: every run has the same largest "
+            "and smallest values"
+        )
     elif runs < FEWEST:
         yield (
-            f"largest: what was simulated in {runs} run{'s' * (runs != 1)}; {further}; give {FEWEST} seeds for a "
+            f"largest: the largest value in {runs} run{'s' * (runs != 1)}; {further}; run {FEWEST} seeds for a "
             "median extreme with its interval"
         )
     else:
         yield (
-            "median extreme: half of such runs go beyond it; its interval holds whatever the law of the largest values"
-            f"; largest: what was simulated in {runs} runs; {further}"
+            "median extreme: exceeded by half of such runs; its interval holds for any distribution of the "
+            f"largest values; largest: the largest value in {runs} runs; {further}"
         )
 
 
@@ -96,14 +102,14 @@ def differ(file):
 def rare_findings(file):
     """Lines that snap, and fenders that are met, in few of the runs"""
     for kind, what, way_out in (
-        ("tension", "lines that snap taut", "longer lines or more pretension end it"),
-        ("deflection", "fenders that are met", "more seeds tell how often"),
+        ("tension", "lines that snap taut", "use longer lines or more pretension"),
+        ("deflection", "fenders that are hit", "run more seeds to see how often"),
     ):
         largest, names = largest_in_runs(file, kind)
         found = [(name, n) for name, n in zip(names, rare(largest), strict=True) if n]
         if found:
             named = some([f"{name} in {n} of {len(largest)}" for name, n in found], LINES_NAMED)
             yield (
-                f"{what} in few runs: their largest {kind} is more than {RARE:g} times its median over all runs in "
-                f"some ({named}): two populations; the next run may go far beyond what was simulated; {way_out}"
+                f"{what} in few runs: the largest {kind} exceeds {RARE:g} times its median over all runs in "
+                f"some ({named}): the next run may far exceed the simulated values; {way_out}"
             )

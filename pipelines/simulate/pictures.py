@@ -197,7 +197,7 @@ def _spectra(file, kept, path, motions):
         one.axvline(split, color="0.6", lw=0.8, ls=":")
         one.set(title=name, xlabel="rad/s", ylabel=f"{unit}² s/rad", xlim=(0, last), ylim=(0, None))
         one.grid(alpha=0.3)
-    figure.suptitle(f"spectra, mean of {_runs(kept)}; dotted: split of slow and wave part", fontsize=10, y=0.985)
+    figure.suptitle(f"spectra, mean of {_runs(kept)}; dotted: limit of slow and wave part", fontsize=10, y=0.985)
     save(figure, path, 110)
 
 

@@ -37,11 +37,11 @@ if TYPE_CHECKING:
 KIND = "simulate"
 PLANE = ("surge", "sway", "yaw")
 MOTIONS, LINES, FENDERS = (
-    "motions and waves, amplitudes from the mean",
+    "motions and waves, amplitudes about the mean",
     "tension of the lines in all runs",
     "fenders in all runs",
 )
-HINGES = "what hinges hold in all runs, along the axes of their first body"
+HINGES = "forces and moments of hinges in all runs, along the axes of their first body"
 RUNS, BERTH, GAPS = "runs", "berth", "clear water between hulls in all runs"
 WORDS = {  # of a statistic: (heading, unit or None for that of the record, whether it is printed)
     "mean": ("mean", None, True),
@@ -112,8 +112,8 @@ def read_run(path, window=None, more=()):
     with opened(path) as file:
         if not whole_rows(file).any():
             if more:
-                raise NoWholeRun(f"{path} has no whole run: {more[0]}", more)
-            raise DatabaseError(f"{path} has no whole run; the command that made it goes on with it")
+                raise NoWholeRun(f"{path} contains no complete run: {more[0]}", more)
+            raise DatabaseError(f"{path} contains no complete run; the command that made it continues it")
         return result_of(file, window, more)
 
 
@@ -263,7 +263,7 @@ def _scalars(file):
         "seeds": (seeds, "", "runs"),
         "duration": (float(file.attrs["duration"]), "s", "duration of a run"),
         "mean_period": (float(file.attrs["mean_period"]), "s", "mean period of the waves"),
-        "split_frequency": (float(file.attrs["split_frequency"]), "rad/s", "slow motion lies below"),
+        "split_frequency": (float(file.attrs["split_frequency"]), "rad/s", "upper frequency of slow motion"),
         "allowable": (float(file.attrs["allowable"]), "", "allowable share of the breaking load"),
     }
     made = {

@@ -165,11 +165,11 @@ def _missing(output, identity, plan, fresh):
         if not known.startswith(f"{IDENTITY} "):
             raise DatabaseError(
                 f"{output} was made by an earlier version, whose runs are not continued; give another name, or --fresh "
-                "to make them again"
+                "to run them again"
             )
         if known != identity:
             raise DatabaseError(
-                f"{output} is of another study or database, or of longer runs; give another name, or --fresh to "
+                f"{output} belongs to another study or database, or has longer runs; give another name, or --fresh to "
                 "replace it"
             )
         there = set(file["seed"][()][whole_rows(file)].tolist())
@@ -196,8 +196,8 @@ def _with_seeds_there(output, plan):
 
 def _made_again(shorter, longer):
     return (
-        f"runs of {shorter:g} s are there and {longer:g} s are asked for: every seed is made again, since the waves "
-        "and gusts of a longer run lie closer in frequency, so as not to repeat; a shorter run is not its beginning"
+        f"runs of {shorter:g} s are stored and {longer:g} s are requested: every seed is run again, since the waves "
+        "and gusts of a longer run have closer frequencies, so as not to repeat; a shorter run is not its beginning"
     )
 
 

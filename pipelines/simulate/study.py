@@ -86,13 +86,13 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     )
     regular = conditions.method == "regular_wave"
     if more and (regular or conditions.sea is None):
-        raise StudyError("simulation.sea is a further sea; allowed: beside [waves] with irregular waves")
+        raise StudyError("simulation.sea is an additional sea; it needs irregular [waves]")
     seas = () if regular or conditions.sea is None else (*getattr(conditions.sea, "systems", (conditions.sea,)), *more)
     if seas:
         waves = None
         findings = tuple(dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega)))
         if more:
-            findings += ("the simplified method beside it has the waves of [waves] alone, without simulation.sea",)
+            findings += ("the simplified method, run for comparison, uses [waves] only, without simulation.sea",)
     elif waves is not None:
         check_period(waves, omega)
     level_of_pairs(study, bool(seas), settings.slow_drift)
@@ -124,7 +124,7 @@ def level_of_pairs(study, seas, drift):
     """
     level = level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
     if level not in ("newman", "auto") and study.quay is not None:
-        raise StudyError(f'simulation.qtf is {level!r} before a quay; allowed: "newman", "auto"')
+        raise StudyError(f'simulation.qtf is {level!r} in front of a quay; allowed: "newman", "auto"')
     if level not in ("newman", "auto") and not seas:
         raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, auto, or with irregular waves")
     return "newman" if level == "auto" and (study.quay is not None or drift != "newman") else level
@@ -159,9 +159,9 @@ def _record(study, table, settings, omega, folder):
 
     where, wanted = "simulation.record", settings.ramp + settings.duration
     if study.waves is not None or table.sea:
-        raise StudyError(f"{where} is given with [waves] or simulation.sea; allowed: one of them")
+        raise StudyError(f"{where} is given with [waves] or simulation.sea; give one of them")
     if table.qtf not in ("newman", "auto"):
-        raise StudyError(f'{where}: a record holds its bound waves; allowed: qtf = "newman", "auto"')
+        raise StudyError(f'{where}: a record contains its bound waves; allowed: qtf = "newman", "auto"')
     towards = direction(where, table.record)
     if folder is None:
         return None, ()
@@ -178,7 +178,7 @@ def _record(study, table, settings, omega, folder):
     if carrier is not None:  # a record at a place has the frequencies that are met there
         found = in_water(found, carrier._replace(absolute=True), study.water.depth, 9.80665)
     if not len(found.omega):
-        raise StudyError(f"{where} has no waves of {table.record.shortest:g} s and longer; allowed: some")
+        raise StudyError(f"{where} has no waves of {table.record.shortest:g} s or longer; lower shortest")
     if len(found.omega) > MOST_OF_RECORD:
         raise StudyError(
             f"{where} has {len(found.omega)} waves; allowed: {MOST_OF_RECORD}; give a longer shortest, or a shorter run"
@@ -188,7 +188,7 @@ def _record(study, table, settings, omega, folder):
     if share > MISSED:
         return found, (
             f"{100 * share:.3g} % of the record's energy lies outside the stored frequencies, {omega[0]:.3g} to "
-            f"{omega[-1]:.3g} rad/s, and moves nothing; solve {found.omega[0]:.3g} rad/s and more",
+            f"{omega[-1]:.3g} rad/s, and is not included; solve {found.omega[0]:.3g} rad/s and above",
         )
     return found, ()
 
@@ -210,7 +210,9 @@ def motions_of(study, words=ONE_BODY):
             raise StudyError(f"simulation.motions: there is no motion {name!r}; allowed: {', '.join(words)}")
     found = tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
     if len(found) < len(words) and study.hinges:
-        raise StudyError("simulation.motions holds motions that hinges may need; allowed beside hinges: all, left out")
+        raise StudyError(
+            "simulation.motions holds motions fixed that hinges may need; with hinges name all motions or leave it out"
+        )
     return found
 
 
@@ -219,7 +221,10 @@ def _check_held(settings, motions, words):
     for key in ("offset", "velocity"):
         for i, value in enumerate(getattr(settings, key) or ()):
             if value and i not in motions:
-                raise StudyError(f"simulation.{key}.{words[i]} is given, and motions holds it; allowed: name it there")
+                raise StudyError(
+                    f"simulation.{key}.{words[i]} is given, and simulation.motions holds this "
+                    f"motion fixed; name it there"
+                )
 
 
 def _check_damping(table, words):
@@ -278,7 +283,7 @@ def _duration(table, duration):
         return positive("--duration", duration)
     if (table.duration is None) == (table.duration_hours is None):
         state = "neither is given" if table.duration is None else "both are given"
-        raise StudyError(f"simulation: {state}; allowed: one of duration (s), duration_hours")
+        raise StudyError(f"simulation: {state}; give one of duration (s), duration_hours")
     if table.duration is None:
         return 3600 * positive("simulation.duration_hours", table.duration_hours)
     return positive("simulation.duration", table.duration)
@@ -294,8 +299,7 @@ def _settings(table, duration, words):
         raise StudyError(f'simulation.dynamic_lines is {dynamic!r}; allowed: "auto", "all", "none", or a list of names')
     if table.dynamic_water != "still" and not dynamic:
         raise StudyError(
-            f"simulation.dynamic_water is {table.dynamic_water!r} and no line moves by itself; allowed: with "
-            "dynamic_lines"
+            f"simulation.dynamic_water is {table.dynamic_water!r} and no line is in motion; it needs dynamic_lines"
         )
     lost = tuple((one.line, one.time) for one in table.lines_lost)
     wrong = [one for one in table.lines_lost if not 0 <= one.time < math.inf]
@@ -330,7 +334,7 @@ def _seeds(table, count):
         raise StudyError(f"there are {asked} seeds; allowed: 1 to {MOST_SEEDS}")
     seeds = tuple(range(1, given + 1)) if isinstance(given, int) else tuple(given)
     if min(seeds) < 0 or len(set(seeds)) < len(seeds):
-        raise StudyError("seeds are whole numbers from 0, each once")
+        raise StudyError("seeds are whole numbers from 0, each given once")
     return seeds
 
 
@@ -347,10 +351,10 @@ def _outside(spectrum, omega):
         return ()
     ends = spectrum.quantile((MISSED / 2, 1 - MISSED / 2))
     text = (
-        f"{100 * (below + above):.1f} % of the waves' energy lies outside the stored frequencies "
+        f"{100 * (below + above):.1f} % of the wave energy lies outside the stored frequencies "
         f"({100 * below:.1f} % below {omega[0]:.4g}, {100 * above:.1f} % above {omega[-1]:.4g} rad/s)"
     )
-    way_out = f"solve {min(ends[0], omega[0]):.3g} to {max(ends[1], omega[-1]):.3g} rad/s too"
+    way_out = f"solve {min(ends[0], omega[0]):.3g} to {max(ends[1], omega[-1]):.3g} rad/s as well"
     if below + above > MOST_MISSED:
         raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; {way_out}")
-    return (f"{text} and is left out; {way_out}",)
+    return (f"{text} and is not included; {way_out}",)

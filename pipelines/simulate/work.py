@@ -26,8 +26,8 @@ from .study import check_names, damping, level_of_pairs, motions_of, plan_of, qu
 
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 STATIC = (
-    'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" moves them '
-    "where a trial asks for it"
+    'not included: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" includes '
+    "them where a trial requires it"
 )
 FARTHER = 0.5  # of the gap at rest, by which it may change without a word, and a half of the lesser hull's beam
 _prepared = {}
@@ -100,9 +100,7 @@ def prepared(task, db=None, waves=None):
         _check_floats(body, hull)
         _check_start(sides_of(db), body, plan.settings)
         held = [word for i, word in enumerate(words) if i not in body.free]
-        still = (
-            (f"{LEFT_OUT} {', '.join(held)}: held where the body rests, as simulation.motions asks",) if held else ()
-        )
+        still = (f"{LEFT_OUT} {', '.join(held)}: fixed at rest, as set by simulation.motions",) if held else ()
         told = *choice.left_out, *left, *still, *choice.words
         plan = replace(
             plan, sides=sides_of(db), settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told)
@@ -133,14 +131,15 @@ def _remembering(body, db, asked):
     """A `Moored` body with memory before a quay.  Raises StudyError where only coefficients of a frequency are."""
     from hakobune.mooring.motion.simulation import with_memory
 
-    why = "water between hull and quay rings too sharply for a few states"
+    why = "the resonance of the water between hull and quay is too sharp for a few states"
     if db.wall is not None:
         try:
             return with_memory(body)
         except ValueError as error:
             why = " ".join(str(error).split())
     raise StudyError(
-        f'simulation.memory is "{asked}" before a quay; allowed: "constant", of added mass and damping before it: {why}'
+        f'simulation.memory is "{asked}" in front of a quay; allowed: "constant", added mass and damping in '
+        f"front of it: {why}"
     )
 
 
@@ -158,9 +157,9 @@ def _with_pairs(plan, study, db, reader):
         raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "auto"')
     if db.bodies:
         slow = weather.seas and drift != "none"
-        return plan, (f"{LEFT_OUT} the slow force of pairs of waves beside Newman's rule, of several bodies",) * bool(
-            slow
-        )
+        return plan, (
+            f"{LEFT_OUT} the slow force of wave pairs beyond Newman's approximation, for several bodies",
+        ) * bool(slow)
     try:
         found, notes = [], []
         for sea in weather.seas:
@@ -178,8 +177,8 @@ def _with_pairs(plan, study, db, reader):
 def _way(study, db, level):
     """What is to be done about pairs of waves that are left out, nothing where it is the key"""
     if study.quay is not None:
-        return ("before a quay there is nothing beside Newman's rule",)
-    return (f"'hakobune qtf {db.path}' stores them, of several directions with --heading",) if level == "auto" else ()
+        return ("in front of a quay only Newman's approximation is available",)
+    return (f"'hakobune qtf {db.path}' stores them, for several directions with --heading",) if level == "auto" else ()
 
 
 def simulate_seed(task, seed, kept, progress=None):
@@ -200,7 +199,7 @@ def simulate_seed(task, seed, kept, progress=None):
     )
     columns = np.column_stack([run.motion, run.wave, run.wind_speed, apart, run.tension, *met, run.links])[late]
     if not np.all(np.isfinite(columns)):
-        raise ValueError("the run has numbers that are not finite")
+        raise ValueError("the run has values that are not finite")
     found = [statistics(column) for column in columns.T]
     names = run.tension.shape[1], run.deflection.shape[1]
     reader = body.reader
@@ -276,12 +275,12 @@ def _of_gaps(sides, apart):
         size = min(one.half.min(), other.half.min())
         if least < 0:
             yield fails(
-                f"{names} meet: their hulls overlap by {-least:.3g} m, limit 0; hold them apart by fenders or lines"
+                f"{names} collide: their hulls overlap by {-least:.3g} m, limit 0; keep them apart by fenders or lines"
             )
         elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
             yield (
-                f"{names} come to {least:.3g} to {gap.max():.3g} m from each other, {at_rest:.3g} m at rest: forces of "
-                "the water between them are those at rest"
+                f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m, {at_rest:.3g} m at "
+                "rest: forces of the water between them are those of the gap at rest"
             )
 
 
@@ -292,8 +291,8 @@ def _check_start(sides, body, settings):
     for (one, other), gap in zip(pairs_of(sides), gaps(sides, begin(body, settings.offset)[None])[0], strict=True):
         if gap < 0:
             raise StudyError(
-                f"{one.name} and {other.name} overlap by {-gap:.3g} m where a run begins; allowed: apart; give less "
-                "offset, or less pull between them"
+                f"{one.name} and {other.name} overlap by {-gap:.3g} m at the start of a run; allowed: no "
+                "overlap; give a smaller offset, or less tension between them"
             )
 
 
@@ -306,8 +305,9 @@ def _check_floats(body, hull):
         if not -box.freeboard < up < box.draft:
             way, limit = ("up", box.draft) if up > 0 else ("down", box.freeboard)
             raise StudyError(
-                f"hinges tear {name} {way} by {abs(up):.3g} m at rest, limit {limit:.3g} m, its "
-                f"{'draft' if up > 0 else 'freeboard'}; look at lines that pull one body under, or leave the hinge out"
+                f"hinges move {name} {way} by {abs(up):.3g} m at rest, limit {limit:.3g} m, its "
+                f"{'draft' if up > 0 else 'freeboard'}; check for lines that pull one body under water, or "
+                f"leave out the hinge"
             )
 
 

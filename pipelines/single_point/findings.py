@@ -1,4 +1,4 @@
-"""Findings on a single-point study: what a reader has to know, and what fails."""
+"""Findings on a single-point study, and what fails."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HELP = "give a stronger type or more lines"
 
 
 def findings(found):
-    """One line each: what a reader has to know of a `result.Found`"""
+    """Findings of a `result.Found`, one line each"""
     best, water = found.best, found.point.loads.water
     if water.turning and water.speed > 0:
         drift = np.abs(np.arctan(np.tan(water.direction - best.heading)))

@@ -26,7 +26,7 @@ class Climate(NamedTuple):
 
 
 def climate_of(table, years, folder, findings):
-    """Climate of a SiteClimateTable; what a reader has to know is added to `findings`.  Raises StudyError."""
+    """Climate of a SiteClimateTable; its findings are added to `findings`.  Raises StudyError."""
     from hakobune.mooring.environment.scatter import read_scatter
     from hakobune.mooring.site.contours import joint_law
 

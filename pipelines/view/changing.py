@@ -74,6 +74,6 @@ def _changed(mesh, factors, turn, shift, flip, mirror, clip, fold):
     half = folded(mesh)
     if half.symmetry == mesh.symmetry:
         raise ValueError(
-            "--fold: no image in x = 0 or y = 0 makes the hull whole; leave it out, or --heal and --move it"
+            "--fold: the hull is not symmetric about x = 0 or y = 0; leave out --fold, or use --heal and --move"
         )
     return half

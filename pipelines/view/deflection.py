@@ -41,7 +41,7 @@ def deflections(db, output):
 
     found = beams_of(db)
     if not found:
-        raise DatabaseError(f"{db.path} has no beam with motions; give [[modes]] and gyration, and solve again")
+        raise DatabaseError(f"{db.path} contains no beam with motions; give [[modes]] and gyration, and solve again")
     figure = Figure(figsize=(9.0, 3.2 * len(found)), layout="constrained")
     shown = np.unique(np.linspace(0, len(db.omega) - 1, MOST).astype(int))
     for axis, (number, modes) in zip(figure.subplots(len(found), squeeze=False)[:, 0], found.items(), strict=True):

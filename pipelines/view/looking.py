@@ -49,7 +49,7 @@ def look(path, screenshot=None, field=None, omega=None, heading=None, page=None)
     if field is not None and field not in (*FIELDS, "pressure"):
         raise SceneError(f"field is {field!r}; allowed: {', '.join(FIELDS)}, pressure")
     if field != "pressure" and (omega, heading) != (None, None):
-        raise SceneError("--omega and --heading belong to --field pressure; leave them out or ask for it")
+        raise SceneError("--omega and --heading belong to --field pressure; leave them out or give it")
     source, told_of = _opened(path), []
     if isinstance(source, PanelMesh):
         told(f"{path}: {len(source)} panels take", len(source) * A_PANEL)
@@ -147,16 +147,16 @@ def _meshes(source):
 def _pressure(db, path, omega, heading):
     """Amplitude of the dynamic pressure at a stored heading and the stored frequency nearest to that asked for"""
     if path.suffix not in DATABASES:
-        raise SceneError(f"{path} holds no pressure; allowed: a database made with --only pressure")
+        raise SceneError(f"{path} contains no pressure; make the database with --only pressure")
     if omega is None or heading is None:
-        raise SceneError("the pressure has a frequency and a heading; give --omega rad/s and --heading degrees")
+        raise SceneError("the pressure depends on frequency and heading; give --omega rad/s and --heading degrees")
     amplitude = np.abs(db["pressure"])
     i, j = _nearest(db, omega), _stored(db, heading)
     if abs(db.omega[i] - omega) > 1e-9 * omega:
-        print(f"note: omega {omega:g} rad/s is not stored; shown is the nearest, {db.omega[i]:.4g} rad/s")
+        print(f"note: omega {omega:g} rad/s is not stored; the nearest, {db.omega[i]:.4g} rad/s, is shown")
     if not np.any(np.isfinite(amplitude[i, j])):
         raise SceneError(
-            f"the pressure at {db.omega[i]:.4g} rad/s is not a number on any panel; solve it anew with --fresh"
+            f"the pressure at {db.omega[i]:.4g} rad/s is not a number on any panel; solve it again with --fresh"
         )
     state = "fixed" if db.inertia_matrix is None else "floating freely"
     place = f"omega {db.omega[i]:.4g} rad/s, heading {np.degrees(db.wave_direction[j]):.4g}°"  # VTK has no Greek

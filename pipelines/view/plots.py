@@ -118,8 +118,8 @@ def plot(db, output, size=SIZE):
 
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     if not rows or not len(db.omega):
-        again = f"'hakobune solve SCENE --output {db.path}', or the command that made it, goes on"
-        raise DatabaseError(f"{db.path} has no solved curve to draw; {again}")
+        again = f"'hakobune solve SCENE --output {db.path}', or the command that made it, continues"
+        raise DatabaseError(f"{db.path} contains no solved curve; {again}")
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
         figure, grid = _page(Figure, len(rows), *size)
         curves = Curves(db, gaps_of(db))
@@ -381,5 +381,5 @@ def _name_headings(db, figure, shown):
         for angle, color in zip(angles, heading_colors(len(angles)), strict=True)
     ]
     left_out = len(db.wave_direction) - len(shown)
-    title = "waves travel to" + f" ({left_out} more, alike or between)" * bool(left_out)
+    title = "waves travel to" + f" ({left_out} more, similar or in between)" * bool(left_out)
     figure.legend(handles=handles, title=title, ncols=len(handles), loc="upper right", frameon=False)

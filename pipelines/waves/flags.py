@@ -14,11 +14,13 @@ def waves(
     *,
     period: Annotated[float | None, Parameter(help="s, of the waves")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
-    heading: Annotated[float, Parameter(help="degrees, towards which they travel", allow_leading_hyphen=True)] = 180.0,
+    heading: Annotated[float, Parameter(help="degrees, direction they travel to", allow_leading_hyphen=True)] = 180.0,
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     width: Annotated[float | None, Parameter(help="m, of the map")] = None,
-    at: Annotated[tuple[str, ...], Parameter(help="x,y m of a point that is told", allow_leading_hyphen=True)] = (),
-    output: Annotated[Path | None, Parameter(help="points of the map, .csv, or the result, .h5")] = None,
+    at: Annotated[
+        tuple[str, ...], Parameter(help="m, x,y of a point whose wave is printed", allow_leading_hyphen=True)
+    ] = (),
+    output: Annotated[Path | None, Parameter(help="points of the map, .csv, or all results, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="map: .png, .svg or .pdf")] = None,
 ):
     """The waves around a body in regular waves, what it scatters and radiates included.

@@ -28,7 +28,7 @@ def draw(path, found):
         levels = np.linspace(-swing, swing, 41)
         filled = right.contourf(found.x, found.y, moment, levels, cmap="RdBu_r")
         figure.colorbar(filled, ax=right, label="elevation, m for a wave of 1 m amplitude", shrink=0.8)
-        for axis, title in ((left, "height"), (right, "when the crest of the waves that come is at the origin")):
+        for axis, title in ((left, "height"), (right, "with the crest of the incident wave at the origin")):
             axis.add_patch(matplotlib.patches.Polygon(around.sources.plan + around.middle, color="#404040"))
             axis.set(aspect="equal", xlabel="x  m")
             axis.set_title(title, loc="left", fontsize=9)

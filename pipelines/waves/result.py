@@ -44,7 +44,7 @@ def waves(
     """
     wanted = np.asarray(at, float).reshape(-1, 2) if len(at) else np.zeros((0, 2))
     if not np.all(np.isfinite(wanted)):
-        raise ValueError("at has a place that is not finite; allowed: x,y in m")
+        raise ValueError("at has a point that is not finite; allowed: x,y in m")
     db = database_of(database)
     around = around_body(db, frequency(period, omega), heading, fixed)
     half = half_width(around, width)
@@ -98,7 +98,9 @@ def _map(around, found, body):
     motion = np.full(len(body.words), np.nan + 0j) if around.motion is None else around.motion
     units = tuple("rad/m" if turns else "m/m" for turns in body.turning)
     return (
-        quantities("", {"far_field.missed": (around.missed, "%", "share of the far field that the sources miss")})
+        quantities(
+            "", {"far_field.missed": (around.missed, "%", "share of the far field not represented by the sources")}
+        )
         | quantities("", {"body.motion": (motion, units, "motion of the body")}, "motion")
         | quantities("", {"map": (found.elevation, "m/m", "elevation")}, "y", "x", record=True)
     )

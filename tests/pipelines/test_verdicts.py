@@ -584,7 +584,8 @@ def test_what_is_refused_or_not_done_ends_with_2(place, capsys, monkeypatch):
 def test_lines_that_part_come_before_those_above_what_is_allowable_with_names_and_shares():
     found = list(overused(["fore", "aft", "beam"], [1.19, 0.5, np.nan], 0.4, "in the runs", "way out"))
     assert found == [
-        "FAILS: 1 of 3 lines in the runs beyond the breaking load, limit 100 %, where they part: fore 119 %; way out",
+        "FAILS: 1 of 3 lines in the runs beyond the breaking load, limit 100 %, at which they break: fore 119 "
+        "%; way out",
         "FAILS: 1 of 3 lines in the runs above the allowable 40 % of the breaking load: aft 50 %; way out",
     ]
     assert not list(overused(["fore"], [0.4], 0.4, "in the runs"))

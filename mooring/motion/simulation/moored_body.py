@@ -39,7 +39,7 @@ class Moored:
     spring, damping : (n, n) linear, beside lines, along the axes of the bodies
     quadratic : (n,) N₂ of drag on each motion; stiffness : (n, n) of water, lines and springs at rest, along these axes
     slow_added_mass : (n, n) of the lowest frequency known; waves : WaveForces
-    tables : of lines with segments (`line_loads.tables_of`); findings : what a reader has to know, one line each
+    tables : of lines with segments (`line_loads.tables_of`); findings : one line each
     berth : `contacts.Berth`, fenders and ropes; buoy : `buoy.BuoyOnLines` on hawsers, None for none
     free : numbers of the motions that are not held, by default all
     """

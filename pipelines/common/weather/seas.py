@@ -54,12 +54,12 @@ class SeaTable(SpectrumTable):
         """The Sea in water of `depth` m, of a file as `files_at` found it.  Raises ValueError."""
         if (self.height is None) == (self.file is None):
             state = "neither is given" if self.height is None else "both are given"
-            raise StudyError(f"{where}: {state}; allowed: one of height, file")
+            raise StudyError(f"{where}: {state}; give one of height, file")
         if self.file is None:
             return sea_of(where, self, direction(where, self), depth)
         given = [key for key in (*PERIODS, "gamma") if getattr(self, key) is not None]
         if given:
-            raise StudyError(f"{where}.{given[0]} is given beside a file, which has it; leave it out")
+            raise StudyError(f"{where}.{given[0]} is given with a file, which contains it; leave it out")
         return _of_file(where, self)
 
 
@@ -98,7 +98,7 @@ def period_of(where, table):
 def spectrum_of(where, table, depth):
     """The Spectrum of a SpectrumTable in `depth` m.  Raises StudyError."""
     if table.height is None:
-        raise StudyError(f"{where}.height is missing; allowed: m, significant")
+        raise StudyError(f"{where}.height is missing; give the significant height, m")
     height, period = positive(f"{where}.height", table.height), period_of(where, table)
     try:
         return family_of(where, table, depth)(height, **period, **shape_of(table))
@@ -173,7 +173,7 @@ def _of_file(where, table):
     sea = read_sea(path, table.x_axis_compass_deg, table.time, table.location)
     given = table.direction_deg is not None or table.incidence_deg is not None
     if isinstance(sea.spreading, TabulatedSpreading) and (given or table.spreading is not None):
-        raise StudyError(f"{where}: {path.name} has directions of its own; leave direction and spreading out")
+        raise StudyError(f"{where}: {path.name} contains directions; leave out direction and spreading")
     if isinstance(sea.spreading, TabulatedSpreading) or (sea.spreading is not None and not given):
         return sea
     spread = spreading_of(where, table, sea.spectrum) if table.spreading is not None else sea.spreading

@@ -137,11 +137,11 @@ def wind_table(table):
     if table.ship is None:
         return coefficients_of("wind", table)
     if table.coefficients is not None or table.file is not None:
-        raise StudyError("wind: ship and coefficients are given; allowed: one of them")
+        raise StudyError("wind: ship and coefficients are both given; give one of them")
     if table.ship not in ships():
         raise StudyError(
-            f"wind.ship is {table.ship!r}; allowed: {'; '.join(ships())} (Blendermann 1994); those of others, as "
-            "of OCIMF, which are not public, come by wind.file"
+            f"wind.ship is {table.ship!r}; allowed: {'; '.join(ships())} (Blendermann 1994); coefficients of "
+            "others, such as OCIMF, which are not public, can be given by wind.file"
         )
     return partial(_of_ship, table.ship)
 
@@ -261,7 +261,7 @@ def _with_numbers(where, table, folder):
 
     other = [way for way in ("coefficients", "ship", "turning") if way in table]
     if other:
-        raise StudyError(f"{where}: {other[0]} and file are given, which both hold its force; allowed: one of them")
+        raise StudyError(f"{where}: {other[0]} and file are both given, and each defines the force; give one of them")
     try:
         c = read_hull_coefficients(folder / table["file"])
     except ValueError as error:

@@ -52,6 +52,6 @@ def check_solved_depth(depth, solved, name, period=None):
     felt = 0.0 if period is None else GRAVITY * period**2 / (4 * math.pi)
     if felt > depth:
         raise StudyError(
-            f"water.depth is {depth:g} m, {name} is for deep water, and waves of {period:.3g} s feel a bed above "
-            f"{felt:.3g} m; solve it in {depth:g} m"
+            f"water.depth is {depth:g} m, {name} is for deep water, and the bed affects waves of {period:.3g} s "
+            f"in less than {felt:.3g} m; solve the body in {depth:g} m"
         )

@@ -16,7 +16,7 @@ class Numbers(NamedTuple):
     place : (3,) m, m, rad, under steady loads, nan where the method has none
     motions : (6,) m, rad, largest, () where there are none
     parts : {quantity: {of what: value}}, beyond tensions and motions; hawsers : names of those that are
-    warnings : what a reader has to know, one line each
+    warnings : findings, one line each
     """
 
     names: tuple

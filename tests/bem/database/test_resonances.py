@@ -78,7 +78,7 @@ def test_solve_and_check_name_a_resonance_with_its_period_peak_and_damping(fixed
     (line,) = [line for line in capsys.readouterr().out.splitlines() if "resonance of pitch" in line]
     found = pitch_of(fixed.reader)
     assert f"{found.period:.4g} s" in line and f"peak {np.degrees(found.peak):.0f} °/m" in line
-    assert "damping ratio 0.00024 of waves alone, without the viscous damping that lowers it" in line
+    assert "damping ratio 0.00024 of waves alone, without viscous damping, which lowers it" in line
     assert "stored frequencies near it show 1.8 % of the peak" in line
 
 

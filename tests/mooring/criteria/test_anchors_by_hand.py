@@ -65,7 +65,7 @@ def test_lines_have_the_anchor_that_names_them_or_the_one_for_all_others():
         ([{"kind": "drag", "holding_kN": 1.0, "lines": ["port"]}], "'port' is unknown; allowed: fore, aft"),
         ([{"kind": "drag", "holding_kN": 1.0, "lines": ["side"]}], "'side' is on no anchor"),
         (2 * [{"kind": "drag", "holding_kN": 1.0, "lines": ["aft"]}], "'aft' is in two tables; allowed: fore"),
-        (2 * [{"kind": "drag", "holding_kN": 1.0}], "have no lines; allowed: one, for all others"),
+        (2 * [{"kind": "drag", "holding_kN": 1.0}], "have no lines; allowed: one table without lines, for all others"),
     ],
 )
 def test_anchors_that_cannot_be_are_told_with_what_is_allowed(tables, words):

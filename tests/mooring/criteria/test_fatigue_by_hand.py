@@ -88,7 +88,7 @@ def test_lines_that_part_and_lines_above_what_is_allowable_are_told_apart():
     names, used = ("a", "b", "c", "d", "e"), [0.4, 0.401, 1.0, 1.001, np.nan]
     parted, above = overused(names, used, 0.4, "in the storm")
     assert parted.startswith(
-        "FAILS: 1 of 5 lines in the storm beyond the breaking load, limit 100 %, where they part: d 100.1 %"
+        "FAILS: 1 of 5 lines in the storm beyond the breaking load, limit 100 %, at which they break: d 100.1 %"
     )
     assert "2 of 5 lines in the storm above the allowable 40 % of the breaking load: c 100 %, b 40.1 %; give" in above
     assert list(overused(names[:1], [0.4], 0.4, "")) == [] and len(list(overused(names[:1], [1.2], 1.0, ""))) == 1

@@ -297,5 +297,5 @@ def test_components_of_a_sea_lie_between_the_stored_frequencies_and_no_more_than
     assert runs.sea_components(sea, 7, 3, reader, "current", 9.8) == ("waves", "current", 20.0, 9.8)
     assert kept == [((7, 3), {"low": 0.5, "high": 0.98})]
     for ends in ([0.3, 0.97], [0.53, 2.0]):
-        with pytest.raises(ValueError, match=r"^6 % of the waves' energy .* 5 %; solve 0.5 to 1 rad/s too"):
+        with pytest.raises(ValueError, match=r"^6 % of the waves' energy .* 5 %; solve 0.5 to 1 rad/s as well"):
             runs.sea_components(sea, 7, 3, SimpleNamespace(omega=np.array(ends), depth=20.0))

@@ -38,7 +38,7 @@ def test_what_the_line_that_pulls_most_uses_is_told_with_what_is_allowed():
     (line,) = said()
     assert line == "largest tension: 912 kN in bow, 46 % of its breaking load (allowable 40 %)"
     (line,) = said(used=0.0)
-    assert line.endswith("in bow, how much of its breaking load is unknown: none is given")
+    assert line.endswith("in bow, its utilisation is unknown, since no breaking load is given")
 
 
 def test_a_tension_by_motions_that_nothing_damps_says_so_in_its_own_line():

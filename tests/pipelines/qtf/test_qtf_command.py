@@ -335,7 +335,9 @@ def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_
     assert path.read_bytes() == before
 
 
-@pytest.mark.parametrize("panel, says", [(4.0, "more panels bring them together"), (8.5, "3 up to 1.55 rad/s; give")])
+@pytest.mark.parametrize(
+    "panel, says", [(4.0, "the difference falls with more panels"), (8.5, "3 up to 1.55 rad/s; give")]
+)
 def test_drift_by_pressure_that_is_off_on_panels_too_large_for_the_waves_is_told_with_the_waves_they_carry(panel, says):
     """A wave of 25.5 m, three panels of 8.5 m, has ω = √(2πg/25.5) = 1.554 rad/s in deep water; of 12 m 2.27 rad/s"""
     forces = SimpleNamespace(

@@ -226,6 +226,6 @@ def test_panels_that_carry_the_waves_and_others_have_their_way_out(monkeypatch, 
     monkeypatch.setattr(report, "_carried", lambda db: carried)
     db = SimpleNamespace(mesh=SimpleNamespace(sizes=np.array([3.0, 4.5])), water_depth=np.inf, gravity=9.81)
     told = report._smaller_panels(SimpleNamespace(omega=OMEGA), db)
-    assert told == "more panels bring them together" if says is None else says in told
+    assert told == "the difference falls with more panels" if says is None else says in told
     assert says is None or "up to 0.55 rad/s" in told
-    assert report._smaller_panels(SimpleNamespace(omega=OMEGA), None) == "more panels bring them together"
+    assert report._smaller_panels(SimpleNamespace(omega=OMEGA), None) == "the difference falls with more panels"

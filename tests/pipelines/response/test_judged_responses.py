@@ -132,7 +132,7 @@ def test_a_resonance_is_told_in_degrees_per_metre_for_rotations():
     (said,) = resonance_lines([peak()])
     assert said == (
         f"resonance of roll at 12.5 s (0.50265 rad/s): peak {math.degrees(0.02):.3g} °/m in waves towards 90°, damping "
-        "ratio 0.05 of waves alone, without the viscous damping that lowers it"
+        "ratio 0.05 of waves alone, without viscous damping, which lowers it"
     )
     assert "peak 0.02 m/m" in resonance_lines([peak(mode=2)])[0]
     assert resonance_lines([peak(viscous=True)])[0].endswith("damping ratio 0.05")
@@ -147,7 +147,7 @@ def test_viscous_damping_counts_for_heave_roll_and_pitch_of_little_wave_damping(
 @pytest.mark.parametrize("error, told", [(0.049, False), (0.051, True)])
 def test_a_peak_uncertain_by_more_than_a_twentieth_is_told(error, told):
     (said,) = resonance_lines([peak(error=error * 0.02)])
-    assert ("the peak is uncertain by 5.1 %, limit 5 %: solve 0.502655 rad/s too" in said) is told
+    assert ("the peak is uncertain by 5.1 %, limit 5 %: solve 0.502655 rad/s as well" in said) is told
 
 
 @pytest.mark.parametrize("share, told", [(0.81, False), (0.79, True)])

@@ -261,7 +261,7 @@ def test_dolphins_on_a_database_with_a_wall_take_one_frequency_and_are_told_that
         words = ["simulate", str(study), "--database", str(before_wall), "--duration", "60", "--output", str(run)]
         assert main(words) == 0
         told = capsys.readouterr()
-        assert "no drift of the waves is known before it, and none is taken" in told.out + told.err
+        assert "wave drift in front of the quay is unknown and not included" in told.out + told.err
         with opened(run) as file:
             found.append(file["statistics"][:])
     assert np.array_equal(*found, equal_nan=True)

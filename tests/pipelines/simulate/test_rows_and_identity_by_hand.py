@@ -98,7 +98,7 @@ def test_pairs_are_of_each_sea_and_what_is_left_out_is_told_once_with_the_way_ou
     way = ("first lacks", "second lacks")
     assert pairs("newman") == ([None, None], way)
     assert pairs("newman", quay=1) == (
-        [None, None], ("first lacks", "before a quay there is nothing beside Newman's rule", "second lacks"),
+        [None, None], ("first lacks", "in front of a quay only Newman's approximation is available", "second lacks"),
     )  # fmt: skip
     assert pairs("newman", drift="none") == ([None, None], ())
     assert (
@@ -134,7 +134,7 @@ def test_lines_that_part_and_lines_beyond_what_is_allowable_are_told_with_the_ru
     used[4, 1] = 0.45
     parts, over = map(str, over_runs.overloads(file))
     assert (
-        "1 of 3 lines in the runs beyond the breaking load, limit 100 %, where they part: c 120 % in 2 of 4 runs"
+        "1 of 3 lines in the runs beyond the breaking load, limit 100 %, at which they break: c 120 % in 2 of 4 runs"
         in parts
     )
     assert "1 of 3 lines in the runs above the allowable 50 % of the breaking load: b 70 % in 2 of 4 runs" in over

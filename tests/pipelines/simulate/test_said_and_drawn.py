@@ -193,7 +193,7 @@ def test_durations_in_hours_are_seconds_and_seeds_count_from_one():
 
 
 @pytest.mark.parametrize("runs, words", [
-    (4, "largest: what was simulated in 4 runs; up to 44 % of such runs go beyond it (confidence 90 %); give 5 seeds"),
+    (4, "largest: what was simulated in 4 runs; up to 44 % of such runs exceed it (confidence 90 %); give 5 seeds"),
     (5, "median extreme: half of such runs go beyond it"),
 ])  # fmt: skip
 def test_five_runs_have_a_median_extreme(folder, runs, words):  # noqa: F811
