@@ -103,8 +103,10 @@ def ship(
     beam: Annotated[Size, Parameter(help="m")] = None,
     draft: Annotated[Size, Parameter(help="m")] = None,
     block: Annotated[float | None, Parameter(help="block coefficient", allow_leading_hyphen=True)] = None,
-    bow: Annotated[float | None, Parameter(help="waterplane coefficient C_WP", allow_leading_hyphen=True)] = None,
-    stern: Annotated[float | None, Parameter(help="waterplane coefficient C_WP", allow_leading_hyphen=True)] = None,
+    bow: Annotated[float | None, Parameter(help="waterplane coefficient of the bow", allow_leading_hyphen=True)] = None,
+    stern: Annotated[
+        float | None, Parameter(help="waterplane coefficient of the stern", allow_leading_hyphen=True)
+    ] = None,
     waterplane: Annotated[
         float | None, Parameter(help="its waterplane coefficient C_WP, in place of bow and stern")
     ] = None,

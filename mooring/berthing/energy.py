@@ -46,7 +46,7 @@ def ship(length, beam, draft, *, mass=None, block=None, gyration=None, density=1
             raise BerthingError(f"the ship's {key} is {value:g}; allowed: above 0, finite")
     if (mass is None) == (block is None):
         state = "neither is given" if mass is None else "both are given"
-        raise BerthingError(f"displacement and block coefficient of the ship: {state}; allowed: one of them")
+        raise BerthingError(f"displacement and block coefficient of the ship: {state}; give one of them")
     made = Ship(length, beam, draft, mass or block * density * length * beam * draft, gyration or length / 4, density)
     if not LEAST_BLOCK <= made.block <= 1.0:
         of = f"{made.block:.3g}, of {made.mass / 1e3:.6g} t"
@@ -78,7 +78,7 @@ def virtual_mass_pianc(ship, depth):
 def virtual_masses(ship, depth=None):
     """{method: C_M}; PIANC's if the depth, m, is given.  Raises BerthingError where the ship is aground."""
     if depth is not None and not depth > ship.draft:
-        raise BerthingError(f"the depth is {depth:g} m with a draft of {ship.draft:g} m; allowed: deeper")
+        raise BerthingError(f"the depth is {depth:g} m with a draft of {ship.draft:g} m; allowed: more than the draft")
     found = {"Ueda 1981": virtual_mass_ueda(ship), "Vasco Costa": virtual_mass_vasco_costa(ship)}
     found["older, (π/4) ρ d² L"] = virtual_mass_older(ship)
     return found if depth is None else found | {"PIANC 2002": virtual_mass_pianc(ship, depth)}

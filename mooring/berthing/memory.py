@@ -117,7 +117,7 @@ def berth(ship, fenders, speed, duration=None, steps=2000, yaw_rate=0.0):
     if not 0 < speed < np.inf:
         raise BerthingError(f"the speed of the berthing is {speed:g} m/s; allowed: above 0, finite")
     if not fenders:
-        raise BerthingError("a berthing has no fender; allowed: one or more")
+        raise BerthingError("a berthing has no fender; give one or more")
     made = tuple(fender for fender, _, _ in fenders)
     lever = np.array([[1.0] * len(fenders), [x for _, x, _ in fenders]])
     gap = np.array([far for _, _, far in fenders], float)

@@ -39,7 +39,7 @@ class Speeds(NamedTuple):
     def speed_of(self, contacts):
         """m/s, exceeded once in so many contacts.  Raises BerthingError."""
         if not 1 < contacts < math.inf:
-            raise BerthingError(f"a speed is asked for once in {contacts:g} contacts; allowed: above 1, finite")
+            raise BerthingError(f"the speed is requested once in {contacts:g} contacts; allowed: above 1, finite")
         return self.scale * math.log(contacts) ** (1 / self.shape)
 
 

@@ -126,6 +126,6 @@ class TautBody(FloatingBody, OnTautLines):
         self._check_lines()
         if self.mass > self.density * self.area:
             raise ValueError(
-                f"the body weighs {self.mass:.6g} kg/m and displaces {self.density * self.area:.6g}: the pretension is "
-                "negative; give a lighter body or more draft"
+                f"the mass is {self.mass:.6g} kg/m and the displaced mass {self.density * self.area:.6g} kg/m: "
+                "the pretension is negative; give a lighter body or more draft"
             )

@@ -89,5 +89,6 @@ def check_section(body, section):
     asked = (body.waterline, body.draft, body.depth, body.density, body.gravity)
     if not np.allclose(there, asked, rtol=1e-12, atol=0):
         raise ValueError(
-            f"the section has beam, draft, depth, density, gravity {there}, the body {asked}; give the body's section"
+            f"the section has beam, draft, depth, density, gravity {there}, and the body {asked}; use the "
+            f"section of the body"
         )

@@ -69,8 +69,8 @@ def snap(body, sections, axial_stiffness, omega, amplitude, memory="states"):
         raise ValueError(f"EA is {axial_stiffness:g} N/m, amplitude {amplitude:g} m; allowed: above 0, finite")
     if not axial_stiffness > 2 * body.pretension:
         raise ValueError(
-            f"EA is {axial_stiffness:g} N/m and the pretension {body.pretension:.4g}: the lines would stretch by more "
-            "than half of their length; give stiffer ones"
+            f"EA is {axial_stiffness:g} N/m and the pretension is {body.pretension:.4g} N/m: the lines would "
+            "stretch by more than half of their length; give stiffer lines"
         )
     body_in_time, period = one_metre(body, sections, axial_stiffness), 2 * np.pi / omega
     count = int(np.ceil(PER_SWING * _swiftest(body, body_in_time, axial_stiffness) / omega))

@@ -105,22 +105,22 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
     if np.any(over):
         named = shares(names, np.where(over, used, np.nan))
         yield fails(
-            f"{over.sum()} of {len(known)} anchors {where} use more than they hold, limit 100 %: {named}; give a "
-            "larger one, of the size that the table of the anchors has, or a longer line"
+            f"{over.sum()} of {len(known)} anchors {where} carry more than their capacity, limit 100 %: "
+            f"{named}; give a larger anchor, of the size in the anchor table, or a longer line"
         )
     lifted = [i for i in known if anchors[i].kind == "drag" and up[i] > LIFTED * along[i]]
     if lifted:
         worst = max(lifted, key=lambda i: up[i] / along[i])
         angle = np.degrees(np.arctan2(up[worst], along[worst]))
         yield (
-            f"{len(lifted)} of {len(known)} anchors are drag anchors that are lifted {where}, most {names[worst]} by "
-            f"{up[worst] / 1e3:.3g} kN, {angle:.3g}° off the bed: their holding capacity is of a horizontal pull; give "
-            "more chain, or a sinker or pile"
+            f"{len(lifted)} of {len(known)} anchors are drag anchors under uplift {where}, the most "
+            f"{names[worst]} with {up[worst] / 1e3:.3g} kN, {angle:.3g}° above the bed: their holding capacity "
+            "is valid for a horizontal pull; give more chain, or use a sinker or pile"
         )
     charted = [anchors[i].chart for i in known if anchors[i].chart]
     unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")
     if unsure:
         yield (
-            f"holding capacity of drag anchors by {'; '.join(unsure)}, which nobody has checked in the book: look "
-            "there, or give holding_kN"
+            f"the holding capacity of drag anchors by {'; '.join(unsure)} has not been checked against the "
+            "printed source: check it there, or give holding_kN"
         )

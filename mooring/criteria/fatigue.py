@@ -89,7 +89,7 @@ def rainflow_cycles(tension) -> Cycles:
 
     tension = np.asarray(tension, float)
     if tension.ndim != 1 or len(tension) < 2 or not np.all(np.isfinite(tension)):
-        raise ValueError("the record of tension has gaps, or fewer than two samples; allowed: a row of finite numbers")
+        raise ValueError("the tension record has gaps or fewer than two samples; allowed: a row of finite numbers")
     found = np.array([cycle[:3] for cycle in rainflow.extract_cycles(tension)], float).reshape(-1, 3)
     return Cycles(*found.T)
 

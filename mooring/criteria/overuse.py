@@ -36,4 +36,4 @@ def shares(names, values):
 
 def _percent(share):
     """A share in per cent, never a round "100 %" or "40 %" of what is just beyond it"""
-    return f"{100 * share:.4g} %" if np.isfinite(share) else "more than any load"
+    return f"{100 * share:.4g} %" if np.isfinite(share) else "infinitely"

@@ -121,7 +121,7 @@ def of_rule(criteria, rule, subject=None):
     chosen = tuple(criterion for criterion in found if criterion.subject == subject)
     if not chosen:
         known = dict.fromkeys(criterion.subject for criterion in found)
-        raise RuleError(f"{rule} has nothing on {subject!r}; allowed: {'; '.join(known)}")
+        raise RuleError(f"{rule} contains no criterion for {subject!r}; allowed: {'; '.join(known)}")
     return chosen
 
 
@@ -146,7 +146,7 @@ def _criterion(where, row):
             raise RuleError(f"{where}: {key} is {row[key]!r}; allowed: {', '.join(allowed)}")
     for key in ("rule", "quantity", "source"):
         if not (row[key] or "").strip():
-            raise RuleError(f"{where}: {key} is empty; allowed: a text")
+            raise RuleError(f"{where}: {key} is empty; give a text")
     numbers = {
         "limit": _number(where, "limit", row["limit"]),
         "second": _number(where, "second", row["second"]) if row["second"] else None,

@@ -65,8 +65,8 @@ def smallest(kind, tension, safety_factor, allowance=0.0, years=0.0):
         if load >= safety_factor * tension:
             return name, load
     raise ValueError(
-        f"no {kind} carries {tension / 1e3:.4g} kN with a safety factor of {safety_factor:g}; the largest has "
-        f"{last / 1e3:.4g} kN; take more lines or another kind"
+        f"no {kind} of the catalogue carries {tension / 1e3:.4g} kN with a safety factor of {safety_factor:g}; "
+        f"the largest has a breaking load of {last / 1e3:.4g} kN; use more lines or another kind"
     )
 
 

@@ -113,16 +113,17 @@ def ground_of_record(time, acceleration, after=0.0):
     t, a = np.asarray(time, float), np.asarray(acceleration, float)
     if len(t) < 4 or t.shape != a.shape or not (np.all(np.isfinite(t)) and np.all(np.isfinite(a))):
         raise EarthquakeError(
-            f"the record has {len(t)} times and {len(a)} finite accelerations; allowed: 4 or more, as many"
+            f"the record has {len(t)} times and {len(a)} finite accelerations; allowed: the same number, 4 or more"
         )
     steps = np.diff(t)
     if not np.all(np.abs(steps - steps[0]) <= UNEVEN * abs(steps[0])) or steps[0] <= 0:
         i = int(np.argmax(np.abs(steps - np.median(steps))))
         raise EarthquakeError(
-            f"the record steps by {steps[i]:g} s after {t[i]:g} s, else by {np.median(steps):g} s; allowed: no gaps"
+            f"the record steps by {steps[i]:g} s after {t[i]:g} s, and elsewhere by {np.median(steps):g} s; "
+            f"allowed: no gaps"
         )
     if not np.any(a):
-        raise EarthquakeError("all accelerations of the record are 0; allowed: of a ground that moves")
+        raise EarthquakeError("all accelerations of the record are 0; give a record with motion of the ground")
     s = (t - t[0]) / (t[-1] - t[0])
     shapes = [np.ones_like(s), s]
     ends = np.array([[x[-1] for x in _integrated(t, shape)] for shape in (*shapes, a)]).T
@@ -205,7 +206,7 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
     low, high = fenders.clearance + 1e-6 * fender.limit, limit * (1 - 1e-9)
     if answer(high)[2] > high:
         raise EarthquakeError(
-            f"the spectrum presses {fender.name} beyond its table, which ends at {fender.limit:.3g} m; take more or "
+            f"the spectrum compresses {fender.name} beyond its table, which ends at {fender.limit:.3g} m; use more or "
             "larger fenders"
         )
     for _ in range(ROUNDS):

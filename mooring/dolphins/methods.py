@@ -81,8 +81,8 @@ def failures(quake, rows):
             yield fails(f"{row.name}: {row.reason}")
         elif (strain := fender.own(row.deflection) / fender.height) > fender.own_allowable * (1 + 1e-9):
             yield fails(
-                f"{row.name}: the fenders are pressed to {100 * strain:.4g} % of their height; allowable "
-                f"{100 * fender.own_allowable:.4g} %; take more or larger ones"
+                f"{row.name}: the fenders are compressed by {100 * strain:.4g} % of their height; allowable "
+                f"{100 * fender.own_allowable:.4g} %; use more or larger fenders"
             )
 
 
@@ -126,7 +126,7 @@ def _deflection(fender, force):
     above = np.flatnonzero(fender.loading(grid) >= force)
     if not len(above):
         raise FenderError(
-            f"{fender.name}: {force / 1e3:.4g} kN press it, its table ends with "
-            f"{fender.largest_reaction(fender.limit) / 1e3:.4g} kN; take more or larger ones"
+            f"{fender.name}: {force / 1e3:.4g} kN act on it, and its table ends with "
+            f"{fender.largest_reaction(fender.limit) / 1e3:.4g} kN; use more or larger fenders"
         )
     return float(np.interp(force, fender.loading(grid[: above[0] + 1]), grid[: above[0] + 1]))

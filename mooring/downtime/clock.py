@@ -45,7 +45,7 @@ def _parsed(texts, where):
         return texts.astype("datetime64[s]")
     except ValueError:
         wrong = next(str(t) for t in texts if not re.match(r"\d{4}-\d\d-\d\d([T ]\d\d(:\d\d(:\d\d(\.0*)?)?)?)?$", t))
-        raise TableError(f"{where}: time is {wrong!r}; allowed: ISO 8601, as 2015-01-31T06:00") from None
+        raise TableError(f"{where}: time is {wrong!r}; allowed: ISO 8601, such as 2015-01-31T06:00") from None
 
 
 def _offsets(ends, where):
@@ -55,7 +55,7 @@ def _offsets(ends, where):
         found = OFFSET.fullmatch(end)
         if not found:
             raise TableError(
-                f"{where}: the times have different endings, one is {end!r}; allowed: Z or an offset of all"
+                f"{where}: the times have different time zones, one is {end!r}; allowed: Z or the same offset for all"
             )
         size = 0 if end == "Z" else (3600 * int(found[2]) + 60 * int(found[3])) * (-1 if found[1] == "-" else 1)
         known[end] = size
@@ -76,7 +76,7 @@ def _of_place(local, zone, where):
         between = np.flatnonzero((local >= begin) & (local < end))
         if after > before and len(between):
             raise TableError(
-                f'{where}: {local[between[0]]} does not come in {zone}, where clocks go forward; is zone = "UTC"?'
+                f'{where}: {local[between[0]]} does not exist in {zone}, where clocks go forward; try zone = "UTC"'
             )
         _, once = np.unique(local[between], return_index=True)
         offset[between] = after
@@ -113,9 +113,10 @@ def check_rising(time, where):
     same = np.abs(rise[back]) <= HOUR
     if same.all() and months <= {3, 4, 9, 10, 11}:
         raise TableError(
-            f"{where}: {len(back)} hours come twice, the first {time[back[0]]}, all in spring or autumn: local time "
-            f"with summer time; give hindcast.zone: {ALLOWED}"
+            f"{where}: {len(back)} hours are repeated, the first {time[back[0]]}, all in spring or autumn: this "
+            f"is local time with summer time; give hindcast.zone: {ALLOWED}"
         )
     raise TableError(
-        f"{where}: time does not rise after {time[back[0]]}, at {len(back)} places; allowed: rising, each once"
+        f"{where}: time does not increase after {time[back[0]]}, at {len(back)} places; allowed: increasing, "
+        f"without repetition"
     )

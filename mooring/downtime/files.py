@@ -51,7 +51,7 @@ def read_columns(path, time, zone, wanted, location=None):
         moments = times(moments, zone, path.name)
     bare = [name for name, kind in wanted.items() if units[name] is None and kind in UNITS]
     found = {name: found[name] * _size(path, name, units[name], kind) for name, kind in wanted.items()}
-    said = [f"{', '.join(bare)} of {path.name} have no unit; taken in m, s, degrees, m/s"] if bare else []
+    said = [f"{', '.join(bare)} in {path.name} have no unit; m, s, degrees and m/s are assumed"] if bare else []
     return moments, found, said
 
 
@@ -70,11 +70,11 @@ def _text(path, time, wanted):
     columns, width = [[] for _ in places], len(head)
     for number, row in enumerate(rows, 2):
         if len(row) != width:
-            raise TableError(f"{path.name}, row {number}: {len(row)} cells; allowed: {width}, as the head")
+            raise TableError(f"{path.name}, row {number}: {len(row)} cells; allowed: {width}, as in the header")
         for column, place in zip(columns, places, strict=True):
             column.append(row[place])
     if not columns[0]:
-        raise TableError(f"{path} has a head and no rows; allowed: rows of hours")
+        raise TableError(f"{path} has a header and no rows; give a row for each hour")
     units = {name: head[place][1] for name, place in zip(wanted, places[1:], strict=True)}
     return units, {name: _numbers(path, name, columns[1 + i], comma) for i, name in enumerate(wanted)}, columns[0]
 
@@ -88,7 +88,7 @@ def _table(path):
         return _of_swan(path, [line.split() for line in lines])
     lines = [line for line in lines if line.lstrip()[0] != "#"]
     if not lines:
-        raise TableError(f"{path} has no rows; allowed: a head and rows of hours")
+        raise TableError(f"{path} has no rows; give a header and a row for each hour")
     mark = next((mark for mark in (";", "\t") if mark in lines[0]), ",")
     head = [HEAD.match(cell).groups() for cell in next(csv.reader(lines[:1], delimiter=mark))]
     return head, csv.reader(lines[1:], delimiter=mark), mark == ";"
@@ -108,7 +108,7 @@ def _of_swan(path, rows):
     heads = [row[1:] for row in rows if row[0] == "%" and len(row) > 1]
     at = next((i for i, row in enumerate(heads) if i and all(re.fullmatch(r"\[.*\]?|.*\]", one) for one in row)), None)
     if at is None:
-        raise TableError(f"{path.name} has no lines of names and [units] above its rows; allowed: a table with heads")
+        raise TableError(f"{path.name} has no lines of names and [units] above its rows; give a table with headers")
     units = re.findall(r"\[\s*(.*?)\s*\]", " ".join(heads[at]))
     rows = ([re.sub(r"^(\d{4})(\d\d)(\d\d)\.(\d\d)(\d\d)(\d\d)$", r"\1-\2-\3T\4:\5:\6", one) for one in row]
             for row in rows if row[0] != "%")  # fmt: skip
@@ -141,7 +141,7 @@ def _numbers(path, name, cells, comma):
                 float(cell)
             except ValueError:
                 raise TableError(
-                    f"{path.name}, row {number}: {name} is {cell!r}; allowed: a number, or nothing"
+                    f"{path.name}, row {number}: {name} is {cell!r}; allowed: a number, or an empty cell"
                 ) from None
         raise
 
@@ -162,7 +162,8 @@ def _netcdf(path, time, wanted, location):
             moments = data[time]
             if moments.dtype.kind != "M":
                 raise TableError(
-                    f"{path.name}: {time} is no time; allowed: a variable with units as 'hours since 1900-01-01'"
+                    f"{path.name}: {time} is not a time; allowed: a variable with units such as 'hours since "
+                    f"1900-01-01'"
                 )
             found = {name: _at(path, data[name], moments, location) for name in wanted}
             moments = np.asarray(moments.values).ravel().astype("datetime64[s]")

@@ -86,7 +86,9 @@ def made(time, waves, columns, where):
     nothing has.
     """
     if len(time) < FEWEST:
-        raise TableError(f"{where} has {len(time)} rows; allowed: at least {FEWEST}, better all hours of years")
+        raise TableError(
+            f"{where} has {len(time)} rows; allowed: at least {FEWEST}, preferably all hours of several years"
+        )
     if np.all(np.diff(time) < np.timedelta64(0, "s")):  # the newest first
         time, waves = time[::-1], [tuple(part[::-1] for part in one) for one in waves]
         columns = {name: (values[::-1], kind) for name, (values, kind) in columns.items()}
@@ -96,8 +98,8 @@ def made(time, waves, columns, where):
     count = steps / step
     if np.any(np.abs(count - np.round(count)) > 1e-6) or np.any(count < 1):
         at = int(np.argmax(np.abs(count - np.round(count))))
-        raise TableError(f"{where}: step after {time[at]} is {steps[at] / 3600:.4g} h, the others are {step / 3600:g} "
-                         "h; allowed: equal steps, with gaps of whole steps")  # fmt: skip
+        raise TableError(f"{where}: step after {time[at]} is {steps[at] / 3600:.4g} h, and the others are "
+                         f"{step / 3600:g} h; allowed: equal steps, with gaps of whole steps")  # fmt: skip
     said = [*_gaps(time, np.round(count).astype(int), step)]
     waves = [WaveHours(*(_cleaned(f"{kind} of waves", part, kind, where, said) for kind, part in
                          zip(("height", "period", "direction"), one, strict=True))) for one in waves]  # fmt: skip
@@ -106,7 +108,7 @@ def made(time, waves, columns, where):
     time, step, waves, columns = _of_waves(time, step, waves, columns, said)
     lost = np.mean(np.any([~np.isfinite(one.height) for one in waves], axis=0)) if waves else 0.0
     if lost > 0:
-        said.append(f"{100 * lost:.3g} % of the rows have no waves; they are in no share")
+        said.append(f"{100 * lost:.3g} % of the rows have no waves; they are excluded from all shares")
     return Hindcast(time, step, tuple(waves), columns, tuple(said))
 
 
@@ -117,7 +119,7 @@ def _of_waves(time, step, waves, columns, said):
     if every < 2:
         return time, step, waves, columns
     kept = np.flatnonzero(np.round((time - time[some[0]]).astype(float) / step).astype(int) % every == 0)
-    said.append(f"waves come every {every * step / 3600:g} h; the rows between, {len(time) - len(kept)}, are left out")
+    said.append(f"waves come every {every * step / 3600:g} h; the {len(time) - len(kept)} rows in between are not used")
     waves = [WaveHours(*(part[kept] for part in one)) for one in waves]
     return time[kept], every * step, waves, {name: values[kept] for name, values in columns.items()}
 
@@ -128,7 +130,8 @@ def _gaps(time, count, step):
         at, places = int(np.argmax(count)), int(np.sum(count > 1))
         yield (
             f"{missing} of {missing + len(time)} steps are missing, in {places} gaps, the longest of "
-            f"{(count[at] - 1) * step / 3600:.4g} h after {time[at]}: they are in no share, and windows end there"
+            f"{(count[at] - 1) * step / 3600:.4g} h after {time[at]}: they are excluded from all shares, and "
+            f"weather windows end there"
         )
 
 
@@ -144,9 +147,10 @@ def _cleaned(name, values, kind, where, said):
         worst = strange[-1] if abs(strange[-1]) >= abs(strange[0]) else strange[0]
         raise TableError(
             f"{where}: {name} is {worst:.6g} in {int(np.sum(values == worst))} rows; allowed: {low:.4g} to {high:.4g} "
-            'in SI, or a code of what is missing such as -999; is its unit another? name it in the head, as "hs [cm]"'
+            "in SI, or a code for missing data such as -999; if the unit is another, name it in the header, "
+            'such as "hs [cm]"'
         )
-    said.append(f"{len(beyond)} values of {name} are codes of what is missing, as {values[beyond[0]]:g}")
+    said.append(f"{len(beyond)} values of {name} are codes for missing data, such as {values[beyond[0]]:g}")
     values[beyond] = np.nan
     return values
 

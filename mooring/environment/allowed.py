@@ -23,10 +23,12 @@ def row_of_numbers(thing, values, fewest=1):
     """(n,) finite floats.  Raises ValueError that names the first row which is none."""
     values = np.asarray(values, float)
     if values.ndim != 1 or len(values) < fewest:
-        raise ValueError(f"{thing} has shape {values.shape}; allowed: one row of at least {fewest} numbers")
+        raise ValueError(
+            f"{thing} has shape {values.shape}; allowed: a one-dimensional array of at least {fewest} numbers"
+        )
     if not np.all(np.isfinite(values)):
         i = int(np.argmin(np.isfinite(values)))
-        raise ValueError(f"{thing} is {values[i]} at place {i}; allowed: finite numbers")
+        raise ValueError(f"{thing} is {values[i]} at index {i}; allowed: finite numbers")
     return values
 
 
@@ -36,7 +38,7 @@ def rising(thing, values, fewest=2):
     steps = np.diff(values)
     if not np.all(steps > 0):
         i = int(np.argmin(steps > 0))
-        raise ValueError(f"{thing} goes from {values[i]:g} to {values[i + 1]:g} at place {i + 1}; allowed: rising")
+        raise ValueError(f"{thing} goes from {values[i]:g} to {values[i + 1]:g} at index {i + 1}; allowed: increasing")
     if values[0] < 0:
         raise ValueError(f"{thing} begins with {values[0]:g}; allowed: at least 0")
     return values

@@ -44,7 +44,7 @@ class Crossings:
     def highest(self, part):
         """Mean height (m) and period (s) of the highest part of the waves, 0 < part ≤ 1; at least one wave"""
         if not 0 < part <= 1:
-            raise ValueError(f"part of the waves is {part:g}; allowed: above 0, at most 1")
+            raise ValueError(f"the fraction of the waves is {part:g}; allowed: above 0, at most 1")
         chosen = np.argsort(self.heights)[-max(1, round(part * len(self))) :]
         return float(self.heights[chosen].mean()), float(self.periods[chosen].mean())
 
@@ -92,7 +92,9 @@ def zero_crossings(record, step, direction="up"):
     up = eta if direction == "up" else -eta
     at = np.flatnonzero((up[:-1] < 0) & (up[1:] >= 0))
     if len(at) < FEWEST + 1:
-        raise ValueError(f"record has {max(0, len(at) - 1)} whole waves; allowed: at least {FEWEST}; give a longer one")
+        raise ValueError(
+            f"the record has {max(0, len(at) - 1)} complete waves; allowed: at least {FEWEST}; give a longer record"
+        )
     times = step * (at + up[at] / (up[at] - up[at + 1]))
     high, highs = local_maxima(eta)
     low, _ = local_maxima(-eta)
@@ -105,7 +107,7 @@ def zero_crossings(record, step, direction="up"):
 def rayleigh_height(m0, part):
     """Mean height (m) of the highest part of the waves of a narrow spectrum of variance m0 (m²), 0 < part ≤ 1."""
     if not 0 < part <= 1:
-        raise ValueError(f"part of the waves is {part:g}; allowed: above 0, at most 1")
+        raise ValueError(f"the fraction of the waves is {part:g}; allowed: above 0, at most 1")
     root = math.sqrt(-math.log(part))
     return math.sqrt(8 * m0) * (root + 0.5 * math.sqrt(math.pi) / part * math.erfc(root))
 

@@ -108,12 +108,14 @@ def table(z, speed, direction):
     z, speed = row_of_numbers("z of the current profile", z, 2), row_of_numbers("current speed", speed, 2)
     direction = row_of_numbers("current direction", np.broadcast_to(np.asarray(direction, float), z.shape))
     if len(speed) != len(z):
-        raise ValueError(f"the current profile has {len(z)} heights and {len(speed)} speeds; allowed: as many")
+        raise ValueError(f"the current profile has {len(z)} heights and {len(speed)} speeds; allowed: the same number")
     if not (np.all(np.diff(z) > 0) and z[-1] <= 0):
-        raise ValueError(f"z of the current profile runs from {z[0]:g} to {z[-1]:g} m; allowed: rising, at most 0")
+        raise ValueError(f"z of the current profile runs from {z[0]:g} to {z[-1]:g} m; allowed: increasing, at most 0")
     if not np.all((speed >= 0) & (speed <= FASTEST)):
         wrong = speed[~((speed >= 0) & (speed <= FASTEST))][0]
-        raise ValueError(f"current speed is {wrong:g} m/s; allowed: 0 to {FASTEST:g} m/s, its direction apart")
+        raise ValueError(
+            f"current speed is {wrong:g} m/s; allowed: 0 to {FASTEST:g} m/s; give the direction separately"
+        )
     return CurrentProfile((_Table(z, np.stack([speed * np.cos(direction), speed * np.sin(direction)], axis=-1)),))
 
 

@@ -138,7 +138,7 @@ def gust_components(spectrum, seed, low, high, count):
     positive("lowest frequency of the gusts", low, "rad/s")
     positive("highest frequency of the gusts", high, "rad/s")
     if not low < high:
-        raise ValueError(f"gust frequencies run from {low:g} to {high:g} rad/s; allowed: rising")
+        raise ValueError(f"gust frequencies run from {low:g} to {high:g} rad/s; allowed: increasing")
     if not (count == int(count) and count >= 1):
         raise ValueError(f"number of gust components is {count}; allowed: a whole number from 1")
     if not isinstance(seed, int | np.integer) or seed < 0:
@@ -155,8 +155,8 @@ def _tell_missing(spectrum, low, high):
     held = float(spectrum.share(low, high))
     if held < 1 - MISSED:
         warnings.warn(
-            f"gust band {low:.3g} to {high:.3g} rad/s holds {100 * held:.1f} % of the variance of {spectrum.name} at "
-            f"{spectrum.speed:g} m/s, limit {100 * (1 - MISSED):g} %; widen it, or scale the record",
+            f"the gust band {low:.3g} to {high:.3g} rad/s contains {100 * held:.1f} % of the variance of "
+            f"{spectrum.name} at {spectrum.speed:g} m/s, limit {100 * (1 - MISSED):g} %; widen it, or scale the record",
             MissingVariance,
             stacklevel=4,
         )

@@ -40,14 +40,14 @@ def read_columns(path):
     lines = [(k, line) for k, line in lines if line.strip() and not line.lstrip().startswith("#")]
     first = next((i for i, (_, line) in enumerate(lines) if _is_value(_words(line, _mark(line))[0])), None)
     if first is None:
-        raise TableError(f"{path} has no rows of numbers; allowed: rows of numbers below their names")
+        raise TableError(f"{path} has no rows of numbers; allowed: column names, then rows of numbers")
     last = max(i for i, (_, line) in enumerate(lines) if _is_value(_words(line, _mark(line))[0]))
     mark = _mark(lines[first][1])
     rows = [(k, _words(line, mark)) for k, line in lines[first : last + 1]]
     width = len(rows[0][1])
     for k, words in rows:
         if len(words) != width:
-            raise TableError(f"{path}: line {k} has {len(words)} columns; allowed: {width}, as the first")
+            raise TableError(f"{path}: line {k} has {len(words)} columns; allowed: {width}, as in the first line")
     comma = mark != "," and any("," in word for _, words in rows for word in words if _seconds(word) is None)
     start = _seconds(rows[0][1][0])
     values = np.array([[_value(path, k, word, comma, start) for word in words] for k, words in rows])
@@ -103,7 +103,7 @@ def _value(path, line, word, comma, start):
         return float(number)
     except ValueError:
         raise TableError(
-            f"{path}: line {line} has {word!r}; allowed: numbers of one decimal mark, or nothing"
+            f"{path}: line {line} has {word!r}; allowed: numbers with the same decimal mark, or empty cells"
         ) from None
 
 

@@ -34,10 +34,10 @@ def the_one_period(family, periods):
     """
     unknown = [kind for kind in periods if kind not in KINDS]
     if unknown:
-        raise ValueError(f"{family}: {unknown[0]} is no kind of period; allowed: {', '.join(KINDS)}")
+        raise ValueError(f"{family}: {unknown[0]} is not a kind of period; allowed: {', '.join(KINDS)}")
     given = {kind: value for kind, value in periods.items() if value is not None}
     if len(given) != 1:
         state = " and ".join(given) + " are given" if given else "no period is given"
-        raise ValueError(f"{family}: {state}; allowed: one of {', '.join(KINDS)}")
+        raise ValueError(f"{family}: {state}; give one of {', '.join(KINDS)}")
     ((kind, value),) = given.items()
     return kind, positive(kind.replace("_", " "), value, "s")

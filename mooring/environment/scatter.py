@@ -39,9 +39,11 @@ class Scatter:
             raise ValueError(f"classes begin with {heights[0]:g} m, {periods[0]:g} s; allowed: above 0")
         if probability.shape != (len(heights), len(periods)):
             shape = f"{len(heights)} heights and {len(periods)} periods"
-            raise ValueError(f"probability has shape {probability.shape} for {shape}; allowed: as many")
+            raise ValueError(f"probability has the shape {probability.shape} for {shape}; allowed: the same shape")
         if not (np.all(probability >= 0) and 0 < probability.sum() < np.inf):
-            raise ValueError(f"smallest probability is {probability.min():g}; allowed: at least 0, somewhere above")
+            raise ValueError(
+                f"smallest probability is {probability.min():g}; allowed: at least 0, and above 0 somewhere"
+            )
         object.__setattr__(self, "heights", heights)
         object.__setattr__(self, "periods", periods)
         object.__setattr__(self, "probability", probability / probability.sum())

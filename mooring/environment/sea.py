@@ -179,7 +179,8 @@ def _shares_of_one(headings, direction):
     if not share.any():
         given = ", ".join(f"{np.rad2deg(b):g}" for b in headings)
         raise ValueError(
-            f"wave direction {np.rad2deg(direction):g}° is not between headings at most 45° apart ({given}°); add it"
+            f"wave direction {np.rad2deg(direction):g}° does not lie between two headings at most 45° apart "
+            f"({given}°); add it"
         )
     return share
 
@@ -191,7 +192,7 @@ def linear_weights(headings, angles):
     start = ring[order]
     if np.any(np.diff(start) < 1e-9):
         twice = np.rad2deg(start[np.argmin(np.diff(start))])
-        raise ValueError(f"heading {twice:g}° is given twice; allowed: once")
+        raise ValueError(f"heading {twice:g}° is given twice; give it once")
     gap = np.diff(start, append=start[0] + 2 * np.pi)
     angle = np.mod(angles, 2 * np.pi)
     i = np.searchsorted(start, angle, side="right") - 1  # −1: the gap across 0
@@ -209,7 +210,7 @@ def _scaled(share, headings):
     if missed > MOST_MISSED:
         given = ", ".join(f"{np.rad2deg(b):g}" for b in headings)
         raise ValueError(
-            f"{100 * missed:.1f} % of the energy travels outside the headings {given}°, or between two more than "
-            f"45° apart; allowed: {100 * MOST_MISSED:g} %; add headings, or narrow the spreading"
+            f"{100 * missed:.1f} % of the energy travels outside the headings {given}°, or between two that are "
+            f"more than 45° apart; allowed: {100 * MOST_MISSED:g} %; add headings, or narrow the spreading"
         )
     return share / total

@@ -114,7 +114,7 @@ class Peaked(Spectrum):
     def _moment(self, order, low, high):
         low, high = low / self.peak_omega, high / self.peak_omega
         if order == 4 and np.any(np.isinf(high)):
-            raise ValueError(f"{self.name} spectrum: moment 4 of a tail ω⁻⁵ grows without end; give a finite high")
+            raise ValueError(f"{self.name} spectrum: moment 4 of an ω⁻⁵ tail is infinite; give a finite high")
         value = _moment_without_peak(order, low, high)
         if self.gamma > 1:
             value = value + self._excess(order, high) - self._excess(order, low)
@@ -152,10 +152,12 @@ class Tabulated(Spectrum):
         omega = rising("frequency of the spectrum", self.omega)
         values = row_of_numbers("density of the spectrum", self.values, 2)
         if len(omega) != len(values):
-            raise ValueError(f"spectrum has {len(omega)} frequencies and {len(values)} densities; allowed: as many")
+            raise ValueError(
+                f"spectrum has {len(omega)} frequencies and {len(values)} densities; allowed: the same number"
+            )
         if np.any(values < 0) or not np.any(values > 0):
             span = f"{values.min():g} to {values.max():g}"
-            raise ValueError(f"density of the spectrum is {span} m² s; allowed: at least 0, somewhere above")
+            raise ValueError(f"density of the spectrum is {span} m² s; allowed: at least 0, and above 0 somewhere")
         object.__setattr__(self, "omega", omega)
         object.__setattr__(self, "values", values)
 
@@ -170,8 +172,8 @@ class Tabulated(Spectrum):
     def _moment(self, order, low, high):
         if order == -1 and self.omega[0] == 0 and self.values[0] > 0 and np.any(low == 0):
             raise ValueError(
-                f"{self.name} spectrum: moment −1 has no end, density at frequency 0 is {self.values[0]:g} m² s; "
-                "give a low above 0"
+                f"{self.name} spectrum: moment −1 is infinite, since the density at frequency 0 is "
+                f"{self.values[0]:g} m² s; give a low above 0"
             )
         return self._up_to(order, high) - self._up_to(order, low)
 

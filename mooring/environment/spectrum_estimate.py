@@ -62,7 +62,7 @@ def estimate(record, step, segment=None, window="hann", overlap=0.5):
     parts = (record - record.mean())[starts[:, None] + np.arange(n)] * w
     power = np.mean(np.abs(np.fft.rfft(parts, axis=1)) ** 2, axis=0)
     if not power.any():
-        raise ValueError(f"record is {record[0]:g} m throughout; allowed: one with waves")
+        raise ValueError(f"record is {record[0]:g} m throughout; give a record with waves")
     inner = slice(1, (n + 1) // 2)
     omega = 2 * np.pi * np.fft.rfftfreq(n, step)
     density = step / (np.pi * np.sum(w**2)) * power
@@ -75,7 +75,8 @@ def _values_in_segment(n, step, segment):
     length = round(positive("segment", segment, "s") / step)
     if not FEWEST <= length <= n:
         raise ValueError(
-            f"segment is {segment:g} s, {length} values; allowed: {FEWEST * step:g} to {n * step:g} s, the whole record"
+            f"segment is {segment:g} s, {length} values; allowed: {FEWEST * step:g} to {n * step:g} s, the "
+            f"length of the record"
         )
     return length
 

@@ -28,7 +28,7 @@ def read_table(path, blank=None):
     text = _decimal_points(text)
     lines = [line for line in text.splitlines() if _has_data(line)]
     if not lines:
-        raise TableError(f"{path} has no rows; allowed: rows of numbers")
+        raise TableError(f"{path} has no rows; give rows of numbers")
     names = None if _is_number(_split(lines[0])[0]) else _split(lines.pop(0))
     if not lines:
         raise TableError(f"{path} has no rows of numbers")
@@ -82,7 +82,7 @@ def _row_by_row(path, text, named, width, blank):
     for number, line in rows:
         row = _split(line)
         if len(row) != width:
-            raise TableError(f"{path}: line {number} has {len(row)} columns; allowed: {width}, as the first")
+            raise TableError(f"{path}: line {number} has {len(row)} columns; allowed: {width}, as in the first line")
         values.append([_number(path, number, word, blank) for word in row])
     return np.array(values)
 
@@ -90,7 +90,7 @@ def _row_by_row(path, text, named, width, blank):
 def column_of(path, names, wanted):
     """Place of a named column.  Raises TableError."""
     if names is None:
-        raise TableError(f"column is {wanted!r}, {path} has no names of columns; leave it out")
+        raise TableError(f"column is {wanted!r}, and {path} has no column names; leave it out")
     if wanted not in names:
         raise TableError(f"{path} has no column {wanted!r}; allowed: {', '.join(names)}")
     return names.index(wanted)
@@ -116,10 +116,8 @@ def fault_of_steps(path, time, off, lines=None):
     where, a, b = f"{path}: line {line}", time[i], time[i + 1]
     if len(falling):
         moved = f"stays at {a:g} s" if a == b else f"goes back from {a:.8g} to {b:.8g} s"
-        return TableError(
-            f"{where}: time {moved}; allowed: equal steps: put the rows in order, and leave out what is there twice"
-        )
-    told = f"{where}: time goes from {a:.8g} to {b:.8g} s where the step is {usual:.6g} s"
+        return TableError(f"{where}: time {moved}; allowed: equal steps; sort the rows and remove duplicates")
+    told = f"{where}: time goes from {a:.8g} to {b:.8g} s and the step elsewhere is {usual:.6g} s"
     lost = [max(0, round(step / usual) - 1) for step in steps[wrong]]
     whole = np.abs(steps[wrong] - usual * (1 + np.array(lost))) <= max(off, 0.05) * usual
     if len(wrong) and np.all(whole) and min(lost) > 0:
@@ -127,7 +125,8 @@ def fault_of_steps(path, time, off, lines=None):
         count = f"{lost[0]} row is" if lost[0] == 1 else f"{lost[0]} rows are"
         return TableError(f"{told}: {count} missing{more}; allowed: equal steps; fill the gap, or cut the record there")
     return TableError(
-        f"{told}, from {steps.min():.4g} to {steps.max():.4g} s in the file; allowed: equal steps; interpolate to such"
+        f"{told}, from {steps.min():.4g} to {steps.max():.4g} s in the file; allowed: equal steps; interpolate "
+        f"to equal steps"
     )
 
 
@@ -166,5 +165,5 @@ def _number(path, line, word, blank):
     except ValueError:
         value = np.nan
     if not np.isfinite(value):
-        raise TableError(f"{path}: line {line} has {word!r}; allowed: finite numbers: fill it in")
+        raise TableError(f"{path}: line {line} has {word!r}; allowed: finite numbers; fill in the value")
     return value

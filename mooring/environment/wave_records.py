@@ -88,17 +88,17 @@ def read_record(path, step=None, column=None):
     """
     names, values, lines = read_columns(path)
     if len(values) < 2:
-        raise TableError(f"{path} has one row; allowed: at least 2")
+        raise TableError(f"{path} has one row; allowed: 2 or more")
     timed = values.shape[1] > 1
     place = column_of(path, names, column) if column else int(timed)
     gaps = np.flatnonzero(~np.isfinite(values[:, [0, place]]).all(axis=1))
     if len(gaps):
         many = f", the first of {len(gaps)} gaps" if len(gaps) > 1 else ""
         raise TableError(
-            f"{path}: line {lines[gaps[0]]} has no finite number{many}; fill it in, or cut the record there"
+            f"{path}: line {lines[gaps[0]]} has no finite number{many}; fill in the value, or cut the record there"
         )
     if timed and step is not None:
-        raise TableError(f"{path} has a column of times; a step of {step:g} s is given too; leave it out")
+        raise TableError(f"{path} has a time column, and a step of {step:g} s is given as well; leave out the step")
     if not timed and step is None:
         raise TableError(f"{path} has one column and no times; give the step (s), or times in a first column")
     elevation = values[:, place] * (unit_of(path, names[place], "length") if names else 1.0)

@@ -50,19 +50,19 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
     raises : FenderError
     """
     if family not in names():
-        way = "table, the maker's CSV of strain and reaction_kN"
+        way = "table, the manufacturer's CSV of strain and reaction_kN"
         if family in WITHOUT:
             raise FenderError(f"family {family!r} has no public curve; give {way}, with height and rated_strain")
         raise FenderError(f"family {family!r} is unknown; allowed: {', '.join(names())}; or {way}")
     label = f"{family} {height:g} m" + (f" × {length:g} m" if length else "")
     if family == "pneumatic":
         if length is None:
-            raise FenderError(f"{label}: a pneumatic fender has a length beside its diameter, and none is given")
+            raise FenderError(f"{label}: the length is missing; a pneumatic fender needs diameter and length")
         if rated_reaction is not None:
-            raise FenderError(f"{label}: a pneumatic fender is given by diameter, length and pressure alone")
+            raise FenderError(f"{label}: a pneumatic fender is defined by diameter, length and pressure only")
         return pneumatic(label, height, length, 50e3 if pressure is None else pressure, overload)
     if pressure is not None:
-        raise FenderError(f"{label}: a pressure is given; allowed: of pneumatic fenders only")
+        raise FenderError(f"{label}: a pressure is given; only pneumatic fenders have one")
     shape = families()[family]
     if rated_reaction is None:
         rated_reaction = _ordinary(label, family, shape["intensity"], height, length)
@@ -83,9 +83,9 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
 
 def _ordinary(label, family, intensity, height, length):
     if intensity is None:
-        raise FenderError(f"{label}: no source gives its reaction; give the rated reaction of the maker")
+        raise FenderError(f"{label}: no public source gives its reaction; give the rated reaction of the manufacturer")
     if family != "cell" and length is None:
-        raise FenderError(f"{label}: its length is missing; give it, or the rated reaction of the maker")
+        raise FenderError(f"{label}: its length is missing; give it, or the rated reaction of the manufacturer")
     return 1e3 * intensity * height * (height if family == "cell" else length)
 
 

@@ -84,8 +84,8 @@ class Fender:
         most = self.loading.integral(self.limit)
         if energy > most and np.isfinite(last):
             raise FenderError(
-                f"{self.name}: {energy / 1e3:.4g} kJ are asked of a table that ends at {self.limit:.3g} m with "
-                f"{most / 1e3:.4g} kJ; take a larger fender or give an overload stiffness"
+                f"{self.name}: {energy / 1e3:.4g} kJ are requested and the table ends at {self.limit:.3g} m with "
+                f"{most / 1e3:.4g} kJ; choose a larger fender or give an overload stiffness"
             )
         low, high = 0.0, self.limit
         while self.loading.integral(high) < energy:
@@ -195,13 +195,15 @@ def _check_points(name, height, x, up, down):
         raise FenderError(f"{name}: its height is {height:g} m; allowed: above 0, finite")
     if len(x) < 2 or x.shape != up.shape or x.shape != down.shape:
         sizes = f"{len(x)}, {len(up)} and {len(down)}"
-        raise FenderError(f"{name}: {sizes} deflections, reactions, unloadings; allowed: as many of each, at least 2")
+        raise FenderError(
+            f"{name}: {sizes} deflections, reactions and unloading values; allowed: the same number of each, at least 2"
+        )
     if not (np.all(np.isfinite(x)) and np.all(np.isfinite(up)) and np.all(np.isfinite(down))):
-        raise FenderError(f"{name}: its table has a value that is no number; allowed: finite")
+        raise FenderError(f"{name}: its table has a value that is not a number; allowed: finite numbers")
     falling = np.flatnonzero(np.diff(x) <= 0)
     if x[0] != 0 or len(falling):
         what = f"begin at {x[0]:g}" if x[0] != 0 else f"go from {x[falling[0]]:g} to {x[falling[0] + 1]:g}"
-        raise FenderError(f"{name}: deflections {what}; allowed: rising from 0")
+        raise FenderError(f"{name}: deflections {what}; allowed: increasing from 0")
     if up[0] != 0 or down[0] != 0:
         raise FenderError(f"{name}: its reaction without deflection is {up[0]:g} and {down[0]:g} N; allowed: 0")
     for what, values in (("reaction", up), ("unloading", down)):
@@ -213,8 +215,8 @@ def _check_points(name, height, x, up, down):
     if len(over):
         i = over[np.argmax((down - up)[over])]
         raise FenderError(
-            f"{name}: at {x[i]:g} m it unloads with {down[i] / 1e3:.4g} kN, above its loading of {up[i] / 1e3:.4g} kN, "
-            "and would give energy; allowed: unloading at most loading"
+            f"{name}: at {x[i]:g} m it unloads with {down[i] / 1e3:.4g} kN, above the loading curve of "
+            f"{up[i] / 1e3:.4g} kN, which would create energy; allowed: unloading at most as high as loading"
         )
 
 
@@ -223,8 +225,8 @@ def _check_marks(made):
     lowest = made.unloading(grid)
     if lowest.min() < -1e-9 * made.loading(grid).max():
         raise FenderError(
-            f"{made.name}: between its points the unloading curve falls to {lowest.min() / 1e3:.3g} kN at "
-            f"{grid[lowest.argmin()]:.3g} m; allowed: 0 or more: give more points there"
+            f"{made.name}: between its points the interpolated unloading curve falls to {lowest.min() / 1e3:.3g} kN at "
+            f"{grid[lowest.argmin()]:.3g} m; allowed: 0 or more; give more points there"
         )
     for key in ("rated", "allowable"):
         value = getattr(made, key)

@@ -52,7 +52,7 @@ class Pressed:
             if np.abs(force - before).max() <= 1e-13 * np.abs(force).max():
                 break
         else:
-            raise FenderError(f"a step of {self.h:.3g} s is too long for the stiffness of the fender; give more steps")
+            raise FenderError(f"a step of {self.h:.3g} s is too long for the stiffness of the fender; use more steps")
         stages = (self.from_z @ z + self.from_force @ force).reshape(2, -1)
         both = force.reshape(2, -1)
         return z + 0.5 * self.h * (self.A @ stages.sum(axis=0) + self.B @ both.sum(axis=0)), stages

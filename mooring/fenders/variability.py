@@ -31,7 +31,9 @@ def chosen(causes=None, **own):
     out = {cause: table[cause] for cause in (causes or table)}
     for cause, (low, high) in out.items():
         if not 0 < low <= high < np.inf:
-            raise FenderError(f"variation by {cause} goes from {low:g} to {high:g}; allowed: above 0, rising, finite")
+            raise FenderError(
+                f"variation by {cause} goes from {low:g} to {high:g}; allowed: above 0, increasing, finite"
+            )
     return out
 
 

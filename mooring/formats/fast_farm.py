@@ -32,7 +32,9 @@ def read_fast_farm(path, depth=None):
     except ValueError:
         places = {}
     if len(places) != int(count) or any(len(place) != 3 for place in places.values()):
-        raise FormatError(f"{path}: {count} turbines and {len(places)} rows of WT_X, WT_Y, WT_Z; allowed: as many")
+        raise FormatError(
+            f"{path}: {count} turbines and {len(places)} rows of WT_X, WT_Y, WT_Z; allowed: the same number"
+        )
     return read_moordyn_system(path.parent / file, depth, turbines=places)
 
 

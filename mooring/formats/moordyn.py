@@ -85,7 +85,7 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
             if key == "end":
                 break
             if key in found:
-                raise fault(path, number, SECTIONS[key].title, f"is there twice, first at line {first}")
+                raise fault(path, number, SECTIONS[key].title, f"appears twice, first at line {first}")
             first = number
             found[key] = []
         elif key is None:
@@ -96,7 +96,7 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
             found[key] += [(number, line)] if line.strip() and not COUNT.match(line) else []
     alone = "lines" not in found
     if alone and not (found.get("rods") or found.get("bodies")):
-        what = "it has POINTS alone; allowed: with lines" if found.get("points") else "this is no MoorDyn input file"
+        what = "it has POINTS but no lines" if found.get("points") else "this is not a MoorDyn input file"
         raise fault(path, None, None, f"there is no section LINES; {what}")
     made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
     for key in ("syrope", "control", "external"):
@@ -130,13 +130,15 @@ def _fields(key):
 def _rows(key, rows, path):
     section = SECTIONS[key]
     if len(rows) < 2:
-        raise fault(path, rows[0][0] if rows else None, section.title, "a line of names and a line of units are needed")
+        raise fault(
+            path, rows[0][0] if rows else None, section.title, "a line of column names and a line of units are required"
+        )
     fields = _columns(key, rows[0][1].split(), (path, rows[0][0], section.title))
     made = tuple(_row(key, fields, number, line.split("#")[0].split(), path) for number, line in rows[2:])
     seen = set()
     for (number, _), row in zip(rows[2:], made, strict=True):
         if row[0] in seen:
-            raise fault(path, number, section.title, f"{row._fields[0]} {row[0]} is used twice; allowed: once")
+            raise fault(path, number, section.title, f"{row._fields[0]} {row[0]} is used twice; give each number once")
         seen.add(row[0])
     return made
 
@@ -153,7 +155,7 @@ def _columns(key, names, place):
         usual = SECTIONS[key].row._fields
         moved = [name for name, field in zip(names, usual, strict=False) if known.get(name, field) != field]
         if key == "lines" and moved:
-            raise fault(*place, f"column {strange[0]!r} is unknown and {moved[0]!r} is not where version 2 has it")
+            raise fault(*place, f"column {strange[0]!r} is unknown and {moved[0]!r} is not in its place of version 2")
         return usual
     return [known.get(name) for name in names]
 
@@ -173,7 +175,7 @@ def _row(key, fields, number, words, path):
                     path,
                     number,
                     section.title,
-                    f"{word} is no force on a point, or channel that pays out a line, that is read; allowed: 0",
+                    f"{word} is a force on a point or a winch channel, which is not supported; allowed: 0",
                 )
             continue
         values[name] = _value(kinds[name], name, word, number, section, path)
@@ -222,7 +224,7 @@ def _check_references(file, found, path):
         for end in (row.a, row.b):
             plain = end.lower().removeprefix("point").removeprefix("p").removeprefix("connection").removeprefix("c")
             if plain.isdigit() and plain not in points:
-                raise fault(path, number, "LINES", f"line {row.id}: its end {end} is no point of the file")
+                raise fault(path, number, "LINES", f"line {row.id}: its end {end} is not a point of the file")
 
 
 def moordyn_text(file: MoorDynFile) -> str:

@@ -96,5 +96,5 @@ def out_of_water(lines, points, bodies, dry, water):
         else:
             made.append(line)
             left.append(line.name)
-    what = f"line {', '.join(left)} comes out of the water and weighs there what it does in it"
+    what = f"line {', '.join(left)} leaves the water, and its weight in water is used there too"
     return made, [what] if left else []

@@ -36,18 +36,18 @@ def left_out(file, moves=False):
     bent = [row.name for row in file.rod_types if file.rods and file.lines]
     heeled = [row.id for row in file.bodies if row.attachment.lower() in FREE and (row.roll0 or row.pitch0)]
     for names, what in (
-        ([row.id for row in file.failures], "failure {} of lines is left out: nothing breaks at rest"),
-        (bent, "bending and end forces of rods of type {} are left out"),
-        (heeled, "free body {} starts heeled (r0, p0): left out, its rest is sought from upright"),
-        (joints, "rod {} has no length: the bending it would pass on is left out"),
+        ([row.id for row in file.failures], "failure {} of lines is not included: nothing breaks at rest"),
+        (bent, "bending and end forces of rods of type {} are not included"),
+        (heeled, "free body {} starts heeled (r0, p0): not used, its equilibrium is sought from upright"),
+        (joints, "rod {} has no length: the bending moment that it transmits is not included"),
     ):
         if names:
             said.append(what.format(", ".join(names)))
     if file.syrope and not any(is_syrope(row) for row in file.line_types):
-        said.append("section SYROPE IC is left out: no line type is a Syrope rope")
+        said.append("section SYROPE IC is not used: no line type is a Syrope rope")
     for key, title in (("control", "CONTROL"), ("external", "EXTERNAL LOADS")):
         if getattr(file, key):
-            said.append(f"section {title} is left out")
+            said.append(f"section {title} is not used")
     return said
 
 
@@ -55,17 +55,17 @@ def _of_types(file, moves):
     rows = file.line_types
     bent = [row.name for row in rows if not (_number(row.EI) if moves else _nought(row.EI))]
     for names, what in (
-        (bent, "bending stiffness EI of {} is left out" + (", a table" if moves else "")),
+        (bent, "bending stiffness EI of {} is not included" + (", a table" if moves else "")),
         (
             [row.name for row in rows if "|" in row.EA and not is_syrope(row)],
-            "dynamic stiffness (EA a|b) of {} is left out, the static counts",
+            "the dynamic stiffness (EA a|b) of {} is not included; the static stiffness is used",
         ),
         (
             [row.name for row in rows if is_syrope(row)],
-            "fast stiffness of the Syrope rope {} is left out, at rest its slow working curve counts; Tmean0 is left "
-            "out, rest gives the tension",
+            "the fast stiffness of the Syrope rope {} is not included, since at rest its slow working curve "
+            "applies; Tmean0 is not used, since the equilibrium gives the tension",
         ),
-        ([row.name for row in rows if row.Cl], "vortex-induced vibration (Cl) of {} is left out"),
+        ([row.name for row in rows if row.Cl], "vortex-induced vibration (Cl) of {} is not included"),
     ):
         if names:
             yield what.format(", ".join(names))
@@ -77,11 +77,11 @@ def _of_options(file):
         key = name.lower()
         if key in BROUGHT_IN:
             if not _nought(value):
-                yield f"{BROUGHT_IN[key]} ({name} {value}) left out: still water over a flat bed"
+                yield f"{BROUGHT_IN[key]} ({name} {value}) not included: still water over a flat bed is used"
         elif f" {key} " not in IN_TIME + UNDERSTOOD:
             unknown.append(name)
     if unknown:
-        yield f"option {', '.join(unknown)} is unknown and left out"
+        yield f"option {', '.join(unknown)} is unknown and ignored"
 
 
 def _number(text):

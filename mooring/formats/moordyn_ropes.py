@@ -43,7 +43,7 @@ class WorkingCurves(NamedTuple):
         """(k, 2) strain and tension, N, at rest, of a rope whose mean tension has been `largest`, N, its first 0"""
         strain, tension = self.original.T
         if not 0 <= largest <= tension[-1]:
-            raise ValueError(f"a mean tension of {largest:g} N; allowed: 0 to {tension[-1]:g} N, as its OWC goes")
+            raise ValueError(f"a mean tension of {largest:g} N; allowed: 0 to {tension[-1]:g} N, the range of its OWC")
         if largest == 0:
             return self.original
         end = float(np.interp(largest, tension, strain))
@@ -108,8 +108,12 @@ def largest_tensions(file, path):
         value = finite_number(words[1]) if len(words) > 2 else None
         unknown = set(words[0].split(",")) - lines
         if value is None or unknown:
-            what = f"line {min(unknown)} is unknown" if unknown else f"{text.strip()!r} is not lines, Tmax0 and Tmean0"
-            raise FormatError(f"{path}, section SYROPE IC: {what}; allowed: ids of lines as 1,2 and two numbers")
+            what = (
+                f"line {min(unknown)} is unknown"
+                if unknown
+                else (f"{text.strip()!r} does not give lines, Tmax0 and Tmean0")
+            )
+            raise FormatError(f"{path}, section SYROPE IC: {what}; allowed: line numbers such as 1,2, and two numbers")
         found |= dict.fromkeys(words[0].split(","), value)
     return found
 

@@ -61,7 +61,7 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     """
     if not file.lines:
         others = ", ".join(title for title, rows in (("BODIES", file.bodies), ("RODS", file.rods)) if rows)
-        raise FormatError(f"{path}: there are no LINES, but {others} alone; allowed: with lines")
+        raise FormatError(f"{path}: there are no LINES, only {others}; give lines")
     depth, said = _depth(file, path, depth)
     water = _Water(_option(file, path, 1025.0, DENSITY), _option(file, path, 9.80665, GRAVITY), path)
     friction = _option(file, path, 0.0, FRICTION)
@@ -127,10 +127,12 @@ def _depth(file, path, given):
             raise FormatError(f"{path}, section OPTIONS: {what}") from None
         said.append(f"the bathymetry {text} (WtrDpth) is left out; the bed is flat at {given:g} m")
     if own is not None and given is not None and own != given:
-        raise FormatError(f"{path}: WtrDpth is {own:g} m and the depth given {given:g} m; allowed: one of them")
+        raise FormatError(f"{path}: WtrDpth is {own:g} m and the given depth is {given:g} m; give one of them")
     depth = own if own is not None else given
     if depth is None:
-        said.append(f"WtrDpth is missing; the bed is at the lowest point, {lowest:g} m; give the depth if it is not")
+        said.append(
+            f"WtrDpth is missing; the bed is assumed at the lowest point, {lowest:g} m; give the depth if this is wrong"
+        )
     elif depth < lowest:
         said.append(f"depth is {depth:g} m and the lowest point at {lowest:g} m; the bed is taken there")
     return max(lowest, depth or 0.0), said
@@ -159,7 +161,7 @@ def _number(text, default):
 
 def _weightless(types):
     names = [kind.name for kind in types if kind.weight == STILL]
-    return [f"line type {', '.join(names)} weighs nothing in water; {STILL:g} N/m is counted"] if names else []
+    return [f"line type {', '.join(names)} has no weight in water; {STILL:g} N/m is used"] if names else []
 
 
 def _end(name):
@@ -177,7 +179,7 @@ def _points_and_bodies(file, water, lines, turbines):
     points = [_point(row, file.bodies, water.path, turbines) for row in file.points]
     idle = [point.name for point in points if isinstance(point, FreePoint) and point.name not in used]
     points = [point for point in points if point.name not in idle]
-    said = [f"point {', '.join(idle)} is free and no line holds it: left out"] if idle else []
+    said = [f"point {', '.join(idle)} is free and held by no line: ignored"] if idle else []
     bodies, idle = [], []
     for row in file.rods:
         if {f"R{row.id}A", f"R{row.id}B"} & used:
@@ -187,10 +189,10 @@ def _points_and_bodies(file, water, lines, turbines):
         else:
             _check_idle(row, file, water.path)
             idle.append(row.id)
-    said += [f"rod {', '.join(idle)} bears no line: left out but for its weight on a free body"] if idle else []
+    said += [f"rod {', '.join(idle)} carries no line: ignored except for its weight on a free body"] if idle else []
     borne = {point.body for point in points if isinstance(point, Fairlead)}
     idle = [row.id for row in file.bodies if f"body {row.id}" not in borne]
-    said += [f"body {', '.join(idle)} bears no line: left out"] if idle else []
+    said += [f"body {', '.join(idle)} carries no line: ignored"] if idle else []
     bodies = [_body(row, file, water) for row in file.bodies if row.id not in idle] + bodies
     placed = [(f"turbine {number}", place) for number, place in turbines.items()]
     bodies = [MooredBody(name, (*place, 0.0, 0.0, 0.0), ()) for name, place in placed if name in borne] + bodies
@@ -285,10 +287,10 @@ def _point(row, bodies, path, turbines):
 def _turbine(row, number, turbines, path):
     if number in turbines:
         return number
-    known = f"1 to {len(turbines)} are known" if turbines else "this file does not say where that stands"
+    known = f"1 to {len(turbines)} are known" if turbines else "this file does not give its position"
     raise FormatError(
         f"{path}, section POINTS: point {row.id} is in the axes of {row.attachment}, and {known}; allowed: FAST.Farm's "
-        "NAME.fstf or RAFT's design with its array, which name this file and have the places"
+        "NAME.fstf or RAFT's design with its array, which refer to this file and give the positions"
     )
 
 

@@ -60,7 +60,7 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
     density = _number(data, ("water_density", "rho_water", "rho"), path, "the file", 1025.0)
     given, depth = depth, _number(data, ("water_depth", "depth"), path, "the file", depth)
     if given is not None and given != depth:
-        raise FormatError(f"{path}: water_depth is {depth:g} m and the depth given {given:g} m; allowed: one of them")
+        raise FormatError(f"{path}: water_depth is {depth:g} m and the given depth is {given:g} m; give one of them")
     tables = {key: _table(data, key, path) for key in KNOWN}
     types = {row["name"]: _type(row, density, path) for row in tables["line_types"]}
     points = [_point(row, path) for row in tables["points"]]

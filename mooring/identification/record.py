@@ -29,16 +29,17 @@ def checked(time, *columns):
     t = np.asarray(time, float)
     columns = [np.asarray(column, float) for column in columns]
     if len(t) < FEWEST or any(column.shape != t.shape for column in columns):
-        raise RecordError(f"the record has {len(t)} times; allowed: {FEWEST} or more, and as many values")
+        raise RecordError(f"the record has {len(t)} times; allowed: {FEWEST} or more, with the same number of values")
     bad = [i for i in range(len(t)) if not all(np.isfinite(column[i]) for column in (t, *columns))]
     if bad:
-        raise RecordError(f"row {bad[0] + 1} of the record has a value that is no number")
+        raise RecordError(f"row {bad[0] + 1} of the record has a value that is not a number")
     step = np.median(np.diff(t))
     wrong = np.flatnonzero(~(np.abs(np.diff(t) - step) <= UNEVEN * abs(step))) if step > 0 else [0]
     if len(wrong):
         i = int(wrong[0])
         raise RecordError(
-            f"the record steps by {t[i + 1] - t[i]:g} s after {t[i]:g} s, else by {step:g} s; allowed: rising, no gaps"
+            f"the record steps by {t[i + 1] - t[i]:g} s after {t[i]:g} s, and elsewhere by {step:g} s; allowed: "
+            f"increasing, without gaps"
         )
     return t - t[0], *columns
 
@@ -64,5 +65,5 @@ def sine_of(time, motion):
     omega = float(found.x[0])
     (s, c, mean), left = parts(omega)
     if omega * time[-1] < 4 * np.pi:
-        raise RecordError(f"the record holds {omega * time[-1] / (2 * np.pi):.2g} cycles; allowed: two or more")
+        raise RecordError(f"the record contains {omega * time[-1] / (2 * np.pi):.2g} cycles; allowed: two or more")
     return Sine(float(mean), float(np.hypot(s, c)), omega, float(np.arctan2(c, s)), float(np.sqrt(np.mean(left**2))))

@@ -83,7 +83,7 @@ def berth_of(fenders, ropes, center, hulls=None, ends=None):
     names = [one.name for one in (*fenders, *ropes)]
     twice = [name for name in names if names.count(name) > 1]
     if twice:
-        raise FenderError(f"{twice[0]!r} is the name of two fenders or ropes; allowed: each its own")
+        raise FenderError(f"{twice[0]!r} is the name of two fenders or ropes; give each a name of its own")
     numbers = [
         (*far(one.face, b, o), *one.normal, one.side - float(np.dot(one.normal, own[b])), one.friction, one.shear, 0.0)
         for one, (b, o) in zip(fenders, ends, strict=False)
@@ -140,8 +140,8 @@ def at_rest(berth, others, start, unit):
     found = least_squares(residual, np.asarray(start) / unit, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
     if not np.abs(found.fun).max() <= RESTS:
         raise ValueError(
-            f"the body comes to no rest between its fenders and ropes: {np.abs(found.fun).max():.2g} of the largest "
-            "force is left; give ropes that hold it from both sides"
+            f"no equilibrium of the body between its fenders and ropes was found: {np.abs(found.fun).max():.2g} "
+            "of the largest force remains; give ropes that hold it from both sides"
         )
     return found.x * unit
 
@@ -171,8 +171,8 @@ def rest_together(links, forces, start, unit, headings):
         found = least_squares(residual, x, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
         if not np.abs(found.fun).max() <= RESTS:
             raise ValueError(
-                f"the bodies come to no rest with their hinges: {np.abs(found.fun).max():.2g} of the largest force, or "
-                "m, is left; look at lines and fenders that pull a hinge apart"
+                f"no equilibrium of the bodies with their hinges was found: {np.abs(found.fun).max():.2g} of "
+                "the largest force, or m, remains; check for lines and fenders that pull a hinge apart"
             )
         x = found.x
     return x * unit, parts(x * unit)[2]

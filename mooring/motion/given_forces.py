@@ -46,7 +46,7 @@ class GivenForce:
         if t.ndim != 1 or len(t) < 2 or force.shape != (len(t), 6):
             raise ValueError(f"a force has times {t.shape} and forces {force.shape}; allowed: (n,) and (n, 6), n ≥ 2")
         if not (np.all(np.isfinite(t)) and np.all(np.isfinite(force)) and np.all(np.diff(t) > 0)):
-            raise ValueError("a force has times that do not rise, or numbers that are not finite")
+            raise ValueError("a force has times that do not increase, or values that are not finite")
 
 
 def read_force(path):
@@ -57,7 +57,7 @@ def read_force(path):
     names, values = read_table(path)
     if names is None or sorted(names) != sorted(COLUMNS):
         shown = "no column names in its first row" if names is None else f"the columns {', '.join(names)}"
-        raise TableError(f"{path} has {shown}; allowed: {', '.join(COLUMNS)}: name them so")
+        raise TableError(f"{path} has {shown}; allowed: {', '.join(COLUMNS)}; rename them")
     values = values[:, [names.index(name) for name in COLUMNS]]
     t, steps = values[:, 0], np.diff(values[:, 0])
     if len(t) < 2:
@@ -67,8 +67,8 @@ def read_force(path):
     i, usual = int(steps.argmax()), float(np.median(steps))
     if steps[i] > GAP * usual:
         warn(
-            f"{path}: line {line_of(path, i + 1)}: no force is given from {t[i]:g} to {t[i + 1]:g} s, where the step "
-            f"is {usual:g} s; a smooth curve is drawn across",
+            f"{path}: line {line_of(path, i + 1)}: no force is given from {t[i]:g} to {t[i + 1]:g} s, and the "
+            f"step elsewhere is {usual:g} s; the gap is interpolated",
             stacklevel=2,
         )
     return GivenForce(t, values[:, 1:])

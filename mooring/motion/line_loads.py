@@ -106,7 +106,7 @@ def body_lines(system, lost=(), tables=((), ()), moving=(), bodies=1):
     points = {point.name: point for point in system.points}
     unknown = {name for name, _ in lost} - set(system.line_names)
     if unknown:
-        raise ValueError(f"line {min(unknown)!r} that breaks is unknown; allowed: {', '.join(system.line_names)}")
+        raise ValueError(f"the line to break, {min(unknown)!r}, is unknown; allowed: {', '.join(system.line_names)}")
     names, anchors, fairleads, given, owners = [body.name for body in system.bodies], [], [], [], []
     for line in system.lines:
         ends = ends_in_time(line, points)
@@ -161,8 +161,8 @@ def ends_in_time(line, points):
             raise ValueError(f"line {line.name} runs from {a.body} to itself; allowed: to an anchor or another body")
         if not isinstance(line, Hawser):
             raise ValueError(
-                f"line {line.name} hangs between {a.body} and {b.body}; allowed in time: a hawser, of a type with "
-                "elongation_percent and tension_kN, or spring_kN_per_m"
+                f"line {line.name} hangs between {a.body} and {b.body}; a simulation allows a hawser there, of "
+                "a type with elongation_percent and tension_kN, or spring_kN_per_m"
             )
     return a, b
 
@@ -180,7 +180,7 @@ def tables_of(system, start):
     for one in system.composites:
         line = system.lines[one.number]
         if not one.anchored:
-            raise ValueError(f"line {line.name} has segments and no end on the bed; allowed in time: an anchored one")
+            raise ValueError(f"line {line.name} has segments and no end on the bed; a simulation needs an anchored end")
         a, b = (points[line.b], points[line.a]) if one.flipped else (points[line.a], points[line.b])
         pose = poses[b.body]
         rotation_of(pose[3:], R)

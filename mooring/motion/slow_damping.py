@@ -81,10 +81,10 @@ def findings(moored, body, mean, constant, dragged):
             if found[name] > TOO_MUCH * sum(parts)
         ]
         if much:
-            beside = ", beside the drag of the water" if dragged else ""
+            beside = ", in addition to the drag of the water" if dragged else ""
             yield (
-                'left out: the memory of the water: memory = "constant" damps slow motion as waves of '
-                f'{mean:.3g} rad/s do: {", ".join(much)}{beside}; its σ comes out too small, give memory = "states"'
+                'not included: the memory of the water: memory = "constant" damps slow motion like waves of '
+                f'{mean:.3g} rad/s: {", ".join(much)}{beside}; its σ is too small; give memory = "states"'
             )
         return
     still = dragged or np.any(body.quadratic.reshape(-1, 6)[:, PLANE] > 0)

@@ -91,7 +91,7 @@ def record_statistics(record, step, split, duration=None):
     """
     x = np.asarray(record, float)
     if x.ndim != 1 or len(x) < 8 or not np.all(np.isfinite(x)):
-        raise ValueError("a record is one row of at least 8 finite numbers")
+        raise ValueError("a record has to be a one-dimensional array of at least 8 finite numbers")
     mean, y = float(x.mean()), x - x.mean()
     sigma = float(np.sqrt(np.mean(y**2)))
     ends = float(x.max()), float(x.min())

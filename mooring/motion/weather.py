@@ -65,7 +65,7 @@ class Weather:
         object.__setattr__(self, "seas", tuple(self.seas))
         object.__setattr__(self, "forces", tuple(self.forces))
         if sum((bool(self.seas), self.regular is not None, self.components is not None)) > 1:
-            raise ValueError("weather has two of seas, a regular wave and a record; allowed: one of them")
+            raise ValueError("weather has more than one of seas, a regular wave and a record; give one of them")
         object.__setattr__(self, "beside_newman", tuple(self.beside_newman))
         if self.beside_newman and len(self.beside_newman) != len(self.seas):
             raise ValueError(
@@ -73,7 +73,7 @@ class Weather:
                 "allowed: one for each sea"
             )
         if self.gusts is not None and self.wind is None:
-            raise ValueError("weather has gusts and no wind; allowed: gusts about a mean wind")
+            raise ValueError("weather has gusts and no wind; give the mean wind")
 
 
 @dataclass(frozen=True)

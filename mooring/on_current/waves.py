@@ -118,20 +118,22 @@ def check_blocked(carrier, sea, depth, gravity):
     blocked, steep, slowest = _shares(carrier, sea, depth, gravity, speed)
     if blocked > BLOCKED[1]:
         raise ValueError(
-            f"the current of {speed:.3g} m/s blocks {100 * blocked:.3g} % of the waves' energy, which cannot travel "
+            f"the current of {speed:.3g} m/s blocks {100 * blocked:.3g} % of the wave energy, which cannot travel "
             f'against it; allowed: {100 * BLOCKED[1]:g} %; give longer waves, or current.waves = "still"'
         )
     if blocked > BLOCKED[0]:
         yield (
-            f"the current of {speed:.3g} m/s blocks {100 * blocked:.3g} % of the waves' energy, which cannot travel "
-            f"against it: they are taken as if they came; give the spectrum that reaches the body, or current.waves = "
+            f"the current of {speed:.3g} m/s blocks {100 * blocked:.3g} % of the wave energy, which cannot travel "
+            "against it: these waves are included as if they arrived; give the spectrum at the body, or "
+            f"current.waves = "
             '"still"'
         )
     if steep > MOST:
         yield (
-            f"the current changes the drift to first order in V/C_g, which serves up to {FIRST_ORDER:g}: it is "
-            f"{slowest:.2g} at the mean frequency, and above in {100 * steep:.3g} % of the waves' energy; take drift "
-            'on the current as rough, or beside it that of current.waves = "still"'
+            f"the current changes the drift to first order in V/C_g, which is valid up to {FIRST_ORDER:g}: V/C_g is "
+            f"{slowest:.2g} at the mean frequency, and above the limit in {100 * steep:.3g} % of the wave "
+            f"energy; treat drift "
+            'on the current as approximate, or compare current.waves = "still"'
         )
 
 

@@ -30,7 +30,9 @@ NEAREST, LENGTHS = 0.1, (0.5, 2.0)  # of distance/L₁, and of L₂/L₁, that t
 def depth_factors(draft, depth, gap, beam):
     """(3,) of surge, sway, yaw.  draft : m, of the moored ship; gap : m between sides; beam : m, mean of both"""
     if not 0 < draft < depth or not gap > 0:
-        raise ValueError(f"draft {draft:g} m in {depth:g} m, gap {gap:g} m; allowed: water under the keel and between")
+        raise ValueError(
+            f"draft {draft:g} m in {depth:g} m, gap {gap:g} m; allowed: water under the keel and between the ships"
+        )
     return np.array([1 + a * math.exp(b * draft / depth - 0.08 * (gap / beam - place) ** 2) for a, b, place in FACTORS])
 
 

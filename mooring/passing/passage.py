@@ -42,7 +42,8 @@ class Track:
             raise ValueError(f"speed is {self.speed} m/s; allowed: above 0")
         if not abs(self.current) < self.speed:
             raise ValueError(
-                f"current is {self.current} m/s; allowed: below the speed of {self.speed:g} m/s: the ship has to pass"
+                f"current is {self.current} m/s; allowed: below the speed of {self.speed:g} m/s, so that the "
+                f"ship passes"
             )
 
     @property

@@ -97,7 +97,7 @@ def group_speed(omega, depth, gravity):
 def of_sea(db, sea) -> BoundWaveForces:
     """`BoundWaveForces` of an opened database in a Sea.  raises : ValueError for short crests and several systems"""
     if not isinstance(sea, Sea) or sea.spreading is not None:
-        raise ValueError("forces of pairs in a sea of several directions; allowed: one system of long crests")
+        raise ValueError("forces of wave pairs need one long-crested system; the sea has several directions")
     mean = float(sea.spectrum.moment(1) / sea.spectrum.moment(0))
     return bound_wave_forces(problem_of(db), sea.spectrum.quantile((1e-4, 0.999)), mean, sea.direction)
 
@@ -131,7 +131,7 @@ def problem_of(db):
     from hakobune.bem.methods.panel_problem import PanelProblem
 
     if "wall" in tomllib.loads(db.header.scene):
-        raise ValueError(f"{db.path} is of a body beside a wall; allowed for second order: open water")
+        raise ValueError(f"{db.path} is for a body beside a wall; second-order forces need open water")
     body = db.reader
     return PanelProblem(
         db.mesh,
@@ -169,7 +169,7 @@ def record(forces, components, duration, drift=None, met=None):
     return t, out
 
 
-def left_out(body, sea, way='qtf = "auto" of a response study or a simulation adds what the database has of them'):
+def left_out(body, sea, way='qtf = "auto" in a response study or a simulation includes those in the database'):
     """What leaving out bound waves costs, as lines of text: none from kh = SHALLOW on or where it is little.
 
     body : `bem.database.reader.Reader` that knows drift and inertia; sea : its mean direction is taken for all waves
@@ -183,15 +183,16 @@ def left_out(body, sea, way='qtf = "auto" of a response study or a simulation ad
         return
     if (steep := ursell(body, sea)) > STOKES:
         yield (
-            f"left out: the slow force of bound long waves, which is not known: kh is {kh:.2g} at the mean wave period "
-            f"and Hλ²/h³ {steep:.3g}, allowed: {STOKES:g}: waves so long and high are no sum of first and second order"
+            f"not included: the slow force of bound long waves, which is unknown: kh is {kh:.2g} at the mean "
+            f"wave period and Hλ²/h³ {steep:.3g}, allowed: {STOKES:g}: the second-order expansion is not valid "
+            f"for such long and high waves"
         )
         return
     size = f"{bound / newman:.1f} times the slow force by Newman's approximation"
     if bound > RATIO * newman:
         size = f"σ {bound / 1e3:.3g} kN, where Newman's approximation has {newman / 1e3:.2g} kN"
     yield (
-        f"left out: bound long waves, which at kh = {kh:.2f} of the mean wave period push slowly with about {size}; "
+        f"not included: bound long waves, whose slow force at kh = {kh:.2f} of the mean wave period is about {size}; "
         f"{way}"
     )
 

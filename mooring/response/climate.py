@@ -53,7 +53,7 @@ class Climate:
     def long_term(self, name) -> LongTerm:
         """LongTerm of one response; ValueError for a name there is not, or a response that is zero"""
         if name not in self.names:
-            raise ValueError(f"no response is called {name!r}; allowed: {', '.join(self.names)}")
+            raise ValueError(f"there is no response {name!r}; allowed: {', '.join(self.names)}")
         i = self.names.index(name)
         return long_term(self.m0[:, i], self.m2[:, i], self.probability)
 
@@ -206,7 +206,7 @@ def _responses_beyond(names, probability, m0, beyond):
     share = np.where(whole > 0, more / np.maximum(whole + more, 1e-300), 0.0)
     said = named_shares(names, share)
     if said:
-        yield f"responses lack energy beyond the stored frequencies: {said}; limit {100 * MISSED:g} %"
+        yield f"responses do not include energy beyond the stored frequencies: {said}; limit {100 * MISSED:g} %"
 
 
 def _drift_beyond(body, probability, drift, beyond):
@@ -229,12 +229,12 @@ def _too_high(body, spectra, scatter):
             np.outer(scatter.heights, unit) > STEEPEST,
             f"have 2πH/gT02² above {STEEPEST:g}, where seas break",
         ),
-        (scatter.heights[:, None] > highest, f"are higher than water of {body.depth:g} m holds"),
+        (scatter.heights[:, None] > highest, f"are higher than is possible in water of {body.depth:g} m"),
     ):
         there = wrong & (probability > 0)
         if there.any():
             i = np.argwhere(there)[-1][0]
             yield (
                 f"{there.sum()} classes of the scatter diagram, {100 * probability[there].sum():.3g} % of the time, "
-                f"{words}, as that of {scatter.heights[i]:g} m; give them longer periods or leave them out"
+                f"{words}, such as that of {scatter.heights[i]:g} m; give them longer periods or leave them out"
             )

@@ -26,7 +26,7 @@ def bandwidth(m0, m2, m4):
     """ε from moments; 0 for one frequency.  Raises ValueError for moments that no spectrum has."""
     m0, m2, m4 = (np.asarray(m, float) for m in (m0, m2, m4))
     if np.any(m0 <= 0) or np.any(m2 <= 0) or np.any(m2**2 > m0 * m4 * (1 + 1e-9)):
-        raise ValueError("moments are not those of a spectrum; allowed: above 0 and m2² at most m0 m4")
+        raise ValueError("the moments do not belong to a spectrum; allowed: above 0, with m2² at most m0 m4")
     return np.sqrt(np.maximum(1 - m2**2 / (m0 * m4), 0.0))
 
 
@@ -101,7 +101,7 @@ def record_peaks(record):
     """
     record = np.asarray(record, float)
     if record.ndim != 1 or not np.all(np.isfinite(record)):
-        raise ValueError("a record is one row of finite numbers")
+        raise ValueError("a record has to be a one-dimensional array of finite numbers")
     y = record - record.mean()
     up = np.flatnonzero((y[:-1] <= 0) & (y[1:] > 0)) + 1
     if len(up) < 2:

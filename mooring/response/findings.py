@@ -53,15 +53,15 @@ def responses_outside(body, spectrum, transfer, weights, m0):
     missed = missed_response(body, spectrum, transfer, weights)
     said = named_shares(transfer.names, np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0))
     if said:
-        yield f"responses lack energy beyond the stored frequencies: {said}; limit {100 * MISSED:g} %"
+        yield f"responses do not include energy beyond the stored frequencies: {said}; limit {100 * MISSED:g} %"
 
 
 def waves_missed(transfer):
     """What the waves at points lack of those that the body scatters and makes"""
     if transfer.missed is not None and transfer.missed > WAVES_MISSED:
         yield (
-            f"waves scattered and made by the body miss up to {100 * transfer.missed:.1f} % of its far field; limit "
-            f"{100 * WAVES_MISSED:g} %: take the elevation at points with care"
+            f"the representation of scattered and radiated waves misses up to {100 * transfer.missed:.1f} % of "
+            f"the far field; limit {100 * WAVES_MISSED:g} %: the elevation at points is approximate"
         )
 
 
@@ -168,20 +168,20 @@ def drift_of_each(body, slow):
     """How far the drift of several bodies, together, is from that of the whole by its far field, of `SlowForces`"""
     if slow.of_each is None:
         if body.bodies:
-            yield "drift of each body is left out: the database has none, or a current carries the waves"
+            yield "drift of each body is not included: the database has none, or the waves travel on a current"
         return
     if not body.own:
         yield (
-            "drift of each body is that stored of their free motions: damping, stiffness and hinges beside the "
-            "database's change it where they change the motions"
+            "drift of each body is that stored for free motions: damping, stiffness and hinges added to those of the "
+            "database change it where they change the motions"
         )
         return
     away = np.abs(sum_about_origin(slow.of_each, body.bodies) - slow.drift)[:2].max()
     largest = np.abs(slow.of_each[:, :2]).max()
     if away > EACH * largest:
         yield (
-            f"drift of the bodies adds up to {100 * away / max(largest, 1e-300):.3g} % of the largest off what the "
-            f"waves far away say; limit {100 * EACH:g} %; add frequencies, or panels, to the scene"
+            f"the sum of the drift of the bodies differs by {100 * away / max(largest, 1e-300):.3g} % of the "
+            f"largest from the far-field drift; limit {100 * EACH:g} %; add frequencies or panels to the scene"
         )
 
 
@@ -193,7 +193,7 @@ def current_along_waves(carrier, heading, weights, damping):
     across = float(share @ np.abs(carrier.velocity[1] * np.cos(heading) - carrier.velocity[0] * np.sin(heading)))
     if across > ACROSS * np.hypot(*carrier.velocity):
         yield (
-            f"the current runs at {across:.2g} m/s across the waves: what that changes in their drift is left out, for "
+            f"the current runs at {across:.2g} m/s across the waves: its effect on their drift is not included, for "
             f"which the database needs headings on both sides of {np.rad2deg(heading[0]):.4g}°; add them to the scene"
         )
 
@@ -209,6 +209,6 @@ def large_rotations(degrees):
     named = [f"{name.lower()} {value:.3g}°" for name, value in degrees.items() if value > LARGEST_ROTATION]
     if named:
         yield (
-            f"{', '.join(named)} of amplitude, linear theory ends at about {LARGEST_ROTATION:g}°: this is no motion to "
-            "expect; give viscous damping, or take lower waves"
+            f"{', '.join(named)} of amplitude, and linear theory is valid up to about {LARGEST_ROTATION:g}°: "
+            "this motion is not realistic; give viscous damping, or use lower waves"
         )

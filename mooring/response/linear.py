@@ -23,7 +23,7 @@ NEAREST = 1e-4, 2e-3  # of the highest frequency, between places that show reson
 FINEST = 2**20  # steps between two stored frequencies where a resonance is narrow: spars have damping ratios of 1e-5
 LEAST = 1e-9  # damping ratio that `resonances` has for none
 UNDAMPED = (
-    "the resonance of {} has no damping; give it some: linear_damping, quadratic_damping or damping_ratio of the "
+    "the resonance of {} has no damping; give linear_damping, quadratic_damping or damping_ratio of the "
     "study, or [viscous] of the scene"
 )
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should n
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
 # both of docs/slow_forces.md: slow forces by either level beside the whole
-OF_BOUND = "without the rest slow forces are up to 1.5 times too large on boxes in 12 and 20 m of water"
+OF_BOUND = "without the other terms slow forces are up to 1.5 times too large on boxes in 12 and 20 m of water"
 OF_NEWMAN = (
     "on boxes in 10 to 20 m of water the whole slow force is 0.7 to 1.2 times Newman's in surge and sway, 1 to 2 times "
     "in yaw"
@@ -170,28 +170,33 @@ def beside_newman(db, sea, level, spread=False):
         return of_sea(db, sea), ()
     if (steep := ursell(db.reader, sea)) > STOKES:
         return None, (
-            f'left out: the force of pairs of waves beside Newman\'s rule (qtf = "auto" takes newman): of waves with '
+            'not included: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman): '
+            f"of waves with "
             f"Hλ²/h³ {steep:.3g} (allowed: {STOKES:g}) it is not known",
         )
     ratio = bound_to_newman(db.reader.floating(), sea)
     if ratio is None or ratio < ENOUGH:
-        size = "nothing is known without drift and inertia"
+        size = "it is unknown without drift and inertia"
         if ratio is not None:
-            size = f"the push is {100 * ratio:.3g} % of its slow force"
+            size = f"their force is {100 * ratio:.3g} % of its slow force"
         return None, (f'qtf = "auto" takes newman: of bound long waves {size}',)
-    size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is next to none by"
-    size = f"bound long waves push with {size} Newman's rule"
+    size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is nearly zero by"
+    size = f"the force of bound long waves is {size} Newman's approximation"
     try:
         found = stored_pairs(db, sea, "auto", spread)
         return found, (f'qtf = "auto" takes {found.level}: {size}', *_surface_left_out(db, sea, found.level))
     except ValueError as missing:
         kh, lacks = depth_in_waves(db.reader, sea), _lacks(db, sea, missing)
-    beside = f'left out: the force of pairs of waves beside Newman\'s rule (qtf = "auto" takes newman at kh = {kh:.2g})'
+    beside = (
+        'not included: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman '
+        f"at kh = {kh:.2g})"
+    )
     if kh >= SHALLOW:
         return None, (f"{beside}: {OF_NEWMAN}; {lacks}",)
     try:
         return of_sea(db, sea), (
-            'left out: the force of pairs of waves but for that of bound long waves (qtf = "auto" takes bound-wave): '
+            'not included: the force of wave pairs other than that of bound long waves (qtf = "auto" takes '
+            "bound-wave): "
             f"{size}, {OF_BOUND}; {lacks}",
         )
     except ValueError as none:
@@ -206,7 +211,7 @@ def _lacks(db, sea, missing):
 
     if read_group(db, GROUPS[DIFFERENCE]) is not None or not isinstance(sea, Sea):
         return str(missing)
-    return f"{_command(db, sea)} stores it"
+    return f"{_command(db, sea)} computes it"
 
 
 def _command(db, sea):
@@ -224,7 +229,8 @@ def _surface_left_out(db, sea, level):
         return ()
     begin, way = ("left out: ", f"; {_command(db, sea)} adds it") if share > ENOUGH else ("", "")
     return (
-        f'{begin}the forcing of the surface (qtf = "body"), about {100 * share:.3g} % of the slow force of pairs{way}',
+        f'{begin}the free-surface forcing (qtf = "body"), about {100 * share:.3g} % of the slow force of wave '
+        f"pairs{way}",
     )
 
 
@@ -237,21 +243,23 @@ def stored_pairs(db, sea, level="body", spread=False):
     from hakobune.bem.second_order.stored import read_forces
 
     if not isinstance(sea, Sea) or (sea.spreading is not None and not spread):
-        raise ValueError(f'qtf = "{level}" in a sea of several directions; allowed: one system of long crests')
+        raise ValueError(f'qtf = "{level}" in a sea of several directions; it needs one long-crested system')
     stored = read_forces(db)
     forces = stored.forces
     if not stored.held.floats:
         raise ValueError(
-            f"the pairs in {db.path} are of a fixed body; 'hakobune qtf {db.path} --fresh' solves it afloat"
+            f"the wave pairs in {db.path} are for a fixed body; 'hakobune qtf {db.path} --fresh' computes the "
+            f"floating body"
         )
     if stored.asked is not None:
         raise ValueError(
-            f"the pairs in {db.path} are those of a run that was ended, differences to {forces.frequency[-1]:.3g} of "
-            f"{stored.asked:.3g} rad/s; 'hakobune qtf {db.path}' goes on"
+            f"the wave pairs in {db.path} come from an unfinished run, with differences to "
+            f"{forces.frequency[-1]:.3g} of {stored.asked:.3g} rad/s; 'hakobune qtf {db.path}' continues it"
         )
     if level == "full" and forces.surface is None:
         raise ValueError(
-            f"the pairs in {db.path} lack the forcing of the surface; 'hakobune qtf {db.path} --level full' adds it"
+            f"the wave pairs in {db.path} do not include the free-surface forcing; 'hakobune qtf {db.path} "
+            f"--level full' adds it"
         )
     level = {"auto": "body" if forces.surface is None else "full"}.get(level, level)
     values = forces.total if level == "full" else forces.to_body
@@ -260,7 +268,7 @@ def stored_pairs(db, sea, level="body", spread=False):
     first, last = sea.spectrum.quantile((MOST_OUTSIDE, 1 - MOST_OUTSIDE))
     if not (low <= first and last <= high):
         raise ValueError(
-            f"pairs are stored from {low:.4g} to {high:.4g} rad/s; 90 % of the waves are within {first:.4g} to "
+            f"pairs are stored from {low:.4g} to {high:.4g} rad/s; 90 % of the wave energy lies within {first:.4g} to "
             f"{last:.4g}: 'hakobune qtf {db.path}' of a wider database"
         )
     return found
@@ -274,8 +282,8 @@ def _of_heading(db, sea, forces, values, level):
     h, degrees = int(np.argmin(apart)), np.degrees(sea.direction) % 360
     if apart[h] > SAME:
         raise ValueError(
-            f"{db.path} has no pairs of waves towards {degrees:.4g}°; "
-            f"'hakobune qtf {db.path} --heading {degrees:.4g}' solves them"
+            f"{db.path} has no wave pairs towards {degrees:.4g}°; "
+            f"'hakobune qtf {db.path} --heading {degrees:.4g}' computes them"
         )
     omega, drift = _drift(db, forces, [sea.direction])
     return PairForces(BetweenPairs(forces.omega, forces.frequency, values[:, :, h, h]), omega, drift[:, 0], level)
@@ -288,7 +296,7 @@ def _of_headings(db, sea, forces, values, level):
     try:
         share = sea.directional(forces.headings)
     except ValueError as error:
-        raise ValueError(f"pairs in {db.path}: {error}; 'hakobune qtf {db.path} --heading' solves them") from None
+        raise ValueError(f"pairs in {db.path}: {error}; 'hakobune qtf {db.path} --heading' computes them") from None
     omega, drift = _drift(db, forces, forces.headings)
     used, pairs = np.flatnonzero(share > LEAST_SHARE * share.max()), {}
     for a, b in ((a, b) for a in used for b in used):

@@ -86,7 +86,7 @@ def heading_step(body, sea, omega):
         before = found
     warnings.warn(
         f"results change by {100 * change:.3g} % from {2 * step:.2g}° to {step:.2g}° between directions; limit "
-        f"{100 * CLOSE:g} %; the spreading is too narrow for them, a long-crested sea is near",
+        f"{100 * CLOSE:g} %; the spreading is too narrow for this step; use a long-crested sea",
         stacklevel=2,
     )
     return step

@@ -37,13 +37,13 @@ def too_high(spectrum, depth, gravity=GRAVITY):
     height, single = spectrum.significant_height, float(breaking_height(spectrum.Tp, depth, gravity))
     if height > single:
         raise BreakingError(
-            f"significant height is {height:.4g} m at a peak period of {spectrum.Tp:.4g} s, single waves break at "
+            f"significant height is {height:.4g} m at a peak period of {spectrum.Tp:.4g} s, and single waves break at "
             f"{single:.4g} m in {depth:g} m of water; give at most {largest_height(spectrum.Tp, depth, gravity):.3g} m"
         )
     if height > SATURATED * depth:
         yield (
             f"significant height {height:.4g} m is {height / depth:.2g} of the water depth {depth:g} m; seas saturated "
-            f"with breakers have {SATURATED:g}; give at most {SATURATED * depth:.3g} m"
+            f"by breaking reach {SATURATED:g}; give at most {SATURATED * depth:.3g} m"
         )
     elif HIGHEST_OF_1000 * height > single:
         yield (

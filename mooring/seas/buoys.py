@@ -79,7 +79,7 @@ def datawell(path, text, x_axis, time):
         height, most = float(lines[1]) / 100, float(lines[3])
         rows = np.array([[float(word) for word in line.split(",")[:4]] for line in lines[12:]]).reshape(-1, 4)
     except (ValueError, IndexError):
-        raise TableError(f"{path}: a .spt of Datawell has 12 numbers, then rows of 6; it does not") from None
+        raise TableError(f"{path}: a Datawell .spt file has 12 numbers, then rows of 6; this file does not") from None
     frequency, share, alpha, spread = rows.T
     spread = directions.of_spread(np.radians(alpha), np.radians(spread))
     return _held(path, _spread(path, frequency, most * share, spread, x_axis), height)
@@ -93,7 +93,7 @@ def history(path, text, x_axis, time):
         raise TableError(f"{path} is a history of Datawell and has no time {time}")
     at, peak, direction, _, _, height = rows[0][:6]
     raise TableError(
-        f"{path} is a history of Datawell, no spectrum; at {at} it has a height of {float(height) / 100:.4g} m, a peak "
+        f"{path} is a Datawell history, not a spectrum; at {at} it has a height of {float(height) / 100:.4g} m, a peak "
         f"period of {peak} s from {direction}°: give height, peak period and direction, or the .spt"
     )
 
@@ -110,7 +110,9 @@ def trdi(path, text, x_axis, time):
         rows = [[float(word) for word in line.split()] for line in lines if line.strip() and "%" not in line]
         values = np.array(rows if start else [[x] for row in rows for x in row], float)
     except (AttributeError, ValueError):
-        raise TableError(f"{path}: WavesMon's head says its frequency bands, then come numbers; it does not") from None
+        raise TableError(
+            f"{path}: a WavesMon file states its frequency bands, then gives numbers; this file does not"
+        ) from None
     frequency = first + step * np.arange(len(values))
     if start is None:
         return _plain(path, frequency, (values[:, 0] / 1e3) ** 2)
@@ -128,7 +130,9 @@ def triaxys(path, text, x_axis, time):
         rows = [[float(word) for word in line.split()] for line in text.splitlines() if re.match(r"\s*[-.\d]", line)]
         values = np.array(rows, float)
     except (KeyError, ValueError):
-        raise TableError(f"{path}: the head of Triaxys has frequencies, then come rows of them; it does not") from None
+        raise TableError(
+            f"{path}: a Triaxys file states frequencies in its header, then gives rows; this file does not"
+        ) from None
     if "DIRECTION SPACING (DEG)" not in head:
         return _plain(path, values[:, 0], values[:, 1])
     if x_axis is None:
@@ -165,7 +169,9 @@ def one_of(path, times, time):
     if len(found) == 1:
         return found[0]
     state = "several times" if time is None else f"no time {time}" if not found else f"several times {time}"
-    raise TableError(f"{path} has {state}; it has {len(times)} from {times[0]} to {times[-1]}; say which with time")
+    raise TableError(
+        f"{path} has {state}; it has {len(times)} times from {times[0]} to {times[-1]}; choose one with time"
+    )
 
 
 def check_height(path, sea, height):
@@ -174,7 +180,7 @@ def check_height(path, sea, height):
     if np.isfinite(height) and height > 0 and abs(read / height - 1) > OFF:
         raise TableError(
             f"{path}: 4√m₀ of its spectrum is {read:.4g} m, its own significant height {height:.4g} m; allowed: within "
-            f"{100 * OFF:g} %: a unit, a column or a part of the band is not what it was read as"
+            f"{100 * OFF:g} %: a unit, a column or part of the band was misread"
         )
 
 
@@ -207,7 +213,7 @@ def _plane(path, frequency, angle, density):
 
 
 def _no_axis(path):
-    return TableError(f"{path}: directions are nautical; say what the x axis heads by the compass (x_axis_compass_deg)")
+    return TableError(f"{path}: directions are nautical; give the compass heading of the x axis (x_axis_compass_deg)")
 
 
 def _row(path, text, time, of_density=True):
@@ -217,7 +223,7 @@ def _row(path, text, time, of_density=True):
     head = [word for word in lines[0].split() if re.fullmatch(r"\d*\.\d+", word)]
     paired = "(" in lines[-1]
     if of_density and (re.search(r"alpha[12]_|r[12]_1", lines[0]) or re.fullmatch(r".{5}[dijk]\d{4}.*", path.name)):
-        raise TableError(f"{path} has directions or moments; allowed: the densities beside it, w… or .data_spec")
+        raise TableError(f"{path} has directions or moments; give the file of densities beside it, w… or .data_spec")
     if not paired and len(head) < 3:
         named = ", ".join(word for word in lines[0].lstrip("#").split() if word in ("WVHT", "DPD", "APD", "MWD"))
         more = f" but heights and periods ({named}): give height, a period and a direction" if named else ""
@@ -227,7 +233,7 @@ def _row(path, text, time, of_density=True):
         rows = [row for row in rows if row.split()[:first] == str(time).split()]
     if len(rows) != 1:
         state = f"{len(rows)} rows" if time is None else f"{len(rows)} rows of time {time}"
-        raise TableError(f"{path} has {state}; allowed: one; say which with time = 'YYYY MM DD hh mm'")
+        raise TableError(f"{path} has {state}; choose one with time = 'YYYY MM DD hh mm'")
     try:
         if paired:
             pairs = re.findall(r"([-+.\deE]+)\s*\(\s*([-+.\deE]+)\s*\)", rows[0])
@@ -238,7 +244,7 @@ def _row(path, text, time, of_density=True):
         raise TableError(f"{path}: {error}") from None
     if len(values) != len(frequency) or len(frequency) < 3:
         raise TableError(
-            f"{path}: {len(frequency)} frequencies and {len(values)} densities; allowed: as many, at least 3"
+            f"{path}: {len(frequency)} frequencies and {len(values)} densities; allowed: the same number, at least 3"
         )
     return frequency, values
 

@@ -29,5 +29,5 @@ def families(depth):
 
 def _tma(height, depth, **words):
     if depth is None or not np.isfinite(depth):
-        raise ValueError("tma is a spectrum of finite depth and there is none; give the water depth, or take jonswap")
+        raise ValueError("tma needs a finite water depth; give it, or use jonswap")
     return tma(height, depth, **words)

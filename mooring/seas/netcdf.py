@@ -62,7 +62,7 @@ def _sea(path, data, x_axis, time, location):
     data = _at_place(path, _at_time(path, data, time), name, location)
     values, frequency, old = _renamed(path, data, name)
     if not np.any(np.isfinite(values)):
-        raise TableError(f"{path} has no data there (all of {name} is missing); take another time or location")
+        raise TableError(f"{path} has no data there (all of {name} is missing); choose another time or location")
     frequency, order = np.sort(frequency), np.argsort(frequency)
     if "d" not in values.dims:
         return _measured(path, data, frequency, order, np.nan_to_num(np.asarray(values, float)), x_axis)
@@ -89,12 +89,12 @@ def planes_of(path, location):
         if axis is None or not any(one in AXES and AXES[one] == "d" for one in data[name].dims):
             axes = ", ".join(map(str, data[name].dims))
             raise TableError(
-                f"{path}: {name} has the axes {axes}; allowed: a time, frequencies and directions; of others give "
+                f"{path}: {name} has the axes {axes}; allowed: a time, frequencies and directions; otherwise give "
                 "height, period and direction as columns"
             )
         count = data[name].isel({axis: 0}).size // np.prod([n for one, n in data[name].sizes.items() if one in AXES])
         if location is None and count > 1:
-            raise TableError(f"{path} has {count} places; say which with location, from 1, the last axis fastest")
+            raise TableError(f"{path} has {count} locations; choose one with location, from 1, the last axis fastest")
         data = _at_place(path, data, name, location or 1, (axis,))
         for first in range(0, data.sizes[axis], AT_ONCE):
             part = data.isel({axis: slice(first, first + AT_ONCE)})
@@ -183,7 +183,9 @@ def _at_place(path, data, name, location, kept=()):
     axes = [axis for axis in data[name].dims if axis not in AXES and axis not in kept]
     sizes = [data.sizes[axis] for axis in axes]
     if not 1 <= location <= np.prod(sizes, dtype=int):
-        raise TableError(f"{path} has {np.prod(sizes, dtype=int)} places, wanted is {location}; allowed: to that")
+        raise TableError(
+            f"{path} has {np.prod(sizes, dtype=int)} locations, and location is {location}; allowed: up to that number"
+        )
     place = np.unravel_index(location - 1, sizes) if sizes else ()
     return data.isel(dict(zip(axes, map(int, place), strict=True)))
 

@@ -31,7 +31,7 @@ class TabulatedSpreading(Spreading):
 
     def density(self, angle, omega=None):
         if omega is None:
-            raise ValueError("a spectrum in two dimensions spreads by frequency; give omega")
+            raise ValueError("the spreading of a two-dimensional spectrum depends on frequency; give omega")
         angle, omega = np.broadcast_arrays(np.asarray(angle, float), np.asarray(omega, float))
         i, s = _place(self.omega, omega)
         turned = np.mod(angle - self.angle[0], 2 * np.pi) + self.angle[0]

@@ -22,7 +22,8 @@ def faults(record, step, mean_period, gravity=9.80665):
     if height > STEEPEST * length:
         yield (
             f"significant height {height:.4g} m at {mean_period:.3g} s: waves of {length:.3g} m are at most "
-            f"{STEEPEST * length:.3g} m high; are elevations in m and times in s? name their units in the head, as "
+            f"{STEEPEST * length:.3g} m high; check that elevations are in m and times in s, or name the units "
+            f"in the header, such as "
             '"eta (mm)"'
         )
     middle = np.median(record)
@@ -32,7 +33,7 @@ def faults(record, step, mean_period, gravity=9.80665):
         i = int(wild[np.argmax(np.abs(record[wild] - middle))])
         yield (
             f"{len(wild)} values are beyond {LARGEST:g} deviations of the record, {LARGEST * deviation:.3g} m, the "
-            f"largest {record[i]:.4g} m at {i * step:.4g} s: a spike is no wave; take them out"
+            f"largest {record[i]:.4g} m at {i * step:.4g} s: these are spikes; remove them"
         )
     length = max(2, int(np.ceil(WAVES * mean_period / step)))
     whole = len(record) // length
@@ -42,5 +43,5 @@ def faults(record, step, mean_period, gravity=9.80665):
         if share > LEVEL:
             yield (
                 f"the mean level moves by {np.ptp(means):.3g} m over the record, {100 * share:.3g} % of its variance, "
-                f"limit {100 * LEVEL:g} %: tide or trend is in the heights; take it off"
+                f"limit {100 * LEVEL:g} %: the heights contain a tide or trend; remove it"
             )

@@ -98,7 +98,7 @@ def tma(height, depth, *, gamma=3.3, gravity=GRAVITY, **period):
     within(kind.replace("_", " "), value, *PERIODS, "s")
     positive("water depth of tma", depth, "m")
     if kind == "significant_period":
-        raise ValueError("tma: significant_period is known of no TMA spectrum; give peak_period or mean_period")
+        raise ValueError("tma: significant_period is not defined for a TMA spectrum; give peak_period or mean_period")
 
     def of_peak(Tp):
         return Shallow(Peaked("jonswap", 1.0, 2 * np.pi / Tp, gamma), depth, 1.0, gravity)

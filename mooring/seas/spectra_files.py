@@ -54,9 +54,9 @@ def read_sea(path, x_axis=None, time=None, location=1):
         except ValueError as error:
             raise TableError(f"{path}: {error}") from None
     raise TableError(
-        f"{path} is no spectrum of SWAN, NDBC or WAVEWATCH III, of Datawell (.spt), TRDI, Triaxys or Spotter (.csv), "
-        f"or netCDF; allowed: a first line SWAN, #YY MM DD hh mm .0200 …, or {HEAD}; of others the package wavespectra "
-        "makes one: read_…(file).spec.to_swan(…)"
+        f"{path} is not a spectrum of SWAN, NDBC or WAVEWATCH III, Datawell (.spt), TRDI, Triaxys or Spotter (.csv), "
+        f"or netCDF; allowed: a first line SWAN, #YY MM DD hh mm .0200 …, or {HEAD}; the package wavespectra "
+        "converts others: read_…(file).spec.to_swan(…)"
     )
 
 

@@ -82,7 +82,7 @@ class Swan:
         if "omega" not in head:
             raise TableError(f"{self.path} has no AFREQ or RFREQ; allowed: the frequencies before QUANT")
         if not 1 <= location <= places:
-            raise TableError(f"{self.path} has {places} locations, wanted is {location}; allowed: 1 to {places}")
+            raise TableError(f"{self.path} has {places} locations, and location is {location}; allowed: 1 to {places}")
         if timed:
             self.to_time(time, head, places)
         for _ in range(location - 1):
@@ -108,7 +108,7 @@ class Swan:
                     for _ in range(places):
                         self.block(head)
                     if self.at < len(self.lines):
-                        raise TableError(f"{self.path} has several times, the first is {found}; say which with time")
+                        raise TableError(f"{self.path} has several times, the first is {found}; choose one with time")
                 self.at = start
                 return
             for _ in range(places):
@@ -138,7 +138,7 @@ class Swan:
 
     def made(self, head, values, x_axis):
         if values is None:
-            raise TableError(f"{self.path} has no data there (NODATA); take another location or time")
+            raise TableError(f"{self.path} has no data there (NODATA); choose another location or time")
         names = [name for name, *_ in head["QUANT"]]
         omega, name = head["omega"], self.path.stem
         per = {"VADENS": 1.0, "ENDENS": ENERGY, "ACDENS": 1 / omega[:, None]}.get(names[0])
@@ -171,5 +171,5 @@ class Swan:
         if kind == "CDIR":
             return angle - np.radians(x_axis or 0.0)
         if x_axis is None:
-            raise ValueError("directions are nautical; say what the x axis heads by the compass (x_axis_compass_deg)")
+            raise ValueError("directions are nautical; give the compass heading of the x axis (x_axis_compass_deg)")
         return np.radians(x_axis) - angle - np.pi

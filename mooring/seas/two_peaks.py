@@ -122,7 +122,7 @@ def torsethaugen(height, *, peak_period=None, gravity=GRAVITY, **period):
     given = [kind for kind, value in period.items() if value is not None]
     if peak_period is None or given:
         state = f"{' and '.join(given)} is given" if given else "no period is given"
-        raise ValueError(f"torsethaugen: {state}; allowed: peak_period, by which its two systems are known")
+        raise ValueError(f"torsethaugen: {state}; give peak_period, which defines its two systems")
     H = within("wave height", positive("wave height", height, "m"), 0.1, 30.0, "m")
     full = 6.6 * H ** (1 / 3)
     Tp = within("peak period of torsethaugen", peak_period, 2 * np.sqrt(H), 25.0, "s")
@@ -159,7 +159,9 @@ def ochi_hubble(height, **period):
     """
     given = [kind for kind, value in period.items() if value is not None]
     if given:
-        raise ValueError(f"ochi_hubble: {' and '.join(given)} is given; allowed: none, periods follow from the height")
+        raise ValueError(
+            f"ochi_hubble: {' and '.join(given)} is given; give no period, since periods follow from the height"
+        )
     H = within("wave height", positive("wave height", height, "m"), 0.1, HIGHEST, "m")
     whole = H / np.hypot(0.84, 0.54)
     swell = (0.84 * whole, 0.70 * np.exp(-0.046 * H), 3.00)

@@ -30,12 +30,12 @@ def read_wavewatch(path, text, x_axis, time, location):
     """
     if x_axis is None:
         raise TableError(
-            f"{path}: directions are nautical; say what the x axis heads by the compass (x_axis_compass_deg)"
+            f"{path}: directions are nautical; give the compass heading of the x axis (x_axis_compass_deg)"
         )
     words = re.findall(r"'[^']*'|[^\s']+", text[text.index(HEAD) + len(HEAD) :])
     frequencies, directions, points = (_whole(path, word) for word in words[:3])
     if not 1 <= location <= points:
-        raise TableError(f"{path} has {points} points, wanted is {location}; allowed: 1 to {points}")
+        raise TableError(f"{path} has {points} points, and location is {location}; allowed: 1 to {points}")
     words = words[4:]
     axes = _numbers(path, words[: frequencies + directions], frequencies + directions, "frequencies and directions")
     words, size = words[frequencies + directions :], frequencies * directions
@@ -44,7 +44,7 @@ def read_wavewatch(path, text, x_axis, time, location):
         raise TableError(f"{path}: after the directions stand {len(words)} words; wanted: {block} for each time")
     times = [f"{words[i]} {words[i + 1]}" for i in range(0, len(words), block)]
     if time is None and len(times) > 1:
-        raise TableError(f"{path} has {len(times)} times, the first is {times[0]}; say which with time")
+        raise TableError(f"{path} has {len(times)} times, the first is {times[0]}; choose one with time")
     if time is not None and str(time) not in times:
         raise TableError(f"{path} has no time {time}; it has {', '.join(times[:6])}")
     first = block * (0 if time is None else times.index(str(time))) + 2

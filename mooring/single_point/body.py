@@ -77,14 +77,16 @@ class SinglePoint:
         object.__setattr__(self, "ends", ends)
         object.__setattr__(self, "lengths", lengths)
         if not (1 <= len(ends) == len(lengths) <= 2):
-            raise SinglePointError(f"there are {len(ends)} hawser ends and {len(lengths)} lengths; allowed: one or two")
+            raise SinglePointError(
+                f"there are {len(ends)} hawser ends and {len(lengths)} lengths; allowed: one or two of each"
+            )
         if len(ends) == 2 and not abs(np.diff(lengths)[0]) < np.hypot(*(ends[1] - ends[0])) < lengths.sum():
             raise SinglePointError(
                 f"two hawsers of {lengths[0]:g} and {lengths[1]:g} m do not meet ahead of their ends, "
                 f"{np.hypot(*(ends[1] - ends[0])):g} m apart; lengthen them"
             )
         if len(self.system.bodies) != 1 or self.system.free_points:
-            raise SinglePointError(f"{self.system!r} has to be one body, the buoy, on lines to anchors")
+            raise SinglePointError(f"{self.system!r} has to contain one body, the buoy, on lines to anchors")
 
     @cached_property
     def inverse(self):

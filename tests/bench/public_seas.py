@@ -60,7 +60,7 @@ def judged_record(path):
 def _first_time(path, said):
     if "rows" in said and (rows := re.findall(r"^\s*(\d{2,4}(?: +\d\d){3,4})\s", _text(path), re.MULTILINE)):
         return " ".join(rows[0].split())
-    found = TIME.search(said) if "say which with time" in said else None
+    found = TIME.search(said) if "choose one with time" in said else None
     return found[0].rstrip(";,") if found else None
 
 

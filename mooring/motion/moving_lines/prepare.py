@@ -30,7 +30,7 @@ def moving_of(moored, settings, sea=None, surface=True):
     system, names = moored.system, () if settings.dynamic_lines == "none" else settings.dynamic_lines
     if system is None or not names:
         if names:
-            raise ValueError("dynamic_lines are given and the body has no lines; allowed: names of its lines")
+            raise ValueError("dynamic_lines are given and the body has no lines; leave it out")
         return None
     whole = [i for i, line in enumerate(system.lines) if isinstance(line, UniformLine)]
     if isinstance(names, str):
@@ -43,14 +43,16 @@ def moving_of(moored, settings, sea=None, surface=True):
             raise ValueError(f"dynamic_lines: there is no line {unknown[0]!r}; allowed: {', '.join(system.line_names)}")
         numbers = sorted(system.line_names.index(name) for name in names)
     if not numbers:
-        raise ValueError("dynamic_lines: no line of the body is uniform; allowed: uniform lines")
+        raise ValueError("dynamic_lines: no line of the body is uniform, and only uniform lines can move")
     made, places, stretch, spring = {}, [], [], []
     headings = {one.name: one.position[5] for one in system.bodies}
     poses = {one.name: one.position + moored.start[6 * i : 6 * i + 6] for i, one in enumerate(system.bodies)}
     for i in numbers:
         line = system.lines[i]
         if i not in whole:
-            raise ValueError(f"dynamic_lines: line {line.name} has segments or is a hawser; allowed: uniform lines")
+            raise ValueError(
+                f"dynamic_lines: line {line.name} has segments or is a hawser; only uniform lines can move"
+            )
         anchor, fairlead = ends_of(line, system)
         pose = poses[fairlead.body]
         R = rotation(*pose[3:])
@@ -80,11 +82,11 @@ def dynamic_line(line, anchor, system, elements, surface=True):
     for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):
         if value is None:
             raise ValueError(
-                f"dynamic_lines: type {kind.name} of line {line.name} has no {name}; allowed: a type with a "
-                "catalogue name, beside which it keeps what it is given"
+                f"dynamic_lines: type {kind.name} of line {line.name} has no {name}; give a type with a "
+                "catalogue name, which supplies it"
             )
     if not np.isfinite(kind.axial_stiffness):
-        raise ValueError(f"dynamic_lines: type {kind.name} of line {line.name} does not stretch; give its stiffness")
+        raise ValueError(f"dynamic_lines: type {kind.name} of line {line.name} is inextensible; give its stiffness")
     segment = DynamicSegment(
         line.length, kind.mass, kind.weight, kind.diameter, kind.axial_stiffness, elements, **_felt(kind.dynamics)
     )

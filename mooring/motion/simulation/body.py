@@ -82,14 +82,14 @@ def _coefficients(moored, settings, components):
     omega = frequency_of_coefficients(settings, components)
     if omega is None:
         raise SimulationError(
-            'memory = "constant" takes coefficients at the mean frequency of waves, and there are none; '
+            'memory = "constant" uses coefficients at the mean wave frequency, and there are no waves; '
             'give waves, or memory = "states"'
         )
     (added,), (radiated,) = moored.reader.coefficients(np.array([omega]))
     if np.linalg.eigvalsh(moored.reader.inertia + added).min() <= 0:
         raise SimulationError(
-            f"mass and added mass at {omega:.3g} rad/s are not positive, as water that rings before a wall can make "
-            "them; give another constant_period"
+            f"mass and added mass at {omega:.3g} rad/s are not positive, which resonant water in front of a "
+            "wall can cause; give another constant_period"
         )
     none = np.zeros((len(added), 0))
     return added, moored.damping + radiated, MemoryArrays(np.zeros(0), np.zeros(0), none, none)

@@ -26,12 +26,12 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
         i = int(scene.contact_work.beyond[0])
         depth, limit = scene.contact_work.now[i, DEPTH], scene.contacts.table.marks[i, 1]
         return (
-            f"{where}: fender {moored.berth.names[i]} is pressed by {depth:.3g} m, beyond its table, which ends at "
-            f"{limit:.3g} m; take a larger one, or give it an overload stiffness"
+            f"{where}: fender {moored.berth.names[i]} is compressed by {depth:.3g} m, beyond its table, which ends at "
+            f"{limit:.3g} m; choose a larger fender, or give it an overload stiffness"
         )
     if state == integrator.STUCK:
         return (
-            f"{where}: line {moored.system.line_names[stuck]} cannot be followed in its own motion; leave it out of "
+            f"{where}: line {moored.system.line_names[stuck]} : its own motion cannot be integrated; leave it out of "
             "dynamic_lines, or raise the tolerance"
         )
     if moored.buoy is not None and state in (integrator.NO_LINE, integrator.TOO_SHORT):
@@ -39,20 +39,21 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
     name, tension = _tightest(scene.line_work, moored)
     if state == integrator.NO_LINE and tension > (load := moored.system.breaking_load[_number(moored, name)]):
         return (
-            f"{where}: line {name} pulls {tension:.3g} N, {tension / load:.2g} times its breaking load; it is lost: "
-            "take a stronger one, or weaken the loads"
+            f"{where}: line {name} pulls {tension:.3g} N, {tension / load:.2g} times its breaking load, and "
+            "would part: use a stronger line, or reduce the loads"
         )
     if state == integrator.NO_LINE:
         return (
-            f"{where}: a line cannot reach its fairlead, its end is below the bed or, of segments, beyond the table of "
-            f"its forces, {REACH[1]:g} of the depth up or down; lengthen it, or weaken the loads"
+            f"{where}: a line cannot reach its fairlead, its end is below the bed, or a line of segments is "
+            f"beyond the table of its forces, {REACH[1]:g} of the depth up or down; lengthen the line, or "
+            f"reduce the loads"
         )
     if state == integrator.TOO_SHORT:
         rigid = name and not scene.lines.lines[_number(moored, name), 2] > 0
-        way = "give it an axial stiffness" if rigid else "raise the tolerance or soften it"
-        pulled = f"line {name} pulls {tension:.3g} N; {way}" if name else "look at inertia, damping and stiffness"
-        return f"{where}: steps below {integrator.SHORTEST:g} s would be needed; {pulled}"
-    return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
+        way = "give it an axial stiffness" if rigid else "raise the tolerance or use a softer line"
+        pulled = f"line {name} pulls {tension:.3g} N; {way}" if name else "check inertia, damping and stiffness"
+        return f"{where}: steps below {integrator.SHORTEST:g} s are required; {pulled}"
+    return f"{where}: the motion is not finite; check inertia, damping and stiffness"
 
 
 def _of_buoy(state, clock, work):
@@ -61,12 +62,12 @@ def _of_buoy(state, clock, work):
     away, pull = np.hypot(*clock.y[first : first + 2]), work.rope.max()
     if state == integrator.NO_LINE:
         return (
-            f"the buoy is {away:.3g} m from its place without the body, a line cannot reach it; lengthen the lines or "
-            "give them an axial stiffness"
+            f"the buoy is {away:.3g} m from its place without the body, where a line cannot reach it; lengthen "
+            "the lines or give them an axial stiffness"
         )
     return (
-        f"steps below {integrator.SHORTEST:g} s would be needed, a hawser pulls {pull:.3g} N; soften it, or take a "
-        "heavier buoy"
+        f"steps below {integrator.SHORTEST:g} s are required, and a hawser pulls {pull:.3g} N; use a softer "
+        "hawser or a heavier buoy"
     )
 
 

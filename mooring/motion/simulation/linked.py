@@ -21,8 +21,8 @@ def check_held(stiffness, body):
         worst = int(np.argmax(np.abs(free @ ways[:, 0])))
         names = ", ".join(link.name for link in body.links)
         raise ValueError(
-            f"hinges {names}: {body.words[worst]} leaves its place at rest by itself, with ω² of {values[0]:.3g} 1/s², "
-            "limit 0; lower center_of_gravity, or pull the hinges less together"
+            f"hinges {names}: {body.words[worst]} is unstable at rest, with ω² of {values[0]:.3g} 1/s², "
+            "limit 0; lower center_of_gravity, or reduce the compression of the hinges"
         )
 
 
@@ -41,4 +41,4 @@ def begin_together(links, inverse, poses, speed):
         step[:, :2] = [[np.cos(c) * x - np.sin(c) * y, np.sin(c) * x + np.cos(c) * y]
                        for c, (x, y) in zip(poses[:, 5], step[:, :2], strict=True)]  # fmt: skip
         poses += step
-    raise ValueError(f"the offset leaves hinges {np.abs(gap).max():.3g} m or rad apart; allowed: a smaller one")
+    raise ValueError(f"the offset leaves hinges {np.abs(gap).max():.3g} m or rad apart; give a smaller offset")

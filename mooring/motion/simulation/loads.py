@@ -71,7 +71,9 @@ def streams(moored, weather, seed, end):
         return wind, calm(), own.quadratic, ()
     if not hulls:
         if weather.wind or weather.current:
-            raise SimulationError("wind and current need the hull they act on; give its length, beam and freeboard")
+            raise SimulationError(
+                "wind and current need the dimensions of the hull; give its length, beam and freeboard"
+            )
         return wind, None, 0.0, ()
     if weather.wind:
         blown = weather.gusts, seed + GUSTS, 0.0, end

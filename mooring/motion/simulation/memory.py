@@ -31,7 +31,7 @@ def fitted_memory(body, motions=None):
         if tolerance <= WANTED:
             return memory, ()
         return memory, (
-            f"memory of the water is fitted to {memory.error.max():.2g} of the largest, wanted "
+            f"the memory of the water is fitted to {memory.error.max():.2g} of its largest value, required "
             f"{WANTED:g}; store more frequencies over a wider band",
         )
     raise refused

@@ -120,7 +120,10 @@ def moored(
         start, stiffness = _rest_together(links, berth, system, tables, body, spring, start)
         check_held(stiffness, body)
         if body.knows_drift_of_each:
-            findings = (*findings, "mean and slow drift of bodies with hinges are those stored of their free motions")
+            findings = (
+                *findings,
+                "mean and slow drift of hinged bodies are those stored for free motions, without hinges",
+            )
     else:
         if berth.names:
             start = at_rest(berth, _but_berth(system, tables, body, spring), start, _unit(body))
@@ -140,10 +143,13 @@ def _of_viscous(reader, waves):
     drags = [words[dof] for dof, law in laws.items() if isinstance(law, Quadratic)]
     others = [words[dof] for dof in laws if words[dof] not in drags]
     how = [f"of {' and '.join(drags)} as drag"] if drags else []
-    how += [f"of {' and '.join(others)} " + ("left out without waves" if waves is None else "linearised in these waves")
-            ] if others else []  # fmt: skip
+    law = "not included without waves" if waves is None else "linearised in these waves"
+    how += [f"of {' and '.join(others)} {law}"] if others else []
     if how:
-        yield f"the viscous damping of the database's scene is in the run, {', '.join(how)}; what the study gives adds"
+        yield (
+            f"the viscous damping of the database's scene is included in the run, {', '.join(how)}; damping "
+            f"of the study is added to it"
+        )
 
 
 def with_memory(moored):
@@ -159,8 +165,8 @@ def _of_tables(system, tables):
             name = system.line_names[int(np.flatnonzero(tables[1] == i)[0])]
             off, wanted, where = 100 * table.error, 100 * TOLERANCE, 100 * table.coarse
             yield (
-                f"line {name}: its table of forces is up to {off:.2g} % of the tension off, wanted {wanted:g} %, in "
-                f"{where:.2g} % of the chords and heights"
+                f"line {name}: the error of its force table is up to {off:.2g} % of the tension, required "
+                f"{wanted:g} %, in {where:.2g} % of the chords and heights"
             )
 
 
@@ -242,8 +248,8 @@ def _check_place(system, body):
     places, wanted = np.array([one.position for one in system.bodies], float), body.axes_at_rest
     if places.shape != wanted.shape or not np.allclose(places, wanted, rtol=0, atol=1e-9):
         raise ValueError(
-            f"the axes of the system's bodies lie at {places.tolist()}, m and rad; allowed: at the rotation centres of "
-            f"the database, {wanted.tolist()}"
+            f"the axes of the system's bodies lie at {places.tolist()}, m and rad; they have to be at the "
+            f"rotation centres of the database, {wanted.tolist()}"
         )
     if np.isfinite(body.depth) and not abs(system.depth - body.depth) <= 1e-6 * system.depth:
-        raise ValueError(f"the lines are for {system.depth:g} m of water, the database for {body.depth:g} m")
+        raise ValueError(f"the lines are for a depth of {system.depth:g} m, and the database for {body.depth:g} m")

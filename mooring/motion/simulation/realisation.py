@@ -194,12 +194,12 @@ def with_error(found, doubt, tolerance, words, runs="a run to a tenth of the tol
     share, findings = doubt.share(doubt.bound), found.findings
     worst = int(np.argmax(share))
     if share[worst] > tolerance:
-        chaotic = "this motion forgets where it came from; believe statistics over seeds, not a single path"
-        missed = f"the tolerance is {tolerance:g}; give a smaller one for a path as near as that"
+        chaotic = "this motion is chaotic; use statistics over seeds, not a single time series"
+        missed = f"the tolerance is {tolerance:g}; give a smaller one for a more accurate time series"
         chance = doubt.share(doubt.error)[worst] > CHAOTIC
         findings = (
             *findings,
-            f"{words[worst]} may be {share[worst]:.2g} of its standard deviation off by {runs}: "
+            f"the error of {words[worst]} may be {share[worst]:.2g} of its standard deviation, from {runs}: "
             f"{chaotic if chance else missed}",
         )
     return found._replace(estimated_error=doubt.error, findings=findings)

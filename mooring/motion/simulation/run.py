@@ -192,7 +192,9 @@ def of_all(values, count):
     if not values.any():
         return np.zeros((count, 6))
     if values.size != 6 * count:
-        raise SimulationError(f"offset or velocity has {values.size} numbers for {6 * count} motions; allowed: as many")
+        raise SimulationError(
+            f"offset or velocity has {values.size} numbers for {6 * count} motions; allowed: the same number"
+        )
     return values.reshape(count, 6)
 
 
@@ -221,11 +223,11 @@ def _coarse(moored, weather, settings, moving):
 def _around(weather, settings):
     """A finding on the water around lines with a motion of their own"""
     if settings.dynamic_water == "sea":
-        how = " and the current, alike from surface to bed," if weather.current or weather.on_hull else ""
-        return f"lines of dynamic_lines move in the waves that come in{how} as if the body did not disturb them"
+        how = " and the current, uniform over the depth," if weather.current or weather.on_hull else ""
+        return f"lines of dynamic_lines move in the incident waves{how}, without disturbance by the body"
     return (
-        "lines of dynamic_lines move in still water: waves and current push the body, not them; "
-        'dynamic_water = "sea" lets them'
+        "lines of dynamic_lines move in still water: waves and current act on the body, not on them; "
+        'dynamic_water = "sea" includes that'
     )
 
 
@@ -234,7 +236,8 @@ def _of_lost(settings):
     for name, at in settings.lines_lost:
         if at < settings.duration:
             yield (
-                f"line {name} breaks {at:g} s after the ramp: its mean and σ are of a record that is zero from then on"
+                f"line {name} breaks {at:g} s after the ramp: its mean and σ come from a record that is zero "
+                f"from then on"
             )
         else:
             yield f"line {name} does not break: {at:g} s after the ramp, a run lasts {settings.duration:g} s"

@@ -34,7 +34,7 @@ MINOR = 0.1
 PLANE = (0, 1, 5)
 FEW = 3  # names that are told
 # what lines do without inertia and drag, by trials of floaters A and three pontoons (tests/bench)
-TOO_LARGE = "slow motion and snaps come out too large, snaps 1.6 to 9 times on chains in 10 to 20 m of water"
+TOO_LARGE = "slow motion and snap loads are too large, snap loads 1.6 to 9 times on chains in 10 to 20 m of water"
 
 
 class Choice(NamedTuple):
@@ -81,11 +81,11 @@ def chosen(run, moored, weather, settings):
     static, moving = found
     begin = f'dynamic_lines = "auto": in a trial of {still.duration:g} s'
     if moving is None:
-        told = f"left out: the motion of the lines: {failed[0]}"
+        told = f"not included: the motion of the lines: {failed[0]}"
         return Choice(replace(settings, dynamic_lines=()), (), (told, *left_out), tuple(pace))
     some = f"{len(able)} of {len(moored.system.lines)}"
     if static is None:
-        words = f"{begin} lines in their static shape fail ({failed[0]}): {some} move"
+        words = f"{begin} a run with static lines fails ({failed[0]}): {some} move"
         return Choice(replace(settings, dynamic_lines=able), (words,), left_out, tuple(pace))
     changes = _of_tension(moored, static, moving), _of_slow_motion(moored, static, moving)
     moves = max(one.share for one in changes) > NEGLIGIBLE
@@ -101,7 +101,7 @@ def able_to_move(system, settings):
         if isinstance(line, Hawser):  # without weight it is what it is
             continue
         if not isinstance(line, UniformLine):
-            kept.setdefault("it has segments; allowed: lines of one type", []).append(line.name)
+            kept.setdefault("it has segments, and only lines of one type can move", []).append(line.name)
             continue
         try:
             dynamic_line(line, ends_of(line, system)[0].position, system, settings.dynamic_elements)
@@ -110,7 +110,7 @@ def able_to_move(system, settings):
             why = str(error).removeprefix("dynamic_lines: ").replace(f" of line {line.name}", "")
             kept.setdefault(" ".join(why.split()), []).append(line.name)
     return tuple(able), tuple(
-        f"left out: inertia and drag of {_named(names)} in static shape, so that {TOO_LARGE}: {why}"
+        f"not included: inertia and drag of {_named(names)} in static shape, so that {TOO_LARGE}: {why}"
         for why, names in kept.items()
     )
 
@@ -146,7 +146,7 @@ def _of_tension(moored, static, moving):
     most = int(np.argmax(np.abs(pulls[0] - pulls[1])))
     share = abs(pulls[0][most] - pulls[1][most]) / max(pulls[0].max(), pulls[1].max())
     name, (one, other) = moored.system.line_names[most], (1e-3 * pull[most] for pull in pulls)
-    return Difference(share, f"{name} pulls up to {one:.4g} kN in its static shape, {other:.4g} kN moving")
+    return Difference(share, f"{name} pulls up to {one:.4g} kN in its static shape and {other:.4g} kN in motion")
 
 
 def _of_slow_motion(moored, static, moving):
@@ -162,7 +162,8 @@ def _of_slow_motion(moored, static, moving):
     unit, factor = units[most % 3]
     one, other = factor * sigma[:, most]
     return Difference(
-        float(share[most]), f"slow {names[most]} has σ {one:.3g} {unit} on static lines, {other:.3g} {unit} on moving"
+        float(share[most]),
+        f"slow {names[most]} has σ {one:.3g} {unit} with static lines and {other:.3g} {unit} with moving lines",
     )
 
 

@@ -309,7 +309,10 @@ def test_an_import_without_mass_is_given_one_and_has_the_motions_of_the_solved_b
     output = tmp_path / "given.h5"
     words = ["import", str(written), "--from", "wamit", "--depth", "20", "--output", str(output)]
     assert cli.main(words) == 0
-    assert "`hakobune body` gives it --gyration" in capsys.readouterr().err
+    assert (
+        "the database has no inertia_matrix, so that no motions can be computed; give it by `hakobune body` "
+        "with --gyration"
+    ) in capsys.readouterr().err
     assert cli.main([*words, "--fresh", "--gyration", "3,6,6"]) == 0
     assert "that of the files has the weight in it" in capsys.readouterr().err
     db = open_database(output)

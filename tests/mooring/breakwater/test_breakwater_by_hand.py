@@ -140,7 +140,7 @@ def test_a_common_sinker_holds_the_greatest_of_a_whole_period(phase):
         (lambda: TautBody(**AFLOAT, **HELD | {"line": 0.1}), lambda: TautBody(**AFLOAT, **HELD | {"line": 0.0}),
          "line is 0 m"),
         (lambda: TautBody(**AFLOAT | {"mass": 30000.0}, **HELD), lambda: TautBody(**AFLOAT | {"mass": 30001.0}, **HELD),
-         "weighs 30001 kg/m and displaces 30000"),
+         "the mass is 30001 kg/m and the displaced mass 30000 kg/m: the pretension is"),
     ],
 )  # fmt: skip
 def test_what_is_allowed_and_what_is_not(fine, wrong, says):

@@ -105,7 +105,7 @@ def test_limit_height_is_where_the_strain_is_just_allowed_and_grows_with_the_fen
             0.35, rel=1e-2
         )
     assert found[1] > found[0]
-    with pytest.raises(DolphinError, match="take more or larger ones"):
+    with pytest.raises(DolphinError, match="kN; use more or larger fenders"):
         strains(sway(), Dolphins(CELL, np.zeros((1, 3))), 1e9, issc(1.0, mean_period=8.0))
 
 

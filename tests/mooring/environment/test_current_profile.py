@@ -64,8 +64,11 @@ def test_the_uniform_current_over_a_draft_has_the_same_pressure():
         (lambda: power_law(1.0, 0.0, np.inf, 0.1), "depth of the current profile is inf m"),
         (lambda: power_law(1.0, 0.0, 30.0, -0.1), "exponent of the current profile is -0.1"),
         (lambda: power_law(1.0, np.nan, 30.0, 0.1), "current direction is nan rad"),
-        (lambda: table([0.0, -10.0], [1.0, 1.0], 0.0), "runs from 0 to -10 m; allowed: rising, at most 0"),
-        (lambda: table([-10.0, 0.0], [1.0, -1.0], 0.0), "current speed is -1 m/s; allowed: 0 to 20 m/s, its direction"),
+        (lambda: table([0.0, -10.0], [1.0, 1.0], 0.0), "runs from 0 to -10 m; allowed: increasing, at most 0"),
+        (
+            lambda: table([-10.0, 0.0], [1.0, -1.0], 0.0),
+            "current speed is -1 m/s; allowed: 0 to 20 m/s; give the direction separately",
+        ),
         (lambda: table([-10.0, 0.0], [1.0, 1.0, 1.0], 0.0), "has 2 heights and 3 speeds"),
     ],
 )

@@ -153,7 +153,7 @@ class TestRecords:
         (lambda: kaimal(20.0, 10.0, 14.0), "turbulence intensity is 14; allowed: 0.0001 to 1"),
         (lambda: ALL[0].density(-0.1), "gust frequency is -0.1 rad/s; allowed: at least 0"),
         (lambda: gust_record(ALL[0], 0.0, 1, 0.0, 6.0, 100), "lowest frequency of the gusts is 0 rad/s"),
-        (lambda: gust_record(ALL[0], 0.0, 1, 6.0, 0.1, 100), "from 6 to 0.1 rad/s; allowed: rising"),
+        (lambda: gust_record(ALL[0], 0.0, 1, 6.0, 0.1, 100), "from 6 to 0.1 rad/s; allowed: increasing"),
         (lambda: gust_record(ALL[0], 0.0, 1, 0.1, 6.0, 0), "number of gust components is 0"),
         (lambda: gust_record(ALL[0], 0.0, None, 0.1, 6.0, 10), "seed is None; allowed: a whole number from 0"),
     ],

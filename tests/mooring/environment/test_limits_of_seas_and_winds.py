@@ -34,7 +34,7 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
         (lambda v: power_law(v, 0, 30, 0.1), 20.0, 20.1, "current speed is 20.1 m/s; allowed: 0 to 20"),
         (lambda v: power_law(1, 0, 30, v), 3.0, 3.01, "exponent of the current profile is 3.01"),
         (lambda v: table([-9, 0], [1, v], 0.0), 20.0, 20.1, "current speed is 20.1 m/s; allowed: 0 to 20 m/s"),
-        (lambda v: table([-9, v], [1, 1], 0.0), 0.0, 0.1, "runs from -9 to 0.1 m; allowed: rising, at most 0"),
+        (lambda v: table([-9, v], [1, 1], 0.0), 0.0, 0.1, "runs from -9 to 0.1 m; allowed: increasing, at most 0"),
         (lambda v: wind_drift(v, 0, 30), 200.0, 201.0, "wind speed at 10 m is 201"),
         (lambda v: davenport(20, v), 1e-4, 0.99e-4, "surface drag K is 9.9e-05"),
         (lambda v: davenport(20, v), 0.1, 0.101, "surface drag K is 0.101"),
@@ -111,7 +111,7 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
             lambda v: Sea(NARROW, math.radians(v)).directional([0, math.pi / 4]),
             44.0,
             46.0,
-            "46° is not between headings",
+            "46° does not lie between two headings",
         ),
         (lambda v: linear_weights(np.array([0.0, v]), np.zeros(1)), 1e-8, 1e-10, "0° is given twice"),
         (lambda v: Scatter([v], [5.0], [[1.0]], "peak_period"), 0.1, 0.0, "classes begin with 0 m, 5 s"),
@@ -254,7 +254,11 @@ def test_columns_of_a_record_are_in_the_units_of_their_names(tmp_path):
     assert read_record(alone, 0.25).step == 0.25
     with pytest.raises(TableError, match="give the step"):
         read_record(alone)
-    with pytest.raises(TableError, match=r"a step of 0\.2 s is given too"):
+    with pytest.raises(
+        TableError,
+        match=r"has a time column, and a step of 0\.2 s is given as well; leave out "
+        r"the step",
+    ):
         read_record(path, 0.2)
 
 

@@ -43,7 +43,7 @@ def test_spectra_of_the_classes_have_their_periods_and_all_of_the_probability(tm
         (TABLE.replace("0.25,12", "0,12"), "classes begin with 0 m"),
         (TABLE.replace("18", "many"), "line 4 has 'many'"),
         ("1,2\n3,4\n", "begins with a number; allowed: mean_period"),
-        ("mean_period,4,5\n1,0,0\n", "allowed: at least 0, somewhere above"),
+        ("mean_period,4,5\n1,0,0\n", "allowed: at least 0, and above 0 somewhere"),
     ],
 )
 def test_what_is_no_scatter_diagram_is_refused_with_its_file(tmp_path, text, words):

@@ -107,9 +107,15 @@ def test_noise_moves_the_damping_of_a_free_decay_within_its_limit(let_go, noise,
 @pytest.mark.parametrize(
     "make, says",
     [
-        (lambda: decay(np.delete(TIME, 50), np.delete(np.sin(TIME), 50)), "steps by 2 s after 49 s, else by 1 s"),
-        (lambda: decay(TIME, np.full(600, np.nan)), "row 1 of the record has a value that is no number"),
-        (lambda: decay(TIME, np.exp(0.002 * TIME) * np.cos(OMEGA * TIME)), "allowed: one that dies out"),
+        (
+            lambda: decay(np.delete(TIME, 50), np.delete(np.sin(TIME), 50)),
+            "steps by 2 s after 49 s, and elsewhere by 1 s",
+        ),
+        (lambda: decay(TIME, np.full(600, np.nan)), "row 1 of the record has a value that is not a number"),
+        (
+            lambda: decay(TIME, np.exp(0.002 * TIME) * np.cos(OMEGA * TIME)),
+            "in half a cycle; allowed: a decaying motion",
+        ),
         (lambda: decay(TIME, np.exp(-0.1 * TIME)), "crosses its mean"),
         (lambda: forced(TIME[:10], TIME[:10], TIME[:10]), "10 times; allowed: 16 or more"),
         (lambda: forced(TIME[:50], np.sin(OMEGA * TIME[:50]), TIME[:50]), "cycles; allowed: two or more"),

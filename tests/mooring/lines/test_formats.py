@@ -207,11 +207,14 @@ def test_coupled_points_and_bodies_are_held_where_they_are_given():
 def test_a_depth_stands_in_where_the_file_has_none_and_only_there():
     bare = VERSION_2.replace("70       WtrDpth  water depth (m)\n", "")
     assert quiet_system(bare, depth=75.0).depth == 75.0
-    with pytest.warns(UserWarning, match="WtrDpth is missing; the bed is at the lowest point, 70 m"):
+    with pytest.warns(
+        UserWarning,
+        match="WtrDpth is missing; the bed is assumed at the lowest point, 70 m; give the depth if this is wrong",
+    ):
         assert system_of_moordyn(parse_moordyn(bare)).depth == 70.0
     with pytest.warns(UserWarning, match="depth is 60 m and the lowest point at 70 m"):
         assert system_of_moordyn(parse_moordyn(bare), depth=60.0).depth == 70.0
-    with pytest.raises(FormatError, match="WtrDpth is 70 m and the depth given 80 m"):
+    with pytest.raises(FormatError, match="WtrDpth is 70 m and the given depth is 80 m"):
         quiet_system(VERSION_2, depth=80.0)
     bathymetry = VERSION_2.replace("70       WtrDpth", "bed.txt  WtrDpth")
     with pytest.warns(UserWarning, match="bathymetry bed.txt .WtrDpth. is left out; the bed is flat at 70 m"):
@@ -225,13 +228,13 @@ LEFT_OUT = [
     ("1000     rhoW", "bed.txt SeafloorFile", "the bathymetry (SeafloorFile bed.txt) left out"),
     ("1000     rhoW", "3 mystery", "option mystery is unknown and left out"),
     ("-- OPTIONS", "-- SYROPE IC ---\nLine(s) Tmax0 Tmean0\n(-) (N) (N)\n2 1e6 5e5\n--- OPTIONS",
-     "section SYROPE IC is left out"),
+     "section SYROPE IC is not used: no line type is a Syrope rope"),
     ("3    Body1 ", "3    Coupled ", "dynamic stiffness (EA a|b) of rope is left out, the static counts"),
     ("1    Coupled     0      0     0      0     0     30 ", "1    Free        0      0     0      0    -90     0  ",
-     "free body 1 starts heeled (r0, p0): left out, its rest is sought from upright"),
-    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out"),
+     "free body 1 starts heeled (r0, p0): not used, its equilibrium is sought from upright"),
+    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is not included: nothing breaks at rest"),
     ("7    Fixed       280     -160    -70     0       0       0      0\n",
-     "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and no line holds it: left out"),
+     "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and held by no line: ignored"),
 ]  # fmt: skip
 
 
@@ -341,7 +344,7 @@ def test_lines_above_the_water_weigh_what_they_do_in_air(tmp_path):
 
 
 def test_a_line_that_floats_is_said_to_weigh_in_air_what_it_does_in_water():
-    with pytest.warns(UserWarning, match="line 3 comes out of the water and weighs there what it does in it"):
+    with pytest.warns(UserWarning, match="line 3 leaves the water, and its weight in water is used there too"):
         system_of_moordyn(parse_moordyn(DRY.replace("0.25 100 ", "0.25 40 ")))
 
 
@@ -402,7 +405,7 @@ FAULTS = [
     ("- LINES -", "- LNIES -", "section LNIES"),
     ("- OUTPUTS -", "- LINES -", "section LINES: is there twice"),
     ("70       WtrDpth  water depth (m)", "70", "section OPTIONS: '70' is not a value and a name"),
-    ("- LINES -", "- OUTPUTS -", "is there twice"),
+    ("- LINES -", "- OUTPUTS -", "appears twice, first at line"),
 ]  # fmt: skip
 
 
@@ -533,5 +536,7 @@ def test_a_column_of_control_channels_is_read_where_it_is_nought():
         "      p\n", "      p  0\n"
     )
     assert parse_moordyn(with_channels).lines == parse_moordyn(VERSION_1).lines
-    with pytest.raises(ValueError, match="2 is no force on a point, or channel that pays out a line"):
+    with pytest.raises(
+        ValueError, match="2 is a force on a point or a winch channel, which is not supported; allowed: 0"
+    ):
         parse_moordyn(with_channels.replace("      p  0\n", "      p  2\n"))

@@ -145,7 +145,7 @@ def test_a_free_rod_is_a_body_in_its_middle_with_its_weight_in_water():
 @pytest.mark.parametrize(
     "depth, option, said",
     [(None, "60 WtrDpth", None), (60.0, "60 WtrDpth", None), (80.0, "", None), (None, "40 WtrDpth", "depth is 40 m"),
-     (None, "", "WtrDpth is missing; the bed is at the lowest point, 50 m"),
+     (None, "", "WtrDpth is missing; the bed is assumed at the lowest point, 50 m; give the depth if this is wrong"),
      (70.0, "bed.txt WtrDpth", "the bathymetry bed.txt (WtrDpth) is left out; the bed is flat at 70 m")],
 )  # fmt: skip
 def test_the_bed_is_at_the_depth_given_and_no_higher_than_the_lowest_point(depth, option, said):
@@ -294,7 +294,7 @@ def test_a_moorpy_file_has_each_of_its_keys():
     assert sorted(body.name for body in made.bodies) == ["body 2", "vessel"]
     plain = system_of_moorpy(parse_yaml(YAML.replace("rho_water: 1010\n", "").replace("water_depth: 90", "depth: 90")))
     assert (plain.density, plain.depth) == (1025.0, 90.0)
-    with pytest.raises(FormatError, match="water_depth is 90 m and the depth given 80 m"):
+    with pytest.raises(FormatError, match="water_depth is 90 m and the given depth is 80 m"):
         system_of_moorpy(parse_yaml(YAML), depth=80.0)
     assert system_of_moorpy(parse_yaml(YAML), depth=90.0).depth == 90.0
 
@@ -368,6 +368,6 @@ def test_bending_of_rods_is_left_out_where_there_are_rods_and_lines(monkeypatch,
 def test_options_of_time_and_of_the_water_are_known_and_others_are_told():
     options = {"dtM": "0.1", "rhoW": "1025", "WtrDpth": "20", "mystery": "3", "Currents": "1", "WaveKin": "0", "x": "-"}
     assert list(moordyn_left_out._of_options(SimpleNamespace(options=options))) == [
-        "currents (Currents 1) left out: still water over a flat bed",
+        "currents (Currents 1) not included: still water over a flat bed is used",
         "option mystery, x is unknown and left out",
     ]

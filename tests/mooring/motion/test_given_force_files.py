@@ -31,7 +31,11 @@ def test_a_long_gap_is_warned_of_with_its_line(tmp_path):
     "rows, names, says",
     [
         (ROWS[:5] + ROWS[4:], NAMES, "line 7: time stays at 4 s"),
-        (ROWS[:5] + ["5,1,nan,3,4,5,6"] + ROWS[6:], NAMES, "line 7 has 'nan'; allowed: finite numbers: fill it in"),
+        (
+            ROWS[:5] + ["5,1,nan,3,4,5,6"] + ROWS[6:],
+            NAMES,
+            "line 7 has 'nan'; allowed: finite numbers; fill in the value",
+        ),
         (ROWS[1:], ROWS[0], "no column names in its first row"),
         (ROWS, NAMES.replace("Mz", "Nz"), "allowed: t, Fx, Fy, Fz, Mx, My, Mz"),
         (ROWS[:1], NAMES, "has one row"),

@@ -241,7 +241,9 @@ def test_a_path_beyond_its_tolerance_is_told_and_one_that_is_chance_too(off, err
     assert made.findings[0] == "before" and len(made.findings) == 1 + told and made.estimated_error is doubt.error
     if told:
         assert "sway may be 0.1 of its standard deviation off by two runs" in made.findings[1]
-        assert ("believe statistics over seeds" in made.findings[1]) is chance
+        assert (
+            "this motion is chaotic; use statistics over seeds, not a single time series" in made.findings[1]
+        ) is chance
     assert doubt.worst == pytest.approx(off)
 
 
@@ -255,7 +257,7 @@ def test_a_trial_compares_the_line_that_changes_most_with_the_largest_pull():
     moored = SimpleNamespace(system=SimpleNamespace(line_names=("bow", "aft")))
     found = _of_tension(moored, pulled([8e5, 2e5]), pulled([7.8e5, 3e5]))
     assert found.share == pytest.approx(1e5 / 8e5)
-    assert found.words == "aft pulls up to 200 kN in its static shape, 300 kN moving"
+    assert found.words == "aft pulls up to 200 kN in its static shape and 300 kN in motion"
 
 
 def test_a_trial_compares_slow_motions_that_are_not_small(monkeypatch):
@@ -389,7 +391,11 @@ def test_columns_of_a_force_are_found_by_name_and_a_gap_of_ten_steps_is_told(tmp
     rows = [(t, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0) for t in (0.0, 1.0, 2.0, 2.0 + gap)]
     path.write_text("Mz,My,Mx,Fz,Fy,Fx,t\n" + "\n".join(",".join(map(repr, row[::-1])) for row in rows) + "\n")
     if told:
-        with pytest.warns(UserWarning, match=r"line 5: no force is given from 2 to 12\.1 s, where the step is 1 s"):
+        with pytest.warns(
+            UserWarning,
+            match=r"line 5: no force is given from 2 to 12\.1 s, and the step "
+            r"elsewhere is 1 s",
+        ):
             found = read_force(path)
     else:
         found = read_force(path)
@@ -421,7 +427,8 @@ def test_columns_of_a_force_are_found_by_name_and_a_gap_of_ten_steps_is_told(tmp
         (lambda v: GivenForce([0.0, v], np.zeros((2, 6))), 0.1, 0.0, "times that do not rise"),
         (lambda v: GivenForce([0.0, 1.0], np.zeros((2, v))), 6, 5, "allowed: .n,. and .n, 6."),
         (lambda v: Weather(gusts=davenport(9.0, 0.003), wind=v), Wind(9.0, 0.0), None, "gusts and no wind"),
-        (lambda v: Weather(regular=Waves(1, 9, 0), seas=v), (), (Sea(issc(1.0, mean_period=8.0)),), "has two of seas"),
+        (lambda v: Weather(regular=Waves(1, 9, 0), seas=v), (), (Sea(issc(1.0, mean_period=8.0)),), "weather "
+        "has more than one of seas, a regular wave and a record; give one of them"),
     ],
 )  # fmt: skip
 def test_settings_of_a_run_are_taken_up_to_their_limits(make, good, bad, says):
@@ -545,7 +552,9 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
     assert fitted_memory(plain)[1] == () and tried == [3e-4, 1e-3]
     plain.allows = 2.5e-3
     (said,) = fitted_memory(plain)[1]
-    assert "fitted to 0.0027 of the largest, wanted 0.001" in said and tried[2:] == [3e-4, 1e-3, 3e-3]
+    assert ("the memory of the water is fitted to 0.0027 of its largest value, required 0.001") in said and tried[
+        2:
+    ] == [3e-4, 1e-3, 3e-3]
     plain.allows = 1.0
     with pytest.raises(ValueError, match=r"not to 0\.03"):
         fitted_memory(plain)
@@ -565,14 +574,14 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
 @pytest.mark.parametrize(
     ("state", "changes", "words"),
     [
-        ("NO_LINE", {"load": 2.5e5}, "line bow pulls 5e+05 N, 2 times its breaking load; it is lost"),
+        ("NO_LINE", {"load": 2.5e5}, "line bow pulls 5e+05 N, 2 times its breaking load, and would part"),
         ("NO_LINE", {}, f"beyond the table of its forces, {REACH[1]:g} of the depth up or down"),
         ("TOO_SHORT", {"flexibility": 0.0}, "line bow pulls 5e+05 N; give it an axial stiffness"),
         ("TOO_SHORT", {}, "line bow pulls 5e+05 N; raise the tolerance or soften it"),
-        ("TOO_SHORT", {"count": 0}, "look at inertia, damping and stiffness"),
-        ("NOT_FINITE", {}, "the motion is not a finite number"),
+        ("TOO_SHORT", {"count": 0}, "check inertia, damping and stiffness"),
+        ("NOT_FINITE", {}, "the motion is not finite; check inertia, damping and stiffness"),
         ("STUCK", {}, "line stern cannot be followed in its own motion"),
-        ("BEYOND", {}, "fender F2 is pressed by 0.31 m, beyond its table, which ends at 0.3 m"),
+        ("BEYOND", {}, "fender F2 is compressed by 0.31 m, beyond its table, which ends at 0.3 m"),
     ],
 )
 def test_a_run_that_ends_names_time_place_part_and_the_way_out(state, changes, words):

@@ -257,7 +257,7 @@ def test_a_line_lost_at_the_start_never_pulls(on_chains):
     name = on_chains.system.line_names[0]
     run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 0.0),)))
     assert np.all(run.tension[:, 0] == 0) and np.abs(run.motion[-1] - on_chains.start).max() > 0.01
-    told = f"line {name} breaks 0 s after the ramp: its mean and σ are of a record that is zero from then on"
+    told = f"line {name} breaks 0 s after the ramp: its mean and σ come from a record that is zero from then on"
     assert told in run.findings
 
 
@@ -397,9 +397,16 @@ def test_coefficients_of_a_wave_are_named_where_they_damp_slow_motion(on_springs
     soft = replace(on_springs, stiffness=np.diag([3e5, 3e5, *np.diag(on_springs.stiffness)[2:]]))
     sea = Sea(jonswap(2.0, peak_period=10.0), 0.0)
     said = [simulate(soft, Weather(seas=(sea,)), replace(CALM, duration=2.0, memory=m)) for m in ("constant", "states")]
-    named = [line for line in said[0].findings if "damps slow motion as waves" in line]
+    named = [
+        line
+        for line in said[0].findings
+        if 'not included: the memory of the water: memory = "constant" damps slow motion like waves of' in line
+    ]
     assert len(named) == 1 and "surge" in named[0] and "states" in named[0]
-    assert not any("damps slow motion as waves" in line for line in said[1].findings)
+    assert not any(
+        'not included: the memory of the water: memory = "constant" damps slow motion like waves of' in line
+        for line in said[1].findings
+    )
     assert any("slow motion is lightly damped: surge" in line for line in said[1].findings)
 
 

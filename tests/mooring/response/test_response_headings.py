@@ -56,5 +56,5 @@ def test_directions_are_as_close_as_waves_and_spreading_ask_for():
 def test_a_spreading_narrower_than_the_closest_directions_is_named():
     body, omega = made_up_body(), np.linspace(0.3, 1.0, 29)
     sea = Sea(issc(1.0, mean_period=9.0), np.radians(31.7), WrappedNormal(np.radians(0.1)))
-    with pytest.warns(UserWarning, match="the spreading is too narrow for them"):
+    with pytest.warns(UserWarning, match="the spreading is too narrow for this step; use a long-crested sea"):
         heading_step(body, sea, omega)

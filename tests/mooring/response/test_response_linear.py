@@ -81,7 +81,7 @@ def test_frequencies_resolve_the_narrowest_resonance_or_say_that_they_cannot():
         return made_up_body(radiation_damping=made_up_body().between.quantities["radiation_damping"] * factor)
 
     assert len(frequencies(lightly(1e-5))) > len(frequencies(lightly(0.2))) > len(frequencies(lightly(5.0)))
-    with pytest.raises(ValueError, match=r"the resonance of .* has no damping; give it some"):
+    with pytest.raises(ValueError, match=r"the resonance of .* has no damping; give linear_damping"):
         frequencies(lightly(0.0))
 
 

@@ -146,7 +146,7 @@ def test_directions_of_a_wavewatch_file_are_where_waves_travel_clockwise_from_no
     found[np.round(np.degrees(heading) / 90).astype(int) % 4] = weights[0]
     assert np.allclose(found, np.array([1, 2, 0, 0]) / 3, atol=1e-6)
     for words, said in (
-        ({}, "say which with time"),
+        ({}, "choose one with time = 'YYYY MM DD hh mm"),
         ({"time": "1"}, "has no time 1"),
         ({"location": 3}, "has 2 points"),
     ):
@@ -160,8 +160,8 @@ def test_directions_of_a_wavewatch_file_are_where_waves_travel_clockwise_from_no
 @pytest.mark.parametrize(
     "text, said",
     [
-        ("hello\n", "is no spectrum of SWAN, NDBC or WAVEWATCH III"),
-        (SWAN.format(kind="NDIR"), "directions are nautical; say what the x axis heads"),
+        ("hello\n", "is not a spectrum of SWAN, NDBC or WAVEWATCH III, Datawell"),
+        (SWAN.format(kind="NDIR"), "directions are nautical; give the compass heading of the x axis"),
         (SWAN.format(kind="CDIR").replace("4 0 2 0", "4 0 x 0"), "line 30 .* wanted: numbers, densities"),
         (SWAN.format(kind="CDIR")[:-20], "more lines, the file ends"),
         (  # the time of the next block is no density

@@ -420,6 +420,8 @@ def test_lines_without_a_breaking_load_are_not_called_acceptable(tmp_path, datab
     command(study, database)
     shown = capsys.readouterr().out
     assert np.isnan(result.utilisation).all()
-    assert "how much of its breaking load is unknown" in shown and " 0 % of its breaking load" not in shown
+    assert (
+        "its utilisation is unknown, since no breaking load is given"
+    ) in shown and " 0 % of its breaking load" not in shown
     (said,) = (text for text in result.warnings if "without a breaking load" in text)
     assert all(name in said for name in result.system.line_names)

@@ -40,7 +40,7 @@ def test_fifty_berthings_are_compared(capsys):
         (("speed = 0.15", ""), "approach: speed and speeds: neither is given; allowed: one of them"),
         (("speed = 0.15", "speed = -1"), "approach.speed is -1; allowed: above 0, at most 5"),
         (("speed =", "sped ="), "approach.sped is unknown, speed may be meant; allowed: speed, speeds, angle_deg"),
-        (("[[fender]]", "[[fender]]\nx = 200.0"), "fender[0]: no ship reaches it, x is 200 m"),
+        (("[[fender]]", "[[fender]]\nx = 200.0"), "fender[0]: the ship does not reach x = 200 m"),
         (("eccentricity = 0.7", ""), "fender[0].x is missing"),
         (("depth = 25.0", "depth = 12.0"), "the depth is 12 m with a draft of 19.7 m"),
         (("eccentricity = 0.7", 'eccentricity = 0.7\nvirtual_mass = "grim"'), "allowed: ueda, vasco_costa, older"),

@@ -82,7 +82,7 @@ def test_lines_without_enough_pretension_are_said_to_go_slack(tmp_path, capsys):
     text = RECTANGLE.replace("free_draft = 3.4", "free_draft = 4.9").replace("1e5", "1e3")
     assert run(tmp_path, text) == 1
     said = capsys.readouterr().out
-    assert "FAILS: lines go slack: front at mean water" in said and "lines that snap, in time" in said
+    assert "FAILS: lines go slack: front at mean water" in said and "snapping lines in time" in said
     assert all(word in said for word in ("mean of the", "cycles"))
 
 
@@ -220,7 +220,10 @@ def test_a_row_of_units_of_a_database_shelters_what_lies_behind(tmp_path, capsys
     assert section < behind[2] < behind[1] < 1  # the narrower the gaps the quieter behind
     assert (tmp_path / "map.png").stat().st_size > 10_000
     said = " ".join(capsys.readouterr().out.split())
-    assert "behind 3 units of 60 m in regular waves of 7 s" in said and "lines of a unit alone" in said
+    assert (
+        "behind 3 units of 60 m in regular waves of 7 s" in said
+        and ("lines of a single unit, per metre of wave amplitude") in said
+    )
     assert pulls.shape[0] == 2 and np.all(np.ptp(pulls, axis=1) < 1e-6 * pulls.max(axis=1))  # alike in beam seas
     for change, said in {
         "period = 3\n": "map.period is 3 s; the database has",

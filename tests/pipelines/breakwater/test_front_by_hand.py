@@ -93,8 +93,8 @@ def test_the_keel_that_loses_head_is_that_of_the_body_as_it_floats(monkeypatch, 
 
 
 @pytest.mark.parametrize("wanted, says", [
-    (0.5, ["0.5 or less behind takes at least 20 kN/m: draft 5.5, width 10"]),
-    (0.3, ["0.3 or less behind takes at least 30 kN/m: draft 6, width 12"]), (0.29, []), (None, []),
+    (0.5, ["0.5 or less behind needs at least 20 kN/m: draft 5.5, width 10"]),
+    (0.3, ["0.3 or less behind needs at least 30 kN/m: draft 6, width 12"]), (0.29, []), (None, []),
 ])  # fmt: skip
 def test_the_least_tension_that_leaves_no_more_behind_than_wanted_is_told(wanted, says):
     designs = np.array([[5.0, 8.0], [5.5, 10.0], [6.0, 12.0]])
@@ -117,4 +117,6 @@ def test_every_anchor_that_is_too_small_is_told_and_designs_that_all_leave_too_m
             "FAILS: anchor, front: 120 kN are needed, 100 provided, 120 % used; give a larger one",
             "FAILS: anchor, all: 110 kN are needed, 100 provided, 110 % used; give a larger one",
         ]
-        assert len(said) == 2 + worse and (not worse or "no design leaves 0.49 or less behind" in said[2])
+        assert len(said) == 2 + worse and (
+            not worse or "no design transmits 0.49 or less; the best transmits" in said[2]
+        )

@@ -44,7 +44,7 @@ def test_weights_stiffnesses_and_loads_come_in_kilograms_tonnes_force_newtons_an
     assert worn.breaking_load == pytest.approx(0.5 * 0.0223e3 * 72**2 * (44 - 0.08 * 72))
     for wrong, words in (
         ({"termination": "knot"}, "termination is 'knot'; allowed: socket, .*, or efficiency"),
-        ({"termination": "clips", "efficiency": 0.9}, "termination and efficiency are given"),
+        ({"termination": "clips", "efficiency": 0.9}, "termination and efficiency are both given; give one of them"),
         ({"efficiency": 1.1}, "efficiency is 1.1; allowed: above 0, at most 1"),
         ({"corrosion_mm": 1.0}, "corrosion_mm is given without a chain"),
         ({**chain, "corrosion_mm": 50.0}, "corrosion_mm: .*at least half of the diameter"),
@@ -72,7 +72,7 @@ def test_a_line_of_segments_has_its_bodies_at_their_joints_and_the_friction_of_i
 LINES = [
     ({"type": "chain", "length": 1e5}, {"type": "chain", "length": 100001.0},
      "length is 100001; allowed: above 0, at most"),
-    ({"type": "chain", "length": 10.0}, {"type": "chain"}, "allowed: either type and length, or segments"),
+    ({"type": "chain", "length": 10.0}, {"type": "chain"}, "give either type and length, or segments"),
     ({"type": "chain", "length": 10.0}, {"type": "rope", "length": 10.0}, "type is 'rope'; allowed: chain, wire"),
     ({"segments": [{"type": "chain", "length": 10.0}] * 2, "bodies": [{"after_segment": 1, "mass": 1.0}]},
      {"segments": [{"type": "chain", "length": 10.0}] * 2, "bodies": [{"after_segment": 2, "mass": 1.0}]},
@@ -112,7 +112,11 @@ def test_a_line_weighs_up_to_a_million_newtons_a_metre(weight, good):
 def test_segments_of_other_friction_need_the_friction_of_the_line():
     rough = CHAIN | {"bed_friction": 0.9}
     segments = {"segments": [{"type": "chain", "length": 10.0}, {"type": "wire", "length": 20.0}]}
-    with pytest.raises(StudyError, match=r"bed_friction of its types is 0\.6 to 0\.9, a line has one"):
+    with pytest.raises(
+        StudyError,
+        match=r"bed_friction of its types is 0\.6 to 0\.9, and a line has only one; "
+        r"give bed\.friction",
+    ):
         line(segments, {"chain": rough, "wire": WIRE})
     assert line(segments | {"bed": {"friction": 0.3}}, {"chain": rough, "wire": WIRE}).bed_friction == 0.3
 
@@ -154,7 +158,7 @@ PLACES = [
 @pytest.mark.parametrize("good, bad", PLACES)
 def test_a_fender_stands_at_most_ten_metres_off_and_within_the_side(good, bad):
     berth_of_tables([fender(position=good)], [], [], HULL, np.zeros(3))
-    with pytest.raises(StudyError, match="the body cannot reach it at"):
+    with pytest.raises(StudyError, match="the body cannot reach"):
         berth_of_tables([fender(position=bad)], [], [], HULL, np.zeros(3))
 
 
@@ -170,8 +174,8 @@ def test_dolphins_carry_one_fender_each_in_series_with_it():
         ([fender(on="E")], [dolphin], "there is no dolphin 'E'; allowed: D"),
         ([fender(on="D"), fender(name="G", on="D")], [dolphin], "carries 2 fenders; allowed: one"),
         ([fender()], [dolphin], "dolphin 'D' carries no fender"),
-        ([fender(on="D")], [dolphin, dolphin], "two [[dolphin]] have one name"),
-        ([fender(on="D", dolphin=5000.0)], [dolphin], "on and dolphin are given; allowed: one of them"),
+        ([fender(on="D")], [dolphin, dolphin], "two [[dolphin]] have the same name; give each a name of its own"),
+        ([fender(on="D", dolphin=5000.0)], [dolphin], "on and dolphin are both given; give one of them"),
     ):
         with pytest.raises(StudyError) as refused:
             berth_of_tables(fenders, dolphins, [], HULL, np.zeros(3))

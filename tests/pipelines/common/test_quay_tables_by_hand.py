@@ -28,7 +28,7 @@ def test_a_fender_is_met_by_the_side_that_it_stands_before(face, normal, half):
 
 @pytest.mark.parametrize("face", [(30.0, 30.1, 2.0), (30.0, 21.0, 6.1), (30.0, 21.0, -8.1), (51.0, 21.0, 0.0)])
 def test_a_fender_that_no_side_reaches_is_refused(face):
-    with pytest.raises(StudyError, match=r"cannot reach it at .* 100 × 40 m, at most 10 m off, z -8 to 6"):
+    with pytest.raises(StudyError, match=r"the body cannot reach .* 100 × 40 m, at most 10 m off, z -8 to 6"):
         quay_tables._side("fender", np.array(face), HULL)
 
 
@@ -131,7 +131,8 @@ def test_dolphins_carry_one_fender_each():
     assert quay_tables._dolphins(fenders("a", None, "b"), [one, two]) == {"a": one, "b": two}
     for given, dolphins, says in (
         (fenders("a", "a"), [one], "dolphin 'a' carries 2 fenders"), (fenders("a"), [one, two], "'b' carries no"),
-        (fenders("c"), [one], "there is no dolphin 'c'; allowed: a"), (fenders("a"), [one, one], "have one name"),
+        (fenders("c"), [one], "there is no dolphin 'c'; allowed: a"), (fenders("a"), [one, one], "have the same "
+        "name; give each a name of its own"),
     ):  # fmt: skip
         with pytest.raises(StudyError, match=says):
             quay_tables._dolphins(given, dolphins)

@@ -130,7 +130,11 @@ def test_deep_water_is_any_of_half_a_length():
     """Waves of 4 s are gT²/2π = 24.97 m long"""
     check_solved_depth(12.5, np.inf, "box.h5", 4.0)
     check_solved_depth(3.0, np.inf, "box.h5")
-    with pytest.raises(StudyError, match=r"waves of 4 s feel a bed above 12.5 m; solve it in 12.4 m"):
+    with pytest.raises(
+        StudyError,
+        match=r"is for deep water, and the bed affects waves of 4 s in less than "
+        r"12.5 m; solve the body in 12.4 m",
+    ):
         check_solved_depth(12.4, np.inf, "box.h5", 4.0)
     with pytest.raises(StudyError, match=r"water.depth is 12.5 m, box.h5 is for 20 m"):
         check_solved_depth(12.5, 20.0, "box.h5")

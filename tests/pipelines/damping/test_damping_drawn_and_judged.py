@@ -68,7 +68,7 @@ def test_a_force_that_gives_energy_to_the_body_fails(sign, status):
     found = hakobune.damping({"time_s": T, "motion_m": motion, "force_kN": force})
     assert found["linear.same_energy"] == pytest.approx(sign * 40e3, rel=1e-3)
     assert found.status == status == len(found.fails)
-    assert not status or "the damping is negative, -40 kN s/m of the same energy, limit 0" in found.fails[0]
+    assert not status or "the equivalent damping by energy is negative, -40 kN s/m, limit 0" in found.fails[0]
 
 
 def test_a_mass_is_of_a_decay():

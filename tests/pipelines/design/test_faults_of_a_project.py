@@ -215,7 +215,7 @@ FAULTS = {
     ),
     "regular wave that is not solved for": (
         "lines", [(storm("waves"), {"height": 1.0, "period": 90.0, "method": "regular_wave"})],
-        ("waves of 90 s lie outside", "5 to 60 s", "solve them too"),
+        ("waves of 90 s lie outside", "5 to 60 s", "s; solve them as well"),
     ),
     "waves of the simplified method": (
         "lines", [(project("simulation"), ...), (storm("waves", "period"), 200.0)],
@@ -261,11 +261,11 @@ FAULTS = {
     ),
     "hawser that there is not": (
         "lines", [(project("limits"), [{**LIMIT, "quantity": "tension / breaking load", "subject": "hawser"}])],
-        ("limits[0].subject is 'hawser'", "the study has none"),
+        ("limits[0].subject is 'hawser'", "and the study has no hawser; leave the subject out"),
     ),
     "quantity of a value": (
         "lines", [(project("values"), [{"quantity": "gust", "value": 1.0, "source": "x"}])],
-        ("values[0].quantity is 'gust'", "allowed, of the criteria chosen"),
+        ("values[0].quantity is 'gust'", "allowed by the chosen criteria"),
     ),
     "line of an anchor": (
         "lines", [(project("anchors"), {"holding_kN": 1e4, "lines": {"bow": 1e4}}), (project("limits"), [ANCHOR])],
@@ -294,7 +294,8 @@ FAULTS = {
         "lines", [(study("lines", 0, "length"), 90.0)], ("line fore port is 90 m long", "limit 50 %", "longer line"),
     ),
     "no lines": ("lines", [(study("lines"), ...)], ("the study has no lines", "at least one")),
-    "quay without a berth": ("lines", [(study("quay"), {"y": 30.0})], ("has a quay", "at a berth alone")),
+    "quay without a berth": ("lines", [(study("quay"), {"y": 30.0})], ("has a quay", "the study has a quay but "
+    "neither fenders nor ropes; a project accepts a quay only at a berth")),
     "freeboard": ("lines", [(study("hull", "freeboard"), -1.0)], ("hull.freeboard is -1", "above 0")),
     "earthquake of lines": ("lines", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("no fenders",)),
     "direction of a database": (
@@ -337,7 +338,8 @@ FAULTS = {
     "rope that is lost": (
         "berth", [(simulation("lines_lost"), [{"line": "head", "time": 1.0}])], ("no line 'head'", "allowed: none"),
     ),
-    "berth that is not simulated": ("berth", [(project("simulation"), ...)], ("judged in time", "[simulation]")),
+    "berth that is not simulated": ("berth", [(project("simulation"), ...)], ("the study has fenders or ropes, "
+    "which are judged in simulations; give the project", "[simulation]")),
     "earthquake": ("berth", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("q.toml does not exist",)),
     "line type at a single point": (
         "single point", [(study("mooring", "type"), "chian")], ("mooring.type is 'chian'", "allowed: chain"),

@@ -53,13 +53,13 @@ def test_waves_have_directions_in_time(states, qtf, met, how):
     ([state(wind=GUSTY)], "body", True, "wind.gusts of every state"),
 ])  # fmt: skip
 def test_wind_has_gusts_in_time(states, qtf, met, how):
-    found = asked("the wind as", states=states, qtf=qtf)
+    found = asked("the wind varies as a random process", states=states, qtf=qtf)
     assert (found.met, found.how) == (met, how)
 
 
 def test_drift_and_bound_waves_are_those_of_the_simulation():
     for qtf, drift, bound in ((None, False, False), ("newman", True, False), ("body", True, True)):
-        assert asked("drift that varies", states=[state()], qtf=qtf).met is drift
+        assert asked("slowly varying drift for the water depth", states=[state()], qtf=qtf).met is drift
         assert asked("long bound waves", states=[state()], qtf=qtf).met is bound
     said = asked("long bound waves", states=[state()], qtf="newman").how
     assert said == 'simulation.qtf is "newman"; give "bound-wave" or "body" where second-order forces matter'
@@ -121,8 +121,8 @@ def test_a_share_beyond_its_limit_is_never_told_as_a_round_hundred(used, told):
 
 
 @pytest.mark.parametrize("duration, hours, seeds, told", [
-    (5400.0, None, 3, "Each case is run in time 3 times, 1.5 h each."),
-    (None, 3.0, [4, 7], "Each case is run in time 2 times, 3 h each."),
+    (5400.0, None, 3, "Each case is simulated 3 times, for 1.5 h each."),
+    (None, 3.0, [4, 7], "Each case is simulated 2 times, for 3 h each."),
 ])  # fmt: skip
 def test_how_long_cases_are_run_is_told_in_hours(duration, hours, seeds, told):
     own = SimpleNamespace(duration=duration, duration_hours=hours, seeds=seeds)
@@ -135,7 +135,7 @@ def test_a_return_period_is_told_with_life_and_probability():
     own = SimpleNamespace(service_life=20.0, probability=0.8)
     period = 1 / (1 - 0.8 ** (1 / 20))
     said = report_words.return_words(own, SimpleNamespace(return_period=period))
-    assert said == ("A value that is not exceeded in 20 years with probability 0.8 has a return period of 90 years.")
+    assert said == ("A value that stays unexceeded for 20 years with probability 0.8 has a return period of 90 years.")
 
 
 def made(quantity="tension / breaking load", limit=0.5, sense="at most", **more):
@@ -234,7 +234,7 @@ def test_advice_is_told_with_what_passes_first_and_what_was_run_in_vain():
     advice = SimpleNamespace(tried=("size", "number", "pretension"), found=(best, enough), beyond="")
     said = report_words.advice_words(advice, SimpleNamespace(word=report_words.FAILS))
     assert said[0].startswith("Passes in the cases that govern: chain of 84 mm, which uses 93 % of JSCE")
-    assert said[1].startswith("Not enough by itself: 8 lines, the best of its kind, uses 107 % of JSCE")
+    assert said[1].startswith("Not enough alone: 8 lines, the best change of its kind, still uses 107 % of JSCE.")
     assert said[2] == "Run in vain, for the largest utilisation does not fall: pretension."
     vain = SimpleNamespace(tried=("size", "number"), found=(), beyond="")
     (said,) = report_words.advice_words(vain, SimpleNamespace(word=report_words.FAILS))

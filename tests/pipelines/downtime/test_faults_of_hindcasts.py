@@ -99,7 +99,7 @@ def test_waves_that_come_every_third_row_are_a_record_of_these_rows(tmp_path):
         found = record(tmp_path, one, columns={"wind speed": "w"})
         assert found.hours == 0.5 and np.isfinite(found.height).all() and len(found.time) == 30
         assert str(found.time[0]) == "2020-03-01T00:10:00" and found.columns["wind speed"][:2].tolist() == [1.0, 4.0]
-        assert any("waves come every 0.5 h; the rows between, 60, are left out" in line for line in found.said)
+        assert any("waves come every 0.5 h; the 60 rows in between are not used" in line for line in found.said)
 
 
 def test_files_of_several_places_and_years_and_of_a_spectrum_each_hour(tmp_path):
@@ -168,7 +168,10 @@ def test_directions_from_and_to_are_half_a_turn_apart_in_axes_of_the_body(tmp_pa
 
 def test_a_level_needs_to_know_what_it_is_above(tmp_path):
     lines = rows(wl=1.5)
-    with pytest.raises(StudyError, match="above some datum, and level_at_rest is not given"):
+    with pytest.raises(
+        StudyError,
+        match=r"hindcast\.columns has a level above some datum, and level_at_rest is missing; give the value of that",
+    ):
         record(tmp_path, lines, columns={"level": "wl"})
     found = record(tmp_path, lines, columns={"level": "wl"}, level_at_rest=1.2)
     assert found.columns["level"][0] == pytest.approx(0.3)
@@ -183,7 +186,11 @@ AUTUMN = [f"2020-10-24T{h:02}:00" for h in range(24)] + [f"2020-10-25T{h:02}:00"
 
 
 def test_summer_time_in_a_record_that_says_utc_is_found_out(tmp_path):
-    with pytest.raises(TableError, match=r"1 hours come twice, .*local time with summer time; give hindcast.zone"):
+    with pytest.raises(
+        TableError,
+        match=r"1 hours are repeated, the first .*local time with summer time; give "
+        r"hindcast.zone",
+    ):
         record(tmp_path, local(AUTUMN))
 
 
@@ -208,9 +215,10 @@ def test_offsets_of_the_zone_or_of_each_time(tmp_path, zone, ending, first):
 
 @pytest.mark.parametrize(("lines", "words"), [
     (local(["01/02/2020 00:00"] * 30), "time is '01/02/2020 00:00'; allowed: ISO 8601"),
-    (local(["2020-01-01T00:00"] * 30), "time does not rise after 2020-01-01T00:00:00, at 29 places"),
+    (local(["2020-01-01T00:00"] * 30), "time does not increase after 2020-01-01T00:00:00, at 29 places; "
+    "allowed: increasing, without repetition"),
     (rows()[:10], "has 9 rows; allowed: at least 24"),
-    ([*rows(), "2020-03-03T00:30:00,1,8,270"], "step after 2020-03-02T23:00:00 is 1.5 h, the others are 1 h"),
+    ([*rows(), "2020-03-03T00:30:00,1,8,270"], "step after 2020-03-02T23:00:00 is 1.5 h, and the others are 1 h"),
     ([*rows(), "2020-03-03T00:00:00,1,8"], "row 50: 3 cells; allowed: 4"),
     (rows(hs="low"), "row 2: hs is 'low'; allowed: a number"),
     (rows(dir=400.0), "dir is 400°; allowed: −360 to 360"),
@@ -227,7 +235,7 @@ RESPONSES = {"roll": "rad", "heave": "m"}
 @pytest.mark.parametrize(("limit", "words"), [
     ({"quantity": "rol", "at_most": 1.0}, "nothing computes 'rol'; there are significant height, roll, heave"),
     ({"quantity": "wind speed", "at_most": 1.0}, "'wind speed', which requires a column in hindcast.columns"),
-    ({"quantity": "under-keel clearance", "at_least": 1.0}, "which needs .keel. and a bed"),
+    ({"quantity": "under-keel clearance", "at_least": 1.0}, "which requires .keel. and a finite depth"),
     ({"quantity": "roll", "at_least": 1.0}, "roll has a least value; allowed: at_most"),
     ({"quantity": "roll"}, "neither is given; allowed: one of at_most, at_least"),
     ({"quantity": "roll", "at_most": 0.0}, "at_most is 0; allowed: above 0"),

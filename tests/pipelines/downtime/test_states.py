@@ -98,7 +98,7 @@ def test_hours_of_states_are_those_of_every_hour(made, tmp_path, monkeypatch):
         half = 1.645 * found.error[o] + 8766 * 1.645 * np.sqrt(np.sum(stopped.var(axis=1)) / 20) / len(height)
         assert abs(found.hours[o] - truth) < half + 0.02 * truth
     assert np.all(found.verdicts.chance[wind > 15, 0] == 1) and found.verdicts.down[wind > 15, 0].all()
-    assert "add to most_states" in found.said[0]
+    assert "h; raise most_states" in found.said[0]
 
 
 @pytest.mark.parametrize("call", [1, 5, 17, 20])
@@ -129,10 +129,12 @@ def test_a_file_of_other_states_or_a_damaged_one_is_refused(made, tmp_path, monk
     with pytest.raises(StudyError, match="line 2, is damaged: it does not match its checksum"):
         run(made, path, monkeypatch)
     path.write_text(content.replace("states ", "states 0", 1))
-    with pytest.raises(StudyError, match="is of another hindcast, mooring study, database, seeds or duration"):
+    with pytest.raises(
+        StudyError, match="belongs to another hindcast, mooring study, database, seeds or duration; give another name"
+    ):
         run(made, path, monkeypatch)
     path.write_text("something else\n")
-    with pytest.raises(StudyError, match="is no file of simulated states and is not replaced"):
+    with pytest.raises(StudyError, match="is not a file of simulated states, so it is not replaced; give another name"):
         states_file.read(path, "")
 
 

@@ -39,8 +39,13 @@ def test_what_a_format_has_no_place_for_is_named(left_out, to, names, says):
 
 def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(left_out):
     first, about = left_out("wamit", rows=(True, False), about=(1.0, 0.0, -2.5))
-    assert "box.h5 has 1 of 2 frequencies solved, which alone are written" in first and first.startswith("FAILS: ")
-    assert about.startswith("moments and rotations are about (1, 0, -2.5) m, which these files do not say")
+    assert ("box.h5 has 1 of 2 frequencies solved, and only these are written; run the") in first and first.startswith(
+        "FAILS: "
+    )
+    assert about.startswith(
+        "moments and rotations are about (1, 0, -2.5) m, which these files do not record; "
+        "give --about when they are imported"
+    )
     assert left_out("bemio", about=(1.0, 0.0, 0.0)) == []
     endless = left_out("bemio", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
     assert endless == ["added_mass_infinity is not finite and left out"]

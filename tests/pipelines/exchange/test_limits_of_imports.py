@@ -36,14 +36,20 @@ def test_what_files_do_not_say_is_to_be_given(tmp_path, known, says):
 
 def test_what_files_say_is_not_asked_and_their_unit_not_given(tmp_path):
     check(tmp_path, silent=(), water_depth=None, density=0.0)
-    with pytest.raises(ValueError, match="--length-unit is given, and these files say their units"):
+    with pytest.raises(
+        ValueError, match="--length-unit is given, and these files define their units; it is for --from wamit only"
+    ):
         check(tmp_path, silent=(), length_unit=1.0)
 
 
 def test_a_file_that_is_there_is_replaced_by_fresh_alone_and_never_the_source(tmp_path):
     (tmp_path / "out.h5").write_text("")
     check(tmp_path, fresh=True)
-    with pytest.raises(ValueError, match=r"out.h5 is there already; give --fresh"):
+    with pytest.raises(
+        ValueError,
+        match=r"out.h5 exists already; give --fresh to replace it, or another name "
+        r"by --output",
+    ):
         check(tmp_path)
     with pytest.raises(ValueError, match="is there already"):
         check(tmp_path, fresh=True, place="out.h5")
@@ -59,10 +65,11 @@ def values(sway=1.0, inertia=None):
 def test_motions_without_added_mass_and_missing_inertia_are_told():
     assert list(importing._remarks(Path("a.1"), (), values(inertia=np.eye(6)))) == []
     (said,) = importing._remarks(Path("a.1"), (), values(0.0, np.eye(6)))
-    assert said == f"{DOFS[1]} has no added mass in the files, which is stored as 0: the motion is not in them"
+    assert said == f"{DOFS[1]} has no added mass in the files, and 0 is stored: the files do not contain this motion"
     (said,) = importing._remarks(Path("a.1"), (), values())
     assert said.startswith(
-        "no inertia_matrix in it: no motions follow from this database; `hakobune body` gives it --gyration"
+        "the database has no inertia_matrix, so that no motions can be computed; give it by `hakobune body` "
+        "with --gyration"
     )
     told = list(importing._remarks(Path("a.1"), ("ULEN 1 m of a.gdf", "ULEN 2 m of a.gdf"), values(inertia=np.eye(6))))
     assert told == ["ULEN 2 m of a.gdf is taken"]

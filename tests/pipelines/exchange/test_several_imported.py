@@ -67,10 +67,14 @@ def test_bodies_of_a_set_move_together(place):
 @pytest.mark.parametrize(
     ("more", "line"),
     [
-        (("--bodies", "a"), "has 2 bodies, --bodies names 1; allowed: all of them"),
-        (("--bodies", "a,a"), "allowed: a name for each, all different"),
+        (("--bodies", "a"), "has 2 bodies, and --bodies names 1; name all of them"),
+        (("--bodies", "a,a"), "give each body a different name"),
         (("--bodies", "a,b", "--gyration", "1,1,1"), "three numbers for each of a, b, ; between"),
-        (("--bodies", "a,b", "--body", "1"), "allowed: what the files say"),
+        (
+            ("--bodies", "a,b", "--body", "1"),
+            "--bodies is given with --mesh, --about, --body, --mass or "
+            "--correct; several bodies are read as the files describe them",
+        ),
     ],
 )
 def test_faults_are_one_line(place, more, line, capsys):

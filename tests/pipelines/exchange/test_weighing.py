@@ -42,10 +42,13 @@ def test_with_radii_of_gyration_the_motions_are_those_of_the_solved_body(bare, t
 def test_what_cannot_be_weighed_is_told(bare, tmp_path, capsys):
     solved, imported = bare
     for words, says in (
-        ([solved, "--mass", "8e5"], "is solved here; give --gyration"),
-        ([imported, "--mass", "8e5", "--output", solved], "is there already; give another name by --output"),
+        (
+            [solved, "--mass", "8e5"],
+            "was solved by hakobune; give --gyration, --center-of-gravity and --mass to the command that made it",
+        ),
+        ([imported, "--mass", "8e5", "--output", solved], "exists already; give another name by --output"),
         ([imported, "--mass", "820"], "the hull displaces 820000 kg; allowed"),
-        ([imported, "--frequencies", "2:3"], "leaves none; the files have 0.6 to 1 rad/s"),
+        ([imported, "--frequencies", "2:3"], "selects no frequency; the files have 0.6 to 1 rad/s"),
         ([imported, "--frequencies", "3"], "allowed: from:to in rad/s, as 0.2:1.5"),
     ):
         assert cli.main(["body", *map(str, words)]) == 2

@@ -28,7 +28,7 @@ def test_an_inclined_face_is_told_beside_the_upright_one_and_drawn(tmp_path, cap
     picture = tmp_path / "f.png"
     asked = f"fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --plot {picture}"
     assert cli.main(asked.split()) == 0
-    assert "inclined by 8° over 2.4 m, by strips" in capsys.readouterr().out
+    assert "face inclined by 8° over 2.4 m, computed in strips; a deflection is that" in capsys.readouterr().out
     words, tilted = {"family": "cell", "height": 2.0}, {"angle_deg": 8.0, "width": 2.4}
     found, upright = hakobune.fender(words | tilted, energy=9e5), hakobune.fender(words)
     for name in ("reaction", "energy"):
@@ -64,11 +64,11 @@ def test_fenders_side_by_side_add():
         ("--height 2 --family=", "family '' is unknown"),
         ("--height -2 --family cell", "fender.height is -2; allowed: above 0, at most 20"),
         ("--height 2 --family cell --strain 0.7", "beyond its table, which ends at 1.1 m (55.0 %)"),
-        ("--height 2 --family cell --energy 9000", "take a larger fender or give an overload stiffness"),
+        ("--height 2 --family cell --energy 9000", "kJ; choose a larger fender or give an overload stiffness"),
         ("--height 2 --family cell --energy 9 --strain 0.1", "strain and energy are given; allowed: one of"),
         ("--height 2 --family cell --dolphin 200", "snaps through"),
         ("--height 2 --table nowhere.csv", "nowhere.csv does not exist"),
-        ("--height 2 --family cell --angle 8", "fender.angle_deg is 8 without a width; give it in m"),
+        ("--height 2 --family cell --angle 8", "fender.angle_deg is 8 without a width; give the width of the panel, m"),
         ("--height 2 --family cell --angle 60 --width 2", "inclined by 60°; allowed: 0 to 45"),
         ("--height 2 --family cell --width 2", "fender.width is 2 m without an angle_deg"),
         ("--height 2 --family cell --plot f.txt", "has the suffix '.txt'"),

@@ -81,7 +81,7 @@ def test_an_energy_fails_above_what_the_softest_of_a_batch_takes_at_its_rated_st
 def test_a_cell_that_is_pressed_beyond_its_allowable_strain_fails(asked, strain, status):
     """50 % of the generic cell"""
     _, said = asked("fender", "--family", "cell", "--height", 2, "--strain", strain, status=status)
-    assert ("FAILS: the fender is pressed to 50.03 % of its height; allowable 50 %" in said) is bool(status)
+    assert ("FAILS: the fender is compressed by 50.03 % of its height, allowable 50 %" in said) is bool(status)
 
 
 def test_an_inclined_face_presses_strips_of_a_spring_less(table):

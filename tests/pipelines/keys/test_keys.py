@@ -74,7 +74,7 @@ def test_a_file_of_another_command_names_that_command(command, file, key, reader
     if command != "solve":
         output += ["--database", str(SCENES / file)]
     assert cli.main([command, str(SCENES / file), *output]) == 2
-    said = f"hakobune {command}: {key} is for another command: this file is read by {readers}\n"
+    said = f"hakobune {command}: {key} belongs to another command: this file is read by {readers}\n"
     assert capsys.readouterr().err == said
     assert not list(tmp_path.iterdir())
 

@@ -247,7 +247,7 @@ def test_a_line_pulled_beyond_its_length_is_said_with_the_force_it_takes(tmp_pat
                    ("period = 8.0", "period = 60.0"), ("duration = 24.0", "duration = 120.0"))  # fmt: skip
     assert main(["line-dynamics", str(path), "--output", str(tmp_path / "taut.h5")]) == 0
     shown = capsys.readouterr().out
-    said = float(re.search(r"stretching it so takes ([\d.]+) kN", shown)[1])
+    said = float(re.search(r"s, which takes ([\d.]+) kN", shown)[1])
     away = np.hypot(310.0, 58.0) - 315.0
     assert said == pytest.approx(4.6e5 * away / 315.0, rel=1e-3)
     assert result(tmp_path / "taut.h5")["tension[fairlead].largest"] > 1e3 * said
@@ -284,13 +284,15 @@ FAULTS = [
     (("[1.0, 0.0, 0.5]", "[40.0, 0.0, 0.5]"), [], "where the line of 315 m breaks at 4884 kN"),
     (("-60.0]", "-61.0]"), [], "anchor is at z = -61 m, under the bed; allowed: -60 m or higher"),
     (("period = 8.0", "period = 0.0"), [], "fairlead.motions[0].period is 0; allowed: above 0"),
-    (("position = [292.0, 0.0, -2.0]", 'table = "none.csv"'), [], "motions are given beside a table"),
+    (("position = [292.0, 0.0, -2.0]", 'table = "none.csv"'), [], "fairlead: motions and a table are both "
+    "given; give one of them"),
     (('catalogue = "R3 studless 76 mm"', "weight_N_per_m = 900"), [], "types.chain: no axial stiffness is given"),
-    (("[fairlead]", "[[bodies]]\nafter_segment = 1\nmass = 9.0\n[fairlead]"), [], "cut it in two where the body is"),
+    (("[fairlead]", "[[bodies]]\nafter_segment = 1\nmass = 9.0\n[fairlead]"), [], "none, since the line has one "
+    "segment; divide the segment at the body"),
     (("[fairlead]", f"{SEA}[wave]\nheight = 1\nperiod = 6\n[fairlead]"), [], "wave and sea are both given"),
     (("[fairlead]", f"{SEA}components = 5\n[fairlead]"), [], "sea.components is 5; allowed: 10 to 1000"),
     (("[fairlead]", f"{SEA.replace('2.5', '12')}[fairlead]"), [], "sea.height is 12 m; allowed: up to 7"),
-    (("duration = 24.0", SEA), [], "duration is not given beside a sea"),
+    (("duration = 24.0", SEA), [], "duration is missing; a sea does not repeat and needs one, above 0 s"),
     (("[fairlead]", "[wave]\nheight = 12\nperiod = 6\ndirection_deg = 0\n[fairlead]"), [], "wave.height is 12 m"),
     (("duration = 24.0", "duration = 15.0"), [], "one cycle of 8 s before the end; give a longer duration"),
     (("", ""), ["--duration", "-1"], "duration is -1 s; allowed: finite, above 0"),
@@ -313,7 +315,10 @@ def test_what_cannot_be_run_is_one_line(tmp_path, change, arguments, message, ca
     [
         (None, "none.csv does not exist"),
         ("t,x,y,z\n0,1,2\n", "line 2 is '0,1,2'; allowed: four numbers t,x,y,z"),
-        ("0,1,2,3\n1,1,2,3\n1,1,2,3\n2,1,2,3\n", "line 3: the time does not rise"),
+        (
+            "0,1,2,3\n1,1,2,3\n1,1,2,3\n2,1,2,3\n",
+            "line 3: the time does not increase; allowed: later than the line before",
+        ),
         ("5,1,2,3\n6,1,2,3\n7,1,2,3\n8,1,2,3\n", "begins at 5 s; allowed: at 0 s or before"),
         ("", "has 0 rows; allowed: 4 or more"),
     ],

@@ -278,7 +278,9 @@ def test_a_depth_counts_where_a_moordyn_file_has_none(legs, capsys):
     lying = {depth: lines(legs, depth=float(depth))["grounded[1]"] for depth in (60, 65)}
     assert 0 < lying[65] < lying[60]
     assert main(["lines", str(legs)]) == 0
-    assert "WtrDpth is missing; the bed is at the lowest point, 60 m" in capsys.readouterr().out
+    assert (
+        "WtrDpth is missing; the bed is assumed at the lowest point, 60 m; give the depth if this is wrong"
+    ) in capsys.readouterr().out
     for wrong, message in (("-60", "--depth is -60 m; allowed: above 0"), ("nan", "--depth is nan m; allowed")):
         assert main(["lines", str(legs), "--depth", wrong]) == 2
         assert message in capsys.readouterr().err
@@ -378,10 +380,14 @@ def test_segments_with_a_body_between_them_are_lines_joined_at_a_free_point(tmp_
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('from = "A1"', 'type = "chain"\nfrom = "A1"', "lines[0] (stern chain): allowed: either type and length, or"),
+        ('from = "A1"', 'type = "chain"\nfrom = "A1"', "lines[0] (stern chain): give either type and length, or"),
         ("after_segment = 1", "after_segment = 2", "lines[0].bodies[0].after_segment is 2; allowed: 1 to 1"),
         ("mass = 8000.0, volume", "mass = -8000.0, volume", "lines[0].bodies[0].mass is -8000; allowed: at least 0"),
-        ("bed_friction = 0.5", "bed_friction = 0.4", "bed_friction of its types is 0.4 to 0.5, a line has one"),
+        (
+            "bed_friction = 0.5",
+            "bed_friction = 0.4",
+            "bed_friction of its types is 0.4 to 0.5, and a line has only one; give bed.friction",
+        ),
         ('{ type = "wire"', '{ type = "rope"', "lines[0].segments[1].type is 'rope'; allowed: chain, wire"),
         (
             "bodies = [{ after",

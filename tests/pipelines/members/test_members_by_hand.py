@@ -112,10 +112,11 @@ def test_growth_is_a_metre_at_most(tmp_path, capsys, growth, says):
 def test_what_lacks_members_water_or_wind_is_refused(tmp_path, capsys):
     wind = '[[wind_members]]\nname = "a"\ndrag = 1.0\narea = 1.0\nposition = [0, 0, 5]\n'
     for tables, height, says in (
-        ((), HEIGHT, "there are no members; allowed: [[members]], [[wind_members]]"),
+        ((), HEIGHT, "there are no members; give at least one [[members]] or [[wind_members]]"),
         ((pile("one", 0.0),), 0, "there is neither wave nor current; give [wave], [current] or both"),
         ((wind,), HEIGHT, "wind is missing; [[wind_members]] need it"),
-        ((pile("one", 0.0).replace("[0.0, 0.0, 3.0]", "[0.0, 0.0, -12.0]"),), HEIGHT, "two finite places, apart"),
+        ((pile("one", 0.0).replace("[0.0, 0.0, 3.0]", "[0.0, 0.0, -12.0]"),), HEIGHT, "allowed: two different "
+        "finite points"),
         ((pile("one", 0.0), "[wind]\nspeed = 30\ndirection_deg = 0\n", wind.replace("drag = 1.0\n", "")), HEIGHT,
          "wind member 'a': allowed: one of shape, drag"),
     ):  # fmt: skip

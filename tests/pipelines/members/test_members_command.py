@@ -71,7 +71,7 @@ def test_a_member_that_is_never_wet_is_named_and_a_current_alone_has_one_phase(t
         (("growth = 0.05", "growth = -0.1"), "member 'fore port': growth is -0.1 m; allowed: 0 to 1"),
         (("-12.0]", "-13.0]"), "member 'fore port' reaches down to z = -13 m; allowed: at least -12, the bed"),
         (("width = 1.2", "width = nan"), "member 'fore port': width of a member is nan"),
-        (("[wind]\\nspeed = 30.0\\ndirection_deg = 0.0", ""), "wind is missing; needed by"),
+        (("[wind]\\nspeed = 30.0\\ndirection_deg = 0.0", ""), "wind is missing"),
         (
             ("position = [0.0, 0.0, 3.5]", "position = [nan, 0.0, 3.5]"),
             "wind member 'platform': position is [nan, 0.0, 3.5]; allowed: finite",

@@ -52,9 +52,9 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
     assert main(["qtf", str(path), "--plot", str(tmp_path / "qtf.png")]) == 0
     said = capsys.readouterr().out
     assert "13 frequencies 0.3 to 1.2 rad/s, differences to 0.3" in said
-    assert 1 < float(re.search(r"forcing of the surface around the body is (\S+) %", said)[1]) < 50
+    assert 1 < float(re.search(r"free-surface forcing around the body is (\S+) %", said)[1]) < 50
     assert 0.1 < float(re.search(r"estimated error of the panels.*surge (\S+) %", said)[1]) < 50
-    assert float(re.search(r"by pressure it differs by (\S+) %", said)[1]) < 10
+    assert float(re.search(r"the pressure gives a value that differs by (\S+) %", said)[1]) < 10
     assert path.read_bytes() == before and (tmp_path / "qtf.png").stat().st_size > 10_000
 
 
@@ -72,14 +72,14 @@ def test_views_of_stored_pairs_have_the_quantities_of_the_function(path, tmp_pat
         ("--omega 0.5", "two or more"),
         ("--omega 0.4:0.9:0", "two or more"),
         ("--omega 0.9:0.4:5", "rising"),
-        ("--omega 0.4:0.8:5 --difference 0.05", "the step of the frequencies"),
+        ("--omega 0.4:0.8:5 --difference 0.05", "the frequency step, or above"),
         ("--heading 0:90:0", "one or more"),
         ("--difference -1", "--difference is -1"),
         ("--heading nan", "--heading is nan"),
         ("--plot x.doc", "suffix"),
         ("--level more", "--level is 'more'"),
         ("--method strip", "--method is 'strip'"),
-        ("--method contour", "--method contour for"),
+        ("--method contour", "--method contour is given for"),
         ("--fixed --moored moor.toml", "--fixed and --moored"),
     ],
 )
@@ -97,7 +97,7 @@ def test_what_cannot_be_written_or_floats_without_inertia_is_refused_before_it_i
     with monkeypatch.context() as patch:
         patch.setattr(type(open_database(path)), "inertia_matrix", None, raising=False)
         assert main(["qtf", str(path)]) == 2
-    assert f"{path} has no inertia with which its body floats" in capsys.readouterr().err
+    assert f"{path} has no inertia, which a floating body needs" in capsys.readouterr().err
     monkeypatch.setattr(os, "access", lambda place, mode: False)
     assert main(["qtf", str(path), "--fixed"]) == 2
     assert f"{path} cannot be written: no permission" in capsys.readouterr().err
@@ -158,12 +158,12 @@ def test_a_body_on_its_lines_has_forces_of_its_own(path, tmp_path, capsys):
 
 def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
     db = open_database(path)
-    with pytest.raises(ValueError, match=r"no pairs of waves towards 0°.*--heading 0"):
+    with pytest.raises(ValueError, match=r"has no wave pairs towards 0°; .*--heading 0"):
         beside_newman(db, Sea(SWELL.spectrum, 0.0), "body")
     with pytest.raises(ValueError, match=r"pairs are stored from 0.3 to 1.2"):
         beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "body")
     found, (said,) = beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")
-    assert found.level == "bound-wave" and "no pairs of waves towards 0°" in said
+    assert found.level == "bound-wave" and "has no wave pairs towards 0°" in said
     found, (said,) = beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "auto")
     assert found is None and "takes newman at kh = 4." in said and "pairs are stored from 0.3 to 1.2" in said
 
@@ -178,7 +178,10 @@ def test_what_is_taken_in_place_of_pairs_that_are_not_stored_is_told_as_left_out
     whole, db = open_database(path), open_database(lacking)
     for peak, takes, size in ((0.6, "bound-wave", "1.5 times too large"), (0.95, "newman at kh = 1.9", "0.7 to 1.2")):
         _, (said,) = beside_newman(db, narrow(peak), "auto")
-        assert said.startswith("left out: the force of pairs of waves") and "\n" not in said
+        assert (
+            said.startswith("not included: the force of wave pairs other than that of bound long waves")
+            and "\n" not in said
+        )
         assert f'qtf = "auto" takes {takes}' in said and size in said
         assert said.endswith(f"'hakobune qtf {lacking} --heading 180 --level full' stores it")
         assert beside_newman(whole, narrow(peak), "auto")[1][0].startswith('qtf = "auto" takes full: ')
@@ -201,7 +204,7 @@ def test_a_forcing_of_the_surface_that_is_left_out_is_told_first_where_it_is_mor
     with monkeypatch.context() as patch:
         patch.setattr(stored, "read_forces", lambda _: SimpleNamespace(share=0.16))
         assert pair_levels._surface_left_out(db, SWELL, "body") == (
-            'left out: the forcing of the surface (qtf = "body"), about 16 % of the slow force of pairs; '
+            'not included: the free-surface forcing (qtf = "body"), about 16 % of the slow force of wave pairs; '
             f"'hakobune qtf {path} --heading 180 --level full' adds it",
         )
         assert pair_levels._surface_left_out(db, SWELL, "full") == ()
@@ -272,10 +275,18 @@ def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(coarse, tmp
     with monkeypatch.context() as patch:
         patch.setattr(QuadraticRun, "solve", once)
         assert main(["qtf", str(ended), *QUESTION, "0.6"]) == 130
-    assert capsys.readouterr().err.strip().endswith("kept, the same command goes on from them")
+    assert (
+        capsys.readouterr()
+        .err.strip()
+        .endswith("interrupted; finished pairs are stored, and the same command continues with the others")
+    )
     db = open_database(ended)
     assert len(read_forces(db).forces.frequency) == 2 and read_forces(db).asked == pytest.approx(0.6)
-    with pytest.raises(ValueError, match=r"differences to 0.15 of 0.6 rad/s; 'hakobune qtf .*' goes on"):
+    with pytest.raises(
+        ValueError,
+        match=r"come from an unfinished run, with differences to 0.15 of 0.6 rad/s; "
+        r"'hakobune qtf .*' continues it",
+    ):
         stored_pairs(db, SWELL, "full")
     less = shutil.copy(ended, tmp_path / "less.h5")
     assert main(["qtf", str(ended)]) == 0
@@ -336,7 +347,11 @@ def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_
 
 
 @pytest.mark.parametrize(
-    "panel, says", [(4.0, "the difference falls with more panels"), (8.5, "3 up to 1.55 rad/s; give")]
+    "panel, says",
+    [
+        (4.0, "the difference falls with more panels"),
+        (8.5, "3 panels to a wave only up to 1.55 rad/s; use smaller panels in the scene, or --omega up to there"),
+    ],
 )
 def test_drift_by_pressure_that_is_off_on_panels_too_large_for_the_waves_is_told_with_the_waves_they_carry(panel, says):
     """A wave of 25.5 m, three panels of 8.5 m, has ω = √(2πg/25.5) = 1.554 rad/s in deep water; of 12 m 2.27 rad/s"""

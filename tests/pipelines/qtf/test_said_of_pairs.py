@@ -61,8 +61,8 @@ def test_rows_are_root_mean_squares_with_each_part_added(unread):
     )
     assert made["surface_share"] == 0.031
     assert made.notes[-1] == (
-        "left out: the forcing of the surface around the body, estimated from few pairs: 3.1 % of the force in surge "
-        "and sway; --level full"
+        "not included: the free-surface forcing around the body, estimated from few pairs at 3.1 % of the force "
+        "in surge and sway; --level full includes it"
     )
     assert "no estimated error" in made.notes[-2]
 
@@ -87,7 +87,7 @@ def test_the_surface_is_a_column_and_errors_are_shares(unread):
         in (made.notes[-2])
     )
     assert made.notes[-1] == (
-        "the forcing of the surface around the body is 3.1 % of the force in surge and sway, root mean square"
+        "the free-surface forcing around the body is 3.1 % of the force in surge and sway, root mean square"
     )
 
 
@@ -97,9 +97,12 @@ def test_mean_drift_by_pressure_is_within_a_twentieth_of_the_largest(unread, gap
     added[1, 0, 0, 1] = gap * 4e3
     _, made = table(forces(added=added))
     assert len(made.fails) == told
-    assert not told or "mean drift by pressure differs from that of the far field by 5.1 % of the" in made.fails[0]
+    assert (
+        not told
+        or ("mean drift by pressure differs from the far-field drift by 5.1 % of the largest, limit") in made.fails[0]
+    )
     assert made["drift_apart"] == pytest.approx(gap)
-    assert f"by pressure it differs by {100 * gap:.3g} % of the largest" in made.notes[1]
+    assert f"the pressure gives a value that differs by {100 * gap:.3g} % of the largest" in made.notes[1]
 
 
 def test_sums_are_root_mean_squares_over_their_pairs(unread):
@@ -110,7 +113,10 @@ def test_sums_are_root_mean_squares_over_their_pairs(unread):
         assert row == pytest.approx({"squares": 4e3, "bound_wave": 5e3, "body": math.hypot(6e3, 3e3)})
     share = 100 * 300 / (1e3 * math.hypot(6, 3))
     assert f"of the largest force and moment: surge {share:.3g} %" in made.notes[-2]
-    assert made.notes[-1].endswith("a large part of the force at sums; --level full")
+    assert made.notes[-1].endswith(
+        "not included: the free-surface forcing around the body, a large part of "
+        "sum-frequency forces; --level full includes it"
+    )
 
 
 def test_newmans_rule_is_the_signed_root_of_the_product_of_the_diagonal():
@@ -163,7 +169,7 @@ def test_waves_of_a_question_fit_into_memory(headings, good):
     if good:
         question.waves_of(database(), np.linspace(0.4, 1.0, 100), words, None)
         return
-    with pytest.raises(ValueError, match="100 frequencies and 16 headings are asked for; allowed: 1500 waves"):
+    with pytest.raises(ValueError, match="100 frequencies and 16 headings are requested; allowed: 1500 waves"):
         question.waves_of(database(), np.linspace(0.4, 1.0, 100), words, None)
 
 

@@ -116,7 +116,7 @@ def test_a_table_without_its_density_is_told_which_columns_it_needs(tmp_path, ca
         ("--height 25 --peak-period 20 --depth 20", 2, "single waves break at 16.66 m in 20 m of water"),
         ("--height 13 --peak-period 20 --depth 20", 0, "13 m is 0.65 of the water depth 20 m"),
         ("--height 3 --mean-period 8 --record r.csv --components 3", 0, "3 components for a record that tells"),
-        ("--spectrum tma --height 3 --peak-period 8", 2, "tma is a spectrum of finite depth and there is none"),
+        ("--spectrum tma --height 3 --peak-period 8", 2, "tma needs a finite water depth; give it, or use jonswap"),
     ],
 )
 def test_waves_that_cannot_be_are_refused_or_warned_of(tmp_path, monkeypatch, capsys, words, status, said):

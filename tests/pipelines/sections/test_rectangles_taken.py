@@ -14,7 +14,7 @@ ONE = {"beam_draft": [5.0], "depth_draft": [2.0], "xi": [0.5], "tolerance": 1e-3
 @pytest.mark.parametrize("words, says", [
     ("--beam-draft 0", "beam-draft is 0; allowed: above 0, finite"),
     ("--depth-draft 1", "depth-draft is 1; allowed: above 1, or inf"),
-    ("--xi inf", "xi is inf; allowed: above 0, finite"), ("--xi 0.5,0.5", "allowed: every number once"),
+    ("--xi inf", "xi is inf; allowed: above 0, finite"), ("--xi 0.5,0.5", "give each number once"),
     ("--xi 2:1:3", "allowed: start:stop:count with start below stop"), ("--xi 1:2:1", "--xi has 1 numbers; allowed: 2"),
 ])  # fmt: skip
 def test_sections_refuse_what_cannot_be(words, says, capsys):

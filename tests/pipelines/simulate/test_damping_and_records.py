@@ -82,7 +82,9 @@ def test_energy_of_a_record_outside_the_band_is_told_above_one_per_cent(tmp_path
     assert bool(said) is told
     if told:
         assert said[0].startswith(f"{100 * small**2 / (1 + small**2):.3g} % of the record's energy lies outside")
-        assert "0.1 to 2 rad/s" in said[0] and said[0].endswith("solve 0.524 rad/s and more")
+        assert "0.1 to 2 rad/s" in said[0] and said[0].endswith(
+            "rad/s, and is not included; solve 0.524 rad/s and above"
+        )
     waves = made.weather.components
     assert waves.amplitude[np.isclose(waves.omega, np.pi / 6)] == pytest.approx([1.0])
 
@@ -95,7 +97,7 @@ def test_records_are_to_last_as_long_as_ramp_and_duration_and_to_have_waves(tmp_
         StudyError, match=r"simulation.record lasts 249 s; allowed: ramp and duration, 250 s, or longer"
     ):
         recorded(tmp_path, record[:-1])
-    with pytest.raises(StudyError, match=r"simulation.record has no waves of 300 s and longer"):
+    with pytest.raises(StudyError, match=r"simulation.record has no waves of 300 s or longer; lower shortest"):
         recorded(tmp_path, record, shortest=300.0)
     count = len(recorded(tmp_path, record).weather.components.omega)
     monkeypatch.setattr(simulate_study, "MOST_OF_RECORD", count)

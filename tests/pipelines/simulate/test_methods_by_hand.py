@@ -66,9 +66,9 @@ def test_methods_are_at_the_significant_period_and_the_first_of_the_berth(compar
 def test_a_berth_without_periods_has_three_methods_at_most_and_needs_waves_and_one_body(compared):
     made, _ = compared([np.nan] * 3)
     assert len(made.labels["method"].values) == 2
-    with pytest.raises(StudyError, match="there are none; allowed: with"):
+    with pytest.raises(StudyError, match="--methods compares motions in waves, and the study has no waves; give"):
         compared([80.0], mean=None)
-    with pytest.raises(StudyError, match="several bodies; allowed: with one"):
+    with pytest.raises(StudyError, match="several bodies; it is available for one"):
         compared([80.0], bodies=("a", "b"))
 
 

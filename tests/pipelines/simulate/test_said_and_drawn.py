@@ -70,8 +70,10 @@ def test_a_run_shorter_than_ten_of_the_slowest_periods_is_told_with_how_uncertai
 
 
 @pytest.mark.parametrize("depth, words", [
-    (20.0, "in up to 20 m of water take the simulation"), (20.1, "between 20 and 40 m of water take the larger"),
-    (39.9, "between 20 and 40 m of water take the larger"), (40.0, "from 40 m of water on the simplified method"),
+    (20.0, "in up to 20 m of water use the simulation"), (20.1, "between 20 and 40 m of water use the larger of "
+    "the two"),
+    (39.9, "between 20 and 40 m of water use the larger of the two"), (40.0, "in 40 m of water or more, the "
+    "simplified method is also on the safe side"),
 ])  # fmt: skip
 def test_the_method_follows_the_depth_as_in_section_5_5_3(quiet, depth, words):
     """SR179 report (1982): up to 20 m the simulation, from 40 m the simplified method, between the larger of both"""
@@ -82,7 +84,9 @@ def test_the_method_follows_the_depth_as_in_section_5_5_3(quiet, depth, words):
 @pytest.mark.parametrize("length, told", [(49.9, True), (50.1, False)])
 def test_limits_in_metres_are_of_large_floaters(quiet, length, told):
     (said,) = findings.findings(made_up(1e6, 20.0, length, periods=[80.0], mean_period=8.0))
-    assert ("the report's limits in metres of water are for floaters of 100 to 200 m, not for this one" in said) is told
+    assert (
+        "the report's limits of water depth are for floaters of 100 to 200 m length, not for this one" in said
+    ) is told
 
 
 @pytest.mark.parametrize("slow, wave, told", [
@@ -156,7 +160,7 @@ def test_energy_outside_the_stored_band_is_told_above_one_per_cent_and_refused_a
         assert bool(said) is (share > MISSED)
         for number in re.findall(r"([\d.]+) %", said[0])[:2] if said else ():  # ISSC prints two digits of its constants
             assert float(number) == pytest.approx(100 * share, abs=0.15)
-        assert not said or ("and is left out; solve" in said[0] and f"% below {low:.4g}" in said[0])
+        assert not said or ("and is not included; solve" in said[0] and f"% below {low:.4g}" in said[0])
 
 
 SETTINGS = [
@@ -193,8 +197,8 @@ def test_durations_in_hours_are_seconds_and_seeds_count_from_one():
 
 
 @pytest.mark.parametrize("runs, words", [
-    (4, "largest: what was simulated in 4 runs; up to 44 % of such runs exceed it (confidence 90 %); give 5 seeds"),
-    (5, "median extreme: half of such runs go beyond it"),
+    (4, "largest: the largest value in 4 runs; up to 44 % of such runs exceed it (confidence 90 %); run 5 seeds for a"),
+    (5, "median extreme: exceeded by half of such runs; its interval holds for any distribution of the largest values"),
 ])  # fmt: skip
 def test_five_runs_have_a_median_extreme(folder, runs, words):  # noqa: F811
     """1 − 0.1^(1/n): the largest of four is gone beyond by at most 44 % of runs with a confidence of 90 %"""

@@ -241,7 +241,7 @@ def test_more_hours_make_every_seed_again_as_a_run_made_at_once(folder):
     assert simulate(4).made == 4
     said = io.StringIO()
     outcome = simulate(console=Console(file=said, width=300), duration=900.0)
-    assert outcome.made == 4 and "every seed is made again" in said.getvalue()
+    assert outcome.made == 4 and "s are requested: every seed is run again, since the waves" in said.getvalue()
     simulate(4, "once.h5", duration=900.0)
     assert Path("run.h5").read_bytes() == Path("once.h5").read_bytes()
     with h5py.File("run.h5", "r+") as file:
@@ -275,7 +275,7 @@ def test_a_study_that_says_nothing_has_memory_pairs_of_waves_and_lines_that_move
 
 def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is_there(folder, monkeypatch, capsys):
     """The findings of seeds too; the trial is told before the run, with what a seed will take"""
-    left, trial = "left out: inertia and drag of the lines", "dynamic_lines: in a trial they move"
+    left, trial = "not included: inertia and drag of the lines", "dynamic_lines: in a trial they move"
     body, plan, _ = work.prepared(SimpleNamespace(duration=None))
     plan = replace(plan, told=(left, trial), pace=(0.01, 0.1), settings=replace(plan.settings, dynamic_lines=("a",)))
     monkeypatch.setattr(runs, "prepared", lambda task, db=None: (body, plan, ()))
@@ -337,7 +337,7 @@ def plan(text, omega=WIDE, **more):
         ),
         (
             "[simulation]\nduration = 10.0\ndynamic_lines = []\ndynamic_water = 'sea'",
-            "no line moves by itself; allowed: with dynamic_lines",
+            "no line is in motion; it needs dynamic_lines",
         ),
         ("[simulation]\nduration = 10.0\nlines_lost = [{ line = 'a', time = -1.0 }]", "from 0 s on"),
     ],
@@ -359,7 +359,7 @@ def test_a_further_sea_is_part_of_the_weather_and_slow_motion_lies_below_both():
     alone, both = plan(TABLE), plan(TABLE + swell)
     assert len(both.weather.seas) == 2 and both.weather.seas[1].direction == np.pi / 2
     assert both.split < alone.split and "alone" in both.findings[0]
-    with pytest.raises(StudyError, match="allowed: one of direction_deg"):
+    with pytest.raises(StudyError, match="give one of direction_deg, incidence_deg"):
         plan(TABLE + swell.replace("direction_deg = 90.0", ""))
     with pytest.raises(StudyError, match="above 0"):
         plan(TABLE + swell.replace("1.0", "-1.0"))
@@ -528,7 +528,7 @@ def test_a_single_run_tells_what_was_simulated_and_asks_for_seeds(folder):
     simulate(1)
     with opened("run.h5") as file:
         (told,) = over_runs.notes(file)
-        assert "up to 90 % of such runs go beyond it" in told and "give 5 seeds" in told
+        assert "up to 90 % of such runs exceed it" in told and "give 5 seeds" in told
     assert np.isnan(read_run("run.h5")["surge.extreme_median"])
 
 
@@ -537,7 +537,10 @@ def test_runs_of_a_regular_wave_are_told_to_be_all_alike(folder):
     Path("study.toml").write_text(text)
     simulate(1)
     with opened("run.h5") as file:
-        assert not over_runs.differ(file) and "those of every run" in next(iter(over_runs.notes(file)))
+        assert not over_runs.differ(file) and (
+            "seeds do not differ, since there are no random waves or gusts: "
+            "every run has the same largest and smallest values"
+        ) in next(iter(over_runs.notes(file)))
 
 
 def test_a_file_with_the_statistics_of_an_earlier_version_gets_those_of_today_without_a_run(folder, monkeypatch):

@@ -129,7 +129,7 @@ FAULTS = {
     "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some hold what others already do"),
     "motions held": (
         {"hinges": [HINGE], "simulation": STUDY["simulation"] | {"motions": ["ship heave"]}},
-        "holds motions that hinges may need",
+        "simulation.motions holds motions fixed that hinges may need; with hinges name all motions or leave it out",
     ),
     "two of a name": ({"hinges": [HINGE, {**HINGE, "kind": "ball"}]}, "two hinges are called 'H'"),
     "torn": (
@@ -137,7 +137,7 @@ FAULTS = {
          "hulls": {"ship": {"freeboard": 0.1}, "barge": {"freeboard": 1.5}}},
         "hinges tear ship down by 0.562 m at rest, limit 0.1 m",
     ),
-    "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database is of several bodies"),
+    "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database contains several bodies"),
 }  # fmt: skip
 
 

@@ -65,7 +65,7 @@ def test_a_buoy_weighs_less_than_it_displaces_when_awash(share, good):
 
 def test_a_buoy_is_given_whole_or_not_at_all():
     for name in BUOY:
-        with pytest.raises(StudyError, match="allowed: mass, diameter and height together, or none"):
+        with pytest.raises(StudyError, match="buoy: mass, diameter and height belong together; give all or none"):
             system(**{key: value for key, value in BUOY.items() if key != name})
 
 
@@ -84,7 +84,7 @@ def test_the_tension_at_the_top_is_the_horizontal_one_and_the_weight_below():
     with pytest.raises(StudyError, match=f"allowed: above {least:.4g} kN, the line's weight from the bed to the buoy"):
         system(mooring__pretension_kN=None, mooring__top_tension_kN=0.999 * least)
     for given in ({"mooring__top_tension_kN": top}, {"mooring__pretension_kN": None}):
-        with pytest.raises(StudyError, match="allowed: one of pretension"):
+        with pytest.raises(StudyError, match="mooring: give one of pretension"):
             system(**given)
 
 

@@ -55,7 +55,7 @@ def test_headings_that_are_stable_are_counted():
     (said,) = findings(found([one(1e-3), one(2e-3)]))
     assert said.startswith("no heading is stable: the body slews")
     (said,) = findings(found([one(), one(heading=math.pi / 2), one(1e-3)]))
-    assert said == "2 headings are stable (0°, 90°): the body lies at the one it comes to"
+    assert said == "2 headings are stable (0°, 90°): the body settles at the first that it reaches"
 
 
 @pytest.mark.parametrize("angle, told", [(59.9, False), (60.1, True), (119.0, True), (121.0, False)])
@@ -66,7 +66,10 @@ def test_water_beyond_the_turning_tests_is_told(angle, told):
     said = list(findings(found([one()], **at)))
     assert len(said) == told
     drift = min(angle, 180 - angle)
-    assert all(f"meets the hull at {drift:.0f}°, {drift - 60:.0f}° beyond the turning tests (60°)" in s for s in said)
+    assert all(
+        f"meets the hull at {drift:.0f}°, {drift - 60:.0f}° beyond the range of the turning tests (60°)" in s
+        for s in said
+    )
     for still in ({"speed": 0.0}, {"turning": False}):
         assert list(findings(found([one()], **at | still))) == []
 
@@ -127,7 +130,10 @@ def ran(cycle=None, heading=0.0, wave=0.0, gusts=0.0, drifts=False, settled=np.n
 
 
 SLEWS = "the body slews: ±5.0° at a period of 250 s at the end of the run"
-SWINGS = "the heading swings ±5.0° at about 250 s at the end: gusts and slow drift drive it, at rest it is stable"
+SWINGS = (
+    "the heading swings ±5.0° at about 250 s at the end: gusts and slow drift drive this motion; "
+    "the heading itself is stable"
+)
 
 
 @pytest.mark.parametrize("made, says", [

@@ -102,10 +102,13 @@ def test_turning_tests_are_of_the_hull_s_proportions_or_of_those_that_are_given(
 def test_turning_tests_hold_other_numbers_already_and_are_about_midship():
     tested = {"length_over_beam": 2.0, "beam_over_draft": 10.0, "depth_over_draft": 8.0}
     for key in ("yaw_drag", "sway_damping", "yaw_damping"):
-        with pytest.raises(StudyError, match=f"current.{key} is given beside turning tests, which contain it"):
+        with pytest.raises(StudyError, match=f"current.{key} is given with turning tests, which contain it"):
             found(**turning(**tested) | {f"current__{key}": 1.0})
     for center in ((1.0, 0.0), (0.0, 1.0)):
-        with pytest.raises(StudyError, match="turning tests are about midship"):
+        with pytest.raises(
+            StudyError,
+            match=r"turning tests refer to midship, and hull\.center lies elsewhere; give current coefficients or file",
+        ):
             found(center=center, **turning(**tested))
     with pytest.raises(StudyError, match="turning and coefficients are given, which both hold its force"):
         found(current__turning=tested)
@@ -123,7 +126,7 @@ def test_drift_of_a_coefficient_is_of_the_square_of_the_height_along_the_waves()
     found(waves__drift_tonf_per_m2=0.0)
     with pytest.raises(StudyError, match=r"waves.height is missing"):
         found(waves__height=None)
-    with pytest.raises(StudyError, match="their drift is not known; give --database"):
+    with pytest.raises(StudyError, match="waves: the wave drift is unknown; give --database or drift_tonf_per_m2"):
         found(waves__drift_tonf_per_m2=None)
     empty = SimpleNamespace(reader=SimpleNamespace(knows_drift=False))
     with pytest.raises(StudyError, match="the database holds no drift"):

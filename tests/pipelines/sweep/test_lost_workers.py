@@ -82,7 +82,7 @@ def test_a_killed_process_is_told_of_and_its_cases_are_done_by_the_next_run(fold
     command = ["sweep", str(folder / "sweep.toml"), "--output", str(folder / "two.h5")]
     assert cli.main(command) == 1 and killed
     told = capsys.readouterr()
-    assert "cases were not done" in told.out + told.err
+    assert "cases were not run" in told.out + told.err
     monkeypatch.undo()
     assert cli.main(command) == 0
     assert same(folder / "one.h5", folder / "two.h5")
@@ -109,5 +109,5 @@ def test_a_scheduler_that_is_not_there_is_named(monkeypatch):
     pytest.importorskip("distributed")
     pytest.importorskip("dask_jobqueue")
     monkeypatch.setenv("PATH", "")
-    with pytest.raises(ValueError, match="there is no sbatch here"):
+    with pytest.raises(ValueError, match="sbatch is not found; run this on a machine that submits Slurm jobs"):
         choice.executor_of("slurm:4")

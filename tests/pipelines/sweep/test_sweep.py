@@ -106,7 +106,9 @@ def test_a_ctrl_c_that_ends_the_command_of_a_case_ends_the_sweep_and_leaves_the_
 
     monkeypatch.setattr(result, "in_time", stopping)
     assert cli.main(["sweep", "sweep.toml"]) == 130
-    assert "interrupted; the cases that were done are kept" in capsys.readouterr().err
+    assert (
+        "interrupted; finished cases are stored, and the same command continues with the others"
+    ) in capsys.readouterr().err
     assert list(numbers("sweep.h5")["status"]) == [0, -1, -1]
     monkeypatch.setattr(result, "in_time", whole)
     assert cli.main(["sweep", "sweep.toml"]) == 0

@@ -55,7 +55,7 @@ def test_many_stored_headings_are_summed_up():
 
 def test_the_nearest_frequency_is_named_where_it_is_another(capsys):
     assert shown(0.62, 0) == (1, 0)
-    assert capsys.readouterr().out == "note: omega 0.62 rad/s is not stored; shown is the nearest, 0.6 rad/s\n"
+    assert capsys.readouterr().out == "note: omega 0.62 rad/s is not stored; the nearest, 0.6 rad/s, is shown\n"
     assert shown(0.6, 0) == (1, 0)
     assert capsys.readouterr().out == ""
 
