@@ -58,5 +58,5 @@ def check_gap(draft, depth):
     if depth - draft < SMALLEST_GAP * draft:
         raise ValueError(
             f"depth − draft is {depth - draft:.3g} m; allowed: from {SMALLEST_GAP * draft:.3g} m, {SMALLEST_GAP:g} "
-            "of the draft: thinner water under a keel is not resolved"
+            "of the draft: a smaller gap under the keel is not resolved"
         )

@@ -56,7 +56,7 @@ class Tabulated:
     def __post_init__(self):
         a, b = np.asarray(self.amplitudes, float), np.asarray(self.values, float)
         if a.ndim != 1 or a.shape != b.shape or not (len(a) and a[0] > 0 and np.all(np.diff(a) > 0) and np.all(b >= 0)):
-            raise ValueError("viscous damping: amplitudes have to rise from above 0, with one b ≥ 0 for each")
+            raise ValueError("viscous damping: amplitudes have to increase from above 0, with one b ≥ 0 for each")
 
     def equivalent(self, omega, amplitude):
         """N s/m, N m s at `amplitude` m or rad"""

@@ -89,7 +89,9 @@ def viscous_of_several(table, bodies, density, gravity):
         found = {} if own is None else laws_of(f"viscous of {name}", own, box, density, gravity)
         laws |= {f"{name}__{dof}": law for dof, law in found.items()}
     if not laws:
-        raise ValueError("viscous has a wave height and no body a law; give [bodies.viscous] of one, or leave it out")
+        raise ValueError(
+            "viscous has a wave height, but no body has a law; give [bodies.viscous] for one, or leave it out"
+        )
     names = tuple(f"{name}__{dof}" for name, _, _ in bodies for dof in DOFS)
     return Viscous(laws, 0.5 * table.wave_height, names)
 
@@ -125,7 +127,7 @@ def _law(where, mode, law, box, density, gravity):
     wanted, other = ("amplitudes", "amplitudes_deg") if mode == "heave" else ("amplitudes_deg", "amplitudes")
     amplitudes = getattr(law, wanted)
     if amplitudes is None or getattr(law, other) is not None:
-        raise ValueError(f"{where}.b needs {wanted}, and nothing else")
+        raise ValueError(f"{where}.b needs {wanted} only")
     amplitudes = np.radians(amplitudes) if mode != "heave" else amplitudes
     scale = report_scale(mode.capitalize(), *_sizes(where, box), density, gravity)
     return Tabulated(scale, tuple(amplitudes), tuple(law.b))

@@ -97,5 +97,5 @@ def body_named(database, name):
     found = [one for one in each_body(database) if database.bodies and one.name == name]
     if not found:
         known = ", ".join(body.name for body in database.bodies) or "one body without a name"
-        raise DatabaseError(f"{database.path} has no body {name!r}; it has {known}")
+        raise DatabaseError(f"{database.path} has no body {name!r}; allowed: {known}")
     return found[0]

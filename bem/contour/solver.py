@@ -114,7 +114,7 @@ class ContourBody:
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
         if not (np.all(np.isfinite(headings)) and np.all(np.isfinite(theta))):
-            raise ValueError("headings or theta hold a value that is not finite; allowed: angles in rad")
+            raise ValueError("headings or theta contain a value that is not finite; allowed: finite angles, rad")
         with blas_threads(SMALL):
             return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
 

@@ -133,8 +133,9 @@ class Between:
         unknown = self.stored(omega) < 0
         if len(self.omega) < FEWEST and unknown.any():
             raise BetweenError(
-                f"omega is {omega[unknown][0]:.6g} rad/s and {len(self.omega)} frequencies are stored; between them "
-                f"needs at least {FEWEST}, only stored ones are known; add frequencies to the scene and solve again"
+                f"omega is {omega[unknown][0]:.6g} rad/s and {len(self.omega)} frequencies are stored; interpolation "
+                f"needs at least {FEWEST}, so that only stored frequencies are available; add frequencies to "
+                f"the scene and solve again"
             )
         return omega
 
@@ -163,10 +164,10 @@ class Between:
 
     def _check(self, name):
         if name not in QUANTITIES or "omega" not in QUANTITIES[name][0]:
-            raise BetweenError(f"{name!r} is no function of frequency")
+            raise BetweenError(f"{name!r} is not a function of frequency")
         if name not in self.quantities:
             raise BetweenError(
-                f"{name} is not stored, and does not follow from what is: {', '.join(self.quantities)}; "
+                f"{name} is not stored and cannot be computed from {', '.join(self.quantities)}; "
                 f"run its command again with --only {name}"
             )
 

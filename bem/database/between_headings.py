@@ -113,8 +113,8 @@ class Ring:
         if wide.any():
             stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
             raise BetweenError(
-                f"wave direction {np.rad2deg(wanted[wide][0]) % 360:.4g}° is not between stored headings at most 45° "
-                f"apart ({stored}°); add it to the scene's headings and solve again"
+                f"wave direction {np.rad2deg(wanted[wide][0]) % 360:.4g}° does not lie between stored headings "
+                f"at most 45° apart ({stored}°); add it to the scene's headings and solve again"
             )
         return wanted
 

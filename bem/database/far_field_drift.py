@@ -36,7 +36,7 @@ def drift(reader, omega, headings, fixed):
         )
     if not fixed and not reader.own:
         raise BetweenError(
-            "drift of a body with added damping or stiffness is rebuilt from Kochin functions, which the database "
+            "drift of a body with added damping or stiffness is computed from Kochin functions, which the database "
             "lacks; run its command again with --only kochin,drift"
         )
     values = reader.between.value(omega, name)

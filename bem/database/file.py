@@ -42,7 +42,7 @@ from .schema import (
 TABLE = ("points", "displacements", "masses")  # of a shape that is known at points
 BLOCK = 4096  # bytes of the seal before a file that is filled in later
 LATER = (*QUANTITIES, "stored", "estimated_error", "checks", "wall_time", "solved", ROWS)
-REMEDY = "copy it again, or solve it anew with --fresh"
+REMEDY = "copy it again, or solve it again with --fresh"
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ def check_place(path):
     if path.is_dir():
         raise DatabaseError(f"{path} is a folder")
     if not path.parent.is_dir():
-        raise DatabaseError(f"{path} cannot be written: there is no folder {path.parent}")
+        raise DatabaseError(f"{path} cannot be written: the folder {path.parent} does not exist")
     if not os.access(path.parent, os.W_OK):
         raise DatabaseError(f"{path} cannot be written: no permission in {path.parent}")
 
@@ -101,7 +101,7 @@ def check_replaceable(path):
     except OSError as error:
         if "unable to lock" in str(error):
             raise DatabaseError(f"{path} cannot be replaced: {_reason(error)}") from None
-    raise DatabaseError(f"{path} is not a hakobune database and is not replaced; give another name")
+    raise DatabaseError(f"{path} is not a hakobune database, so it is not replaced; give another name")
 
 
 @contextlib.contextmanager
@@ -177,15 +177,15 @@ def damage_named(path):
             raise  # of HDF5 are those with the cause in brackets
         if "write" in said:
             cause = os.strerror(error.errno) if getattr(error, "errno", None) else said
-            raise NotWritten(f"{path} cannot be written: {cause}; what was stored before is kept") from None
+            raise NotWritten(f"{path} cannot be written: {cause}; the data stored before is kept") from None
         raise DamagedError(f"{path} is damaged: {said.splitlines()[0]}; {REMEDY}") from None
 
 
 def _reason(error):
     if error.errno in (11, 35) or "unable to lock" in str(error):
-        return "another process has it open"
+        return "another process has opened it"
     if "truncated file" in str(error):
-        return "it is truncated, a part of it is missing; copy it again, or give another name"
+        return "it is truncated; copy it again, or give another name"
     return os.strerror(error.errno) if error.errno else str(error).splitlines()[0]
 
 

@@ -55,7 +55,7 @@ def _read(file, name):
     dataset = h5py.h5d.open(file.id, name.encode())
     if dataset.get_space().get_simple_extent_npoints() * dataset.get_type().get_size() > file.id.get_filesize():
         raise DatabaseError(
-            f"{file.filename} is damaged: {name} is larger than the file; copy it again, or solve it anew with --fresh"
+            f"{file.filename} is damaged: {name} is larger than the file; copy it again, or solve it again with --fresh"
         )
     data = np.empty(dataset.shape, dataset.dtype)
     dataset.read(h5py.h5s.ALL, h5py.h5s.ALL, data)
@@ -65,7 +65,7 @@ def _read(file, name):
 def check_schema(file):
     """Raise DatabaseError unless a file has the datasets, axes, types and finite coordinates that it must have."""
     for problem in _schema_problems(file):
-        raise DamagedError(f"{file.filename} is damaged: {problem}; copy it again, or solve it anew with --fresh")
+        raise DamagedError(f"{file.filename} is damaged: {problem}; copy it again, or solve it again with --fresh")
 
 
 def _schema_problems(file):
@@ -121,9 +121,9 @@ def _wrong_coordinates(file, coordinates):
     for name, least in (("omega", 0.0), ("wave_direction", -np.inf), ("theta", -np.inf)):
         values = coordinates[name]
         if values.ndim != 1 or values.dtype.kind != "f" or not np.all(np.isfinite(values)):
-            yield f"{name} is not a row of finite numbers"
+            yield f"{name} is not a one-dimensional array of finite numbers"
         elif np.any(np.diff(values) <= 0) or np.any(values <= least):
-            yield f"{name} does not rise" + (" from above 0" if least == 0 else "")
+            yield f"{name} does not increase" + (" from above 0" if least == 0 else "")
     for name in ("density", "gravity", "water_depth"):
         value = file.attrs.get(name, np.nan)
         if not (np.ndim(value) == 0 and value > 0 and (np.isfinite(value) or name == "water_depth")):
@@ -208,13 +208,13 @@ def check_cells(file, name, values=None, rows=None):
 
 def _where(file, damaged):
     if not damaged.ndim:
-        return " is not what was stored"
+        return " has changed since it was stored"
     rows = damaged.reshape(len(damaged), -1).any(axis=1)
     omega = file["omega"][()][rows]
     return (
         f" at ω = {omega[0]:.4g} rad/s"
         + (f" and {len(omega) - 1} others" if len(omega) > 1 else "")
-        + (" is not what was stored")
+        + (" has changed since it was stored")
     )
 
 

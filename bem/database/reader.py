@@ -211,7 +211,9 @@ class Reader:
         """
         C, M = self.stiffness[mode, mode], self.inertia[mode, mode]
         if not C > 0:
-            raise ValueError(f"{self.words[mode]} has no restoring and so no critical damping; give a matrix")
+            raise ValueError(
+                f"{self.words[mode]} has no restoring force, so that critical damping is not defined; give a matrix"
+            )
 
         def own(omega):
             return float(np.sqrt(C / (M + self.held_added_mass(omega)[0, mode, mode])))
@@ -349,7 +351,7 @@ class Reader:
         if headings is not None and name == "drift_force_fixed":
             return self.drift(omega, headings, fixed=True), interpolated(self, omega, headings, name)
         if headings is not None and name == "pressure":
-            raise BetweenError("pressure is known at stored headings only; add the heading to the scene")
+            raise BetweenError("pressure is available at stored headings only; add the heading to the scene")
         return self.between.value(omega, name), self.between.error(omega, name)
 
     def ring_of(self, name):
@@ -473,7 +475,7 @@ def _check_rows(db, quantities):
             if rows.any():
                 raise BetweenError(
                     f"{db.path}: {name} is not a number at ω = {db.omega[rows][0]:.4g} rad/s, {rows.sum()} of "
-                    f"{len(rows)} frequencies; solve it anew with --fresh"
+                    f"{len(rows)} frequencies; solve it again with --fresh"
                 )
 
 
@@ -496,7 +498,7 @@ def _of_moving(matrix, moved):
 
 def _known(name, values):
     if not np.all(np.isfinite(values)):
-        raise BetweenError(f"{name} is not known for all motions; solve again without a choice of motions")
+        raise BetweenError(f"{name} is not stored for all motions; solve again for all motions")
     return values
 
 

@@ -112,7 +112,10 @@ def check_database_version(path, found=None):
 def another_version(path, what, found, ours, makes):
     """What is said of a file of another version of its schema"""
     again = f"make it again by 'hakobune {makes.format(path)}'" if makes else "make it again"
-    return f"{path} is {what} of schema version {found}, this program reads {ours}; {again}, or read it with its own"
+    return (
+        f"{path} is {what} of schema version {found}, and this program reads version {ours}; {again}, or "
+        f"read it with the program that wrote it"
+    )
 
 
 def _numbers(path, pattern):
@@ -183,6 +186,6 @@ def no_file_of(path, schema):
         with h5py.File(path) as file:
             what = f"{what_is(file)}, and not {file_of(schema)}"
     except (OSError, RuntimeError):
-        what = f"no file of {kind}, and no HDF5 file that can be opened"
+        what = f"neither a file of {kind} nor a readable HDF5 file"
     makes = MAKES.get(kind, COMMAND.format(kind, "{}")).format("NAME.h5").removesuffix(" --fresh")
-    return f"{path} is {what}; 'hakobune {makes}' makes one"
+    return f"{path} is {what}; 'hakobune {makes}' writes the right one"

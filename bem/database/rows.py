@@ -158,7 +158,7 @@ class Database:
     def __getattr__(self, name: str) -> Any:
         if name in BODY:
             return self.header.body.get(name)
-        raise AttributeError(f"a database has no {name!r}")
+        raise AttributeError(f"a database contains no {name!r}")
 
     def __contains__(self, name: object) -> bool:
         """Whether every solved frequency has a quantity"""
@@ -171,7 +171,7 @@ class Database:
         with self.opened() as file:
             if name not in file:
                 known = ", ".join(n for n in (*COORDINATES, *DERIVED, *self.names))
-                raise DatabaseError(f"{self.path} holds no {name!r}; it holds: {known}")
+                raise DatabaseError(f"{self.path} contains no {name!r}; it contains: {known}")
             value = file[name].asstr()[()] if h5py.check_string_dtype(file[name].dtype) else file[name][()]
             if name in QUANTITIES:
                 check_cells(file, name, value, self.rows)
@@ -181,22 +181,22 @@ class Database:
         """Raise DatabaseError if one of the quantities is not there, saying what to add to the command."""
         for name in names:
             if name not in QUANTITIES:
-                raise DatabaseError(f"no database holds {name!r}; names are: {', '.join(QUANTITIES)}")
+                raise DatabaseError(f"{name!r} is not a quantity of a database; allowed: {', '.join(QUANTITIES)}")
         missing = [name for name in names if name not in self.names]
         if missing:
-            raise DatabaseError(f"{self.path} holds no {', '.join(missing)}; {self._remedy(missing)}")
+            raise DatabaseError(f"{self.path} contains no {', '.join(missing)}; {self._remedy(missing)}")
         if not self.rows.any() and any(name not in LIMITS for name in names):
-            raise DatabaseError(f"{self.path} has no solved frequency yet; run its command again to go on")
+            raise DatabaseError(f"{self.path} has no solved frequency yet; run its command again to continue")
         unsolved = [name for name in names if name in LIMITS and not self._stored(name)]
         if unsolved:
-            raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
+            raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to continue")
 
     def require_one_body(self) -> None:
         """Raise DatabaseError for a database of several bodies, naming them, or of one that bends."""
         if self.bodies:
             names = ", ".join(body.name for body in self.bodies)
             raise DatabaseError(
-                f"{self.path} is of {len(self.bodies)} bodies, {names}; allowed here: one body, solved by itself"
+                f"{self.path} contains {len(self.bodies)} bodies, {names}; allowed here: one body, solved alone"
             )
         self.require_rigid()
 
@@ -204,8 +204,8 @@ class Database:
         """Raise DatabaseError for a database of bodies that bend: it holds motions that rigid studies do not know."""
         if self.modes:
             raise DatabaseError(
-                f"{self.path} is of a body with {len(self.modes)} motions beyond the six, {self.modes[0].name} …; "
-                "allowed here: six; solve its scene without [[modes]]"
+                f"{self.path} is for a body with {len(self.modes)} motions beyond the six, {self.modes[0].name} …; "
+                "allowed here: the six rigid motions; solve its scene without [[modes]]"
             )
 
     @cached_property

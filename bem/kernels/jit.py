@@ -141,7 +141,7 @@ def _not_kept(error):
 def _tell_not_kept(base, reason):
     """On stderr, once a process: a warning would become a finding of the study that is at work"""
     print(
-        f"hakobune: compiled kernels cannot be kept in {base} ({reason}), so every command that needs them compiles "
-        "them anew, for up to a minute or two; set HAKOBUNE_CACHE to a folder that can be written",
+        f"hakobune: compiled kernels cannot be stored in {base} ({reason}), so every command that needs them compiles "
+        "them again, for up to two minutes; set HAKOBUNE_CACHE to a writable folder",
         file=sys.stderr,
     )

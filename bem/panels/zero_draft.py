@@ -40,7 +40,7 @@ def flattened(mesh):
     area, waterplane = mesh.areas[chosen].sum(), -mesh.area_vectors[:, 2].sum()
     if not abs(area - waterplane) <= 1e-6 * waterplane:
         raise ValueError(
-            f"zero draft needs upright sides and a flat bottom: the bottom has {mesh.copies * area:.6g} m², "
+            f"zero draft needs vertical sides and a flat bottom: the bottom has {mesh.copies * area:.6g} m², and "
             f"the waterplane {mesh.copies * waterplane:.6g} m²; the panel method takes any shape"
         )
     return replace(mesh, points=mesh.points * (1, 1, 0), corners=mesh.corners[chosen])
@@ -76,7 +76,7 @@ def rigid_surface_limit(prepared, which):
     raises : ValueError for ω → ∞, where the equation has no limit
     """
     if which != "zero":
-        raise ValueError("zero draft gives no added mass at infinite frequency; the panel method does")
+        raise ValueError("zero draft has no added mass at infinite frequency; a small draft by the panel method has")
     g, problem = prepared.geometry, prepared.problem
     table = limit_table(which, problem.depth, g.reach, g.draft)
     velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]

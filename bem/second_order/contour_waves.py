@@ -36,20 +36,23 @@ class ContourWaves(FirstOrderWaves):
         super().__init__(problem, headings, moving, lines, swayed, kind)
         if problem.method != "contour" or not np.isfinite(problem.depth):
             raise ValueError(
-                f"pairs by method {problem.method} in {problem.depth:g} m; allowed: panels, or contour in finite depth"
+                f"wave pairs by the method {problem.method} in {problem.depth:g} m; allowed: panels, or contour "
+                f"in finite depth"
             )
         self.prepared = self.held.prepared()
         self.body = refined(self.prepared.solver)
         highest, rising = max(omega[-1], of_force[-1]), of_force[of_force > 0]
         k = float(wavenumber(highest, problem.depth, problem.gravity))
         if too_many((*self.body.plan.sizes, self.body.draft), k):
-            raise ValueError(f"pairs by the contour method up to {highest:.4g} rad/s; allowed: waves it resolves")
+            raise ValueError(
+                f"wave pairs by the contour method up to {highest:.4g} rad/s; allowed: waves that it resolves"
+            )
         self.points = HullPoints(self.body, k)
         surface = surface and len(rising) > 0
         if (moving or surface) and not self.points.whole:
             raise ValueError(
-                "pairs by the contour method on a floating box or with the surface around a box; allowed: held, "
-                "without the surface; or panels"
+                "wave pairs by the contour method for a floating box or with the surface around a box; allowed: "
+                "a fixed box, without the surface, or panels"
             )
         first = self._frequency(omega[-1], [])
         self.surfaces = self.points.surfaces(first)

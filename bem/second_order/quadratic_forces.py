@@ -119,7 +119,9 @@ class QuadraticRun:
         lines, self.kind = moving if np.ndim(moving) else None, kind
         self.problem, self.moving, self.surface = problem, lines is not None or bool(moving), surface
         if self.moving and problem.inertia_matrix is None:
-            raise ValueError("forces of pairs on a floating body without inertia; solve it with --gyration kxx,kyy,kzz")
+            raise ValueError(
+                "forces of wave pairs on a floating body need its inertia; solve it with --gyration kxx,kyy,kzz"
+            )
         self.frequency, self.report = frequencies_of(self.omega, highest, kind), report
         waves = _waves_of(problem)(
             problem, self.omega, self.headings, self.moving, self.frequency, surface, lines, swayed, kind
@@ -206,7 +208,9 @@ def frequencies_of(omega, highest, kind):
     """
     steps = np.diff(omega)
     if len(omega) < 2 or np.ptp(steps) > EVEN * steps.mean() or steps.mean() <= 0:
-        raise ValueError("forces of pairs at uneven frequencies; allowed: two or more at equal steps, rising")
+        raise ValueError(
+            "forces of wave pairs at uneven frequencies; allowed: two or more increasing frequencies at equal steps"
+        )
     found = kind.rows(omega, highest)
     if not len(found):
         lowest = kind.of(omega[0], omega[0])

@@ -105,7 +105,7 @@ def read_forces(db, kind=DIFFERENCE):
     found = read_group(db, GROUPS[kind])
     if found is None:
         adds = f"hakobune qtf {db.path}{' --sum' if kind is SUM else ''}"
-        raise DatabaseError(f"{db.path} holds no {kind.name} forces of pairs; '{adds}' adds them")
+        raise DatabaseError(f"{db.path} contains no {kind.name} forces of wave pairs; '{adds}' computes them")
     datasets, attributes = found
     values = {name: part[2] for name, part in datasets.items()}
     axes = values["omega"], values[kind.name], values["wave_direction_1"]

@@ -97,8 +97,8 @@ def strips_about(mesh, line, circle, k):
     turn = np.angle(np.exp(1j * (end - start)))
     if not (np.all(turn > 0) and abs(np.sum(turn) * len(mesh.reflections()) - 2 * np.pi) < 1e-6):
         raise ValueError(
-            "forcing of the surface around a hull whose waterline is not one closed curve, each point of it seen from "
-            "its middle; allowed: qtf up to the body's part"
+            "the free-surface forcing needs a waterline that is one closed curve, with each point visible from "
+            "its middle; allowed: --level body"
         )
     length = np.hypot(*(sides[:, 1] - sides[:, 0]).T)
     counts = np.clip(np.ceil(2 + k * np.maximum(turn * circle.radius, length)), FEWEST, MOST).astype(int)
@@ -125,7 +125,7 @@ def _sides(mesh):
     long = np.linalg.norm(following - v, axis=2) > 0
     panel, corner = np.nonzero(wet & np.roll(wet, -1, axis=1) & long)
     if not len(panel):
-        raise ValueError("forcing of the surface around a hull without a waterline; allowed: qtf up to the body's part")
+        raise ValueError("the free-surface forcing needs a hull with a waterline; allowed: --level body")
     ends = np.stack([v[panel, corner], following[panel, corner]], axis=1)[..., :2]
     along, normal = ends[:, 1] - ends[:, 0], mesh.normals[panel, :2]
     backwards = normal[:, 0] * along[:, 1] - normal[:, 1] * along[:, 0] < 0

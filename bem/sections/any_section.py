@@ -226,8 +226,8 @@ def _split(chain, depth, longest, tolerance):
     count = sum(map(len, parts))
     if count > MOST_PANELS:
         raise ValueError(
-            f"the section needs {count} panels at this frequency; allowed: {MOST_PANELS}; give a lower frequency, a "
-            "larger tolerance or less depth"
+            f"the section needs {count} panels at this frequency; allowed: {MOST_PANELS}; use a lower frequency, a "
+            "larger tolerance or a smaller depth"
         )
     return parts
 

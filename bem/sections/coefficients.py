@@ -103,13 +103,13 @@ def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERA
     kd = float(wavenumber(omega, depth, gravity)) * draft
     if kd > DEEPEST:
         raise ValueError(
-            f"omega is {omega:g} rad/s, the wavenumber times draft {kd:.0f}; allowed: up to {DEEPEST}, where waves are "
-            "negligible: bem.sections.frequency_limits.added_mass_limit has the limit"
+            f"omega is {omega:g} rad/s, and wavenumber times draft is {kd:.0f}; allowed: up to {DEEPEST}, "
+            "beyond which waves are negligible: use bem.sections.frequency_limits.added_mass_limit"
         )
     if not abs(obliquity) <= MOST_OBLIQUE:
         raise ValueError(
-            f"obliquity is {np.degrees(obliquity):.4g}°; allowed: up to ±{np.degrees(MOST_OBLIQUE):.4g}, waves along "
-            "a body without end pass it by"
+            f"obliquity is {np.degrees(obliquity):.4g}°; allowed: up to ±{np.degrees(MOST_OBLIQUE):.4g}, since "
+            "waves along an infinitely long body pass it undisturbed"
         )
     if np.isinf(depth) and obliquity:
         raise ValueError(f"obliquity is {np.degrees(obliquity):.4g}° in deep water; allowed: 0, or a finite depth")

@@ -89,7 +89,7 @@ class DeepFlow:
         if points > MOST_POINTS:
             raise ValueError(
                 f"omega {omega:g} rad/s, beam {beam:g} m, draft {draft:g} m need {points:.0f} points in deep water; "
-                f"allowed: {MOST_POINTS}; take a finite depth or a lower omega"
+                f"allowed: {MOST_POINTS}; use a finite depth or a lower omega"
             )
         self.contour = contour(beam, draft, longest, tolerance)
         self.radiated = self._radiated()

@@ -28,7 +28,7 @@ def added_mass_limit(beam, draft, depth, which, *, density=1025.0, tolerance=1e-
         raise ValueError(f"limit is {which!r}; allowed: {' or '.join(WHICH)}")
     check_shape(beam, draft, depth, tolerance)
     if np.isinf(depth):
-        raise ValueError("depth is inf; the limits of sections need a finite depth")
+        raise ValueError("depth is inf; the limits of a section need a finite depth")
     flow = LimitFlow(beam, draft, depth, which == "zero", *effort(beam, draft, depth, tolerance))
     return radiation(flow, density).real
 

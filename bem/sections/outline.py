@@ -151,7 +151,8 @@ class Outline:
         whole = float(_integral(self.edges, lambda p: p.real))
         if not 0 < area < whole:
             raise OutlineError(
-                f"the section has to displace {area:.6g} m² and has {whole:.6g}; allowed: less than that"
+                f"the section has to displace {area:.6g} m², and its whole area is {whole:.6g} m²; allowed: "
+                f"less than the whole area"
             )
 
         def more(draft):
@@ -215,11 +216,11 @@ def _check_closed(edges):
         if not np.isfinite([one.start, one.end, one.bulge]).all():
             raise OutlineError(f"edge {i} is not of finite numbers")
         if one.start == one.end:
-            raise OutlineError(f"edge {i} has no length, from {_named(one.start)} to itself; leave one point out")
+            raise OutlineError(f"edge {i} has zero length at {_named(one.start)}; leave out one point")
         if abs(after.start - one.end) > 0:
             raise OutlineError(
-                f"the outline leaks: edge {i} ends at {_named(one.end)}, the next begins at {_named(after.start)}, "
-                f"{abs(after.start - one.end):.3g} m away; allowed: the same point"
+                f"the outline is not closed: edge {i} ends at {_named(one.end)}, and the next begins at "
+                f"{_named(after.start)}, {abs(after.start - one.end):.3g} m away; give the same point"
             )
 
 

@@ -59,6 +59,9 @@ def _chain(sections):
     for one, after in pairwise(moved):
         start, end = one[-1].end, after[0].start
         if not start.real < end.real:
-            raise ValueError(f"a section ends at y = {start.real:g} m, the next begins at {end.real:g}; allowed: a gap")
+            raise ValueError(
+                f"a section ends at y = {start.real:g} m, and the next begins at {end.real:g} m; "
+                f"leave a gap between them"
+            )
         edges += [Edge(start, end), *after]
     return tuple(edges)

@@ -157,8 +157,8 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
     motions = range(len(body.words)) if motions is None else motions
     if len(body.omega) < FEWEST:
         raise ValueError(
-            f"memory needs radiation at {FEWEST} frequencies at least, {len(body.omega)} are stored; solve a band, "
-            "as --omega auto:0.1:2"
+            f"the memory needs radiation at {FEWEST} or more frequencies, and {len(body.omega)} are stored; "
+            "solve a band, such as --omega auto:0.1:2"
         )
     with blas_threads(1):  # many small matrices; and the same bits whatever the number of threads
         return _memory(body, tolerance, motions)
@@ -235,8 +235,8 @@ def _shorter(body, goal, motions):
     if best.deviation.max() <= CLOSE[1] and best is not goal:
         warn(
             f"added mass and damping above {best.band[1]:.3g} rad/s contradict those below by "
-            f"{goal.deviation.max():.2g} of the largest, good: {CLOSE[0]:g}; the memory is made of those below: "
-            "leave the higher frequencies out, or solve them to a smaller tolerance" + _ringing(body),
+            f"{goal.deviation.max():.2g} of the largest, good: {CLOSE[0]:g}; the memory uses those below: "
+            "leave out the higher frequencies, or solve them to a smaller tolerance" + _ringing(body),
             stacklevel=4,
         )
     return best
@@ -251,9 +251,9 @@ def _by_causality(body, goal, motions):
     if found.deviation.max() > CLOSE[1]:
         return goal
     warn(
-        f"added mass of infinite frequency as stored contradicts the band by {goal.deviation.max():.2g} of the "
-        f"largest, allowed: {CLOSE[1]:g}; the memory is made with that which follows from damping, "
-        f"{found.deviation.max():.2g} off",
+        f"the stored added mass at infinite frequency contradicts the band by {goal.deviation.max():.2g} of the "
+        f"largest, allowed: {CLOSE[1]:g}; the memory uses the value that follows from damping, "
+        f"with a deviation of {found.deviation.max():.2g}",
         stacklevel=4,
     )
     return found
@@ -299,7 +299,7 @@ def _deviation(axis, omega, added_mass, damping, scale, inertia):
 
 
 def _ringing(body):
-    return "; give the moonpool or gap whose water rings [[damping_lids]]" if len(body.between.ringing) else ""
+    return "; give [[damping_lids]] to the moonpool or gap with resonant water" if len(body.between.ringing) else ""
 
 
 def _check_deviation(deviation, band, damping, size, words, ringing=""):
@@ -366,8 +366,8 @@ def _fitted(omega, wanted, size, group, tolerance, answered, words):
                 if error <= tolerance:
                     return made
     raise ValueError(
-        f"memory of {', '.join(words[i] for i in group)} is {best:.2g} off with the best of the systems tried; "
-        f"the tolerance is {tolerance:g}: ask for less, or solve the database to a smaller tolerance"
+        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system tried; "
+        f"the tolerance is {tolerance:g}: allow a larger one, or solve the database to a smaller tolerance"
     )
 
 

@@ -106,17 +106,19 @@ def given_back(body):
 
 def _check(body, wall):
     if body.between.wall is not None:
-        raise WallError(f"the body is beside a wall at y = {body.between.wall:g} m already; allowed: of open water")
+        raise WallError(
+            f"the body already has a wall at y = {body.between.wall:g} m; allowed: a database of open water"
+        )
     missing = [name for name in NEEDED if name not in body.between.quantities]
     if missing:
         raise WallError(
-            f"a wall needs {', '.join(missing)} of the database; run its command again with --only kochin,radiation"
+            f"a wall needs {', '.join(missing)} in the database; run its command again with --only kochin,radiation"
         )
     if body.mesh is None:
-        raise WallError("a wall needs the mesh of the body, which the database lacks; solve it anew")
+        raise WallError("a wall needs the mesh of the body, which the database lacks; solve it again")
     low, high = _breadth(body)
     if not (np.isfinite(wall) and (wall > high or wall < low)):
-        raise WallError(f"a wall at y = {wall:g} m meets the hull; allowed: below {low:g} or above {high:g} m")
+        raise WallError(f"a wall at y = {wall:g} m intersects the hull; allowed: below {low:g} or above {high:g} m")
 
 
 def _breadth(body):

@@ -256,7 +256,7 @@ def test_a_database_in_use_is_neither_extended_nor_replaced(things, fails, tmp_p
         assert other.stdout.readline() == b"open\n"
         for more in ("", "--fresh"):
             line = fails(shlex.split(f"{BODY} {MASS} --omega 0.5 --output {path} {more}"))
-            assert "another process has it open" in line
+            assert "another process has opened it" in line
         other.communicate(b"\n")
 
 

@@ -51,7 +51,7 @@ def test_gaps_of_forty_five_degrees_are_the_widest():
         if not wide:
             assert made.inside([20 * DEG]) == pytest.approx([20 * DEG])
             with pytest.raises(
-                BetweenError, match=r"wave direction 60° is not between stored headings at most 45° apart"
+                BetweenError, match=r"wave direction 60° does not lie between stored headings at most 45° apart"
             ):
                 made.inside([60 * DEG])
             continue

@@ -371,7 +371,7 @@ def test_two_writers_exclude_each_other(path):
     code = f"from hakobune.bem.database import writing\nwith writing({str(path)!r}): pass"
     with writing(path):
         other = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-    assert other.returncode and "another process has it open" in other.stderr.splitlines()[-1]
+    assert other.returncode and "another process has opened it" in other.stderr.splitlines()[-1]
 
 
 WRITER = """
