@@ -98,7 +98,9 @@ OUTPUTS = {
     f"{BODY} --omega 1 --output nowhere/x.h5": ("nowhere/x.h5 cannot be written", "no folder nowhere"),
     f"{BODY} --omega 1 --output text.h5/x.h5": ("text.h5/x.h5 cannot be written",),
     f"{BODY} --omega 1 --output text.h5": ("text.h5 is not an HDF5 file",),
-    f"{BODY} --omega 1 --output text.h5 --fresh": ("text.h5 is not a hakobune database and is not replaced",),
+    f"{BODY} --omega 1 --output text.h5 --fresh": (
+        "text.h5 is not a hakobune database, so it is not replaced; give another name",
+    ),
     f"{BODY} --omega 1 --output foreign.h5": ("foreign.h5 is an HDF5 file of another program",),
     f"{BODY} --omega 1 --output foreign.h5 --fresh": ("foreign.h5 is not a hakobune database",),
     f"{BODY} --omega 1 --output cut.h5": ("cut.h5 is damaged", "truncated"),

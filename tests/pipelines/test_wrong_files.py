@@ -88,7 +88,9 @@ def test_what_is_no_database_is_told_as_what_it_is(words, name, says, here, caps
 def test_what_holds_no_frames_of_a_line_is_told_with_the_command_that_makes_some(name, here, capsys):
     status, lines = ended(f"lines {name}", capsys)
     assert status == 2 and len(lines) == 1, lines
-    assert lines[0].endswith("'hakobune line-dynamics STUDY --output NAME.h5' makes one") and name in lines[0]
+    assert (
+        lines[0].endswith("'hakobune line-dynamics STUDY --output NAME.h5' writes the right one") and name in lines[0]
+    )
 
 
 def test_a_film_of_no_file_of_ours_asks_for_no_other_flags(here, capsys):
@@ -124,7 +126,7 @@ def test_another_version_is_told_as_that_and_never_as_damage(name, again, sealed
         status, lines = ended(words.format(name), capsys)
         assert status == 2 and len(lines) == 1, lines
         versions = (2, 1) if name == "box.h5" else (3, 2)
-        assert "of schema version {}, this program reads {}; make".format(*versions) in lines[0], lines
+        assert "of schema version {}, and this program reads version {}; make".format(*versions) in lines[0], lines
         assert f"make it again by 'hakobune {again}" in lines[0]
         assert "damaged" not in lines[0] and "checksum" not in lines[0]
 
@@ -173,7 +175,7 @@ def test_numbers_that_are_unknown_at_one_frequency_fail_what_shows_them_and_end_
     for words in set(READERS) - set(SHOWS):
         status, lines = ended(words.format("box.h5"), capsys)
         assert status == 2 and len(lines) == 1, lines
-        assert "box.h5: added_mass is not a number at ω = 0.65 rad/s, 1 of 5 frequencies; solve it anew" in lines[0]
+        assert "box.h5: added_mass is not a number at ω = 0.65 rad/s, 1 of 5 frequencies; solve it again" in lines[0]
 
 
 def test_a_database_in_which_nothing_is_solved_is_told_as_that(here, capsys):

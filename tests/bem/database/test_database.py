@@ -327,8 +327,11 @@ def other_version_in_its_seal(path):
         (lambda path: path.write_bytes(b""), "is not an HDF5 file"),
         (foreign_netcdf, "HDF5 file of another program"),
         (study, "is a file of mooring study, not a hakobune database"),
-        (other_version, "a database of schema version 99, this program reads 1; make it again by 'hakobune solve"),
-        (other_version_in_its_seal, "schema version 2, this program reads 1"),
+        (
+            other_version,
+            "a database of schema version 99, and this program reads version 1; make it again by 'hakobune solve",
+        ),
+        (other_version_in_its_seal, "of schema version 2, and this program reads version 1"),
         (lambda path: path.mkdir(), "is not a file"),
         (lambda path: None, "does not exist"),
     ],
@@ -355,7 +358,7 @@ def test_a_file_that_is_not_replaced_keeps_its_bytes(tmp_path, content):
 
 
 def test_a_path_that_cannot_be_written_is_named(tmp_path):
-    with pytest.raises(DatabaseError, match="there is no folder"):
+    with pytest.raises(DatabaseError, match="cannot be written: the folder"):
         create(tmp_path / "nowhere" / "box.h5", header(), OMEGAS, HEADINGS, NAMES)
     with pytest.raises(DatabaseError, match="is a folder"):
         create(tmp_path, header(), OMEGAS, HEADINGS, NAMES)
@@ -426,7 +429,16 @@ def test_an_open_file_is_read_and_widened_as_by_its_name(tmp_path):
     assert 1.7 in [row.omega for row in pending(path).rows]
 
 
-@pytest.mark.parametrize(("version", "says"), [(2, None), (7, "schema version 7, this program reads 2; make it again")])
+@pytest.mark.parametrize(
+    ("version", "says"),
+    [
+        (2, None),
+        (
+            7,
+            "of schema version 7, and this program reads version 2; make it again",
+        ),
+    ],
+)
 @pytest.mark.parametrize("sealed", [True, False])
 def test_a_result_of_another_version_is_told_as_that_and_may_be_replaced(tmp_path, version, says, sealed):
     """Written by a program of that version, or its attribute changed behind its seal"""

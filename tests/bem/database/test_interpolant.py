@@ -184,7 +184,7 @@ def test_outside_the_stored_band_and_without_what_it_follows_from_nothing_is_gue
         db.at(2.2, "radiation_damping")
     with pytest.raises(BetweenError, match="kochin_radiation, kochin_diffraction must be stored"):
         db.at(1.0, "drift_force")
-    with pytest.raises(BetweenError, match="no function of frequency"):
+    with pytest.raises(BetweenError, match="is not a function of frequency"):
         db.at(1.0, "mesh")
     added = db["added_mass"]
     few = Between(db.omega[:3], {"added_mass": added[:3]}, 20.0, GRAVITY, np.zeros(1), np.zeros(1), np.eye(2))

@@ -115,10 +115,10 @@ def test_drift_that_does_not_change_with_frequency_is_the_same_between_in_the_or
         (lambda: made(stiffness=None).floating(), "the database has no inertia of the body"),
         (lambda: natural_periods(made(inertia=None)), "natural periods need the inertia of the body; give --gyration"),
         (lambda: made().restrained(damping=np.inf * np.ones((6, 6))), r"damping matrix .* allowed: \(6, 6\), finite"),
-        (lambda: made().at(0.5, "pressure", [0.0]), "pressure is known at stored headings only"),
+        (lambda: made().at(0.5, "pressure", [0.0]), "pressure is available at stored headings only"),
         (lambda: made().drift([0.5]), "kochin_radiation, kochin_diffraction must be stored for drift_force"),
         (lambda: made(quantities={"drift_force": np.zeros((5, 2, 3))}).restrained(stiffness=np.eye(6)).drift([0.5]),
-         "drift of a body with added damping or stiffness is rebuilt from Kochin functions"),
+         "drift of a body with added damping or stiffness is computed from Kochin functions, which the database"),
         (lambda: made().at(0.5, "drift_force_fixed"), "drift_force_fixed is not stored, and does not follow"),
     ],
 )  # fmt: skip

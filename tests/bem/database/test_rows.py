@@ -133,17 +133,17 @@ def test_only_databases_are_replaced(tmp_path):
     check_replaceable(path)  # damaged, and it says by its seal what it was
     with h5py.File(tmp_path / "other.h5", "w") as file:
         file["x"] = 1.0
-    with pytest.raises(DatabaseError, match="is not a hakobune database and is not replaced"):
+    with pytest.raises(DatabaseError, match="is not a hakobune database, so it is not replaced; give another name"):
         check_replaceable(tmp_path / "other.h5")
 
 
 def test_files_of_other_versions_are_told_with_what_makes_them_anew():
     made = another_version("a.h5", "a file of sweep", 3, 1, "sweep SWEEP --output {} --fresh")
     assert made == (
-        "a.h5 is a file of sweep of schema version 3, this program reads 1; make it again by "
-        "'hakobune sweep SWEEP --output a.h5 --fresh', or read it with its own"
+        "a.h5 is a file of sweep of schema version 3, and this program reads version 1; make it again by "
+        "'hakobune sweep SWEEP --output a.h5 --fresh', or read it with the program that wrote it"
     )
-    assert "make it again, or read it with its own" in another_version("a.h5", "a file", 3, 1, None)
+    assert "make it again, or read it with the program that wrote it" in another_version("a.h5", "a file", 3, 1, None)
     assert named("hakobune mooring study 1") == "mooring study" and named("other 12") == "other"
 
 

@@ -366,7 +366,10 @@ def test_frequencies_of_the_force_are_those_of_even_steps_up_to_the_highest():
         frequencies_of(omega, 0.99, SUM)
     frequencies_of(np.array([0.5, 0.6, 0.7 + 0.9e-7]), 0.1, DIFFERENCE)
     for uneven in ([0.5, 0.6, 0.7 + 1.2e-7], [0.5], [0.7, 0.6, 0.5]):
-        with pytest.raises(ValueError, match="forces of pairs at uneven frequencies; allowed: two or more"):
+        with pytest.raises(
+            ValueError,
+            match="forces of wave pairs at uneven frequencies; allowed: two or more",
+        ):
             frequencies_of(np.array(uneven), 0.1, DIFFERENCE)
 
 

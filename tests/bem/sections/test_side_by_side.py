@@ -41,7 +41,7 @@ def test_a_section_alone_is_that_of_one_section():
 
 
 def test_sections_that_touch_and_negative_damping_are_refused():
-    with pytest.raises(ValueError, match="allowed: a gap"):
+    with pytest.raises(ValueError, match="m; leave a gap between them"):
         at(1.5, 0.0, apart=0.5)
     with pytest.raises(ValueError, match=r"damping is -0\.1; allowed: 0 or more"):
         at(1.5, -0.1)

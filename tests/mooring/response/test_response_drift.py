@@ -74,7 +74,10 @@ def test_damping_takes_energy_out_of_waves_and_so_changes_drift_of_the_free_body
 
 
 def test_drift_of_a_damped_body_is_not_guessed():
-    with pytest.raises(ValueError, match="drift of a body with added damping or stiffness is rebuilt from Kochin"):
+    with pytest.raises(
+        ValueError,
+        match="drift of a body with added damping or stiffness is computed from Kochin functions, which the database",
+    ):
         with_drift().restrained(damping=np.eye(6)).drift([0.5], [0.0])
     with pytest.raises(ValueError, match="must be stored for drift_force"):
         made_up_body().drift([0.5], [0.0])

@@ -38,7 +38,7 @@ def test_mirrored_waves_give_mirrored_motions():
 
 
 def test_a_body_without_symmetry_gets_no_mirror_images():
-    with pytest.raises(BetweenError, match="wave direction 180° is not between stored headings"):
+    with pytest.raises(BetweenError, match="wave direction 180° does not lie between stored headings at most 45°"):
         made_up_body(symmetry="").motions([0.6], [np.pi])
 
 

@@ -63,7 +63,7 @@ def test_a_command_replaces_what_it_made(command, name, things):
 
 
 def test_a_place_where_no_file_can_be_is_told_before_any_work(tmp_path):
-    with pytest.raises(ValueError, match=r"cannot be written: there is no folder .*nowhere"):
+    with pytest.raises(ValueError, match=r"cannot be written: the folder .*nowhere does not exist"):
         check_output(tmp_path / "nowhere" / "a.csv", "a table", lambda path: True, (".csv",))
     with pytest.raises(ValueError, match="is a folder"):
         check_output(tmp_path, "a table", lambda path: True, (".csv",))

@@ -110,7 +110,7 @@ BAD_FLAGS = {
     "no depth": ([*BOX[:7], *BOX[9:]], "water.depth is missing; allowed: above 0 m, or inf; give --depth"),
     "wall is NaN": ([*BOX, "--wall", "nan"], "wall is nan; allowed: a number from -1e+06 to 1e+06"),
     "empty output": ([*BOX, "--output", ""], "--output: '' is empty; allowed: the name of a file"),
-    "no folder": ([*BOX, "--output", "nowhere/box.h5"], "no folder nowhere"),
+    "no folder": ([*BOX, "--output", "nowhere/box.h5"], "the folder nowhere does not exist"),
     "no scene file": (["solve", "none.toml"], "none.toml does not exist"),
     "nothing": (["solve"], "scene file or --mesh"),
     "unknown command": (["fly"], "fly"),

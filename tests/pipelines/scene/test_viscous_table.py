@@ -47,7 +47,11 @@ def test_the_table_belongs_to_the_scene_and_survives_as_text():
         ({"wave_height": 1.0, "roll": "Yamashita"}, {"beam": 80.0, "draft": 4.0}, "B/d = 20"),
         ({"wave_height": 1.0, "roll": {"drag": 1.0, "b": [1.0]}}, {}, "one of drag, b"),
         ({"wave_height": 1.0, "roll": {"b": [1.0], "amplitudes": [1.0]}}, {}, "needs amplitudes_deg"),
-        ({"wave_height": 1.0, "heave": {"b": [1.0, 2.0], "amplitudes": [1.0]}}, {}, "amplitudes have to rise"),
+        (
+            {"wave_height": 1.0, "heave": {"b": [1.0, 2.0], "amplitudes": [1.0]}},
+            {},
+            "viscous damping: amplitudes have to increase from above 0, with one b ≥ 0 for each",
+        ),
         ({"wave_height": 1.0, "heave": {"drag": -1.0}}, {}, "drag is -1"),
         ({"wave_height": 1.0, "yaw": {"drag": 1.0}}, {}, "viscous.yaw is unknown"),
         ({"wave_height": 1.0, "roll": "Yamashita"}, {"gyration": None}, "give gyration"),

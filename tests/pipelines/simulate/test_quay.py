@@ -212,7 +212,7 @@ def test_a_quay_behind_dolphins_changes_waves_water_and_the_design_spectrum(data
 @pytest.mark.parametrize(
     ("quay", "said"),
     [
-        ({"y": 20.0}, "a wall at y = 20 m meets the hull"),
+        ({"y": 20.0}, "a wall at y = 20 m intersects the hull"),
         (
             {"y": 26.0},
             "left out; allowed: up to 30 %; solve the body with hakobune solve --wall",

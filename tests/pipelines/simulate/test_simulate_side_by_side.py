@@ -126,7 +126,7 @@ FAULTS = {
     "a motion of none": ({"simulation": STUDY["simulation"] | {"spring": {"sway": 1.0}}}, "allowed: ship surge"),
     "hinged to itself": ({"hinges": [{**HINGE, "bodies": ["ship", "ship"]}]}, "bodies has 'ship' and 'ship'; allowed"),
     "hinged to none": ({"hinges": [{**HINGE, "bodies": ["ship", "tug"]}]}, "'tug'; allowed: two different of ship"),
-    "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some hold what others already do"),
+    "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some repeat others"),
     "motions held": (
         {"hinges": [HINGE], "simulation": STUDY["simulation"] | {"motions": ["ship heave"]}},
         "simulation.motions holds motions fixed that hinges may need; with hinges name all motions or leave it out",

@@ -226,7 +226,7 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
      ({"waves": {"band": {"from": 0.5, "to": 1.0}}}, "places frequencies for one body"),
-     ({"viscous": {"wave_height": 1.0}}, "no body a law"),
+     ({"viscous": {"wave_height": 1.0}}, "viscous has a wave height, but no body has a law; give"),
      ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "give it under [bodies.viscous] of each")],
 )  # fmt: skip
 def test_what_several_bodies_do_not_have_is_refused(more, said):
