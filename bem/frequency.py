@@ -25,7 +25,9 @@ DIFFRACTION = {
 }
 FREE = {"rao", "drift_force", "body_drift_force"}
 DRIFT = {"drift_force_fixed", "drift_force"}
-TRUSTED = 0.6  # of the tolerance: estimates of damping near it were two thirds of the error at least, 92 random bodies
+# fraction of the tolerance up to which an estimate is trusted: in 92 random bodies it was at least two thirds of the
+# error
+TRUSTED = 0.6
 
 
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):

@@ -17,7 +17,7 @@ from .modes import Body
 
 SPACE, ALONE = "space", "body"
 KINDS = ("hinge", "ball", "rigid", "slider")
-SAME = 1e-9  # of the largest singular value: a constraint that the others already are
+SAME = 1e-9  # singular value, relative to the largest, below which a constraint is redundant
 
 
 class Link(NamedTuple):

@@ -13,7 +13,7 @@ import numpy as np
 from . import DOFS
 
 # sign of a mode's potential under x → −x and under y → −y, about the origin
-MIRRORED = 1e-4  # of its largest displacement: a shape from a file is its own image
+MIRRORED = 1e-4  # largest asymmetry, over the largest displacement, at which a shape from a file counts as symmetric
 PARITY = ((-1, 1), (1, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from .modes import moving, names_of, transform_of
 
-SMALLEST_GAP = 3e-5  # of the draft: the number of modes grows as the gap shrinks, here to ten seconds and 1.5 GB
+SMALLEST_GAP = 3e-5  # smallest gap over draft; the number of modes grows as the gap shrinks, here to 10 s and 1.5 GB
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -20,9 +20,9 @@ from .drift import OF_EACH, about, energy_defect, mean_drift, sum_about_origin
 from .modes import displacing, moving, turning
 from .waves import group_factor
 
-ROUNDING = 1e-6  # of laws that the same numbers were made by
-SUM = 0.1  # of drift by pressure, whose error is first order in that of potentials and motions, and that of waves
-PRINTED = 1e-4  # of the same, in numbers of another program with seven digits, which a resonance enlarges
+ROUNDING = 1e-6  # tolerance of laws that were used to compute the numbers
+SUM = 0.1  # tolerance of drift by pressure, whose error is of first order in that of potentials, motions and waves
+PRINTED = 1e-4  # the same for files of other programs with seven digits, whose rounding a resonance magnifies
 
 
 class Broken(NamedTuple):

@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 KAPPA, PLAN = 1.15, 1.3  # digits of the result for one of the table, and of the panels
 CLEAR = 1e-8  # eigenvalue of a profile that the error of the mode sums does not reach
-DIGIT = 1.0  # that a finer body has more: its own error, a tenth in the mean, is not seen by a factor of three
+DIGIT = 1.0  # extra digits of the finer body: its own error, a tenth in the mean, is then negligible
 
 
 def height(gap, scale):

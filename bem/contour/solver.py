@@ -35,7 +35,8 @@ from .rigid_motions import Motion, bottom_integral, motion
 
 TOLERANCES = (1e-7, 0.1)
 MARGIN = 0.5  # digits in addition to those asked for
-ALONG = 0.25  # of the largest wavenumber along the contour: the table in κ begins its asymptotic range there
+# fraction of the largest wavenumber along the contour at which the asymptotic range of the table in κ begins
+ALONG = 0.25
 SMALL = 100  # unknowns of a class or a plane problem, a few hundred at most
 HIGHEST_GAP = 1400  # times the smaller of draft and half the plan's width; errors were measured up to there
 

@@ -35,9 +35,9 @@ from ..waves import wavenumber
 from .between_frequencies import BetweenError
 
 SAME = 1e-9  # rad
-WIDEST_GAP = np.deg2rad(45.0)  # between neighbouring headings; wider, a value would be a guess
+WIDEST_GAP = np.deg2rad(45.0)  # widest gap between neighbouring headings that is interpolated
 ENDS = 0.2  # share of the plan that lies at its ends
-NUGGET = 1e-10  # of the diagonal of κ
+NUGGET = 1e-10  # regularisation of the kernel, relative to its diagonal
 KEPT = 4  # sums over the ring whose weights are kept
 NEAR = 1e-4  # rad, below which sin x / x is its series: as a difference of products it would lose digits
 LONGEST = 2.0  # ka of the longest wave κ is taken for: of longer ones it would see nothing but a constant

@@ -13,8 +13,8 @@ from ..waves import wavenumber
 from . import far_field_drift
 from .between_frequencies import DRIFT, KOCHIN, RADIATION
 
-STEP = 1e-3  # of the deviations, with which they are carried through an equation
-DRAWS = 8  # by chance; a deviation is known to a quarter
+STEP = 1e-3  # finite-difference step, relative to the deviations that are propagated
+DRAWS = 8  # random draws; they give a standard deviation to within a quarter
 
 
 def carried(reader, omega, headings, name, names):

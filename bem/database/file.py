@@ -39,7 +39,7 @@ from .schema import (
     labels,
 )
 
-TABLE = ("points", "displacements", "masses")  # of a shape that is known at points
+TABLE = ("points", "displacements", "masses")  # datasets of a mode shape given at points
 BLOCK = 4096  # bytes of the seal before a file that is filled in later
 LATER = (*QUANTITIES, "stored", "estimated_error", "checks", "wall_time", "solved", ROWS)
 REMEDY = "copy it again, or solve it again with --fresh"

@@ -30,7 +30,7 @@ from ..kernels.poles import poles
 from ..waves import wavenumber
 
 RINGING = 100.0  # variance of water that rings, at the node where it is largest
-NUGGET = 1e-9  # of the kernel's diagonal: keeps its factor to about seven digits
+NUGGET = 1e-9  # regularisation relative to the kernel's diagonal; its factorisation keeps about seven digits
 ROUNDING = 2 * NUGGET  # variance, relative, that is not distinguished from none: nodes have half of it
 LEADS = (1.0, 0.7)  # shares of the `lead` that are taken out
 BLOCK = 256  # places handled at once
@@ -39,7 +39,8 @@ WINDOW = 64  # nodes that are fitted together
 SHARP = 0.3  # of s
 SEEN = 0.01  # of the largest value
 MOST_RINGING, FEW_KERNELS = 8, 9  # poles that are tried, with one kernel of so many
-BELIEVED = 0.1  # of the square of what is missed at nodes left out, that a pole has to leave
+# largest ratio of squared errors at left-out nodes, with and without a pole, at which the pole is accepted
+BELIEVED = 0.1
 SAMPLE = 15  # functions of a group that stand for all of them
 
 

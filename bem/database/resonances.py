@@ -19,13 +19,13 @@ import numpy as np
 from .between_frequencies import FEWEST, BetweenError
 
 SHARP = 0.25  # damping ratio above which a peak is less than twice the static motion
-AROUND = 2.0 ** np.arange(-3, 8)  # in widths, on both sides of a peak
-WIDEST = 0.3  # of a frequency, on both sides of it
+AROUND = 2.0 ** np.arange(-3, 8)  # places on both sides of a peak, in units of its width
+WIDEST = 0.3  # largest relative distance from a frequency, on both sides
 CLOSE = 1e-11  # relative, of a natural frequency: interpolated added mass has rounding errors of 1e-12
 MOST = 100
-LEAST = 1e-9  # of the largest inertia
+LEAST = 1e-9  # smallest inertia considered, relative to the largest
 STEPS = 4  # places between two stored frequencies
-QUIET = 1e-3  # of the largest motion of its kind: a peak below is none
+QUIET = 1e-3  # smallest peak reported, relative to the largest motion of its kind
 
 
 @dataclass(frozen=True)

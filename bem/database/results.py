@@ -32,8 +32,8 @@ MAKES = {  # commands, by what they make
     "channels": "line-dynamics STUDY --output {}",
     "sweep": "sweep SWEEP --output {} --fresh",
 }
-COMMAND = "{} STUDY --output {}"  # of results that are called as their command is
-RESULT_VERSION = 2  # of the files of results, which are all laid out alike; before, each command had a way of its own
+COMMAND = "{} STUDY --output {}"  # command of results that have the name of their command
+RESULT_VERSION = 2  # version of the common schema of result files (version 1: one schema per command)
 READS = {kind: RESULT_VERSION for kind in MAKES if kind != FORMAT}  # version that is read
 # the name of the attribute, its type and its space as HDF5 writes them, and the number
 NUMBER = re.compile(rb"schema_version\0.{25}(.{8})", re.DOTALL)

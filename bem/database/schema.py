@@ -18,7 +18,8 @@ DRIFT_DOFS = ("Surge", "Sway", "Yaw")
 _SQUARE = ("influenced_dof", "radiating_dof")
 _FORCE = ("omega", "wave_direction", "influenced_dof")
 _DRIFT = ("omega", "wave_direction", "drift_dof")
-_BODY_DRIFT = ("omega", "wave_direction", "body", "drift_dof")  # of several bodies, of each about its own point
+# axes of the drift of each of several bodies, about its own point
+_BODY_DRIFT = ("omega", "wave_direction", "body", "drift_dof")
 
 # name: (axes, unit, type); where a unit has two parts the second is that of rotations and moments
 COORDINATES = {
@@ -31,7 +32,7 @@ COORDINATES = {
     "panel": (("panel",), "", int),  # of the whole hull, as in mesh.whole()
     "xyz": (("xyz",), "", str),
 }
-OF_SEVERAL = {"body": (("body",), "", str)}  # of a scene of several bodies, which have a row each in `BODY`
+OF_SEVERAL = {"body": (("body",), "", str)}  # coordinate of scenes of several bodies, which have a row each in `BODY`
 DERIVED = {
     "period": (("omega",), "s", float),
     "wavenumber": (("omega",), "rad/m", float),
@@ -68,10 +69,10 @@ BODY = {
     "transverse_metacentric_height": ((), "m", float),
     "longitudinal_metacentric_height": ((), "m", float),
 }
-ESTIMATES = (  # with an error each, in /estimated_error
+ESTIMATES = (  # quantities with an estimated error, stored in /estimated_error
     "added_mass", "radiation_damping", "excitation_force", "rao", "drift_force_fixed", "drift_force"
 )  # fmt: skip
-ERROR = np.float32  # of which nobody needs seven digits; older files have twice as many
+ERROR = np.float32  # type of stored errors; files of earlier versions use float64
 CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
 
 LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)

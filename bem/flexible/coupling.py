@@ -14,7 +14,8 @@ from __future__ import annotations
 
 import numpy as np
 
-STEP = 1e-5  # of the size of the body, of differences: 1e-10 of a gradient by rounding, less by the third derivative
+# finite-difference step over the size of the body: rounding gives 1e-10 of a gradient, the third derivative less
+STEP = 1e-5
 
 
 def gradients(displacement, points, size):

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-FLAT = 1e-6  # of the extent of the points: they lie in a plane or on a line
+FLAT = 1e-6  # extent, relative to the largest, below which points lie in a plane or on a line
 MOST = 1500  # points of one system of equations; of more each place takes the nearest of them
 NEAREST = 60
 FEWEST = 5

@@ -18,8 +18,8 @@ from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 from ..motions import response
 from .values import FormatError
 
-SAME_VOLUME = 0.02  # of the volume, between results and hull
-SAME_STIFFNESS = 0.05  # of C₃₃: a waterline of few panels loses some per cent of its area
+SAME_VOLUME = 0.02  # largest relative difference of the volumes of results and hull
+SAME_STIFFNESS = 0.05  # largest relative difference of C₃₃; a waterline of few panels loses some per cent of its area
 FAR_MASS = 3.0  # times the displaced mass, or a third of it, which no lines hold down or up
 NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 

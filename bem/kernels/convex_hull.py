@@ -9,7 +9,7 @@ from itertools import groupby
 
 import numpy as np
 
-STRAIGHT = 1e-12  # of the square of the size: twice the area of three points on one line, as rounding leaves it
+STRAIGHT = 1e-12  # twice the area of three points, over the size squared, below which they lie on one line
 
 
 def convex_hull(points):

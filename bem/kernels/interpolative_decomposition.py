@@ -15,11 +15,11 @@ import numpy as np
 from .jit import kernel
 from .threads import parallel_rows
 
-ENTRIES = 4  # of Ω, not zero, in each of its rows
+ENTRIES = 4  # non-zero entries in each row of Ω
 SEED = 1_982
-ENTRIES_AT_ONCE = 128  # of a column: those of 2048 sums then stay in the cache
+ENTRIES_AT_ONCE = 128  # entries of a column taken together, so that 2048 sums stay in the cache
 PRODUCTS_PER_PAIR = 16  # take the time of a pair of point and source
-ROUNDING = 1e-12  # of the entries of A Aᵀ or Aᵀ A
+ROUNDING = 1e-12  # rounding of the entries of A Aᵀ or Aᵀ A
 
 
 class Sketch:

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 import numpy as np
 
-ENOUGH = 1e-3  # of the largest of each function, that is missed; with less noise makes poles of its own
+# fit error, relative to the largest value of each function, at which poles suffice; below it noise creates poles
+ENOUGH = 1e-3
 MOST = 40
 
 

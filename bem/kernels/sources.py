@@ -17,7 +17,7 @@ from functools import cache
 from pathlib import Path
 
 TICK = 2_000_000_000  # ns, the coarsest clock of a file system that is common (FAT)
-PACKAGE = "hakobune."  # below which the folders of a root are imported
+PACKAGE = "hakobune."  # package prefix of the folders at the root
 # `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file
 _IMPORT = re.compile(
     r"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]*))", re.M

@@ -20,7 +20,7 @@ import numpy as np
 
 UNKNOWNS_WORTH_THREADS = 700
 PAIRS_WORTH_THREADS = 20_000  # these take a millisecond: a second thread saves 0.4 of it, starting it costs 0.17
-CHUNKS_PER_THREAD = 4  # of rows: the others take over the last ones of a thread that is held up
+CHUNKS_PER_THREAD = 4  # chunks of rows per thread, so that idle threads take over the last ones of a slow thread
 _own = local()  # .shares: whether this thread is one of several that share rows out
 
 

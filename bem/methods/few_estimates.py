@@ -23,8 +23,8 @@ from .shape_run import ShapeRun
 
 FEWEST = 4  # frequencies of a range in which some are not solved by both resolutions
 APART = 3.0  # k × the length of the body, rad, between the ends of a range
-NEAR = 0.5  # of the largest difference of a coefficient or force, by which that in the middle may be off the line
-SMALL = 0.1  # of the tolerance: smaller differences need not be near it
+NEAR = 0.5  # largest deviation of the middle value from a straight line, over the largest difference
+SMALL = 0.1  # fraction of the tolerance below which differences are not tested
 MARGIN = 1.3  # times the largest of three
 SAME = 1e-9  # relative in omega
 

@@ -24,7 +24,7 @@ import numpy as np
 
 from ..waves import group_factor, wavenumber
 
-NEAREST = 1e-9  # of the frequency: differences below it are taken there; s is even in Ω
+NEAREST = 1e-9  # smallest frequency difference, over the frequency; smaller ones use this value, since s is even in Ω
 
 
 class BoundWaves(NamedTuple):

@@ -20,7 +20,8 @@ from .surface_far import Rings, orders_sent
 from .surface_near import Circle
 from .surface_waves import Field, Wave
 
-FIRST, WIDER = 0.02, 1.5  # of the smaller of depth and radius: width of the first interval of rings; of the next ones
+# width of the first interval of rings, over the smaller of depth and radius, and growth factor of the next ones
+FIRST, WIDER = 0.02, 1.5
 DIES, NEAREST = 14.0, 2e-3  # exp(−14) is 1e-6, where the local part ends; of the depth, what sums over modes tell apart
 BEYOND = 6  # orders more than `orders_sent`
 

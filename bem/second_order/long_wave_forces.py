@@ -20,7 +20,7 @@ from .. import DOFS
 from ..panels.one_frequency import PanelRun
 from ..waves import depth_factor, depth_factor_slope
 
-LOWEST = 1e-3  # of √(g/h), in deep water of √(g/draft): frequencies below it are taken there, D no longer changes
+LOWEST = 1e-3  # lowest frequency over √(g/h), in deep water over √(g/draft); D no longer changes below it
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,11 +25,11 @@ from .first_order_waves import PanelWaves
 from .kinds import DIFFERENCE, EVEN, SUM, Kind
 from .surface_forces import PairsOfOne, SurfaceForces, line_integral
 
-ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
+ORDER = 1.4  # order of the error in the number of panels, fitted by `tests/bench/pair_errors.py`
 SIZES = 0.08, 0.33, 1.3  # factors of estimated errors: heave, roll, pitch; surge, sway, yaw; of the motions; fitted too
 OF_SUMS = 1.9  # times those of sums of frequencies; `tests/bench/sum_errors.py`
 HORIZONTAL = [0, 1, 5]
-PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
+PLACES = np.array([0.2, 0.5, 0.8])  # places in the band of the pairs that estimate the free-surface forcing
 PARTS = ("squares", "bound_wave", "body", "surface")
 BLOCK = 8  # frequencies of the force solved together: what waves are on the surface is summed once for them
 

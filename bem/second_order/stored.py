@@ -18,7 +18,7 @@ from .quadratic_forces import HORIZONTAL, PARTS, QuadraticForces
 
 GROUPS = {DIFFERENCE: "qtf", SUM: "qtf_sum"}
 ERRORS, ADDED, COARSER = "estimated_error", "added_by_far_field", "total_of_coarser"
-AXES = ("omega", "wave_direction_1", "wave_direction_2", "influenced_dof")  # after that of the force's frequency
+AXES = ("omega", "wave_direction_1", "wave_direction_2", "influenced_dof")  # axes after the frequency of the force
 MEANING = {
     DIFFERENCE: "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference "
     "towards wave_direction_1 and omega towards wave_direction_2; the other order has the conjugate; T_ii is the mean "

@@ -22,7 +22,8 @@ RING_POINTS, GROWTH = 6, 1.6  # rings of one interval of radii, and by how much 
 REACH = {DIFFERENCE: (2.0, 8.0, 10.0), SUM: (4.0, 32.0, 10.0)}
 LOCAL = 2.0  # directions of rings for an order that is sent
 BEYOND = 12  # orders above the last: to twice that |z| Bessel functions are not halves of Hankel functions
-SMALL, LARGE, CHECKED = 1e-250, 1e150, 8  # of a recurrence: its begin, what is made small, and once in so many orders
+# start value of a recurrence, size at which it is rescaled, and orders between two checks
+SMALL, LARGE, CHECKED = 1e-250, 1e150, 8
 MORE = 1  # orders beyond ka + 4 (ka)^(1/3)
 
 

@@ -29,7 +29,7 @@ from .surface_far import bessel_orders, both_signs, directions, hankel_orders, o
 from .surface_tail import FEW, PER_RADIAN, Tails
 from .surface_waves import Field
 
-GROWTH = 1.6  # of intervals beyond the rings
+GROWTH = 1.6  # growth factor of the intervals beyond the rings
 AT_ONCE = 1_000_000  # products of pairs at points
 
 

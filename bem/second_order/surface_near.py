@@ -24,7 +24,7 @@ ROWS = 256  # points at once
 OUTWARDS, PER_RADIAN = 8, 0.4  # points of a strip from hull to circle, for a radian of the wave between
 LEAST_OUTWARDS, CLOSEST = 5, 19.0  # the least of them; as many as keep off the hull by a tenth of the side
 FEWEST, MOST = 3, 9  # along a side
-SPREADS = 0.3, 0.15, 0.0  # of the strips from the rays of the middle to those of an ellipse
+SPREADS = 0.3, 0.15, 0.0  # blending of strips, from rays of the centre to those of an ellipse
 LEAST = 1e-4  # smallest weight in a strip, of the largest
 CLOSE = 10  # points each way on panels close to a point, whose image the wave part of G is singular at
 

@@ -31,7 +31,7 @@ from .surface_far import bessel_orders, both_signs, hankel_orders, orders_sent, 
 
 PER_RADIAN, FEW = 0.6, 6  # radii of a real interval for a radian of the fastest product, and beside
 DECAY, POINTS, FIRST = 30.0, 6, 0.25  # at the end of a tail; of its intervals; of the shortest length, the first
-NEGLIGIBLE = 1e-11  # of the largest order where a path begins: orders that are left out
+NEGLIGIBLE = 1e-11  # size, relative to the largest order at the start of a path, below which orders are neglected
 
 
 @dataclass(frozen=True, eq=False)

@@ -30,8 +30,8 @@ from .product_integration import NODES, layers, panels_of
 
 TOLERANCE, FINEST = 1e-5, 1e-7
 PER_RADIAN = 4.0  # longest panel times k
-WIDEST = np.pi / 3  # of an arc
-MODES = 6  # of the depth that leave; the next is e^(−7π) of itself one depth away
+WIDEST = np.pi / 3  # widest panel on an arc, rad
+MODES = 6  # evanescent depth modes kept; the next decays to e^(−7π) within one depth
 MOST_PANELS = 250  # 1.8 s and 0.6 GB
 
 

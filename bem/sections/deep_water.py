@@ -26,7 +26,7 @@ from ..froude_krylov import incident_force
 
 SWAY, HEAVE, ROLL = range(3)
 NODES = 10  # per panel
-MOST_POINTS = 1500  # on half the contour; 80 s at 5000
+MOST_POINTS = 1500  # largest number of points on half the contour (5000 would take 80 s)
 GOLDEN = (np.sqrt(5) - 1) / 2
 
 

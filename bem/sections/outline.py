@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 U, WEIGHTS = (np.polynomial.legendre.leggauss(24)[0] + 1) / 2, np.polynomial.legendre.leggauss(24)[1] / 2
-CHORDS = 64  # of an arc, where outlines are tested for crossing themselves
+CHORDS = 64  # chords per arc in the test for self-crossing outlines
 SHARPEST = np.radians(1)  # angle of an edge with the water
 
 

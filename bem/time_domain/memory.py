@@ -37,14 +37,14 @@ from .sensitivity import sensitivity
 from .whole_axis import Causal, WholeAxis, ends_of, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
-POINTS = 800  # of the band, straight between
-POLES = (32, 48, 64)  # that the states are taken from, an input
+POINTS = 800  # points of the band, linear in between
+POLES = (32, 48, 64)  # numbers of poles, per input, from which states are selected
 MOST = (76, 4)  # states of coupled motions, and for each of them
 STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
 FACETS = 1e-3, 1e-4  # change of A and B/ω over the band, relative to M + A, that are none: yaw of a mesh of revolution
-SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # of the band, tried where its upper end contradicts the rest
+SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # fractions of the band tried if its upper end contradicts the rest
 SPREAD = (30.0, 8.0)  # how far below and above the band is fitted, as a factor
-FELT = 0.05  # of ω (M + A): of what moves less water, as a semi-submersible in heave, an error counts by that
+FELT = 0.05  # error scale over ω (M + A), for motions that radiate little, such as heave of a semi-submersible
 CLOSE = (0.03, 0.1)  # deviation of what is fitted from the database: remarked, refused
 ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: the factor by which memory is nearer,
 # and the largest one.  Free decay of boxes and a buoy is then within 8e-5 of its start for a tolerance of 3e-4

@@ -18,7 +18,7 @@ import numpy as np
 
 POWERS = ((4, 15), (8, 25))  # p, and rounds of it
 ENOUGH = 1e-3  # relative gain of a round, times p, after which no more is tried
-FARTHEST = 0.7  # that the logarithm of a decay moves in a round
+FARTHEST = 0.7  # largest change of the logarithm of a decay in one round
 STEADY = 1e6  # weight of the last condition beside that of its unknowns; it is then met exactly
 
 

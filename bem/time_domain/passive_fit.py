@@ -27,7 +27,7 @@ ENOUGH, ENOUGH_AFAR, NEAR = 1e-3, 1e-2, 1.5  # relative gain in squares of a rou
 HOPELESS = 1.2  # times the tolerance: more than least squares of all entries leave to their largest
 MOVABLE, MOVED = 8.0, 3  # times the tolerance, of a fit whose modes are moved to come nearer, and most inputs of it: a
 # round takes 10 ms with two, a second with six
-DAMPINGS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3)  # of the largest, to start from
+DAMPINGS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3)  # initial damping values, relative to the largest
 REAL = 1e-10  # imaginary part, relative, of what is a real mode
 
 

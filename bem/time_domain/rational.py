@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-ROUNDS = 12  # of moving poles: they stay to three digits
+ROUNDS = 12  # rounds of pole relocation; poles then converge to three digits
 SLOW = 4  # real poles to start from
 REAL = 1e-10  # imaginary part, relative, of what is a real pole
 

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 import numpy as np
 
-HELD = (0, 1, 5)  # of each body
+HELD = (0, 1, 5)  # degrees of freedom of each body that are fixed: surge, sway, yaw
 SHARES = np.array([0.05, 0.05, 0.01, 0.01, 0.01, 0.05])  # ζ of critical damping
-NEAR = 0.05  # of a frequency, by which a mooring moves the natural ones of heave, roll and pitch
+NEAR = 0.05  # relative shift of the natural frequencies of heave, roll and pitch by a mooring
 
 
 def sensitivity(body, omega, transform, added_mass_infinity, size):

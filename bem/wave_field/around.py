@@ -17,8 +17,8 @@ from ..kernels.convex_hull import convex_hull
 from ..waves import wavenumber
 from .sources import Sources, covers, directions, incident
 
-SURFACE = 1e-6  # of the draft, within which a point of the hull is on the waterline
-CORNERS = 24  # of a plan that is curved
+SURFACE = 1e-6  # distance from the surface, over the draft, within which a hull point is on the waterline
+CORNERS = 24  # corners that represent a curved plan
 
 
 class WavesAround(NamedTuple):

@@ -32,11 +32,11 @@ from ..waves import group_factor, wavenumber
 from .around import plan_of
 from .sources import Sources, directions, incident, slopes, waves
 
-HEADINGS = 72  # of what is made, every 5°
+HEADINGS = 72  # headings that are computed, one every 5°
 TURN = 0.25  # rad of 2kw between frequencies: a wave to the wall and back
 FEWEST, MOST = 100, 400  # frequencies
-CHANGE = 0.15  # of radiation between neighbours, over its largest, above which one more is taken between them
-FINEST = 2e-4  # of a frequency, between neighbours
+CHANGE = 0.15  # change of radiation between neighbours, over its largest value, above which a frequency is inserted
+FINEST = 2e-4  # smallest relative step between neighbouring frequencies
 AT_ONCE = 16
 NEEDED = ("added_mass", "radiation_damping", "excitation_force", "kochin_radiation", "kochin_diffraction")
 

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.special import j0, j1, y0, y1
 
 SMALLEST = 1e-3
-INSET = 0.1  # from the plan, of half its smaller breadth
+INSET = 0.1  # inset of sources from the plan contour, over half its smaller breadth
 PER_WAVE = 8  # sources in a wave length of the contour
 FEWEST = 24
 AT_ONCE = 2_000_000

@@ -17,7 +17,7 @@ from ..plan.maps import CLASSES
 from ..plan.potentials import plan_values
 from .flow import IMAGES, SIGNS, amplitudes
 
-NEAR = 1e-12  # of k², within which κ² is taken for k²
+NEAR = 1e-12  # relative difference of κ² and k² below which they are treated as equal
 
 
 def long_wave_forces(freq, number):

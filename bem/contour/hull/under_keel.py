@@ -24,7 +24,7 @@ from ..plan.panels import gauss_rule
 TERMS = 36.0  # exp(−36) is 2e-16
 START, END = 0.01, 4.0
 POWERS = np.array([0, 2, 4, 6]) / 3
-POINTS = 10  # of a panel of radii
+POINTS = 10  # quadrature points on a panel of radii
 
 
 class UnderKeel:

@@ -19,7 +19,8 @@ from ...kernels.jit import kernel
 from .maps import CLASSES, Contour
 
 IMAGES = np.array(CLASSES, float)
-MOST_PIECES = 1200  # of a panel on the stack: one more with each halving, of which there are at most 1075 + 53
+# size of the stack of subdivided panels: each halving adds one, and a double halves at most 1075 + 53 times
+MOST_PIECES = 1200
 
 
 class Panels(NamedTuple):

@@ -14,7 +14,8 @@ import numpy as np
 from ...kochin import folded
 from ...waves import exponential_part
 
-IMAGES = np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])  # of a plan with two planes of symmetry
+# signs of the mirror images of a plan with two planes of symmetry
+IMAGES = np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])
 
 
 class PlaneWaves(NamedTuple):

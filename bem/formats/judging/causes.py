@@ -19,12 +19,12 @@ from ...modes import reference_change
 from ...waves import wavenumber
 from .own_solution import gaps, sizes_of_forces
 
-AGREED = 0.10  # of the size of a row: the largest difference that is none
+AGREED = 0.10  # largest difference, relative to the size of a row, that counts as agreement
 MESH = 2.0  # the same, that panels may make
-SHIFT = 0.02  # of half the hull's size: the least way from a point that is another one
-FITS = 0.5  # of the difference: what a cause leaves of it at most
-CLEARLY = 0.3  # of what one cause leaves: two have to leave less
-NEARLY = 0.03  # of a factor, within which it is a known one
+SHIFT = 0.02  # distance, relative to half the hull's size, from which two points count as different
+FITS = 0.5  # largest remaining fraction of the difference at which a cause is accepted
+CLEARLY = 0.3  # largest fraction of the remainder of one cause that two causes may leave
+NEARLY = 0.03  # relative distance within which a factor is identified
 FACTORS = {
     1e3: "kilo instead of the unit", 1e-3: "the unit instead of kilo", 2.0: "per metre of wave height", 0.5: "halved",
     9.80665: "the factor g", 1 / 9.80665: "without the factor g", 9806.65: "tonnes-force", 1e6: "mega",

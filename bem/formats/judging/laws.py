@@ -22,14 +22,16 @@ from ...waves import group_factor, wavenumber
 NOT_SYMMETRIC = 0.1  # of √(AᵢᵢAⱼⱼ)
 LONG = 0.35  # k times the size of the body, of a long wave
 SHORT = 6.0  # the same, of waves that are so short that damping has ended
-TRUE = 0.25  # by which a ratio of laws may differ from 1: sets of few headings and coarse panels
+TRUE = 0.25  # largest deviation of the ratio of a law from 1; allows for few headings and coarse panels
 CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
-PEAKED = 0.1  # of the range of added mass, off the median of five neighbours: a peak, or an irregular frequency
+# deviation from the median of five neighbours, relative to the range of added mass, that marks a peak or an irregular
+# frequency
+PEAKED = 0.1
 STEEP = 0.85  # power of ω, from which a ratio goes with it
-DEPTH_FITS = 0.04  # of 1, by which ratios differ at the right depth
-FLOATS = 0.01  # of ρ g times the square of the size: the least heave stiffness of what floats
+DEPTH_FITS = 0.04  # largest deviation of ratios from 1 at the right depth
+FLOATS = 0.01  # least heave stiffness of a floating body, over ρ g times its size squared
 FEW = 2  # frequencies, that tell a ratio
-NOISE = 0.02  # of ω A, under which damping may be below 0
+NOISE = 0.02  # negative damping up to this fraction of ω A is tolerated
 OFTEN = 0.1  # of the frequencies, that break a law: fewer are irregular ones
 SCATTERS = 0.5  # of a ratio, between a tenth and nine tenths of its frequencies
 FAINT = 1e-3  # of the largest damping, which is that of rounding
