@@ -36,7 +36,7 @@ def left_out(file, moves=False):
     bent = [row.name for row in file.rod_types if file.rods and file.lines]
     heeled = [row.id for row in file.bodies if row.attachment.lower() in FREE and (row.roll0 or row.pitch0)]
     for names, what in (
-        ([row.id for row in file.failures], "failure {} of lines is not included: nothing breaks at rest"),
+        ([row.id for row in file.failures], "failure {} of lines is left out: nothing breaks at rest"),
         (bent, "bending and end forces of rods of type {} are not included"),
         (heeled, "free body {} starts heeled (r0, p0): not used, its equilibrium is sought from upright"),
         (joints, "rod {} has no length: the bending moment that it transmits is not included"),
@@ -77,7 +77,7 @@ def _of_options(file):
         key = name.lower()
         if key in BROUGHT_IN:
             if not _nought(value):
-                yield f"{BROUGHT_IN[key]} ({name} {value}) not included: still water over a flat bed is used"
+                yield f"{BROUGHT_IN[key]} ({name} {value}) left out: still water over a flat bed is used"
         elif f" {key} " not in IN_TIME + UNDERSTOOD:
             unknown.append(name)
     if unknown:

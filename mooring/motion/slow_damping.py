@@ -83,7 +83,7 @@ def findings(moored, body, mean, constant, dragged):
         if much:
             beside = ", in addition to the drag of the water" if dragged else ""
             yield (
-                'not included: the memory of the water: memory = "constant" damps slow motion like waves of '
+                'left out: the memory of the water: memory = "constant" damps slow motion like waves of '
                 f'{mean:.3g} rad/s: {", ".join(much)}{beside}; its σ is too small; give memory = "states"'
             )
         return

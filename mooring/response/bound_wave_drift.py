@@ -183,7 +183,7 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
         return
     if (steep := ursell(body, sea)) > STOKES:
         yield (
-            f"not included: the slow force of bound long waves, which is unknown: kh is {kh:.2g} at the mean "
+            f"left out: the slow force of bound long waves, which is unknown: kh is {kh:.2g} at the mean "
             f"wave period and Hλ²/h³ {steep:.3g}, allowed: {STOKES:g}: the second-order expansion is not valid "
             f"for such long and high waves"
         )
@@ -192,8 +192,7 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
     if bound > RATIO * newman:
         size = f"σ {bound / 1e3:.3g} kN, where Newman's approximation has {newman / 1e3:.2g} kN"
     yield (
-        f"not included: bound long waves, whose slow force at kh = {kh:.2f} of the mean wave period is about {size}; "
-        f"{way}"
+        f"left out: bound long waves, whose slow force at kh = {kh:.2f} of the mean wave period is about {size}; {way}"
     )
 
 

@@ -168,7 +168,7 @@ def drift_of_each(body, slow):
     """How far the drift of several bodies, together, is from that of the whole by its far field, of `SlowForces`"""
     if slow.of_each is None:
         if body.bodies:
-            yield "drift of each body is not included: the database has none, or the waves travel on a current"
+            yield "drift of each body is left out: the database has none, or the waves travel on a current"
         return
     if not body.own:
         yield (

@@ -170,7 +170,7 @@ def beside_newman(db, sea, level, spread=False):
         return of_sea(db, sea), ()
     if (steep := ursell(db.reader, sea)) > STOKES:
         return None, (
-            'not included: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman): '
+            'left out: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman): '
             f"of waves with "
             f"Hλ²/h³ {steep:.3g} (allowed: {STOKES:g}) it is not known",
         )
@@ -188,14 +188,13 @@ def beside_newman(db, sea, level, spread=False):
     except ValueError as missing:
         kh, lacks = depth_in_waves(db.reader, sea), _lacks(db, sea, missing)
     beside = (
-        'not included: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman '
-        f"at kh = {kh:.2g})"
+        f'left out: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman at kh = {kh:.2g})'
     )
     if kh >= SHALLOW:
         return None, (f"{beside}: {OF_NEWMAN}; {lacks}",)
     try:
         return of_sea(db, sea), (
-            'not included: the force of wave pairs other than that of bound long waves (qtf = "auto" takes '
+            'left out: the force of wave pairs other than that of bound long waves (qtf = "auto" takes '
             "bound-wave): "
             f"{size}, {OF_BOUND}; {lacks}",
         )

@@ -91,7 +91,7 @@ def notes(stored):
     size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
     if forces.surface is None:
         yield (
-            f"not included: the free-surface forcing around the body, estimated from few pairs at {size}; "
+            f"left out: the free-surface forcing around the body, estimated from few pairs at {size}; "
             f"--level full includes it"
         )
     else:
@@ -112,7 +112,7 @@ def _of_sums(stored):
         yield f"estimated error of the {_way(stored)}, of the largest force and moment: {', '.join(shares)}"
     if forces.surface is None:
         yield (
-            "not included: the free-surface forcing around the body, a large part of sum-frequency forces; "
+            "left out: the free-surface forcing around the body, a large part of sum-frequency forces; "
             "--level full includes it"
         )
 

@@ -26,7 +26,7 @@ from .study import check_names, damping, level_of_pairs, motions_of, plan_of, qu
 
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 STATIC = (
-    'not included: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" includes '
+    'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" includes '
     "them where a trial requires it"
 )
 FARTHER = 0.5  # of the gap at rest, by which it may change without a word, and a half of the lesser hull's beam

@@ -81,7 +81,7 @@ def chosen(run, moored, weather, settings):
     static, moving = found
     begin = f'dynamic_lines = "auto": in a trial of {still.duration:g} s'
     if moving is None:
-        told = f"not included: the motion of the lines: {failed[0]}"
+        told = f"left out: the motion of the lines: {failed[0]}"
         return Choice(replace(settings, dynamic_lines=()), (), (told, *left_out), tuple(pace))
     some = f"{len(able)} of {len(moored.system.lines)}"
     if static is None:
@@ -110,7 +110,7 @@ def able_to_move(system, settings):
             why = str(error).removeprefix("dynamic_lines: ").replace(f" of line {line.name}", "")
             kept.setdefault(" ".join(why.split()), []).append(line.name)
     return tuple(able), tuple(
-        f"not included: inertia and drag of {_named(names)} in static shape, so that {TOO_LARGE}: {why}"
+        f"left out: inertia and drag of {_named(names)} in static shape, so that {TOO_LARGE}: {why}"
         for why, names in kept.items()
     )
 

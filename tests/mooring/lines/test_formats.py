@@ -232,7 +232,7 @@ LEFT_OUT = [
     ("3    Body1 ", "3    Coupled ", "dynamic stiffness (EA a|b) of rope is left out, the static counts"),
     ("1    Coupled     0      0     0      0     0     30 ", "1    Free        0      0     0      0    -90     0  ",
      "free body 1 starts heeled (r0, p0): not used, its equilibrium is sought from upright"),
-    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is not included: nothing breaks at rest"),
+    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out: nothing breaks at rest"),
     ("7    Fixed       280     -160    -70     0       0       0      0\n",
      "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and held by no line: ignored"),
 ]  # fmt: skip

@@ -35,7 +35,7 @@ def test_what_is_left_out_is_said_of_swell_and_not_of_short_waves(database):
     said = list(left_out(body, SWELL))
     assert (
         len(said) == 1
-        and said[0].startswith("not included: bound long waves, whose slow force at kh = 0.8")
+        and said[0].startswith("left out: bound long waves, whose slow force at kh = 0.8")
         and 'qtf = "auto"' in said[0]
     )
     assert not list(left_out(body, Sea(jonswap(0.5, peak_period=6.0), 0.4)))

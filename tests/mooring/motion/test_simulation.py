@@ -400,11 +400,11 @@ def test_coefficients_of_a_wave_are_named_where_they_damp_slow_motion(on_springs
     named = [
         line
         for line in said[0].findings
-        if 'not included: the memory of the water: memory = "constant" damps slow motion like waves of' in line
+        if 'left out: the memory of the water: memory = "constant" damps slow motion like waves of' in line
     ]
     assert len(named) == 1 and "surge" in named[0] and "states" in named[0]
     assert not any(
-        'not included: the memory of the water: memory = "constant" damps slow motion like waves of' in line
+        'left out: the memory of the water: memory = "constant" damps slow motion like waves of' in line
         for line in said[1].findings
     )
     assert any("slow motion is lightly damped: surge" in line for line in said[1].findings)

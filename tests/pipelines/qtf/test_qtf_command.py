@@ -179,7 +179,7 @@ def test_what_is_taken_in_place_of_pairs_that_are_not_stored_is_told_as_left_out
     for peak, takes, size in ((0.6, "bound-wave", "1.5 times too large"), (0.95, "newman at kh = 1.9", "0.7 to 1.2")):
         _, (said,) = beside_newman(db, narrow(peak), "auto")
         assert (
-            said.startswith("not included: the force of wave pairs other than that of bound long waves")
+            said.startswith("left out: the force of wave pairs other than that of bound long waves")
             and "\n" not in said
         )
         assert f'qtf = "auto" takes {takes}' in said and size in said
@@ -204,7 +204,7 @@ def test_a_forcing_of_the_surface_that_is_left_out_is_told_first_where_it_is_mor
     with monkeypatch.context() as patch:
         patch.setattr(stored, "read_forces", lambda _: SimpleNamespace(share=0.16))
         assert pair_levels._surface_left_out(db, SWELL, "body") == (
-            'not included: the free-surface forcing (qtf = "body"), about 16 % of the slow force of wave pairs; '
+            'left out: the free-surface forcing (qtf = "body"), about 16 % of the slow force of wave pairs; '
             f"'hakobune qtf {path} --heading 180 --level full' adds it",
         )
         assert pair_levels._surface_left_out(db, SWELL, "full") == ()

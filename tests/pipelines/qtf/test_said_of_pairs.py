@@ -61,7 +61,7 @@ def test_rows_are_root_mean_squares_with_each_part_added(unread):
     )
     assert made["surface_share"] == 0.031
     assert made.notes[-1] == (
-        "not included: the free-surface forcing around the body, estimated from few pairs at 3.1 % of the force "
+        "left out: the free-surface forcing around the body, estimated from few pairs at 3.1 % of the force "
         "in surge and sway; --level full includes it"
     )
     assert "no estimated error" in made.notes[-2]
@@ -114,7 +114,7 @@ def test_sums_are_root_mean_squares_over_their_pairs(unread):
     share = 100 * 300 / (1e3 * math.hypot(6, 3))
     assert f"of the largest force and moment: surge {share:.3g} %" in made.notes[-2]
     assert made.notes[-1].endswith(
-        "not included: the free-surface forcing around the body, a large part of "
+        "left out: the free-surface forcing around the body, a large part of "
         "sum-frequency forces; --level full includes it"
     )
 

@@ -215,7 +215,7 @@ def test_a_quay_behind_dolphins_changes_waves_water_and_the_design_spectrum(data
         ({"y": 20.0}, "a wall at y = 20 m intersects the hull"),
         (
             {"y": 26.0},
-            "left out; allowed: up to 30 %; solve the body with hakobune solve --wall",
+            "and is not included; allowed: up to 30 %; solve the body with hakobune solve --wall",
         ),
         ({"y": 75.0, "method": "panels"}, "is of open water; solve it again with --wall 75"),
         ({"y": 75.0, "method": "guess"}, "quay.method is 'guess'; allowed: far-field, panels"),

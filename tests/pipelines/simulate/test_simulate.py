@@ -275,7 +275,7 @@ def test_a_study_that_says_nothing_has_memory_pairs_of_waves_and_lines_that_move
 
 def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is_there(folder, monkeypatch, capsys):
     """The findings of seeds too; the trial is told before the run, with what a seed will take"""
-    left, trial = "not included: inertia and drag of the lines", "dynamic_lines: in a trial they move"
+    left, trial = "left out: inertia and drag of the lines", "dynamic_lines: in a trial they move"
     body, plan, _ = work.prepared(SimpleNamespace(duration=None))
     plan = replace(plan, told=(left, trial), pace=(0.01, 0.1), settings=replace(plan.settings, dynamic_lines=("a",)))
     monkeypatch.setattr(runs, "prepared", lambda task, db=None: (body, plan, ()))
