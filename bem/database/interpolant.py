@@ -34,9 +34,9 @@ NUGGET = 1e-9  # regularisation relative to the kernel's diagonal; its factorisa
 ROUNDING = 2 * NUGGET  # variance, relative, that is not distinguished from none: nodes have half of it
 LEADS = (1.0, 0.7)  # shares of the `lead` that are taken out
 BLOCK = 256  # places handled at once
-KEPT = 1 << 27  # bytes of rows that are kept for the next function at the same places
+KEPT = 1 << 27  # bytes of rows kept for the next function at the same frequencies
 WINDOW = 64  # nodes that are fitted together
-SHARP = 0.3  # of s
+SHARP = 0.3  # largest imaginary part of a pole, in units of s, that counts as sharp
 SEEN = 0.01  # of the largest value
 MOST_RINGING, FEW_KERNELS = 8, 9  # poles that are tried, with one kernel of so many
 # largest ratio of squared errors at left-out nodes, with and without a pole, at which the pole is accepted

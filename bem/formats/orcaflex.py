@@ -67,7 +67,7 @@ TO_OMEGA = {
 }
 SAME_FREQUENCY = 1e-6  # relative
 DEEP = 1e5  # m, written for water without end, which the file cannot say, and read as that
-CENTRE = ("CentreOfMass", "CentreOfGravity")  # of OrcaFlex 11, and before it
+CENTRE = ("CentreOfMass", "CentreOfGravity")  # key of the centre of mass in OrcaFlex 11, and in earlier versions
 WHAT = ("Length", "Mass", "Force")
 HEAVE_ROLL_PITCH = np.ix_((2, 3, 4), (2, 3, 4))
 

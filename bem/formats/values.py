@@ -12,7 +12,8 @@ from ..database.schema import BODY, LIMITS, QUANTITIES
 from ..modes import moving
 
 CARRIED = tuple(name for name in QUANTITIES if not name.startswith("kochin") and name != "pressure")
-SAME_HEADING = 1e-3  # of the largest value, between two lists of one heading: files print four digits or more
+# largest difference, over the largest value, of two data sets of one heading; files print four digits or more
+SAME_HEADING = 1e-3
 LARGEST = 2000  # MB of a text file, of forces of many pairs of waves
 EVEN = 1e-6  # relative to the step, of numbers that are one step apart
 

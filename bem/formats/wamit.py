@@ -42,9 +42,9 @@ LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
 LIMITS_AT = {0.0: "added_mass_zero", np.inf: "added_mass_infinity"}
 NAMES_OF_HAMS = {".1": "AmssDamp", ".3": "ExcForce", ".4": "Motion", ".hst": "Hydrostat"}
 SIX = range(1, 7)
-POWER = np.array([0, 0, 0, 1, 1, 1])  # of ULEN, beyond that of translations
-SAME_PERIOD = 1e-5  # of it: programs print six digits, some the first of them as 0.1
-DRIFTS = (".8", ".9", ".7")  # by momentum, pressure, control surface: the first that is there
+POWER = np.array([0, 0, 0, 1, 1, 1])  # additional power of ULEN for rotations
+SAME_PERIOD = 1e-5  # relative difference within which periods are equal; programs print six digits
+DRIFTS = (".8", ".9", ".7")  # drift files by momentum, pressure, control surface; the first that exists is read
 DRIFT_INDEX = [DOFS.index(name) + 1 for name in DRIFT_DOFS]
 
 

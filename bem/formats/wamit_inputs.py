@@ -26,7 +26,7 @@ from .values import FormatError, body_of, lines_of, omega_of
 
 PERIOD = re.compile(r"Wave period(?: \(sec\))?\s*=\s*(\S+)")
 NUMBER = r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?"
-SAME_PERIOD = 2e-3  # of it, in a listing and in a file beside it
+SAME_PERIOD = 2e-3  # relative difference within which periods of a listing and of a file are equal
 PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumber"}  # IPEROUT
 
 

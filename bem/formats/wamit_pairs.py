@@ -21,7 +21,7 @@ from ..second_order.quadratic_forces import QuadraticForces
 from .values import FormatError, table_of
 
 SUFFIXES = {DIFFERENCE: ".12d", SUM: ".12s"}
-EVEN = 1e-3  # of the step between frequencies: periods are printed with seven digits
+EVEN = 1e-3  # relative variation of the frequency step that counts as even; periods are printed with seven digits
 
 
 def write_pairs(forces, place, weight):

@@ -30,9 +30,9 @@ from ..kernels.jit import kernel
 from ..kernels.threads import blas_threads, parallel_rows
 from .wave_influence import wave_blocks
 
-COINCIDENT = 1e-7  # of the smallest panel: nodes closer than that coincide
-FEWEST_SECTORS = 3  # to a symmetric part, with fewer little is gained
-NEGLIGIBLE = 1e-13  # of a right-hand side: a smaller harmonic is rounding
+COINCIDENT = 1e-7  # distance, over the smallest panel, below which nodes coincide
+FEWEST_SECTORS = 3  # fewest sectors in a symmetric part for which the method pays
+NEGLIGIBLE = 1e-13  # harmonics below this fraction of a right-hand side are rounding
 
 
 class Sectors(NamedTuple):

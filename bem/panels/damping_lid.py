@@ -32,7 +32,7 @@ from .irregular_frequencies import extent
 from .one_frequency import PanelRun
 
 ACROSS = 2  # panels across a lid at least
-MOST_NODES = 8000  # of a symmetric part: full complex equations of 1 GB
+MOST_NODES = 8000  # largest number of nodes of a symmetric part; full complex equations take 1 GB
 
 
 class DampingLid(NamedTuple):

@@ -33,7 +33,7 @@ from .reciprocal_pairs import NODES, add_wave_part
 from .standing_waves import standing_waves
 from .wave_influence import COARSE, FINE, wave_blocks
 
-ROWS = 256  # of the matrices at once
+ROWS = 256  # rows of the matrices computed together
 # 1/r is integrated with 2 × 2 points beyond FAR sizes of a panel: error 1e-6 of a smooth potential
 FAR = 5.0
 

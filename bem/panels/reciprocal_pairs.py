@@ -17,7 +17,7 @@ from ..kernels.simd import added, address, load_vector, scaled, split_halves, to
 from ..kernels.threads import parallel_rows
 from .wave_influence import COARSE, close_up_to
 
-NODES = 4  # of a panel
+NODES = 4  # nodes of a panel
 TILE = 2  # panels whose nodes fill a cache line of a column of the matrices
 
 

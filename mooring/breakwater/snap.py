@@ -30,13 +30,13 @@ from .unit import inertia
 
 RAMP, CYCLES, MEASURED = 4, 24, 12  # wave periods
 PER_SWING = 30  # samples of a period of the stiffest motion
-TOLERANCE = 1e-2  # of a run: peaks are within 1e-4 of those at 1e-3
+TOLERANCE = 1e-2  # tolerance of a run; peaks are within 1e-4 of those at 1e-3
 IN_PLANE = np.ix_((1, 2, 3), (1, 2, 3))
-LOWEST = 0.03  # of the waves' frequency, of sections; below it damping is that of long waves
-SLOWER = np.geomspace(1e-3, 1.0, 7)[:-1]  # of that, to where the memory of slow heave may end
+LOWEST = 0.03  # lowest frequency of sections, over the wave frequency; below it long-wave damping is used
+SLOWER = np.geomspace(1e-3, 1.0, 7)[:-1]  # lower frequencies, relative to that, for the memory of slow heave
 SHORT, COUNT = 8.0, 60  # largest K = ω²/g times the smaller of half beam and draft; how many frequencies
 UNMOVED = 1e-4  # added mass of roll over that of sway at the radius of gyration, of a section that moves no water
-MOST = 0.3  # of the line's length, that a pull is tabulated for
+MOST = 0.3  # largest elongation in the table of tensions, over the line length
 
 
 class Snap(NamedTuple):

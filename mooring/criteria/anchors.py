@@ -22,7 +22,7 @@ from .failing import fails
 from .overuse import shares
 
 KINDS = ("drag", "sinker", "pile")
-LIFTED = 1e-3  # of the pull along the bed, below which a pull upwards is rounding
+LIFTED = 1e-3  # uplift over horizontal pull below which it is rounding
 
 
 class Chart(NamedTuple):

@@ -28,8 +28,8 @@ from .linearised import equivalent
 
 FINE = 90  # steps of the shortest period of the body on its fenders; 1e-6 of the reaction
 ROUNDS, SETTLED = 200, 1e-6  # of the equivalent spring
-UNEVEN = 1e-3  # of a step of a record
-LEAST = 0.55  # of a spectrum by damping
+UNEVEN = 1e-3  # largest relative variation of the time step of a record
+LEAST = 0.55  # smallest reduction factor of a spectrum by damping
 SIDES = np.array([1.0, -1.0])
 
 

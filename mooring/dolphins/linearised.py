@@ -16,7 +16,7 @@ import numpy as np
 
 from ..fenders.hysteresis import followed
 
-POINTS = 4096  # of a cycle: a corner of the law costs 1e-7
+POINTS = 4096  # points of a cycle; a corner of the characteristic then costs 1e-7
 ROOTS = 2000  # amplitudes between which a response is looked for
 
 

@@ -13,7 +13,7 @@ from ..site.seismic import seismic_force
 from .earthquake import Fenders, Floater, by_spectrum, course, natural, normalised_reaction, response_spectrum
 
 GRAVITY = 9.80665
-SHORT = 1e-3  # of a deflection
+SHORT = 1e-3  # relative step of a deflection
 
 
 @dataclass(frozen=True, eq=False)

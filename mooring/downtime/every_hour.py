@@ -32,15 +32,15 @@ from ..response.linear import frequencies
 from ..response.points import Point, relative_name, transfer_functions
 from ..seas.families import families
 
-NODES = np.arange(-2, 4)  # of the six about a direction
+NODES = np.arange(-2, 4)  # offsets of the six nodes around a direction
 AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
 RING = 360, 720  # headings, fewest and most: with 72 of long waves the largest σ is off by 1e-5, so by 1e-7
-PER_HARMONIC = 13.4  # of them, for each of the 2kR harmonics that |X|² has over β
+PER_HARMONIC = 13.4  # directions per harmonic; |X|² has 2kR harmonics over β
 HEADINGS_AT_ONCE = 72  # whose complex transfer functions are in memory together
 REFERENCE = 10.0  # s
-STEP = 0.01  # of ln T, in a table over periods
+STEP = 0.01  # step of ln T in the table over periods
 LOW = 1e-3  # m, of a sea that is not too steep at any period
-FINE = 0.015  # of ω, between frequencies: a fifth of the narrow side of a JONSWAP peak
+FINE = 0.015  # relative frequency step: a fifth of the narrow side of a JONSWAP peak
 
 
 class Shape(NamedTuple):

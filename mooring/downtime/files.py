@@ -23,7 +23,7 @@ LENGTHS = {"m": 1.0, "cm": 0.01, "mm": 1e-3, "ft": 0.3048, "feet": 0.3048, "mete
 SPEEDS = {"m/s": 1.0, "m s-1": 1.0, "m s**-1": 1.0, "m.s^{-1}": 1.0, "knots": 1852 / 3600, "kn": 1852 / 3600,
           "kt": 1852 / 3600, "km/h": 1 / 3.6}  # fmt: skip
 TURNS = "deg", "°", "degr", "degree", "degrees", "degree true", "degree_true", "degrees true", "degrees_true", "degt"
-UNITS = {  # of a kind of column: {unit: its size in SI}, the first where none is named
+UNITS = {  # units by kind of column, {unit: size in SI}; the first is the default
     "height": LENGTHS,
     "level": LENGTHS,
     "period": {"s": 1.0, "sec": 1.0, "seconds": 1.0, "min": 60.0},
@@ -33,7 +33,7 @@ UNITS = {  # of a kind of column: {unit: its size in SI}, the first where none i
     "share": {"1": 1.0, "-": 1.0, "(0 - 1)": 1.0, "%": 0.01},
 }
 HEAD = re.compile(r"\s*(.*?)\s*(?:[\[(]([^\[\]]*)[\])])?\s*$")
-TIMES = "time", "valid_time", "time_index", "ocean_time", "Time"  # of which one is taken where "time" is not there
+TIMES = "time", "valid_time", "time_index", "ocean_time", "Time"  # alternative names of the time variable
 
 
 def read_columns(path, time, zone, wanted, location=None):

@@ -15,7 +15,7 @@ from ..environment.tables import TableError
 from .clock import check_rising
 
 CODES = -9.0, -99.0, -999.0, -9999.0, -99.9, -99.99, 99.0, 99.9, 99.99, 999.0, 999.9, 9999.0, -32767.0, -32768.0
-RANGES = {  # of values in SI; beyond it they are codes for "missing", or of another unit
+RANGES = {  # plausible ranges in SI; values beyond are codes for missing data or have another unit
     "height": (0.0, 30.0), "period": (0.0, 40.0), "direction": (-2 * np.pi, 4 * np.pi), "speed": (0.0, 100.0),
     "component": (-100.0, 100.0), "level": (-25.0, 25.0), "share": (0.0, 1.0),
 }  # fmt: skip

@@ -22,7 +22,7 @@ from scipy.special import ndtr
 AT_ONCE = 20_000  # hours of a prediction
 OPEN = 1e-3  # chance of an hour, from which on it may be moved
 DRAWS, PLACES, SEED = 200, 600, 58
-LEAST = 1e-6  # of a limit
+LEAST = 1e-6  # smallest response considered, over the limit
 MISSING = "simulated states need scikit-learn; install it by: pip install 'hakobune[downtime]'"
 
 

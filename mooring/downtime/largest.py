@@ -15,8 +15,9 @@ from ..response.extremes import EULER
 from ..site.extremes import fit_extremes
 
 SEED = 1982
-LOW = 0.5  # of the largest σ of a year: an hour below it gives exp(−4 · 16) of the crossings at its largest value
-WHOLE = 0.9  # of the hours of a year, below which its largest value is not that of a year
+# hours with σ below this fraction of the largest of a year are skipped; they add exp(−4 · 16) of the crossings
+LOW = 0.5
+WHOLE = 0.9  # fraction of the hours of a year that is needed for a yearly maximum
 
 
 def largest_of_hours(m0, m2, duration):

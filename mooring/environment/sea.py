@@ -23,7 +23,7 @@ from .spreading import ANGLES, Spreading
 
 BAND = (1e-5, 1 - 1e-3)  # shares of the energy between which components lie unless limits are given
 MOST_MISSED = 0.01  # share of the energy
-NEAREST = 0.3  # of a band
+NEAREST = 0.3  # smallest distance, over the width of a band
 GOLDEN = 0.5 * (np.sqrt(5) - 1)
 
 

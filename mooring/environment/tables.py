@@ -43,7 +43,7 @@ def _decimal_points(text):
     return re.sub(r"(?<=\d),(?=\d)", ".", text) if ";" in first else text
 
 
-UNITS = {  # in m and s
+UNITS = {  # size of units, in m and s
     "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "ft": 0.3048, "in": 0.0254, "feet": 0.3048},
     "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "hr": 3600.0, "hours": 3600.0, "seconds": 1.0},
 }

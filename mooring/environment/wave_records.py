@@ -19,8 +19,8 @@ from .allowed import positive, row_of_numbers
 from .logger_files import read_columns
 from .tables import TableError, column_of, fault_of_steps, unit_of
 
-UNEVEN = 0.01  # of a step, that a time in a file may lie off
-FAINT = 1e-6  # of the largest amplitude, of components that are left out
+UNEVEN = 0.01  # largest deviation of a time in a file, over the step
+FAINT = 1e-6  # components below this fraction of the largest amplitude are left out
 AT_ONCE = 2**21  # phases kept in memory for times on unequal steps
 
 

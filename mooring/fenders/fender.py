@@ -13,7 +13,7 @@ import numpy as np
 
 from .curves import Curve, smooth, straight
 
-RETURN = 0.05  # of the height: on a return the reaction falls from loading to unloading within it
+RETURN = 0.05  # return length over the height: over it the reaction falls from loading to unloading
 
 
 class FenderError(ValueError):

@@ -19,7 +19,9 @@ import numpy as np
 from .fender import FenderError, fender_of_points
 
 STEEPEST = 45.0  # degrees
-POINTS = 201  # of a table, beside the knots; energy converges at third order, 6e-5 off from a tenth of the table on
+# points of a table in addition to the knots; the energy converges at third order, with an error of 6e-5 from a tenth of
+# the table on
+POINTS = 201
 
 
 def inclined(fender, width, angle):

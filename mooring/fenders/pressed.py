@@ -12,7 +12,7 @@ from .fender import FenderError
 from .hysteresis import advanced_one, contact_table, reaction_of
 
 GAUSS = np.array([[1 / 4, 1 / 4 - np.sqrt(3) / 6], [1 / 4 + np.sqrt(3) / 6, 1 / 4]])
-NODES = GAUSS.sum(axis=1)  # of a step
+NODES = GAUSS.sum(axis=1)  # Gauss nodes of a step
 ITERATIONS = 60
 
 

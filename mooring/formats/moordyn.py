@@ -63,7 +63,7 @@ class MoorDynFile:
 
 LARGEST = 8  # MB
 COUNT = re.compile(r"\s*\d+\s+N[A-Z][A-Za-z]+\b")  # version 1.01 gives the number of rows first: "2 NTypes"
-IDLE = ("fx", "fy", "fz", "ctrlchan", "calcchans")  # forces on points, channels that pay out lines: only nought is read
+IDLE = ("fx", "fy", "fz", "ctrlchan", "calcchans")  # forces on points and winch channels: only 0 is accepted
 
 
 def read_moordyn(path) -> MoorDynFile:

@@ -17,7 +17,7 @@ from ..lines.system.parts import Anchor, Fairlead, UniformLine
 
 STILL = 1e-6  # N/m: weight of a line that weighs nothing in water; the solver wants one
 OUT = 1e-6  # m: how far an end above the water is out of it
-DIPS = 1e-3  # of the length: a part that may get wet, by its stretch say, and counts as dry
+DIPS = 1e-3  # part of the length that may enter the water and still counts as dry
 
 
 def in_air(lines, points, bodies, water):

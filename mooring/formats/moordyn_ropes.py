@@ -27,7 +27,7 @@ from .fault import FormatError
 from .moordyn_rows import finite_number
 
 SYROPE = "syrope:"
-POINTS = 101  # of a working curve: its chords are within 1e-4 of T_max for |k₂| up to 2.5
+POINTS = 101  # points of a working curve; its chords are within 1e-4 of T_max for |k₂| up to 2.5
 FORMS = ("linear", "quadratic", "exp")
 
 

@@ -25,7 +25,7 @@ from .moordyn import MoorDynFile
 from .moordyn_dry import weighed_differently
 from .moordyn_rows import BodyRow, LineRow, LineTypeRow, PointRow
 
-SEGMENTS = 20  # of a line that does not say how many
+SEGMENTS = 20  # segments of a line without a number of segments
 LONGEST_STEP = 0.05  # s
 # settings of a run in time under the names of version 2, and those of version 1; all else a System says itself
 SETTINGS = {
@@ -42,7 +42,8 @@ SETTINGS = {
     "dtOut": ("dtOut",),
 }
 BED = {"kBot": "3.0e6", "cBot": "3.0e5"}  # MoorDyn's own, Pa/m and Pa s/m
-RELAXED = {"ICgenDynamic": "1"}  # its static solve leaves free points far from rest, 65 times the tension in one file
+# MoorDyn's static solution can leave free points far from rest (65 times the tension in one file)
+RELAXED = {"ICgenDynamic": "1"}
 
 
 def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> MoorDynFile:

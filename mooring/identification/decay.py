@@ -19,8 +19,8 @@ from .record import RecordError, checked
 
 FEWEST = 3  # extremes
 ACCURATE = 1e-10  # steps of the solution
-FAR = 1e6  # in place of what is no number
-DIFFERENCE = 1e-5  # of a parameter over its unit
+FAR = 1e6  # residual in place of a value that is not finite
+DIFFERENCE = 1e-5  # finite-difference step of a parameter, over its unit
 
 
 class Decay(NamedTuple):

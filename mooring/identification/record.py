@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 FEWEST = 16  # values
-UNEVEN = 5e-3  # of a step: records print their times with few digits
+UNEVEN = 5e-3  # largest relative variation of the time step; records print few digits
 
 
 class RecordError(ValueError):

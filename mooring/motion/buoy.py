@@ -30,8 +30,8 @@ from .tables.interpolation import EDGE, between_samples
 from .wave_loads import WaveTable
 
 WATER = 7  # rows of the water: elevation, velocity, acceleration
-DAMPING = 0.05  # of critical, of a hawser between its ends
-FULL = 0.1  # of the breaking load, from where a hawser has its whole stiffness and damping
+DAMPING = 0.05  # damping ratio of a hawser between its ends
+FULL = 0.1  # tension over breaking load from which a hawser has its full stiffness and damping
 BALANCED = 60  # steps at most to the pull under which buoy and hawsers yield alike
 
 

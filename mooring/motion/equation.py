@@ -41,9 +41,9 @@ WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "giv
          "hawsers")  # fmt: skip
 BY_WAVES, BY_DRIFT, BY_WIND, BY_CURRENT, BY_LINES, BY_MEMORY, BY_DAMPING, BY_GIVEN, BY_FENDERS, BY_ROPES = range(10)
 BY_HAWSERS = 10
-SLOW, SLOW_RATE, FIRST_WORK = 12, 15, 18  # where the parts of the state of a body begin
+SLOW, SLOW_RATE, FIRST_WORK = 12, 15, 18  # offsets of the parts of a body's state
 BLOCK = 18 + len(WORKS)  # numbers of it
-SAMPLED = 18  # of these, that are kept
+SAMPLED = 18  # number of stored states
 
 
 class Body(NamedTuple):

@@ -24,10 +24,10 @@ from hakobune.bem.kernels.jit import kernel
 from ..lines.catenary.flat_bed import ROW
 from ..lines.system.composite import fill_row
 
-TOLERANCE = 5e-3  # of the tension there, or at rest if that is larger
+TOLERANCE = 5e-3  # error of the table over the tension there, or over the tension at rest if larger
 FIRST = (8, 4)  # cells that are halved, of chord and height
 MOST_CELLS = 3000
-SMALLEST = 2e-4  # of the range, of a cell
+SMALLEST = 2e-4  # smallest cell over the range
 CHECKS = 200  # places, other than those that decided the cells
 OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking load, strain where none is known
 
@@ -152,7 +152,8 @@ class _Tree:
         return float(worst)
 
 
-MIDDLES = ((0.5, 0.5), (0.5, 0.0), (0.5, 1.0), (0.0, 0.5), (1.0, 0.5))  # of a cell, of its edges along c and z
+# centres of a cell and of its edges along c and z
+MIDDLES = ((0.5, 0.5), (0.5, 0.0), (0.5, 1.0), (0.0, 0.5), (1.0, 0.5))
 
 
 def _with_twist(corners, dc, dz):

@@ -24,7 +24,7 @@ COLUMNS = ("t", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
 GAP = 10.0  # usual steps of a table, from which one is warned of
 FINE = 4  # samples of the shortest interval, between which polynomials of fifth degree are 1e-4 off
 MOST = 2_000_000  # samples
-FREQUENCIES = 500  # of the drift, straight between
+FREQUENCIES = 500  # frequencies of the drift, linear in between
 SURFACE_STEP, PASSING = 0.1, 0.2  # s, of the surface; in which the drift of a half wave passes to that of the next
 
 

@@ -28,14 +28,14 @@ from .moving_lines.sea import sea_ahead
 from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions, sea_for_step
 from .wave_loads import fill_rows, fill_window
 
-SAFETY, LARGEST, SMALLEST = 0.85, 4.0, 0.2  # of the change of step
+SAFETY, LARGEST, SMALLEST = 0.85, 4.0, 0.2  # safety factor, largest and smallest change of step
 WITH_LINES = 0.7  # SAFETY where lines move: what they do is foreseen less well, and a step refused is dear
 SHORTEST, OF_USUAL = 1e-5, 1e-4  # s, share of the usual step: a step below both cannot be followed,
-AT_CORNER = 100  # and neither can more steps in a row below the first
+AT_CORNER = 100  # largest number of consecutive steps below the first limit
 FIRST_STEP = 0.05  # s
 AT_ONCE = 1e-9  # s between instants that are one
-ROUNDING = 2e-9  # of the step between samples, by which their times are uncertain
-CORNER = 0.1  # of the usual step: the error that a step over a corner may have; a corner takes about six steps
+ROUNDING = 2e-9  # uncertainty of sample times, over the step between samples
+CORNER = 0.1  # error allowed over a corner, relative to that of a usual step; a corner takes about six steps
 MEMORY = 20.0  # usual steps, over which their mean is taken
 TIME, STEP, WINDOW, USUAL = range(4)  # places in `Clock.now`
 STEPS, REFUSED, SAMPLES, WINDOWS, SHORT = range(5)  # places in `Clock.counts`

@@ -14,9 +14,9 @@ from .tables.interpolation import ring_table
 from .wave_loads import HEADINGS, drift_damping
 
 PLANE = (0, 1, 5)
-SLOW = 0.5  # of the mean frequency of the waves, below which a natural frequency is slow
+SLOW = 0.5  # natural frequencies below this fraction of the mean wave frequency are slow
 TOO_MUCH = 2.0  # times the damping at the natural frequency
-LIGHT = 0.02  # of critical
+LIGHT = 0.02  # damping ratio below which slow motion counts as lightly damped
 
 
 def drift_damping_ring(forces, weather, depth, gravity):

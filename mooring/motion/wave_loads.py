@@ -29,7 +29,7 @@ from ..response.linear import frequencies
 from ..response.wave_drift_damping import from_slopes
 from .tables.interpolation import EDGE, lagrange_weights
 
-HEADINGS = 120  # of the ring on which forces are tabulated; 3° apart, polynomials of fifth degree between
+HEADINGS = 120  # headings of the force table, 3° apart, with polynomials of fifth degree in between
 PHASE = (0.3, 0.6)  # rad of the highest component in a step, of few components and of many: quintics are 4e-6, 2e-4 off
 FEW = 40
 WINDOW = 6.0  # s; poses foreseen this far ahead

@@ -19,7 +19,7 @@ from hakobune.bem.database.resonances import about, resonances
 
 from .waves import Carrier
 
-STEPS = 8  # between stored frequencies, of the splines of added mass and damping
+STEPS = 8  # spline steps of added mass and damping between stored frequencies
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,9 +22,10 @@ import numpy as np
 from .slender import wang
 
 KINDS = (0, 1, 5)  # surge, sway, yaw of six
-FACTORS = (1.70, 2.92, 3.0), (0.52, 4.33, 2.0), (0.48, 3.87, 2.0)  # before, of T/d, G/B of the largest
+# factor and exponents of T/d and G/B for the largest force
+FACTORS = (1.70, 2.92, 3.0), (0.52, 4.33, 2.0), (0.48, 3.87, 2.0)
 QUAY = (1.4, 0.4, 0.5)
-NEAREST, LENGTHS = 0.1, (0.5, 2.0)  # of distance/L₁, and of L₂/L₁, that the curves were drawn for
+NEAREST, LENGTHS = 0.1, (0.5, 2.0)  # range of distance/L₁ and of L₂/L₁ of the curves
 
 
 def depth_factors(draft, depth, gap, beam):

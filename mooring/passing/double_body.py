@@ -24,8 +24,8 @@ from hakobune.meshing.panels import assembled, with_symmetry
 from .passage import Passage
 
 EACH = 2  # every how many places the squares are taken
-STEP, TURN = 0.01, 1e-3  # of the distance, rad: by which the hull is moved for their slopes
-DEGREE = 5  # of the splines over ξ
+STEP, TURN = 0.01, 1e-3  # displacement for finite differences, over the distance, and rotation, rad
+DEGREE = 5  # degree of the splines over ξ
 FINE = 5  # places between two that are solved
 PASSING_SURGE = 6
 

@@ -17,8 +17,8 @@ from ..loads.over_wave import moved
 from ..motion.given_forces import GivenForce
 
 SQUEEZED = 1.1  # 1/√(1 − Fₕ²), by which subcritical shallow water raises the pressure of a slender ship (Tuck 1966)
-FAR = 0.02  # of the largest surge or sway, what may be left at the ends of a track
-ROUNDING = 1e-6  # of the larger of both, below which a force is none
+FAR = 0.02  # force at the ends of a track, over the largest surge or sway, that is accepted
+ROUNDING = 1e-6  # force over the larger of surge and sway below which it is zero
 
 
 @dataclass(frozen=True)

@@ -21,8 +21,8 @@ from scipy.special import k0, k1
 
 from .passage import Passage
 
-POINTS = 64  # of Gauss over each ship
-LAST = 36.0  # of mπR/h, beyond which K₀ is below 1e-16
+POINTS = 64  # Gauss points over each ship
+LAST = 36.0  # largest mπR/h; beyond it K₀ is below 1e-16
 IMAGES = 20
 
 

@@ -24,14 +24,14 @@ from hakobune.bem.waves import group_factor, wavenumber
 from ..environment.sea import Sea
 from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, sums
 
-FREQUENCIES, SPEEDS = 10, 8  # of the grid
-SAMPLES = 64  # of a record in the shortest period
-LEAST = 1e-4  # of the largest eigenvalue, of those that are kept
-SLOW = (0.4, 0.6)  # of the mean frequency: differences below have the whole force, those above none
+FREQUENCIES, SPEEDS = 10, 8  # frequencies and speeds of the grid
+SAMPLES = 64  # samples of a record per shortest period
+LEAST = 1e-4  # smallest eigenvalue kept, over the largest
+SLOW = (0.4, 0.6)  # difference frequencies over the mean frequency between which the force is faded out
 SHALLOW = 1.5  # kh at the mean period, below which what is left out is estimated
 PLACES, FOURTH = 161, 4  # frequencies of an estimate; every fourth of the differences
-WORTH_NAMING = 0.2  # of the slow force by Newman's approximation
-NOTHING = 1e-6  # of the body's weight: a force that moves it by no more than a millionth of what carries it
+WORTH_NAMING = 0.2  # ratio to the slow force by Newman's approximation from which the force is reported
+NOTHING = 1e-6  # force over the weight of the body below which it is negligible
 RATIO = 10.0  # times Newman's force, above which that is as good as none and says nothing of the size of the other
 STOKES = 40.0  # Ursell number H λ²/h³ up to which waves are a sum of first and second order (Hedges 1995)
 

@@ -17,7 +17,7 @@ from hakobune.bem.database.between_frequencies import BetweenError
 
 from .linear import over_headings
 
-FEWEST_STEPS = 72  # of the circle, whose Fourier series stands for drift
+FEWEST_STEPS = 72  # fewest directions around the circle for the Fourier series of drift
 TURN = np.deg2rad(0.25)  # either side, for the slope over the headings
 
 

@@ -18,7 +18,7 @@ import numpy as np
 
 EULER = 0.5772156649015329
 LEAST, HIGHEST = -10.0, 40.0  # standard deviations; what lies beyond has no weight
-PANELS = 51  # between them, of Gauss's rule
+PANELS = 51  # Gauss panels between the limits
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
 

@@ -14,15 +14,16 @@ from .drift import TURN
 from .linear import over_headings
 from .seas import directions, energy_outside
 
-LINES_NAMED = 12  # in one warning, of more the number
+LINES_NAMED = 12  # names listed in one warning; beyond that only their number
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
 WAVES_MISSED = 0.05  # share of the far field that sources in the hull do not send
 UNSURE = 0.05  # estimated error of a result between stored waves that is warned of
-LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
+LEVER = 0.05  # shortest lever arm of a drift moment that is considered, over the radius of the hull
 LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
 OF_MOTION, OF_MOMENT = 4.0, 1.5  # deviations with which nine and a half of ten seas are within what is said
-EACH = 0.1  # of the largest drift of a body, by which the sum of all may miss that of the whole
-ACROSS = 0.02  # of a current, that is named where it is left out
+# difference of the sum over bodies and the far-field drift, over the largest drift of a body, that is accepted
+EACH = 0.1
+ACROSS = 0.02  # current across the waves, over the current, from which its omission is reported
 PLACES = 48  # frequencies at which it is estimated
 
 

@@ -17,9 +17,10 @@ from hakobune.bem.database.resonances import about, resonances
 from ..on_current.body import carrier_of_body
 
 COARSE = 64  # steps over the band to begin with, at least one between two stored frequencies and at most four
-CONVERGED = 1e-3  # of the largest integral of |X|² of its mode
-ROUNDING = 1e-16  # of the largest of all modes: |X|² of one that these waves do not move, which no step resolves
-NEAREST = 1e-4, 2e-3  # of the highest frequency, between places that show resonances, of one heading and of many
+CONVERGED = 1e-3  # convergence of the integral of |X|², over the largest of its mode
+ROUNDING = 1e-16  # |X|² below this fraction of the largest of all modes is rounding
+# smallest step between frequencies near resonances, over the highest frequency, for one heading and for many
+NEAREST = 1e-4, 2e-3
 FINEST = 2**20  # steps between two stored frequencies where a resonance is narrow: spars have damping ratios of 1e-5
 LEAST = 1e-9  # damping ratio that `resonances` has for none
 UNDAMPED = (

@@ -27,7 +27,7 @@ if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should n
     from hakobune.bem.second_order.stored import BetweenPairs
 
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
-ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
+ENOUGH = 0.05  # largest part, over Newman's slow force, that "auto" leaves out
 # both of docs/slow_forces.md: slow forces by either level beside the whole
 OF_BOUND = "without the other terms slow forces are up to 1.5 times too large on boxes in 12 and 20 m of water"
 OF_NEWMAN = (
@@ -39,7 +39,7 @@ MOST_OUTSIDE = (
     0.05  # share of the energy of the waves beyond the stored pairs at either end, for which Newman's rule is left
 )
 AT_ONCE = 20_000  # pairs
-LEAST_SHARE = 1e-3  # of the energy, of the heading with most: headings with less are left out
+LEAST_SHARE = 1e-3  # headings with less than this fraction of the energy of the largest are left out
 
 
 @dataclass(frozen=True, eq=False)

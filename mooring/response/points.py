@@ -30,7 +30,7 @@ from hakobune.bem.waves import wavenumber
 
 from ..on_current.body import carrier_of_body
 
-FLAT = 0.05  # of the draft: what is deeper than the rest of the hull by less belongs to the bottom
+FLAT = 0.05  # depth differences below this fraction of the draft belong to the bottom
 MOST = 12
 
 

@@ -25,7 +25,7 @@ from .seas import check_coverage, directions, heading_step
 from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, signed, slow_parts
 from .wave_drift_damping import along_waves, drift_and_damping, mean_damping, of_current
 
-TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
+TINY = 1e-6  # standard deviations below this fraction of the largest with the same unit vanish by symmetry
 
 
 @dataclass(frozen=True, eq=False)

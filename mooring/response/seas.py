@@ -20,8 +20,8 @@ from .slow_drift import signed_means
 MOST_OUTSIDE = 0.5  # share of the energy beyond the stored frequencies, above which a response says nothing of the sea
 STEP = 10.0  # degrees between directions of a short-crested sea, halved until results stay
 FINEST = STEP / 32
-CLOSE = 1e-3  # of every result
-SMALL = 1e-4  # of the energy of the largest motion of its kind, below which a motion is not looked at
+CLOSE = 1e-3  # relative convergence of every result
+SMALL = 1e-4  # motions with less than this fraction of the energy of the largest of their kind are ignored
 PLACES = 64  # frequencies at which steps are compared
 
 

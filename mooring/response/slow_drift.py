@@ -38,11 +38,12 @@ from hakobune.bem.database.between_frequencies import BetweenError
 from .linear import over_headings
 
 MOST_OUTSIDE = 0.01  # share of the energy in components beyond the stored band that is taken at its ends
-FINE = np.deg2rad(5.0)  # between directions for which drift of short-crested waves is rebuilt
+FINE = np.deg2rad(5.0)  # step between directions of the drift of short-crested waves, rad
 HORIZONTAL = [0, 1, 5]  # surge, sway and yaw of six degrees of freedom
 SLOWEST = 0.2, 100.0  # rad/s to which the spectrum of the slow force goes, of a hull of that length, m
 STEPS = 80
-SLOWEST_SLOPE, MOST_MET = 0.05, 3000  # of the frequency of encounter over that of the waves, which a current blocks
+# smallest slope of encounter frequency over wave frequency before blocking, and most frequencies
+SLOWEST_SLOPE, MOST_MET = 0.05, 3000
 # below; frequencies at which waves of several headings are summed
 ROWS = 256  # times or components handled at once: 256 × 500 complex numbers stay in the cache
 

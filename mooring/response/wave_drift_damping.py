@@ -33,7 +33,7 @@ from ..on_current.body import carrier_of_body
 from .drift import drift_slopes
 from .linear import over_headings
 
-LEAST = 0.05  # of dσ/dω, where a current is about to block waves that are given in absolute frequencies
+LEAST = 0.05  # smallest dσ/dω before a current blocks waves given in absolute frequencies
 
 
 def drift_and_damping(body, omega, heading, fixed=False):

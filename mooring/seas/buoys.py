@@ -33,7 +33,7 @@ from . import directions
 from .planes import two_dimensional
 
 MISSING = 999.0
-OFF = 0.1  # of the height of a file, that the height of its spectrum may be off
+OFF = 0.1  # largest relative difference of a file's stated height and that of its spectrum
 DAYS = (".swdir", ".swdir2", ".swr1", ".swr2")
 
 

@@ -15,7 +15,7 @@ import numpy as np
 ROWS = 180  # directions
 ALPHA = np.arange(ROWS) * (2 * np.pi / ROWS)  # rad
 LARGEST_S = 2000.0  # 1.3° of spread, less than a row
-LARGEST = 0.99  # of r₁ and r₂, beyond which D is narrower than a row
+LARGEST = 0.99  # largest r₁ and r₂; beyond, D is narrower than a row
 
 
 def of_moments(r1, r2, alpha1, alpha2):

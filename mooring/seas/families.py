@@ -10,7 +10,7 @@ from ..environment import spectra
 from .shallow import tma
 from .two_peaks import ochi_hubble, torsethaugen
 
-PEAKED = ("jonswap", "tma")  # with a gamma
+PEAKED = ("jonswap", "tma")  # spectra with a gamma
 NAMES = (*spectra.FAMILIES, "tma", "ochi_hubble", "torsethaugen")
 
 

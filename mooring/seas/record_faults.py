@@ -13,7 +13,7 @@ import numpy as np
 LARGEST = 8.0  # robust deviations
 LEVEL = 0.02  # share of the variance in means of stretches
 STEEPEST = 1 / 7  # height over length
-WAVES = 20  # of a stretch
+WAVES = 20  # waves in a stretch of the record
 
 
 def faults(record, step, mean_period, gravity=9.80665):

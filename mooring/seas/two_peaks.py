@@ -29,7 +29,7 @@ from .breaking import GRAVITY
 from .systems import Sum
 
 HIGHEST = 26.0  # m, of the most probable sea: the shape of its wind sea is 0.3 there
-LEAST = 1e-3  # of the height, below which there is no second system
+LEAST = 1e-3  # height of the second system over the total below which it is omitted
 
 
 @dataclass(frozen=True, repr=False)

@@ -21,8 +21,8 @@ from ..lines.system.graph import Pose, System
 from ..lines.system.parts import EquilibriumError
 from .loads import Loads
 
-SETTLED = 1e-11  # of the forces on a buoy
-NEAR = 1e-4  # of the pull, from where one more step of Newton's on a circle errs by its square
+SETTLED = 1e-11  # residual over the forces on a buoy
+NEAR = 1e-4  # residual over the pull from which one more Newton step has quadratic error
 STEPS = 60
 NO_POINTS = np.zeros((0, 3))
 

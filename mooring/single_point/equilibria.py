@@ -23,8 +23,8 @@ from .criterion import Lateral, Slewing, falling, moored_quartic, slewing
 from .rings import zeros
 from .slewing import at_rest_state, linearised
 
-SYMMETRIC = 1e-6  # of force and mass, below which an equilibrium is taken as symmetric about the plane of the body
-STEP = 1e-4  # of the velocity, of derivatives by it
+SYMMETRIC = 1e-6  # asymmetry of force and mass below which an equilibrium is symmetric about the body's plane
+STEP = 1e-4  # relative step of derivatives with respect to velocity
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,9 +9,9 @@ import numpy as np
 from ..lines.system.graph import Pose
 from .body import NO_POINTS, SinglePoint
 
-LAST = 1 / 3  # of a run, in which it is looked at whether the slewing stays
+LAST = 1 / 3  # last part of a run, in which persistence of slewing is tested
 STAYS, KEPT = 0.02, 0.8  # rad, amplitude of a slewing that stays, and its share that is left from half to half
-SETTLED = np.radians(0.2)  # of a heading that has come to rest
+SETTLED = np.radians(0.2)  # heading amplitude at rest, rad
 
 
 class Record(NamedTuple):

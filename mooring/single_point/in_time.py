@@ -17,7 +17,7 @@ from .scope import significant
 
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
 ALOFT = 104729  # added to the seed of the waves for that of the gusts
-SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
+SLOW_DRIFT = 1.2  # factor of the report on line tensions, in place of slow drift
 
 
 class Run(NamedTuple):

@@ -16,14 +16,14 @@ from .body import SinglePointError
 from .history import line_tensions
 from .slewing import turned_state, until_turn
 
-SETTLED = 1e-4  # of the amplitude: what is left to that of the cycle
-ACCURACY = 1e-7  # of the integration
-SAMPLES = 128  # of the period
+SETTLED = 1e-4  # convergence of the amplitude of the cycle
+ACCURACY = 1e-7  # relative accuracy of the integration
+SAMPLES = 128  # samples per period
 MOST = 100  # periods that are followed
-SCALED = 2.0  # by which an amplitude is changed at once
+SCALED = 2.0  # largest change of an amplitude in one step, as a factor
 HALVED = 4  # times that a scaling is taken by half of its logarithm
-LEAST = np.radians(0.05)  # of an amplitude, below which the body is at rest
-START = np.radians(2.0)  # of the heading from that of rest
+LEAST = np.radians(0.05)  # amplitude below which the body is at rest, rad
+START = np.radians(2.0)  # initial heading relative to the equilibrium, rad
 LATEST = 30.0  # times 1/|λ| of the root that grows, until the heading turns back
 
 

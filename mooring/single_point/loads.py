@@ -23,7 +23,7 @@ from ..loads.box_drag import about
 from ..loads.turning import LARGEST_TURN, TurningCoefficients
 from .rings import Ring, angles
 
-POWERS = 5  # of r', 0 to 4
+POWERS = 5  # number of powers of r', 0 to 4
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 COUNT = 720  # half a degree; tables of coefficients have nodes every 5° or more
-SCAN = 360  # of a search for zeros; where the spline is too coarse the exact function decides
-TOUCH = 1e-3  # of the largest value: crests as near to 0 as that are searched on the exact function
+SCAN = 360  # points of the search for zeros; where the spline is too coarse the exact function decides
+TOUCH = 1e-3  # extrema within this fraction of the largest value from 0 are searched on the exact function
 NARROW, STRAIGHT = 1e-5, 1e-6  # a chord tells a zero: of a step, at most, and of its rise, by which it is bent
 WIDTHS = np.concatenate([-np.array([0.5, 0.1, 1e-3, 1e-4, 1e-5, 1e-6]), [0.0], [1e-6, 1e-5, 1e-4, 1e-3, 0.1, 0.5]])
 

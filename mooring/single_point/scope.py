@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-SIGNIFICANT = 2 / 3  # of the amplitude that is added to the steady value
+SIGNIFICANT = 2 / 3  # fraction of the amplitude that is added to the steady value
 
 
 def length_without_uplift(tension, weight, height):

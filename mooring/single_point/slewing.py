@@ -17,10 +17,10 @@ import numpy as np
 from .body import Hold, NotFollowedError, SinglePoint, SinglePointError
 
 LONGEST = 40.0, 2.0  # s, of a step in steady and in gusty wind
-UNITS = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])  # of the tolerance of each state
+UNITS = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])  # units of the tolerance of each state
 FIRST = 0.5  # s, of the first step: one that is sought may be refused, for which `scipy` has no answer
 MOST = 20_000  # evaluations until the heading turns back
-STEP = 1e-4  # of a derivative, in m, rad, m/s, rad/s over the scales of `linearised`
+STEP = 1e-4  # finite-difference step, over the scales of `linearised` in m, rad, m/s, rad/s
 
 
 class SlowMotion(NamedTuple):

@@ -7,7 +7,7 @@ import numpy as np
 from ..motion.wave_loads import HEADINGS, drift_damping
 
 LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave motion
-ORDER, PADDED = 8, 3  # of the filter at the split, run forwards and back; periods of it beyond either end
+ORDER, PADDED = 8, 3  # order of the forward–backward filter at the split, and padding at either end in its periods
 RING = 72  # headings of the forces or motions of a component
 GROWS = 2  # mean periods in which waves grow to their height
 

@@ -20,10 +20,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-HOURS = 8766.0  # of a year
+HOURS = 8766.0  # hours in a year
 FEWEST = 4  # classes of height
-POINTS = 73  # of a contour, closed
-PARTS = 20  # of a class of height
+POINTS = 73  # points of a closed contour
+PARTS = 20  # subdivisions of a class of height
 SIMPLEX = {"xatol": 1e-8, "fatol": 1e-12, "maxiter": 3000, "adaptive": True}
 
 

@@ -22,10 +22,10 @@ import numpy as np
 FAMILIES = ("gumbel", "weibull", "gev")
 FEWEST, ENOUGH = 5, 10  # years: fewer fix no scale; fewer than ten are said with the interval
 SAMPLES, SEED = 4000, 1982
-SHAPES = (-0.6, 0.9)  # of the moment estimate κ
-WIDEST = (-1.0, 1.5)  # of the κ whose samples have that estimate
-SAME = 1e-6  # of κ and none, where the law is Gumbel's to rounding
-TURNS = 10  # of the search for it: the estimate follows κ nearly one to one
+SHAPES = (-0.6, 0.9)  # range of the moment estimate κ
+WIDEST = (-1.0, 1.5)  # range of κ whose samples have such an estimate
+SAME = 1e-6  # |κ| below which the law equals Gumbel's
+TURNS = 10  # iterations of the search; the estimate follows κ nearly one to one
 GRINGORTEN = 0.44
 
 

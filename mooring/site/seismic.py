@@ -20,7 +20,7 @@ FACTORS = {
     "E": ("ground", "damping", "period", "regional"),
     "F": ("regional", "ground", "importance"),
 }
-LARGEST = 0.3  # of rule A
+LARGEST = 0.3  # largest coefficient of rule A
 
 
 def seismic_coefficient(rule, **factors):

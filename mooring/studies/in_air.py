@@ -8,7 +8,7 @@ from ..lines.system.hawser import Hawser
 from ..lines.system.parts import CompositeLine
 from ..lines.system.shapes import line_shapes
 
-IN_AIR = 0.01  # of a line, out of the water without a word
+IN_AIR = 0.01  # part of a line that may be above the water without a finding
 
 
 def dry_shares(state):

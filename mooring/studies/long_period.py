@@ -27,7 +27,7 @@ from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum, wave_spectrum
 from .wave_effects import sea_of
 
 LOWEST = 1e-3  # share of the waves' energy below the frequencies that are slow
-TURNS = 60  # of the iteration on the velocity of the slow motion
+TURNS = 60  # iterations on the velocity of the slow motion
 SETTLED = 1e-6
 STILL = 1e-3  # m/s, or rad/s times the length, of a motion that has none
 

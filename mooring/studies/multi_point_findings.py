@@ -15,11 +15,12 @@ from ..response.findings import LINES_NAMED, large_rotations, some
 UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
 MOVING = 1e-4  # m or rad per m of wave amplitude; less is rounding in waves that do not move the body
-NEAR = (0.85, 1.15)  # of the wave period; there a motion without viscous damping is several times too large
+# natural period over wave period within which a motion without viscous damping is several times too large
+NEAR = (0.85, 1.15)
 WEAK = 0.1  # damping ratio of waves alone, to which viscous damping adds a tenth to a third
 NEGLIGIBLE = 0.05  # mooring over hydrostatic stiffness, where free motions are used
-ROUNDING = 1e-6  # of the largest force, of a moment times a metre
-NO_DAMPING = "has no viscous damping"  # of a motion at its resonance
+ROUNDING = 1e-6  # force over the largest force, with moments per metre, below which it is rounding
+NO_DAMPING = "has no viscous damping"  # text of a finding on a motion at its resonance
 IN_TIME = "simulate in time"  # the end of what that method alone is not enough for
 TURNED = 0.1  # rad; over that angle the drag coefficients of a box change by a tenth of their largest values
 SHALLOW = 20.0  # m; SR179 report, section 5.5.3: there some simulations of its floaters exceeded this method

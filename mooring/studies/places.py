@@ -9,8 +9,8 @@ from ..lines.system.hawser import Hawser
 from ..lines.system.parts import Fairlead
 from ..response.findings import LINES_NAMED, some
 
-BESIDE = 0.1  # of the hull's length: farther out of the hull no bracket or outrigger carries a fairlead
-NEAR = 0.01  # of it: so far out a fairlead is remarked, and so much of a line inside of the hull
+BESIDE = 0.1  # largest distance of a fairlead outside the hull, over the hull length
+NEAR = 0.01  # the same, from which a fairlead outside, or a line inside the hull, is reported
 
 
 def check_places(system, hulls):

@@ -36,7 +36,8 @@ from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum
 
 NAMES = ("surge", "sway", "yaw")
 ABOUT = 60  # frequencies on either side of a resonance, to some widths from it
-FEWEST_WAVES, MOST_WAVES = 100, 500  # of the quadratic form, two within the half width of a resonance where possible
+# fewest and most waves of the quadratic form, two within the half width of a resonance if possible
+FEWEST_WAVES, MOST_WAVES = 100, 500
 REACH, POINTS = 30.0, 8192  # deviations, and points over twice that many, of the density of the motion
 SIGNIFICANT = 2.0  # amplitude over deviation, of a narrow spectrum
 NEAR = 1.5  # a natural period within this factor of a period of waves is named

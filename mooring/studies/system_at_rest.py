@@ -14,7 +14,7 @@ from ..lines.system.bodies import cross_matrix
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.parts import EquilibriumError, LineSystemError
 
-FREE, PULLED = 1e-12, 1e-6  # of the largest stiffness and of the largest force: rounding, and what equilibrium leaves
+FREE, PULLED = 1e-12, 1e-6  # stiffness that counts as zero and residual force of an equilibrium, over the largest
 
 
 @dataclass(frozen=True)

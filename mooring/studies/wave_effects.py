@@ -27,7 +27,7 @@ from ..response.wave_drift_damping import of_current
 
 METHODS = ("irregular", "regular_wave")
 ROUNDING = 1e-9
-BESIDE = 1e-3  # of the frequency of a regular wave, for the slope of its drift
+BESIDE = 1e-3  # relative frequency step for the slope of the drift of a regular wave
 
 
 class WaveEffects(NamedTuple):

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 MASS_DIFFERS = 0.02  # share, of the ship's mass from that of the water its database displaces
-DEPTH_DIFFERS = 0.02  # of the depth at the berth, less than a tide
+DEPTH_DIFFERS = 0.02  # relative difference of water depths that is reported; less than a tide
 BUCKLING = ("cell", "v", "h", "cone")  # families with a plateau
 LINEAR_TO = 0.15  # strain up to which Ueda (1981) takes a fender as a spring
 BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "stiffest")

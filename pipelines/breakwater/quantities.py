@@ -12,11 +12,11 @@ from hakobune.mooring.studies.breakwater.tides import ENDS
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
 
-PARTS = {  # of a Response, over the amplitude of the waves: unit, description, table
+PARTS = {  # parts of a Response per wave amplitude: unit, description, table
     "transmission": ("", "K_T", "transmission"), "reflection": ("", "reflection", ""), "sway": ("m/m", "sway", ""),
     "heave": ("m/m", "heave", ""), "roll": ("rad/m", "roll", ""),
 }  # fmt: skip
-TIDE = {  # of a Tide: unit, description
+TIDE = {  # parts of a Tide: unit, description
     "rise": ("m", "rise"), "change": ("N/m", "change of P₀"), "front": ("N/m", "front"),
     "front_at": ("s", "front, at"), "back": ("N/m", "back"), "back_at": ("s", "back, at"),
 }  # fmt: skip

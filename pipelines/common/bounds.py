@@ -15,7 +15,7 @@ from .progress import duration
 LONGEST = 30 * 86400.0  # s
 WORTH_TELLING = 10.0  # s
 MUCH = 1e9  # bytes
-LITTLE = 1e8  # bytes, as much as imports take: whether they are free is not asked, which takes 0.01 s
+LITTLE = 1e8  # bytes below which free memory is not checked; the check takes 0.01 s
 MOST = 10_000  # numbers of one list or span
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from hakobune.meshing.whole_files import write_whole
 
 PLOTS = (".png", ".svg", ".pdf")
-FIRST_OF_OTHERS = "\u2e80"  # from here on letters of China, Korea and Japan, which matplotlib's own font has none of
+FIRST_OF_OTHERS = "\u2e80"  # first of the Chinese, Japanese and Korean letters, which matplotlib's own font lacks
 BOXES = "Last Resort"  # a font of matplotlib that has a box for every letter
 VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 

@@ -8,7 +8,7 @@ from ..printing.number import significant
 
 VISCOUS = 0.1  # ratio of wave damping; viscous damping, 1 to 3 % of critical, takes up to a third off lower ones
 UNSURE = 0.05  # estimated error of a peak that is named
-SEEN = 0.8  # of a peak that stored frequencies show
+SEEN = 0.8  # fraction of a peak that stored frequencies have to show
 
 
 def resonance_lines(found, omega=None, rao=None):

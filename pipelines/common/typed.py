@@ -12,8 +12,8 @@ import msgspec
 from hakobune.meshing.text_files import read_text
 
 Typed = typing.TypeVar("Typed")
-ALIKE = 0.75  # of letters, by which a slip of the pen differs no more
-OTHER_NAMES = {  # of keys, in other programs and books
+ALIKE = 0.75  # similarity of letters from which a key counts as misspelt
+OTHER_NAMES = {  # names of keys in other programs and books
     "height": "h hs hm0 h13 wave_height significant_height significant_wave_height",
     "mean_period": "t tm t01 tm01",
     "zero_crossing_period": "tz t02 tm02",

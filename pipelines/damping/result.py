@@ -17,7 +17,7 @@ from ..results.provenance import provenance
 from ..results.quantity import quantities
 from ..results.result import Result, labels
 
-LEFT = 0.25  # of the record, that a fit may leave
+LEFT = 0.25  # largest part of a record that a fit may leave unexplained
 COLUMNS = ("time_s", "motion_m", "force_kN", "motion_deg", "moment_kNm")
 TURNED = {
     "m": "rad",

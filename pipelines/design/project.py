@@ -68,7 +68,8 @@ from .tables import MEAN, Project
 STATES = ("normal", "abnormal")
 LINES = ("intact", "one lost")
 KNOWN_OF_PROJECT = "service life", "return period", SCOPE
-FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), *KNOWN_OF_PROJECT)  # by load cases, the project
+# quantities computed by load cases or given by the project
+FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), *KNOWN_OF_PROJECT)
 STATISTICS = ("largest", "amplitude", "peak to peak")
 USED = {"wear": WORN, "anchors": HOLDING}  # tables that one quantity alone knows
 DIRECTION_KEYS = ("direction_deg", "incidence_deg")

@@ -16,7 +16,7 @@ from .verdict import FAILS, NUMBER, OPEN
 
 COUNTED = ("stable headings",)  # a number of things: where it is met, nothing of it is used
 THE_PROJECT = "the project"  # has what is of no load case
-WAYS = {"size": "larger sizes", "number": "more lines"}  # in words, where these are not the name itself
+WAYS = {"size": "larger sizes", "number": "more lines"}  # words for ways that differ from their names
 MARK = {True: "passes", False: "fails", None: "open"}
 
 

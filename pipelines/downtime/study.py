@@ -33,7 +33,8 @@ MOST_STATES, MOST_SEEDS = 10_000, 1000
 MOST_WINDOWS, MOST_TURNS = 12, 36
 STREAMS = (("wind", "from"), ("current", "to"))
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
-OF_PLANES = Shape("jonswap", "energy_period", None, CosinePower(4.0))  # of limiting seas, where hours are planes
+# spectrum of limiting seas for hours given as two-dimensional spectra
+OF_PLANES = Shape("jonswap", "energy_period", None, CosinePower(4.0))
 
 
 class Record(NamedTuple):

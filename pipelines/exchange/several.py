@@ -26,7 +26,7 @@ from .importing import between, check_import, hull_of, read_set, store
 
 FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 AROUND = np.arange(12) * (np.pi / 6)
-AXIS = 1e-3  # of a hull's length, how far from the origin the middle of one of revolution may stand
+AXIS = 1e-3  # largest distance of the axis of a hull of revolution from the origin, over its length
 
 
 def import_several(place, kind_name, names, known, weights, output, fresh=False):

@@ -13,10 +13,10 @@ from hakobune.mooring.studies.waves_around import around_body, frequency, half_w
 
 from .gif import HULL, check_film, new_plotter, write_film
 
-FRAMES = 30  # of a period
-POINTS = 81  # of a side of the surface
+FRAMES = 30  # frames per period
+POINTS = 81  # points along a side of the surface
 STEEPNESS = 1 / 30  # height over length, where no height is given
-FREEBOARD = 0.5  # of the draft, where nothing is known of the hull above the water
+FREEBOARD = 0.5  # freeboard over draft where it is unknown
 MOST = 0.5  # rad, of a turn of the body
 
 

@@ -19,7 +19,7 @@ from .gif import check_film, write_film
 from .of_run import check_times
 from .stage import POINTS, Stage, frames
 
-FRAMES = 150  # of a film whose step is not asked for
+FRAMES = 150  # frames of a film without a given step
 
 
 def film_of_single_point(path, output, start=None, length=None, step=None):

@@ -11,7 +11,7 @@ from hakobune.mooring.lines.system.bodies import rotation
 from .gif import BED, HULL, SEA, new_plotter
 
 GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
-POINTS = 40  # of a line
+POINTS = 40  # points drawn on a line
 FENDER, BUOY = "#c07020", "#d0a000"
 OF_SPAN = 0.01  # radius of a buoy, so that it is seen
 

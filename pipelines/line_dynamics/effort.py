@@ -13,12 +13,12 @@ from ..common.quantities import StudyError
 from ..common.units import KN
 from ..printing.number import significant
 
-FINEST = 1e-8  # tolerance; rounding of tensions is 1e-10 or so
-STEPS = 2.0  # for each longest step that the motion allows, at a tolerance of 1e-3: 1 to 4 were counted
+FINEST = 1e-8  # smallest tolerance; rounding of tensions is about 1e-10
+STEPS = 2.0  # steps per longest step that the motion allows, at a tolerance of 1e-3; 1 to 4 were counted
 OF_ELEMENT, OF_STEP = 2e3, 600.0  # bytes
 # s of a step, of each element in it, and of each wave at each element, with the checks of both
 OF_CALL, OF_ELEMENT_STEP, OF_WAVE = 2.7e-5, 5.3e-6, 2e-7
-FRAMES = 20  # of a cycle, or of a run without one at least 200
+FRAMES = 20  # frames per cycle; a run without cycles has at least 200
 
 
 def frames_of(study, course):

@@ -11,8 +11,8 @@ from ..printing.number import significant
 
 STEADY = 0.02  # change of the largest tension between the last two cycles
 DYNAMIC = 0.1  # over the largest quasi-static tension, below which inertia and drag are reported as negligible
-INSIDE = 0.05  # of the largest tension at the ends, by which one between them is told
-BALANCE = 0.01  # of the work that goes in and out: left over by the time steps
+INSIDE = 0.05  # excess over the largest end tension from which a tension between the ends is reported
+BALANCE = 0.01  # error of the energy balance, over the work at the ends, that is accepted
 
 
 def findings(found, result, strength, line):

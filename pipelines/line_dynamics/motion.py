@@ -13,8 +13,8 @@ from ..common.quantities import StudyError, positive
 from ..common.weather.seas import mean_period
 
 LARGEST = 64  # MB of a table of positions
-CYCLES = 12  # of a harmonic run whose duration is not given
-TOGETHER = 1e-6  # by which the longest period may miss a multiple of another
+CYCLES = 12  # cycles of a harmonic run without a duration
+TOGETHER = 1e-6  # largest relative deviation of the longest period from a multiple of another
 
 
 @dataclass(frozen=True)

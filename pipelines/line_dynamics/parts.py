@@ -16,7 +16,7 @@ from ..common.units import TONF
 from ..common.weather.seas import mean_period
 from .study import BedTable
 
-ELEMENTS = 40  # of a line whose segments do not say how many, at least 4 each
+ELEMENTS = 40  # elements of a line whose segments give no number; at least 4 each
 LEVELS = 41  # at which a current over the depth is sampled
 FEWEST, MOST = 10, 1000  # components of a sea
 

@@ -15,7 +15,7 @@ from ..results.quantity import quantities
 from ..results.result import Result, labels
 from .study import MembersStudy, make_study, placed, read_study, wave_of, wind_on
 
-PHASES = 360  # of a wave
+PHASES = 360  # phases of a wave
 SLENDER = 0.2  # D/λ, above which a member scatters the wave
 IN_WATER, ALL = "all in the water", "all"
 A_MEMBER = 0.1  # s, over a wave

@@ -11,8 +11,8 @@ from ..common.resonances import resonance_lines
 from ..common.units import KN
 from ..printing.number import significant
 
-ROUNDING = 1e-6  # of the largest force, of a moment times a metre: less is none
-SAME = 0.01  # of forces and motions, within which two methods are said to agree
+ROUNDING = 1e-6  # force over the largest force, with moments per metre, that counts as zero
+SAME = 0.01  # relative difference of forces and motions within which two methods agree
 
 
 def notes(made):

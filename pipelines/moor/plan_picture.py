@@ -10,8 +10,8 @@ from hakobune.mooring.studies.multi_point import line_ends
 
 from ..common.picture import draw_streams, save
 
-LABEL = 0.3  # of a line from its anchor, where lines are apart
-SHORT = 0.1  # of the plan, of a line
+LABEL = 0.3  # place of a label on a line from its anchor, where lines are apart
+SHORT = 0.1  # length of a short line over the plan
 AT_SURFACE = 1e-3  # of the draft
 UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
 

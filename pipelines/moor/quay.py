@@ -5,8 +5,9 @@ from __future__ import annotations
 from ..common.quantities import StudyError
 
 METHODS = ("far-field", "panels")
-SAID, REFUSED = 0.05, 0.3  # of a wave that decays between hull and quay, and is left out
-GIVEN_BACK = 0.01  # of the largest damping
+# fraction of a wave that decays between hull and quay: reported from the first, refused from the second
+SAID, REFUSED = 0.05, 0.3
+GIVEN_BACK = 0.01  # negative damping over the largest damping that is reported
 SAME = 1e-6  # m, of the wall of a database and the quay of a study
 NO_DRIFT = "wave drift in front of the quay is unknown and not included"
 _made = {}

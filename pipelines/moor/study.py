@@ -42,7 +42,7 @@ from .tables import (
     Spread,
 )
 
-MOST_LINES = 500  # of a study; they take three seconds
+MOST_LINES = 500  # largest number of lines of a study; they take three seconds
 
 
 class Study(Table):

@@ -25,7 +25,7 @@ from ..results.result import Result, labels
 from ..solve.panel_counts import meshed
 from .study import SHIPS, PassingStudy, check_apart, make_study, read_study, size, track_of
 
-BROKEN = 1.5  # of 1/√(1 − Fₕ²), from which linear theory of any kind is no estimate
+BROKEN = 1.5  # 1/√(1 − Fₕ²) from which no linear theory is an estimate
 LARGEST = {"surge": 0, "sway": 1, "yaw": 5}
 UNITS = ("N", "N", "N", "N m", "N m", "N m")
 MOST = 4  # times as many panels of a mesh file as are asked for

@@ -27,7 +27,7 @@ from ..scene.tables import BodyTable
 
 SHIPS = "moored", "passing"
 METHODS = ("panels", "wang", "kriebel")
-PANELS = 12, 2000  # on each hull
+PANELS = 12, 2000  # fewest and most panels on each hull
 LENGTHS = 0.5, 20.0  # mean lengths of track
 FASTEST = 40.0  # m/s
 

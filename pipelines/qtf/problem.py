@@ -8,7 +8,8 @@ from typing import Any
 
 FEWEST = 1  # panels in a direction of the coarser mesh: what both have alike shows no error
 METHODS = ("auto", "contour", "panel")
-TOLERANCES = 1e-5, 1e-4  # of the contour method: of what is stored, and of what tells its error
+# tolerances of the contour method: of stored results, and of the run that estimates their error
+TOLERANCES = 1e-5, 1e-4
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,11 +12,11 @@ from hakobune.bem.second_order.stored import Held
 
 from ..scene.scene import numbers
 
-FREQUENCIES = 41, 48  # of the stored band, where none are asked for
-SHARE = 0.4  # of the mean of the band: largest difference, where none is asked for
+FREQUENCIES = 41, 48  # default numbers of frequencies over the stored band
+SHARE = 0.4  # default largest difference over the mean frequency of the band
 EVEN = 1e-6  # of the step between frequencies
 SAME = 1e-9  # rad/s, rad: between frequencies and headings that are one
-ENOUGH = 0.05  # of the force: what the level "auto" leaves out
+ENOUGH = 0.05  # largest part of the force that the level "auto" leaves out
 A_WAVE = 3.0  # panels along the wave of a sum, which is up to four times as short as those of the pair
 MOST_WAVES = 1500  # frequencies times headings: their flow on the hull of a thousand panels takes 2 GB
 

@@ -10,7 +10,7 @@ from hakobune.mooring.criteria.failing import fails
 
 from .question import A_WAVE, carried_by
 
-APART = 0.05  # of the largest mean drift, that pressure and far field may differ by
+APART = 0.05  # difference of drift by pressure and by far field, over the largest drift, that is accepted
 NAMES = ("surge", "sway", "yaw")
 MODES = [0, 1, 5]
 ALL = ("surge", "sway", "heave", "roll", "pitch", "yaw")

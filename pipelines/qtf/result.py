@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 LEVELS = ("body", "full", "auto")
-SMALL = 1e-6  # of the largest force, m beside N: what symmetry makes zero
+SMALL = 1e-6  # forces below this fraction of the largest (moments per metre) vanish by symmetry
 ARM = 100.0  # m, by which a moment is divided to stand beside forces
 
 

@@ -17,11 +17,12 @@ from ..printing.number import NOTHING, number
 from .quantity import READ_IN, read_in
 
 LINE = 80  # characters of a table
-WIDTHS = (14, 1), (10, 1), (6, 1), (6, 0)  # of a heading, and beside a cell, until they bring it there
+# reductions of heading width and cell padding, tried in order until a table fits
+WIDTHS = (14, 1), (10, 1), (6, 1), (6, 0)
 TEXT = 36  # characters of a line of text in a cell
 LONG, PRINTED = 40, 12  # rows of a table over numbers, and how many of them are printed where there are more
 FEW = 3  # rows, that are printed as columns where these are more than twice as many
-ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
+ROUNDING = 1e-10  # numbers below this fraction of the largest with the same unit in a table are printed as 0
 
 
 class Column(NamedTuple):

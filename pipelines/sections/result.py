@@ -24,9 +24,9 @@ NOTES = (
     "N likewise and over omega; E_H, E_S: |E|/(rho g (B/2)); E_R: |E|/(rho g (B/2)^2)",
     "Of the fixed body: waves reflected and transmitted per unit amplitude; drift: mean sway force/(rho g a^2/2)",
 )
-BYTES = 2000  # of a row
+BYTES = 2000  # bytes per row
 LARGEST = sys.float_info.max
-ALLOWED = {  # of each axis: above, at most, in words
+ALLOWED = {  # lower limit, upper limit and words of each axis
     "beam_draft": (0, LARGEST, "above 0, finite"),
     "depth_draft": (1, math.inf, "above 1, or inf"),
     "xi": (0, LARGEST, "above 0, finite"),

@@ -13,7 +13,7 @@ from hakobune.mooring.motion.statistics import FEWEST_IN_WINDOW, PLANE
 
 from .file import fender_names, summary_of
 
-NEAR = 0.2  # of a harbour's period, within which a natural period is near it
+NEAR = 0.2  # relative distance within which a natural period is near that of a harbour
 
 
 def findings_on_periods(file):

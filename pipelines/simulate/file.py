@@ -30,9 +30,9 @@ SCHEMA = "hakobune simulation 2"
 STATISTICS = RecordStatistics._fields
 SUMMARY = (*STATISTICS, *(f"{end}_{part}" for end in ("upper", "lower") for part in Extreme._fields))
 SLOW = ("Surge", "Sway", "Yaw")
-LEFT_OUT = "left out"  # with which a finding on it begins
+LEFT_OUT = "left out"  # first words of a finding on what is left out
 DECIMAL = re.compile(r"\d+\.\d+")
-LONGEST = 1000  # bytes of the findings of a seed
+LONGEST = 1000  # largest size of the findings of a seed, bytes
 SERIES = {  # name: (axes, unit, long name)
     "motion": (("kept_seed", "time", "dof"), "m, m, m, rad, rad, rad", "displacement of the rotation centre from rest"),
     "slow": (

@@ -43,7 +43,7 @@ MOTIONS, LINES, FENDERS = (
 )
 HINGES = "forces and moments of hinges in all runs, along the axes of their first body"
 RUNS, BERTH, GAPS = "runs", "berth", "clear water between hulls in all runs"
-WORDS = {  # of a statistic: (heading, unit or None for that of the record, whether it is printed)
+WORDS = {  # statistics: (heading, unit or None for that of the record, whether it is printed)
     "mean": ("mean", None, True),
     "sigma": ("σ", None, True),
     "slow": ("σ slow", None, True),

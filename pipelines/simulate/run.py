@@ -44,7 +44,8 @@ from .study import force_files, moving_lines, plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
 
 IDENTITY = "2"  # first word of an identity; another one where a default of a study changes what runs are
-ASKED = ("seeds", "keep_series", "duration", "duration_hours")  # of [simulation], how much is wanted of the same runs
+# keys of [simulation] that set how many of the same runs are wanted
+ASKED = ("seeds", "keep_series", "duration", "duration_hours")
 OF_MOVING_LINES = ("dynamic_lines", "dynamic_elements")
 SPREADS = ("sigma", "slow", "wave")
 AFTER = 10.0  # s between lines of a long run

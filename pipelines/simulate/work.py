@@ -29,7 +29,7 @@ STATIC = (
     'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" includes '
     "them where a trial requires it"
 )
-FARTHER = 0.5  # of the gap at rest, by which it may change without a word, and a half of the lesser hull's beam
+FARTHER = 0.5  # change of a gap over its size at rest, and over the smaller beam, that is accepted without a finding
 _prepared = {}
 
 

@@ -11,7 +11,7 @@ from ..common.quantities import direction
 from ..common.units import KN
 from ..common.weather.seas import sea_with_swell
 
-NAMED = 0.15  # of a line from its anchor, where its name stands
+NAMED = 0.15  # place of a name on a line, from its anchor
 
 
 def draw_plan(study, point, found, path):

@@ -17,7 +17,8 @@ from ..results.result import labels, records
 from . import running
 from .findings import used
 
-REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
+# range of line lengths, over the given one, and number of steps of the search for changes of stability
+REACH, LENGTHS = (0.02, 20.0), 200
 ROUNDING = 1e-7  # rad, of a heading of rest
 STABLE = {True: "stable", False: "slews"}
 

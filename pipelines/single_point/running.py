@@ -24,7 +24,7 @@ from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
 MOST_SAMPLES = 1_000_000
-STILL = 1e-4  # of the largest of a record, or of 1; less varies by rounding
+STILL = 1e-4  # variation over the largest value of a record, or over 1, that is rounding
 
 
 def check(study, db=None):

@@ -22,7 +22,7 @@ from .loads import loads_of, own_mass
 
 DENSITY, GRAVITY = 1025.0, 9.80665
 MOST_LINES = 60
-SAME = 1e-6  # of sizes that the study and its database have
+SAME = 1e-6  # relative difference within which sizes of study and database are equal
 
 
 class Made(NamedTuple):

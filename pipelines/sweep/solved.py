@@ -13,7 +13,7 @@ from hakobune.mooring.criteria.failing import FAILS, failing
 from ..printing.verdict import status_of
 from ..results.quantity import Quantity
 
-LARGE = ("kochin_radiation", "kochin_diffraction", "pressure")  # of a case, that no sweep keeps
+LARGE = ("kochin_radiation", "kochin_diffraction", "pressure")  # quantities too large for a sweep
 OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes that a case may have values of its own on
 
 

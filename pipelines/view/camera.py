@@ -12,8 +12,8 @@ import math
 import numpy as np
 
 MARGINS = 0.05, 0.05, 0.05, 0.22  # left, right, below and above, of half the picture; above stands the caption
-BAR = 0.40  # to the right, where a colour bar stands
-DEEP = 2.0  # of the hull's diagonal: a bed farther below would leave the hull small
+BAR = 0.40  # space on the right for a colour bar
+DEEP = 2.0  # depth of a bed that is drawn, over the hull's diagonal
 
 
 def fit(plotter, hull, bar=False):

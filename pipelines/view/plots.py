@@ -20,8 +20,8 @@ from ..common.gaps import gaps_of
 from ..common.picture import save
 
 PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
-QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symmetry makes it zero
-FAINT = 1e-3  # of the largest force on a motion: below, the phase is that of the mesh
+QUIET = 1e-6  # curves below this fraction of the largest of their kind vanish by symmetry
+FAINT = 1e-3  # forces below this fraction of the largest on a motion have a phase that depends on the mesh
 FORCES, MOMENTS = slice(0, 3), slice(3, 6)
 PLACES = 300  # frequencies of a curve, beside those stored and those about resonances
 MARKED = 30  # stored frequencies that are marked; more would be a thick line
@@ -33,7 +33,7 @@ LABEL = 0.5  # inches from a curve's axis to the name of its unit
 TICKS = 5  # spaces between those of a curve, at most; frequencies have them once a column
 FREQUENCIES = 8, 4  # spaces between ticks of frequencies, at most, of wide and narrow columns
 GRID = {"color": "0.9", "linewidth": 0.6}
-HEADINGS = 5  # of which curves are drawn, at most: more colours are not told apart
+HEADINGS = 5  # largest number of headings drawn; more colours cannot be distinguished
 HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
 ROWS = {
     "A and B/ω": ("added_mass", "radiation_damping"),

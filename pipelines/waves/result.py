@@ -20,7 +20,7 @@ from ..results.result import Result, labels
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
-POINTS = 161  # of a side of the map
+POINTS = 161  # points along a side of the map
 A_POINT = 4e-6  # s, with 60 sources
 HEIGHT = "height over incident wave height"
 

@@ -20,7 +20,7 @@ from ...waves import wavenumber
 from .own_solution import gaps, sizes_of_forces
 
 AGREED = 0.10  # largest difference, relative to the size of a row, that counts as agreement
-MESH = 2.0  # the same, that panels may make
+MESH = 2.0  # the same for differences caused by panels
 SHIFT = 0.02  # distance, relative to half the hull's size, from which two points count as different
 FITS = 0.5  # largest remaining fraction of the difference at which a cause is accepted
 CLEARLY = 0.3  # largest fraction of the remainder of one cause that two causes may leave

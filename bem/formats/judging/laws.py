@@ -19,11 +19,11 @@ import numpy as np
 from ...database.schema import QUANTITIES
 from ...waves import group_factor, wavenumber
 
-NOT_SYMMETRIC = 0.1  # of √(AᵢᵢAⱼⱼ)
+NOT_SYMMETRIC = 0.1  # largest asymmetry, over √(AᵢᵢAⱼⱼ)
 LONG = 0.35  # k times the size of the body, of a long wave
-SHORT = 6.0  # the same, of waves that are so short that damping has ended
+SHORT = 6.0  # the same for waves so short that damping has vanished
 TRUE = 0.25  # largest deviation of the ratio of a law from 1; allows for few headings and coarse panels
-CAUSAL = 0.4  # the same of causality, whose integral ends at the highest frequency
+CAUSAL = 0.4  # the same for causality, whose integral is cut at the highest frequency
 # deviation from the median of five neighbours, relative to the range of added mass, that marks a peak or an irregular
 # frequency
 PEAKED = 0.1
@@ -32,11 +32,11 @@ DEPTH_FITS = 0.04  # largest deviation of ratios from 1 at the right depth
 FLOATS = 0.01  # least heave stiffness of a floating body, over ρ g times its size squared
 FEW = 2  # frequencies, that tell a ratio
 NOISE = 0.02  # negative damping up to this fraction of ω A is tolerated
-OFTEN = 0.1  # of the frequencies, that break a law: fewer are irregular ones
-SCATTERS = 0.5  # of a ratio, between a tenth and nine tenths of its frequencies
-FAINT = 1e-3  # of the largest damping, which is that of rounding
-CANCELS = 0.1  # of a force at an arm as long as the body, below which a moment is a difference of two
-EVEN = 1e-3  # of the largest diagonal, of terms that symmetry makes zero
+OFTEN = 0.1  # fraction of frequencies that violate a law; fewer count as irregular frequencies
+SCATTERS = 0.5  # relative spread of a ratio between its 10 % and 90 % quantiles
+FAINT = 1e-3  # damping below this fraction of the largest is rounding
+CANCELS = 0.1  # moment, over force times body length, below which it is a small difference of large terms
+EVEN = 1e-3  # terms below this fraction of the largest diagonal vanish by symmetry
 SURGE, SWAY, HEAVE = 0, 1, 2
 
 

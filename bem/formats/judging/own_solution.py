@@ -19,12 +19,12 @@ from ...waves import wavenumber
 from ..values import Values
 
 LONG = (0.4, 1.2)  # k times the size of the waterplane
-READABLE = 4.0  # the same, above which a set's lowest frequency is no long wave
-MOST_PANELS = 2500  # of the part that symmetry leaves: 8 s on one core
+READABLE = 4.0  # the same, above which the lowest frequency of a set is not a long wave
+MOST_PANELS = 2500  # largest number of panels of the symmetric part; 8 s on one core
 MOST_HEADINGS = 5
-SMALL = 0.1  # of the largest force or moment, under which those of a mode are compared with it
+SMALL = 0.1  # forces of a mode below this fraction of the largest are compared with the largest
 CANCELS = 0.05  # of the arm
-FAINT = 0.05  # of ω A, the same of damping
+FAINT = 0.05  # the same for damping, over ω A
 WANT = ("added_mass", "radiation_damping", "excitation_force")
 
 

@@ -16,13 +16,14 @@ from .equations import split_by_lid
 from .low_rank_waves import STRIDE, Snapshots
 
 TIMED_RUNS, TIMED_ROWS, TIMED_UNKNOWNS = 3, 16, 1500
-BYTES_OF_PROGRAM = 400e6  # interpreter, libraries and tables
-BYTES_PER_PAIR = 54  # of nodes, and class: Rankine matrices, wave matrices, factors and blocks
+BYTES_OF_PROGRAM = 400e6  # memory of the interpreter, libraries and tables, bytes
+BYTES_PER_PAIR = 54  # bytes per pair of nodes and symmetry class: Rankine and wave matrices, factors and blocks
 BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine rows, wave rows and all harmonics
 # of compressed equations, for a node and each doubling of their number: 45 kB a node of 5 000, 57 kB of 50 000
 BYTES_PER_DOUBLING = 3.4e3
-EVALUATIONS_PER_DOUBLING = 600  # of G and ∇G, or what takes as long; fitted to 5 000, 20 000 and 50 000 panels
-RANK = 600  # of the wave matrices, a generous guess (`bem.panels.band.low_rank_waves`)
+# evaluations of G and ∇G, or the equivalent time; fitted to 5 000, 20 000 and 50 000 panels
+EVALUATIONS_PER_DOUBLING = 600
+RANK = 600  # assumed rank of the wave matrices, on the high side (`bem.panels.band.low_rank_waves`)
 
 
 class Cost(NamedTuple):

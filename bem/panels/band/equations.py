@@ -25,7 +25,8 @@ from ...kernels.progress import FACTORS, MATRICES, report_progress
 from ..wave_influence import Pairs
 from .low_rank_waves import low_rank_waves
 
-ROWS = 128  # of the Rankine matrices at once: with twice as many 4 000 panels took 65 MB more, and as long
+# rows of the Rankine matrices handled together; twice as many cost 65 MB more at 4 000 panels, without gain in time
+ROWS = 128
 
 
 class BandEquations(NamedTuple):

@@ -26,8 +26,8 @@ from ..incident_waves import class_waves
 from ..wave_influence import wave_blocks
 from .error_test import ErrorTest, Samples
 
-TEST_POINTS = 1  # and one at the surface: a basis that lacks a frequency is wrong nearly everywhere
-FEW_NODES = 1000  # up to so many nodes the accuracy asked for is that of every row
+TEST_POINTS = 1  # random test points besides one at the surface; an incomplete basis is wrong nearly everywhere
+FEW_NODES = 1000  # up to this number of nodes the requested accuracy holds for every row
 LARGEST_BLOCK = 2_000_000  # pairs of nodes at once
 BASIS_SAMPLES = 200  # nodes at any depth, as random columns from which the rows are selected
 # samples of the error test at a frequency, and as many of the strip and of the lid at most: of 1 000 nodes half as many
@@ -37,7 +37,7 @@ STRIDE = (
     3  # a sample is evaluated at every third frequency: with all of them the error was the same, the time 1.7 times
 )
 FLUX_FREQUENCIES = 3  # frequencies for the incident flux, for one of those of W
-NEGLIGIBLE_FLUX = 1e-6  # of the flux in all classes
+NEGLIGIBLE_FLUX = 1e-6  # flux below this fraction of the total over all classes is neglected
 STRIP = 1.0  # panel sizes below the surface down to which every node is a sample, and a part of those below
 COLUMNS_PER_RANK, FIRST_COLUMNS = 3, 2048  # width of a sketch, and the width first tried
 LID = 0.1  # weight of φ' on the lid relative to φ on the hull: it is zero but for discretisation

@@ -12,9 +12,9 @@ from .iteration import gmres
 from .operator import Columns, CompressedEquations, Tree
 from .preconditioner import Preconditioner
 
-RESIDUAL = 3e-7  # of the iteration, relative to the right-hand sides
+RESIDUAL = 3e-7  # residual of the iteration, relative to the right-hand sides
 ITERATIONS = 400
-ALLOWED = 2e-3  # of the potentials: the error of the compression that is not accepted
+ALLOWED = 2e-3  # largest accepted error of the potentials by compression
 SAMPLES, SAMPLES_AT_ONCE = 32, 8  # rows of the full equations that are looked at
 SEED = 1_982
 

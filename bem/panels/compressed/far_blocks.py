@@ -16,7 +16,7 @@ from ...green.finite_depth import depth_variables, table_view, wave_part
 from ...kernels.jit import kernel
 
 SINGLE, DOUBLE = 0, 1  # layer
-GOLDEN = 0.6180339887498949  # its multiples, modulo 1, are spread evenly
+GOLDEN = 0.6180339887498949  # golden ratio − 1: its multiples modulo 1 are evenly spread
 # rows of a block, after the last term: three of them were once among the sixth part that was represented already,
 # nodes above each other on a wall
 LOOKED_AT = 8

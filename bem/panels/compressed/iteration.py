@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 RESTART = 40
-OF_CYCLE = 1e-4  # of the residual at its begin: products of a cycle are of single precision
+OF_CYCLE = 1e-4  # residual at the end of a cycle over that at its start; products are in single precision
 
 
 def gmres(equations, precondition, columns, tolerance, most):

@@ -19,7 +19,7 @@ from ..wave_influence import Sources as Nodes
 from .clusters import Clusters
 from .far_blocks import DOUBLE, SINGLE, Sources, Water, low_rank_blocks
 
-PARTS = 16  # of the blocks, whose sums are added in order whatever the number of threads
+PARTS = 16  # groups of blocks whose sums are added in a fixed order, for any number of threads
 
 
 class Tree:

@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import numpy as np
 
-MOST_FUNCTIONS = 2500  # on all cells, about: their equations are solved directly
-LEAST = 1e-3  # of the largest: independence of 1, x, y, z on a cell
+MOST_FUNCTIONS = 2500  # approximate number of functions on all cells; their equations are solved directly
+LEAST = 1e-3  # singular value, over the largest, above which 1, x, y, z on a cell are independent
 
 
 class Preconditioner:

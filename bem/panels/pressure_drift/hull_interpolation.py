@@ -17,8 +17,8 @@ import numpy as np
 from .edge_flow import at_nodes, nodal_errors
 from .edges import SIDES, Stencils, stencils
 
-POINTS = 4  # in each direction of a panel
-NODES = 6  # in each direction, at most
+POINTS = 4  # interpolation points in each direction of a panel
+NODES = 6  # largest number of nodes in each direction
 LARGEST = 25.0  # growth of errors in one direction: to 12 on graded boxes and buoys, 70 to 230 at the ends of ships
 SLIVER = 0.3  # collocation error of the first node of panels that are thin beside those beyond the edge
 

@@ -19,7 +19,7 @@ from ...lines.dynamics.start import start
 from ...lines.dynamics.surroundings import water_arrays
 from .sea import LineSea, line_sea, water_of
 
-ROWS = 256  # of a line's own steps in one step of the body; more say that the body's step is too long
+ROWS = 256  # largest number of line steps in one step of the body; more mean that the body's step is too long
 OF_BED = ("bed_level", "bed_friction", "bed_slip", "bed_normal", "bed_course")
 
 

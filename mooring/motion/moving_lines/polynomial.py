@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from hakobune.bem.kernels.jit import kernel
 
-TERMS = 4  # of the polynomial by which a line pulls during a step of the body
+TERMS = 4  # terms of the polynomial of a line's tension during a step of the body
 
 
 @kernel(inline=True)

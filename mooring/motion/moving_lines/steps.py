@@ -27,7 +27,7 @@ from .sea import line_water, open_sea, sea_ahead
 GAUSS = np.polynomial.legendre.leggauss(4)  # exact for a cubic times P₃
 NODES, WEIGHTS = 0.5 * (GAUSS[0] + 1), 0.5 * GAUSS[1]
 SCHEME = tableau()
-ROUNDING = 1e-9  # of the time that a table of the sea reaches
+ROUNDING = 1e-9  # rounding of the time covered by a table of the sea
 
 
 @kernel()

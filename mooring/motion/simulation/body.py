@@ -16,7 +16,7 @@ from .loads import frequency_of_coefficients, half_waves, mean_frequency, pairs
 
 FASTEST, BAND = 8.0, 2.0  # rad/s and times the band of the database, of states of the memory, those beyond both follow
 # at once: explicit steps of 0.4 s are stable; within the band they would give energy, as at the scale of a model
-FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
+FILTER = 0.25  # frequency of the slow filter over the peak frequency of the waves
 UNKNOWN = 0.4  # rad/s, mean frequency of waves that there are not
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..wave_loads import forces_towards
 
-LEAST = 1e-2  # of the largest translation, that every motion is allowed to be
+LEAST = 1e-2  # smallest expected motion, over the largest translation
 STILL = 0.1  # m, scale of a body without waves
 
 

@@ -9,7 +9,7 @@ from hakobune.bem.time_domain.memory import memory_of_database
 TOLERANCES = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2)
 COUPLED, ONE_PLANE = 1e-6, 12  # share of added mass, and how many entries beside the diagonal a body with one plane of
 # symmetry has; with more the fit takes a minute and a half to 1e-3, and 15 s to 3e-3
-WANTED = 1e-3  # without a finding
+WANTED = 1e-3  # fit error accepted without a finding
 
 
 def fitted_memory(body, motions=None):

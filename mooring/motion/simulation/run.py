@@ -27,13 +27,14 @@ from .loads import frequency_of_coefficients, streams, wave_components
 from .realisation import Course, doubt_of, motion_of, poses_of, realisation_of, with_error
 from .trial import Choice, chosen
 
-STEPS_AT_ONCE = 2000, 200  # between reports of progress, without and with lines that move: 0.1 to 0.5 s
+STEPS_AT_ONCE = 2000, 200  # steps between progress reports, without and with moving lines: 0.1 to 0.5 s
 FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
-SHARE = 0.3  # of the tolerance that the errors of one such time may have
-FINER = 0.1  # of the tolerance, that of the run that estimates the error
-DOUBTED = 1 / 3  # of the tolerance, from where on a third run is made: of 2 000 random studies eight were beyond their
+SHARE = 0.3  # fraction of the tolerance for the errors within one such interval
+FINER = 0.1  # tolerance of the run that estimates the error, over that of the study
+# difference over tolerance from which a third run is made: of 2 000 random studies eight were beyond their
+DOUBTED = 1 / 3
 # tolerance while the second run told 0.58 to 0.94 of it
-COARSE = 0.01  # of its tension, by which elements may change a line at rest without a word
+COARSE = 0.01  # change of a static tension by discretisation accepted without a finding
 
 
 class Begun(NamedTuple):

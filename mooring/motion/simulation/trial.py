@@ -28,7 +28,7 @@ LONGEST = 600.0  # s of a trial
 # of the largest tension, of σ of a slow motion.  On chains in 14 and 20 m of water, from calm to storm, a trial saw
 # more than this wherever an hour changed by more than a fifth; tensions of an hour changed up to twice as much
 NEGLIGIBLE = 0.05
-NUDGE = 2e-3  # of the distance to the fairleads, by which both begin off the place at rest
+NUDGE = 2e-3  # initial offset of both trial runs, over the distance to the fairleads
 # of the largest slow motion, below which one is not compared, and none that is less than what it began with
 MINOR = 0.1
 PLANE = (0, 1, 5)

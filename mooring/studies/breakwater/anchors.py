@@ -12,7 +12,7 @@ from .breakwater import KN, BreakwaterError
 from .curves import response
 from .tides import ENDS, unbroken
 
-HIGH_SINKER = 0.5  # of the water under the keel: higher ones move the lower ends of the lines
+HIGH_SINKER = 0.5  # height of a sinker, over the water under the keel, above which it moves the lower line ends
 
 
 class Sinker(NamedTuple):

@@ -19,7 +19,7 @@ from ...breakwater.taut import TautRectangle
 from ...environment.sea import Sea
 
 TONNE, KN = 1e3, 1e3  # kg, N
-CLEAR = 0.01  # of a line, within which it may touch the body it is fixed to
+CLEAR = 0.01  # part of a line, from the body, within which contact with the body is ignored
 THEORIES = ("potential flow", "long waves")
 
 

@@ -16,7 +16,7 @@ from .curves import response
 from .tides import ENDS
 
 SEA_CELLS = 120  # the height behind a circle is within 2e-4 of that of 2000
-WAYS = 12  # of a sea spread over directions: the height behind is within 4e-3 of that of 48
+WAYS = 12  # directions of a spread sea; the height behind is within 4e-3 of that with 48
 MOST_OBLIQUE = np.radians(85)
 
 

@@ -26,11 +26,11 @@ from .breakwater import BreakwaterError
 from .in_sea import ways_of
 
 MOVING = ("added_mass", "radiation_damping", "excitation_force")
-SAME = 0.02  # by which the database's hull may differ from the study's section
-CELLS, WAYS = 16, 10  # of a sea
-LEAST = 0.9  # of its energy within the database
+SAME = 0.02  # largest relative difference of the database's hull and the study's section
+CELLS, WAYS = 16, 10  # frequency cells and directions of a sea
+LEAST = 0.9  # smallest fraction of the sea's energy within the database
 MISSED = 0.02  # share of a far field that its sources may miss without a word
-BEHIND = (0.25, 0.5, 1.0, 2.0)  # of the length of the row, where it is told
+BEHIND = (0.25, 0.5, 1.0, 2.0)  # distances behind the row, over its length, at which the height is reported
 
 
 class Row(NamedTuple):

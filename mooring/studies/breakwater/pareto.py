@@ -20,10 +20,10 @@ from .curves import response
 from .in_sea import SEA_CELLS, WAYS, response_in_sea, ways_of
 from .tides import pretension_of, tides_of
 
-FEW_PERIODS, FEW_CELLS, FEW_WAYS = 10, 16, 4  # of a trial; what is reported has all
-TRIALS = 20  # for a limit
+FEW_PERIODS, FEW_CELLS, FEW_WAYS = 10, 16, 4  # periods, cells and directions of a trial; the reported design uses all
+TRIALS = 20  # trials per limit
 OUT = 1e6
-BESIDE, STEEP = 0.05, 0.2  # of a period, and of K_T, which changes by as much only where something resonates
+BESIDE, STEEP = 0.05, 0.2  # relative change of period and the change of K_T that indicates a resonance
 
 
 class Front(NamedTuple):

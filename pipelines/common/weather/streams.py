@@ -16,9 +16,9 @@ from ..quantities import StudyError, Table, direction, speed, waves_on
 from .seas import seas_at
 
 STREAMS = ("wind", "current")
-WAYS = ("coefficients", "ship")  # of the hull, one of them
+WAYS = ("coefficients", "ship")  # ways to give coefficients of the hull; one of them
 OF_HULL = (*WAYS, "center_z")  # keys that belong to the hull, whatever the weather
-BOXY = 0.95  # of length, beam and draft, that the displacement of a box fills
+BOXY = 0.95  # block coefficient from which a hull counts as a box
 AREAS = ("area_x", "area_y", "area_n", "length")
 
 

@@ -26,9 +26,9 @@ NAME, DATABASE, MOVED = "study of a breakwater", "none", False
 BEHIND, SHARE = "transmitted wave height", "transmission of the sea"
 ALLOWABLE, SLACK, ANCHOR = "tension / allowable tension", "slack share of the cycles", "anchor needed / provided"
 LEFT_OUT = ("sea", "waves", "map", "optimisation", "measured")
-SIDES = (-1, 1)  # of the front and the back line: waves travel to +y
-PROVIDED = {"capacity_kN", "weight_kN_per_m", "spacing"}  # of an anchor that the study has
-HOURS = 3.0  # of a sea, where the study has none
+SIDES = (-1, 1)  # signs of the front and the back line; waves travel to +y
+PROVIDED = {"capacity_kN", "weight_kN_per_m", "spacing"}  # keys of an anchor with given capacity
+HOURS = 3.0  # default duration of a sea, h
 SOURCES = (
     "A tension is the pretension plus the expected largest amplitude in the sea, or the largest in time where a line "
     "goes slack. NAME.h5 contains the curves."

@@ -14,9 +14,9 @@ import numpy as np
 
 from hakobune.mooring.criteria.strength import larger_sizes
 
-SIZES = 16  # that may be tried
-STRONGER = tuple(round(1 + 0.1 * i, 1) for i in range(1, 11))  # of the breaking load of ropes
-SLACKER, TIGHTER = (0.8, 0.65, 0.5, 0.4), (1.25, 1.5, 2.0, 2.5)  # of the pretension
+SIZES = 16  # largest number of sizes tried
+STRONGER = tuple(round(1 + 0.1 * i, 1) for i in range(1, 11))  # factors on the breaking load of ropes
+SLACKER, TIGHTER = (0.8, 0.65, 0.5, 0.4), (1.25, 1.5, 2.0, 2.5)  # factors on the pretension
 MORE = 3  # lines at each corner, or at a buoy
 APART = 20.0  # degrees between the first and last line of a corner that had one
 TENSIONS = tuple(f"{name}_{unit}" for name in ("pretension", "top_tension") for unit in ("kN", "tonf"))

@@ -41,7 +41,7 @@ METHOD = (
     "1982, 3.6). Slow drift is not included in a two-scale run: tensions include the 20 % that the report adds for it."
 )
 STRONGEST = 1e6  # kN, of lines whose breaking load is not known
-CLOSE = 1e-10  # of the anchors' distance, to which they are laid again in other water
+CLOSE = 1e-10  # relative accuracy of the anchor distance in another water depth
 
 
 def read(path):
