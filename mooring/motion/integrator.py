@@ -35,7 +35,8 @@ AT_CORNER = 100  # largest number of consecutive steps below the first limit
 FIRST_STEP = 0.05  # s
 AT_ONCE = 1e-9  # s between instants that are one
 ROUNDING = 2e-9  # uncertainty of sample times, over the step between samples
-CORNER = 0.1  # error allowed over a corner, relative to that of a usual step; a corner takes about six steps
+# step over the usual step, below which the error of a step over a corner counts in proportion; a corner takes six steps
+CORNER = 0.1
 MEMORY = 20.0  # usual steps, over which their mean is taken
 TIME, STEP, WINDOW, USUAL = range(4)  # places in `Clock.now`
 STEPS, REFUSED, SAMPLES, WINDOWS, SHORT = range(5)  # places in `Clock.counts`
