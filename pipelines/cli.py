@@ -58,6 +58,7 @@ app = App(
     suppress_keyboard_interrupt=False,
     help_format="plaintext",  # without the 0.1 s that a reader of Markdown takes to load
 )
+app.register_install_completion_command(help="Install completion of commands and flags for bash, zsh or fish.")
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the flags are laid over")]
 
