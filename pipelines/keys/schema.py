@@ -1,6 +1,6 @@
 """JSON Schema of each kind of file, from the typed table that reads it, for completion and errors in an editor.
 
-msgspec writes types, defaults and required keys; the text, the unit and an example of each key are those of `reference`.
+msgspec writes types, defaults and required keys; text, unit and example of each key are those of `reference`.
 An editor with a TOML language server (taplo, Even Better TOML) reads the schema that the first line of a file names:
 
     #:schema schemas/study.schema.json

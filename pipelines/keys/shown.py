@@ -9,6 +9,11 @@ import textwrap
 from .kinds import KINDS
 from .reference import KeyTable, toml
 
+STEPS = """\
+hakobune keys KIND explains the keys of a kind of file
+hakobune keys WORD searches the keys of all files
+hakobune new KIND  writes an example with every key explained"""
+
 
 def kinds_text(as_json, as_markdown):
     """All kinds of files, what they are and which commands read them"""
@@ -18,7 +23,7 @@ def kinds_text(as_json, as_markdown):
         rows = [f"| {name} | {kind.meaning} | {kind.commands} |" for name, kind in KINDS.items()]
         return "\n".join(["| kind | what it is | commands |", "|---|---|---|", *rows])
     lines = [f"{name:<14} {kind.meaning}; read by {kind.commands}" for name, kind in KINDS.items()]
-    return "\n".join([*lines, "", "hakobune keys KIND explains its keys, hakobune keys WORD searches all files, hakobune new KIND writes an example"])
+    return "\n".join([*lines, "", STEPS])
 
 
 def having(tables, word):
