@@ -15,6 +15,9 @@ ROOT = Path(__file__).parents[1]
 OUTSIDE = ("CHANGELOG.md", "CONTRIBUTING.md", "tests/bench/results/bench.png", "tests/bench/results/growth.png",
            "tests/bench/results/bench.md")  # fmt: skip
 LINK = re.compile(r"\]\((?!https?:)(?:\.\./|docs/)([^)]+)\)")  # to a file of the repository
+SAME = ("bodies", "simulation", "side_by_side", "bridge", "terminal")  # kinds whose keys are those of scene and study
+NOT_SEARCHED = ("CHANGELOG.md", "tests/bench/results/bench.md", *(f"keys-{kind}.md" for kind in SAME))
+BOOST = {"questions.md": 3.0, "theory": 0.3, "api.md": 0.3, "architecture.md": 0.3, "keys-": 0.7}  # by begin of a name
 PACKAGES = ("meshing", "bem", "mooring", "pipelines")
 
 
@@ -44,8 +47,10 @@ def on_files(files, config):
 
 
 def on_page_markdown(markdown, page, config, files):
-    """Links to files of the repository lead to their copies; those to sources, which are not copied, are plain text"""
-    shown = {file.src_uri for file in files}
+    """Links to files of the repository lead to their copies, those to sources become plain text; the search knows ranks"""
+    shown, name = {file.src_uri for file in files}, page.file.src_uri
+    boost = next((boost for begin, boost in BOOST.items() if name.startswith(begin)), 1.0)
+    page.meta["search"] = {"exclude": True} if name in NOT_SEARCHED else {"boost": boost}
     found = re.sub(r"\[([^\]]*)\]\(\.\./([\w/.]+\.(?:py|csv|toml))\)", r"\1", markdown)
     return LINK.sub(lambda link: f"]({link[1]})" if link[1].split("#")[0] in shown else link[0], found)
 

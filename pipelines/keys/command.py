@@ -52,7 +52,7 @@ def _tables(kind, words):
     except ValueError as unknown:
         found = shown.tables_found(search((kind, *words)))
         if not found:
-            raise ValueError(f"{unknown}; no key of any file has {' and '.join((kind, *words))!r} either") from None
+            raise ValueError(f"no key of any file has {' and '.join((kind, *words))!r}, and {unknown}") from None
         return found
     tables = reference(kind)
     for word in words:
