@@ -47,7 +47,7 @@ def on_files(files, config):
 
 
 def on_page_markdown(markdown, page, config, files):
-    """Links to files of the repository lead to their copies, those to sources become plain text; the search knows ranks"""
+    """Links to files of the repository lead to their copies, links to sources become plain text; ranks of the search"""
     shown, name = {file.src_uri for file in files}, page.file.src_uri
     boost = next((boost for begin, boost in BOOST.items() if name.startswith(begin)), 1.0)
     page.meta["search"] = {"exclude": True} if name in NOT_SEARCHED else {"boost": boost}

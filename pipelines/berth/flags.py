@@ -17,7 +17,7 @@ def berth(
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
     measured: Annotated[bool, Parameter(negative=(), help="fifty berthings of Ueda (1981) instead of a study")] = False,
 ):
-    """Energy of a ship that berths by the methods of the literature, what its fenders do, and its course in time.
+    """Compute the energy of a ship that berths, the reaction of its fenders, and its course in time.
 
     hakobune berth berth_tanker.toml --plot berth.png
     """

@@ -17,9 +17,9 @@ def export(
     *,
     to: Annotated[str, Parameter(help=FORMATS)],
     output: Annotated[Path | None, Parameter(help="file or folder [beside the database]")] = None,
-    fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
+    fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
-    """Write a database in the files of another program.
+    """Write a database as files of another program.
 
     hakobune export box.h5 --to wamit
     """
@@ -58,9 +58,9 @@ def import_(
         bool,
         Parameter(help="units, points, phases or headings that our own solution of the hull contradicts", negative=""),
     ] = False,
-    fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
+    fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
-    """Read results of another program into a database; a file, or the folder of Nemoh or HAMS.
+    """Read results of another program into a database: a file, or the folder of Nemoh, HAMS or HydroStar.
 
     hakobune import barge.1 --from wamit --depth 20 --gyration 6,12,13 --center-of-gravity 0,0,1
     """
@@ -110,7 +110,7 @@ def body_(
     frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, those that stay [all]")] = None,
     output: Annotated[Path | None, Parameter(help="another database [this one is changed]")] = None,
 ):
-    """Give an imported database mass, centre of gravity and radii of gyration, so that every study reads it.
+    """Give an imported database mass, centre of gravity and radii of gyration, so that all studies can read it.
 
     hakobune body barge_imported.h5 --gyration 6,12,13 --center-of-gravity 0,0,1
     """

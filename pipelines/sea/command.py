@@ -21,7 +21,7 @@ def sea(
     output: Annotated[Path | None, Parameter(help="write the spectrum to this CSV file")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Moments, periods and heights of a wave spectrum, or of a record of waves; records made of a spectrum.
+    """Compute moments, periods and heights of a wave spectrum or of a record, or make a record.
 
     Heights in m, periods in s.  hakobune sea --height 3 --mean-period 8 --record waves.csv
     """
