@@ -59,6 +59,7 @@ demo: venv
 # HAKOBUNE_DOCS_EXECUTE=false leaves the notebooks without their results, half a minute less
 docs: .venv/.docs
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
+	@rm -f docs/notebooks/*.h5
 	@echo "build/guide is written; open it with $(BIN)/python -m http.server -d build/guide, or make docs-serve"
 
 docs-serve: .venv/.docs
@@ -128,4 +129,4 @@ format: venv
 	$(BIN)/ruff format .
 
 clean:
-	rm -rf demo bench build *.egg-info
+	rm -rf demo bench build .cache *.egg-info

@@ -82,7 +82,7 @@ def overlaid(raw, flags, body):
     given = [key for key in ("mass", "center_of_gravity", "gm", "gyration") if getattr(flags, key) is not None]
     if len(bodies) > 1 and (given or body):
         key = next(iter((*given, *body))).replace("_", "-")
-        raise SceneError(f"--{key} is of one body, the scene has {len(bodies)}; give it under [[bodies]]")
+        raise SceneError(f"--{key} is for one body, but the scene has {len(bodies)}; give it under [[bodies]]")
     _put(bodies[0], mass=flags.mass, GM=flags.gm, trimmed=flags.trimmed or None, **body)
     for key in ("center_of_gravity", "gyration"):
         _put(bodies[0], **{key: _triple(key, getattr(flags, key))})

@@ -35,7 +35,7 @@ def test_a_part_that_does_not_arrive_is_missed(tmp_path, monkeypatch):
         def __len__(self):
             return 4
 
-    with pytest.raises(NotWritten, match="a part of it did not arrive"):
+    with pytest.raises(NotWritten, match="a part of it was not written"):
         write_whole(tmp_path / "a.txt", Short("abc"))
     assert not (tmp_path / "a.txt").exists()
 
@@ -76,5 +76,5 @@ def test_what_cannot_be_kept_is_said_and_what_is_not_ones_own_is_left_alone(tmp_
 
 def test_a_fault_without_a_reason_of_the_system_is_told_in_one_line(tmp_path):
     assert str(not_written("a.h5", OSError("of\nits own"))) == (
-        "a.h5 cannot be written: of its own; what was there before is as it was"
+        "a.h5 cannot be written: of its own; the file that was there before is unchanged"
     )

@@ -270,7 +270,7 @@ def test_coupled_points_of_a_moordyn_file_are_held_until_a_force_moves_the_vesse
     assert "bending stiffness EI of chain is left out" in shown
     assert main(["lines", str(legs), "--depth", "60", "--force", "50,0,0"]) == 0
     shown = capsys.readouterr().out
-    assert "vessel is held where it is given; under --force it moves in surge, sway and yaw" in shown
+    assert "vessel is held at its position; with --force it moves in surge, sway and yaw" in shown
     assert lines(legs, depth=60.0, force=[50e3, 0, 0])["body[vessel].x"] > 0.1
 
 

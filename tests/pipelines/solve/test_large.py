@@ -101,7 +101,7 @@ def test_panels_for_the_tolerance_are_told_with_their_time(monkeypatch):
     monkeypatch.setattr(cost, "seconds_alone", lambda *_: 42.0)
     monkeypatch.setattr(large, "NODES_WORTH_ASKING", 100)
     Telling(console)(FINER, (finer, 0.5))
-    assert said == [f"ω 0.5 rad/s: {mesh.total} panels for the tolerance take about 42 s"]
+    assert said == [f"ω 0.5 rad/s: {mesh.total} panels for the tolerance need about 42 s"]
     monkeypatch.setattr(cost, "seconds_alone", lambda *_: 2.0)
     Telling(console)(FINER, (finer, 0.5))
     assert len(said) == 1

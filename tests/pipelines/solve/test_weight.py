@@ -155,7 +155,7 @@ def test_trim_and_heel_follow_from_moment_and_stiffness(axis, name, stiffness):
 def test_the_third_radius_of_gyration_is_at_most_what_the_others_allow(longest, told, refused):
     """√(3² + 4²) = 5: a hundredth above it is told, a quarter refused"""
     if refused:
-        with pytest.raises(SceneError, match=f"gyration has {longest} m, but the other two allow any body at most 5 m"):
+        with pytest.raises(SceneError, match=f"gyration has {longest} m, but the other two radii allow at most 5 m"):
             told_of(longest)
         return
     said = [line for line in told_of(longest) if "gyration" in line]
