@@ -181,7 +181,7 @@ def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
     with pytest.raises(ValueError, match="of its points"):
         read_mesh(tmp_path / "points.vtp")
     pyvista.Line().save(tmp_path / "line.vtp")
-    with pytest.raises(ValueError, match=r"line\.vtp: no polygons"):
+    with pytest.raises(ValueError, match=r"line\.vtp: it has lines, points or strips, but no polygons"):
         read_mesh(tmp_path / "line.vtp")
     (tmp_path / "cut.vtp").write_bytes((tmp_path / "a.vtp").read_bytes()[:700])
     with pytest.raises(ValueError, match=r"cut\.vtp"):

@@ -200,7 +200,7 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
             "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, it does not",
         ),
         ([*HANGING, "--tension", "1e12"], "--tension is 1e+12 kN, at which an inextensible line of 300 m is straight"),
-        ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN, which the line has "),
+        ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN, at which the line is "),
         ([*HANGING, "--tension", "9000", "--slope-deg", "15"], "60 m above the anchor on a line of 300 m with 9e+06 N"),
         ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
     ],
@@ -304,7 +304,7 @@ FAULTS = [
      "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes studlink or studless"),
     (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown, depth may be meant; allowed: depth"),
     (("mass = 8000.0", "mass = -1"), [], "point sinker: mass is -1; allowed: finite, at least 0 kg"),
-    (("to = \"stern\"", "to = \"bow\""), [], "its end 'bow' is no point of the system"),
+    (("to = \"stern\"", "to = \"bow\""), [], "its end 'bow' is not a point of the system"),
     (("", ""), ["--body", "tug"], "--body is 'tug'; allowed: barge"),
     (("", ""), ["--force", "1,2"], "--force has 2 numbers; allowed: 3"),
     (("", ""), ["--force", "a"], "--force is 'a'; allowed: finite numbers"),
@@ -348,7 +348,7 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     assert "run_frames.png" in capsys.readouterr().out
     Result("lines", {}).write(run)
     assert main(["lines", str(run)]) == 2
-    assert "holds no frames" in capsys.readouterr().err
+    assert "has no frames" in capsys.readouterr().err
 
 
 SINKER = SPREAD[SPREAD.index("[[points]]") : SPREAD.index('[[lines]]\nname = "stern chain"')]

@@ -110,7 +110,7 @@ def test_a_key_that_came_later_has_its_default_in_files_from_before(monkeypatch)
     later = scene(kind=Later)
     assert scene_hash(fixed_part(later)) != stored.scene_hash
     check_same(later, stored, "box.h5")
-    with pytest.raises(SceneError, match=r"of another scene: ice was 0.0, is 2.0; give --fresh"):
+    with pytest.raises(SceneError, match=r"belongs to another scene: ice was 0.0, is 2.0; give --fresh"):
         check_same(Later(**{k: getattr(now, k) for k in Scene.__struct_fields__}, ice=2.0), stored, "box.h5")
 
 
@@ -139,7 +139,7 @@ def test_a_mesh_file_counts_by_its_content_wherever_it_lies(tmp_path, stored):
     check_same(of_mesh(moved), of, "hull.h5")
     with pytest.raises(SceneError, match=r"hull.h5 belongs to another scene: the mesh file has changed; give --fresh"):
         check_same(of_mesh(changed), of, "hull.h5")
-    with pytest.raises(SceneError, match=r"of another scene: water.depth was 20.0, is 30.0; give --fresh"):
+    with pytest.raises(SceneError, match=r"belongs to another scene: water.depth was 20.0, is 30.0; give --fresh"):
         check_same(of_mesh(moved, depth=30.0), of, "hull.h5")
     with pytest.raises(SceneError, match=r"shape was 'mesh', is 'box'; "):
         check_same(scene(), of, "hull.h5")

@@ -78,7 +78,7 @@ def test_a_body_that_cannot_bend_is_rigid(barge, tmp_path):
     path.write_bytes(barge.read_bytes())
     stiff = tables({**BENDING, "EI": 1e18}, {**TORSION, "GJ": 1e18})
     outcome = solve(make_scene(stiff), path)
-    assert "made anew, without solving" in " ".join(outcome.remarks)
+    assert "computed again, without a new solution" in " ".join(outcome.remarks)
     db, six = open_database(path), slice(0, 6)
     A, B, F = db["added_mass"], db["radiation_damping"], db["excitation_force"]
     for i, omega in enumerate(db.omega):
@@ -154,7 +154,7 @@ def test_studies_of_rigid_bodies_say_so(barge):
     "modes, more, said",
     [
         ([BENDING], {"method": "contour", "panels": None}, "six rigid motions alone"),
-        ([BENDING], {"wall": 30.0}, "modes are there and a wall"),
+        ([BENDING], {"wall": 30.0}, "modes and a wall are given"),
         ([{**BENDING, "kind": "hinge"}], {}, "kind is 'hinge'; allowed: vertical bending"),
         ([{**BENDING, "GJ": 1.0}], {}, "GJ is 1.0; vertical bending has EI"),
         ([{"kind": "torsion"}], {}, "GJ is missing"),
