@@ -25,12 +25,12 @@ MEAN = "mean"
 
 
 class SiteLink(Table):
-    """Values of a site, by `hakobune site`, that the study stands in
+    """Values of a site from `hakobune site`
 
-    file : of the values, beside this file
+    file : file of the values, beside this file
     state : of weather there
     level : of the water there
-    leave_out : of wind, current and waves
+    leave_out : those of wind, current and waves that are not taken
     """
 
     file: str

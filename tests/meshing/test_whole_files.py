@@ -18,8 +18,8 @@ def test_texts_and_bytes_are_written_one_after_another_in_place_of_what_was_ther
 def test_a_file_that_fails_while_it_is_made_leaves_what_was_there_and_nothing_beside(tmp_path):
     path = tmp_path / "a.txt"
     path.write_text("before")
-    with pytest.raises(NotWritten, match=r"a\.txt cannot be written: No space left on device; the file that was there before is unchanged"), \
-            made_beside(path) as partial:  # fmt: skip
+    said = r"a\.txt cannot be written: No space left on device; the file that was there before is unchanged"
+    with pytest.raises(NotWritten, match=said), made_beside(path) as partial:
         assert partial.parent == tmp_path and partial.suffix == ".txt" and partial != path
         partial.write_text("half")
         raise OSError(28, "No space left on device")
