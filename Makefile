@@ -5,8 +5,9 @@
 # make test-ends    kernels with the oldest numba, numpy and scipy that are supported, and with the newest
 # make test-kernels the two subsets above, where the change of this branch touches kernels
 # make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
-# make docs    the guide with the reference of all keys, into docs/html
-# make lint    ruff alone; make types: pyright on the public names
+# make docs    the guide with search, keys, API and notebooks, into build/guide; make docs-serve shows it as it is written
+# make lint    ruff and the spelling alone; make types: pyright on the public names
+# make lock    writes the versions of .venv into requirements-lock.txt
 # make venv    .venv with everything installed and all kernels compiled (done by the others when needed)
 
 PYTHON ?= python3
@@ -14,6 +15,8 @@ PROCESSES ?= 2
 BIN := .venv/bin
 STAMP := .venv/.installed
 PEERS := .venv-peers
+LOCK := requirements-lock.txt
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 SCENES := pipelines/scenes
 # what is quick enough as plain Python, and what indexes most
 NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels/test_jit.py tests/mooring/lines/test_static.py
@@ -24,17 +27,19 @@ ENDS := tests/bem/kernels tests/bem/green tests/bem/depth_modes tests/mooring/li
 KERNELS = $(shell git diff --name-only --diff-filter=d main -- '*.py' | xargs -r grep -l '@kernel')
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
-.PHONY: docs demo test test-quick test-nojit test-bounds test-ends test-kernels bench lint types venv format clean
+.PHONY: docs docs-serve lock demo test test-quick test-nojit test-bounds test-ends test-kernels bench lint types venv format clean
 .DELETE_ON_ERROR:
 
 venv: $(STAMP)
 
-$(STAMP): pyproject.toml
+$(STAMP): pyproject.toml $(LOCK)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	  { echo "make: $(PYTHON) is older than 3.11; give another with make PYTHON=…" >&2; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv || \
 	  { rm -rf .venv; echo "make: no virtual environment could be made; on Debian: apt-get install python3-venv" >&2; exit 1; }
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test,page]'
+	$(INSTALL) -c $(LOCK) -e '.[test,page]' || \
+	  { echo "make: the versions of $(LOCK) do not install here; the newest supported ones are taken" >&2; \
+	    $(INSTALL) -e '.[test,page]'; }
 	@$(BIN)/python -c 'import gmsh' || \
 	  { echo "make: gmsh lacks shared libraries; on Debian: apt-get install $(LIBRARIES)" >&2; exit 1; }
 	@$(BIN)/hakobune doctor --compile || echo 'make: not all kernels are compiled; commands compile what they lack' >&2
@@ -51,8 +56,22 @@ demo: venv
 	  --output demo/response.csv --plot demo/response.png
 	$(BIN)/hakobune moor $(SCENES)/moor_chain_12.toml --database demo/box_20m.h5 --output demo/moor.h5
 
-docs: venv
-	$(BIN)/python docs/build.py docs/html
+# HAKOBUNE_DOCS_EXECUTE=false leaves the notebooks without their results, half a minute less
+docs: .venv/.docs
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
+	@rm -f docs/notebooks/*.h5
+	@echo "build/guide is written; open it with $(BIN)/python -m http.server -d build/guide, or make docs-serve"
+
+docs-serve: .venv/.docs
+	NO_MKDOCS_2_WARNING=1 HAKOBUNE_DOCS_EXECUTE=false $(BIN)/mkdocs serve
+
+.venv/.docs: $(STAMP)
+	$(INSTALL) -c $(LOCK) -e '.[docs]' || $(INSTALL) -e '.[docs]'
+	@touch $@
+
+lock: .venv/.docs
+	{ grep '^#' $(LOCK); $(BIN)/python -m pip freeze --exclude-editable; } > $(LOCK).new
+	mv $(LOCK).new $(LOCK)
 
 bench: venv $(PEERS)/.installed
 	$(BIN)/hakobune bench --peer $(PEERS)/bin/python --output bench $(if $(QUICK),--quick)
@@ -67,6 +86,7 @@ $(PEERS)/.installed:
 lint: venv
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/codespell
 
 # where an environment forbids files of bytecode, each process of many would compile all sources again; and
 # installed, since the packages lie beside hakobune in a checkout and below it in site-packages
@@ -109,4 +129,4 @@ format: venv
 	$(BIN)/ruff format .
 
 clean:
-	rm -rf demo bench build docs/html *.egg-info
+	rm -rf demo bench build .cache *.egg-info

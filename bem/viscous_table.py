@@ -30,7 +30,7 @@ class Law(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True)
     drag : N s²/m², or N m s², force or moment over the square of the velocity
     b : coefficient b of the SR179 report (1982), eq. 2.1.4.6, at each of the amplitudes
     amplitudes : m, rising, of heave
-    amplitudes_deg : degrees, rising, of roll and pitch
+    amplitudes_deg : degrees, rising amplitudes of roll or pitch
     """
 
     drag: float | None = None
@@ -55,7 +55,7 @@ class Laws(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
 class ViscousTable(Laws, frozen=True, kw_only=True):
     """Damping of heave, roll and pitch that grows with the motion
 
-    wave_height : m, of the regular waves in which the damping is linearised
+    wave_height : m, height of the regular waves in which the damping is linearised
     """
 
     wave_height: float

@@ -1,8 +1,9 @@
-"""The page of theory: what modules say of their equations and sources, in an order to read them in."""
+"""The pages of theory: what modules say of their equations and sources, in an order to read them in."""
 
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
@@ -99,15 +100,26 @@ CHAPTERS = {
 }
 
 
-def theory():
-    """Markdown of the page"""
-    parts = [
-        "# Theory\n\nWhat is computed, in the words of the modules that do it, with their sources. Symbols are those "
-        "of the sources; signs and axes are on the page of [conventions](conventions.md)."
-    ]
-    for chapter, places in CHAPTERS.items():
-        parts.append(f"## {chapter}")
-        parts += [f"*`{place}`* {said(ROOT / place)}" for place in places]
+def slug(title):
+    """The name of a chapter in the address of its page"""
+    return re.sub(r"\W+", "-", title.lower())
+
+
+def contents():
+    """Markdown of the page that lists the chapters"""
+    links = "\n".join(f"- [{title}](theory-{slug(title)}.md)" for title in CHAPTERS)
+    return (
+        "# Theory\n\nEquations, signs and sources, in the words of the modules that compute them. Symbols are those of "
+        f"the sources. The page of [conventions](conventions.md) defines signs and axes.\n\n{links}\n"
+    )
+
+
+def chapter(title):
+    """Markdown of the page of a chapter"""
+    parts = [f"# Theory: {title}"]
+    for place in CHAPTERS[title]:
+        parts.append(f"## {Path(place).stem.replace('_', ' ').replace('  init  ', '').strip() or 'conventions'}")
+        parts.append(f"{said(ROOT / place)}\n\n*From `{place}`.*")
     return "\n\n".join(parts) + "\n"
 
 

@@ -41,12 +41,12 @@ NEEDED = {
 ALLOWED = {"cylinder": ("end_radius",), "outline": ("y",)}
 EVERY = ("shape", "turns", "cut")
 MOST_PARTS, FINEST, COARSEST = 200, 1e-3, 0.5  # size of panels over that of the hull
-MOST_TRIES, SAME_VOLUME = 8, 2e-3  # of the volume that panels hold, whose corners lie on the body
+MOST_TRIES, SAME_VOLUME = 8, 2e-3  # tries, and error of the volume that panels hold with their corners on the body
 # rad, by which the seam of a cylinder is turned off x, and how many times `around`: tried one after another, since of a
 # column that a mirror plane cuts panels may hold 4 % less or more than of a whole one
 TRIES = ((0.5 * math.pi, 1.0), (0.0, 1.0), (0.5 * math.pi, 1.5))
-SAME_CENTER = 1e-3  # of the hull's length, between the centres of buoyancy of drawing and panels in plan: it makes trim
-AT_SURFACE = 1e-6  # of the size of the hull
+SAME_CENTER = 1e-3  # distance in plan of the centres of buoyancy of drawing and panels, over the length
+AT_SURFACE = 1e-6  # distance from z = 0 that counts as the surface, as a share of the hull's size
 
 
 @dataclass
@@ -109,7 +109,7 @@ def _check(part, where):
     if min(part.get("size", [1.0])) <= 0 or part.get("from", 0) == part.get("to", 1):
         raise ValueError(f"{where} has no size; allowed: lengths above 0")
     if "points" in part and not (_finite(part["points"]) and np.shape(part["points"])[1:] == (2,)):
-        raise ValueError(f"{where}.points is no list of [x, z]; allowed: three or more, m")
+        raise ValueError(f"{where}.points is not a list of [x, z]; allowed: three or more, m")
     if not 1 <= part.get("turns", 1) <= 24:
         raise ValueError(f"{where}.turns is {part['turns']}; allowed: 1 to 24")
 

@@ -47,9 +47,9 @@ COUNTS = re.compile(  # what readers take for the size of their arrays, whatever
     rb"NumberOf(?:Points|Cells|Polys)=\"(\d+)\"|\$(?:Nodes|Elements)\s+(\d+)[ \t]*(\d*)|^OFF\s+(\d+)[ \t]+(\d+)"
 )
 PACKED = 1000.0  # values for a byte, at most, of a compressed file
-SAME_POINT = 1e-6  # of the size of the mesh
-NO_AREA = 1e-9  # of the square of the longest edge
-DRAWN = 4e-3  # of an edge: how far off the surface and the mirror planes points are drawn that are meant to be in them
+SAME_POINT = 1e-6  # points this close are one, as a share of the size of the mesh
+NO_AREA = 1e-9  # area of a panel without area, over the square of its longest edge
+DRAWN = 4e-3  # distance from the surface or mirror plane that a point is drawn to lie in, as a share of its edge
 
 
 def read_mesh(path):
@@ -83,7 +83,9 @@ def read_mesh(path):
         raise ValueError(f"{path}: a coordinate is not a finite number")
     hull = wetted(_as_meant(mesh))
     if not len(hull):
-        raise ValueError(f"{path}: all its panels lie in the water surface and face up: a lid or a deck, no hull")
+        raise ValueError(
+            f"{path}: all its panels lie in the water surface and face up: it is a lid or a deck, not a hull"
+        )
     return replace(_on_positive_side(hull).merged(SAME_POINT), name=path.stem)
 
 
@@ -151,11 +153,12 @@ def _check_head(path):
     whole = 84 + 50 * int.from_bytes(content[80:84], "little")
     if suffix == ".stl" and b"facet" not in content and 84 <= len(content) < whole:
         raise ValueError(
-            f"{path}: its head says {(whole - 84) // 50} triangles, {whole} bytes, and it has {len(content)}; write or "
+            f"{path}: its header says {(whole - 84) // 50} triangles, {whole} bytes, and it has {len(content)}; "
+            "write or "
             "copy it again"
         )
     if (suffix == ".ply" and b"end_header" not in content) or (suffix == ".off" and len(said) < 2):
-        raise ValueError(f"{path}: it ends within its head; write or copy it again")
+        raise ValueError(f"{path}: it ends within its header; write or copy it again")
 
 
 def _check_counts(path):
@@ -184,7 +187,7 @@ def _read_vtp(path):
     polygons = found.GetPolys()
     if reader.GetErrorCode() or not polygons.GetNumberOfCells():
         lines = found.GetNumberOfLines() + found.GetNumberOfStrips() + found.GetNumberOfVerts()
-        state = "no polygons in it but lines, points or strips" if lines else "it cannot be read, or holds nothing"
+        state = "it has lines, points or strips, but no polygons" if lines else "it cannot be read, or holds nothing"
         raise ValueError(f"{path}: {state}; allowed: polygons of 3 or 4 corners")
     points = np.array(vtk_to_numpy(found.GetPoints().GetData()), float)
     starts = vtk_to_numpy(polygons.GetOffsetsArray())
@@ -210,7 +213,7 @@ def _read_with_meshio(path):
         quads = np.asarray(found.cells_dict.get("quad", np.zeros((0, 4))), np.int64)
         triangles = np.asarray(found.cells_dict.get("triangle", np.zeros((0, 3))), np.int64)
     except (OverflowError, TypeError, ValueError):
-        raise ValueError(f"{path}: the points of its panels are no rows of whole numbers") from None
+        raise ValueError(f"{path}: the point numbers of its panels are not whole numbers") from None
     if not len(quads) + len(triangles):
         kinds = ", ".join(sorted(found.cells_dict)) or "nothing"
         raise ValueError(f"{path}: it holds {kinds}; allowed: triangle, quad")

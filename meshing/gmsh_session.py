@@ -30,7 +30,7 @@ def _import_gmsh():
             "meshes from files work without gmsh"
         ) from error
     except ImportError as error:
-        raise ImportError(f"gmsh is not there ({error}); pip install gmsh, or give a mesh file") from error
+        raise ImportError(f"gmsh is not installed ({error}); pip install gmsh, or give a mesh file") from error
     return gmsh
 
 

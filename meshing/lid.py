@@ -17,8 +17,8 @@ from .gmsh_session import filled, graded_patches
 from .panels import PanelMesh, joined, structured
 
 STRAIGHT = 1e-6  # sine of the turn up to which two waterline edges are one line
-OFF = 0.1  # of the width of a lid, that a chord may leave its ring
-AT_SURFACE = 1e-6  # of the draft: points this close to z = 0 belong to the waterline
+OFF = 0.1  # largest distance of a chord from its ring, over the width of the lid
+AT_SURFACE = 1e-6  # points this close to z = 0 belong to the waterline, as a share of the draft
 
 
 def lid(mesh, size=None):

@@ -11,7 +11,7 @@ import numpy as np
 
 from .panels import PanelMesh
 
-SAME_POINT = 1e-6  # of the size of the mesh
+SAME_POINT = 1e-6  # points this close are one, as a share of the size of the mesh
 
 
 def healed(mesh, near):

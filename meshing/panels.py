@@ -13,8 +13,8 @@ from functools import cached_property
 import numpy as np
 
 SYMMETRIES = ("", "x", "y", "xy")
-SAME_PLACE = 1e-5  # of the largest radius: a point closer to another is that one, as files round
-SAME_SIDE = 1e-9  # of the size of the hull: closer to a plane is on it
+SAME_PLACE = 1e-5  # points this close are one, as a share of the largest radius: files round
+SAME_SIDE = 1e-9  # points this close to a plane lie in it, as a share of the hull's size
 ROUND = 12  # turns about the vertical that map a mesh to itself, from which on it is one of revolution
 
 
@@ -202,7 +202,7 @@ class PanelMesh:
         side = self.vertices[..., "xy".index(axis)]
         reach = SAME_SIDE * np.abs(self.points).max(initial=0.0)
         if axis in self.symmetry or (side.min() < -reach and side.max() > reach):
-            raise ValueError(f"the hull lies on both sides of {axis} = 0 already; allowed: a half of it to mirror")
+            raise ValueError(f"the hull already lies on both sides of {axis} = 0; allowed: one half of it, to mirror")
         return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
 
     def clipped(self):

@@ -28,7 +28,7 @@ MOST_BEHIND = 2**24  # bytes of names and attributes behind the last numbers, be
 MARK = "  [CRC-32 of all else: "
 # either end of a mark that is damaged elsewhere; words of it alone, as "of all lines", stand in many a text
 TRACE = re.compile(r"\[CRC-32|else: [0-9a-f]{8}\]")
-REMEDY = "copy it again, or delete it and make it anew"
+REMEDY = "copy it again, or delete it and make it again"
 
 
 def hdf5_seal(image, places, filled=(), kind="", size=LEAST_BLOCK):

@@ -24,7 +24,7 @@ import numpy as np
 
 from .panels import structured
 
-LONG, LONGEST = 0.4, 0.5  # of the length
+LONG, LONGEST = 0.4, 0.5  # usual and largest length of the entrance, over the length
 FULLNESS, BLOCKS = (0.3, 0.97), (0.4, 0.95)
 BILGE = 0.25  # radius over draft, and at most over half the beam
 CORNER = 1 - math.pi / 4

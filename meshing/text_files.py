@@ -45,7 +45,7 @@ def _content(path, error, largest):
     with gzip.open(path) as packed:
         content = packed.read(int(largest * 1e6) + 1)
     if len(content) > largest * 1e6:
-        raise error(f"{path} has more than {largest} MB packed in it; allowed: up to that")
+        raise error(f"{path} has more than {largest} MB unpacked; allowed: up to that")
     return content
 
 
@@ -55,7 +55,7 @@ def check_size(path, error=ValueError, largest=LARGEST):
     if stat.S_ISDIR(found.st_mode):
         raise error(f"{path} cannot be read: Is a directory")
     if not stat.S_ISREG(found.st_mode):
-        raise error(f"{path} cannot be read: it is a device or a pipe, which may never end; give a file")
+        raise error(f"{path} cannot be read: it is a device or a pipe, which may have no end; give a file")
     if found.st_size > largest * 1e6:
         raise error(f"{path} has {found.st_size / 1e6:.0f} MB; allowed: up to {largest} MB")
 

@@ -192,7 +192,7 @@ def _panel_by_panel(path, lines, panels):
         if words and _is_number(words[0]) and float(words[0]) > 0:
             raise ValueError(
                 f"{path}, line {i}: {line.strip()!r} after {panels} panels: dipole panels (NPAND) or a wrong NPAN; "
-                "allowed: bodies with a volume, and NPAN as many as there are"
+                "allowed: bodies with a volume, and NPAN equal to the number of panels"
             )
         break
     return values

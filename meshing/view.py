@@ -68,7 +68,9 @@ def write_page(plotter, path):
     try:
         from trame_pyvista.jupyter import launch_server
     except ImportError:
-        raise ValueError("a page to turn needs trame-pyvista; install it by: pip install 'hakobune[page]'") from None
+        raise ValueError(
+            "a page with a mesh that turns needs trame-pyvista; install it by: pip install 'hakobune[page]'"
+        ) from None
 
     async def write(partial):
         await launch_server().ready

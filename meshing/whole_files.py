@@ -12,7 +12,7 @@ from pathlib import Path
 
 
 class NotWritten(OSError):
-    """A file could not be written; what was there before is as it was."""
+    """A file could not be written; the file that was there before is unchanged."""
 
 
 def write_whole(path, *content):
@@ -26,7 +26,7 @@ def write_whole(path, *content):
             for part in parts:
                 file.write(part)
         if partial.stat().st_size != sum(map(len, parts)):
-            raise OSError(0, "a part of it did not arrive")
+            raise OSError(0, "a part of it was not written")
 
 
 @contextlib.contextmanager
@@ -75,4 +75,4 @@ def keep_room(path):
 def not_written(path, error):
     """The NotWritten of a file and the OSError that came of writing it"""
     reason = error.strerror or " ".join(str(error).split())
-    return NotWritten(f"{path} cannot be written: {reason}; what was there before is as it was")
+    return NotWritten(f"{path} cannot be written: {reason}; the file that was there before is unchanged")

@@ -51,15 +51,16 @@ OWN_FORMS = ("keys",)  # commands that write JSON of their own
 app = App(
     name="hakobune",
     help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
-    "Every command prints its tables as CSV with --csv and as JSON with --json.\n"
-    "With --timing it reports on stderr how long each phase took.",
+    "Any command prints its tables as CSV with --csv and as JSON with --json;\n"
+    "with --timing it shows on stderr the time of each phase.",
     version=__version__,
     result_action="return_value",
     suppress_keyboard_interrupt=False,
     help_format="plaintext",  # without the 0.1 s that a reader of Markdown takes to load
 )
+app.register_install_completion_command(help="Install completion of commands and flags for bash, zsh or fish.")
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
-SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML); flags override it")]
+SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML); flags replace its keys")]
 
 
 @app.command
@@ -73,9 +74,9 @@ def box(
     flags: SceneFlags = SceneFlags(),  # noqa: B008 - a frozen value
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
-    """Radiation, diffraction, motions and drift of a box; sizes in m.
+    """Compute radiation, diffraction, motions and drift of a box; sizes in m.
 
-    A second call with the same output takes up where the first stopped, or adds what is new.
+    A second call with the same output continues where the first stopped, or adds what is new.
     """
     return _solve(scene, {"shape": "box", "length": length, "beam": beam, "draft": draft}, flags, run)
 
@@ -90,7 +91,7 @@ def buoy(
     flags: SceneFlags = SceneFlags(),  # noqa: B008
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
-    """The same for a vertical circular cylinder; sizes in m."""
+    """Compute radiation, diffraction, motions and drift of a vertical circular cylinder; sizes in m."""
     return _solve(scene, {"shape": "buoy", "radius": radius, "draft": draft}, flags, run)
 
 
@@ -103,17 +104,18 @@ def ship(
     beam: Annotated[Size, Parameter(help="m")] = None,
     draft: Annotated[Size, Parameter(help="m")] = None,
     block: Annotated[float | None, Parameter(help="block coefficient", allow_leading_hyphen=True)] = None,
-    bow: Annotated[float | None, Parameter(help="waterplane coefficient of the bow", allow_leading_hyphen=True)] = None,
+    bow: Annotated[float | None, Parameter(help="fullness of the bow waterplane", allow_leading_hyphen=True)] = None,
     stern: Annotated[
-        float | None, Parameter(help="waterplane coefficient of the stern", allow_leading_hyphen=True)
+        float | None, Parameter(help="fullness of the stern waterplane", allow_leading_hyphen=True)
     ] = None,
-    waterplane: Annotated[
-        float | None, Parameter(help="its waterplane coefficient C_WP, in place of bow and stern")
-    ] = None,
+    waterplane: Annotated[float | None, Parameter(help="waterplane coefficient C_WP, instead of bow and stern")] = None,
     flags: SceneFlags = SceneFlags(),  # noqa: B008
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
-    """The same for a ship of flat bottom, bilge, pointed bow and stern; sizes in m, with x towards the bow."""
+    """Compute radiation, diffraction, motions and drift of a ship by its block coefficient; sizes in m.
+
+    The ship has a flat bottom, a bilge, and a pointed bow and stern; x points to the bow.
+    """
     form = {"block": block, "bow": bow, "stern": stern, "waterplane": waterplane}
     return _solve(scene, {"shape": "ship", "length": length, "beam": beam, "draft": draft, **form}, flags, run)
 
@@ -127,7 +129,7 @@ def solve(
     flags: SceneFlags = SceneFlags(),  # noqa: B008
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
-    """The same for the body of a scene file, or of a mesh file."""
+    """Compute radiation, diffraction, motions and drift of the body of a scene file or of a mesh file."""
     if scene is None and mesh is None:
         raise ValueError("nothing to solve; give a scene file or --mesh file")
     return _solve(scene, {} if mesh is None else {"shape": "mesh", "file": mesh}, flags, run)
@@ -138,15 +140,13 @@ def look(
     file: Annotated[Path, Parameter(help="database, scene or mesh file")],
     /,
     *,
-    plot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
-    page: Annotated[Path | None, Parameter(help=".html: the mesh to rotate in a browser, in place of a window")] = None,
+    plot: Annotated[Path | None, Parameter(help="write a picture instead of opening a window")] = None,
+    page: Annotated[Path | None, Parameter(help="write a page (.html) in which a browser turns the mesh")] = None,
     field: Annotated[str | None, Parameter(help="colour panels by area, size, aspect or pressure")] = None,
-    omega: Annotated[
-        float | None, Parameter(help="rad/s, frequency of the pressure; the nearest stored one is shown")
-    ] = None,
-    heading: Annotated[Size, Parameter(help="degrees, a stored heading of the pressure")] = None,
+    omega: Annotated[float | None, Parameter(help="frequency of the pressure, rad/s; shows the nearest stored")] = None,
+    heading: Annotated[Size, Parameter(help="heading of the pressure, degrees; a stored one")] = None,
 ):
-    """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
+    """Show the mesh of a database, a scene or a mesh file, coloured by a field."""
     from .view.looking import look
 
     return look(file, plot, field, omega, heading, page)
@@ -158,16 +158,16 @@ def mesh(
     /,
     *,
     output: Annotated[Path, Parameter(help=".gdf, .pnl, .nemoh, .dat, .msh or .vtu")],
-    scale: Annotated[str, Parameter(help="a factor, or three")] = "1",
-    heal: Annotated[float, Parameter(help="m: merge points closer than this", show_default=False)] = 0.0,
+    scale: Annotated[str, Parameter(help="scale by a factor, or by three along x,y,z")] = "1",
+    heal: Annotated[float, Parameter(help="merge points closer than this, m", show_default=False)] = 0.0,
     turn: Annotated[
-        str, Parameter(help="degrees: rotate about z, or about x,y,z in turn", allow_leading_hyphen=True)
+        str, Parameter(help="turn by degrees about z, or x,y,z in this order", allow_leading_hyphen=True)
     ] = "0",
-    move: Annotated[str, Parameter(help="m, x,y,z", allow_leading_hyphen=True)] = "0,0,0",
+    move: Annotated[str, Parameter(help="move by x,y,z, m", allow_leading_hyphen=True)] = "0,0,0",
     flip: Annotated[bool, Parameter(help="reverse the normals", negative="")] = False,
-    mirror: Annotated[str, Parameter(help="x, y or xy: add the mirror images in these planes")] = "",
-    clip: Annotated[bool, Parameter(help="cut the hull at z = 0, keep what is below", negative="")] = False,
-    fold: Annotated[bool, Parameter(help="keep one half or quarter of a symmetric hull", negative="")] = False,
+    mirror: Annotated[str, Parameter(help="add the mirror images in these planes: x, y or xy")] = "",
+    clip: Annotated[bool, Parameter(help="cut the hull at z = 0 and keep the part below", negative="")] = False,
+    fold: Annotated[bool, Parameter(help="keep a half or quarter of a symmetric hull", negative="")] = False,
 ):
     """Change a mesh file, in the order of the flags below, and write it in the format of the new name.
 
@@ -185,9 +185,9 @@ def plot(
     *,
     output: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
 ):
-    """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png.
+    """Draw coefficients, excitation, motions and drift of a database, by default into a .png beside it.
 
-    Of several bodies a picture of each, its name at the end of that of the file; of beams one of how they bend.
+    Several bodies have one picture each, with the name of the body added; beams have one of their bending.
     """
     from hakobune.bem.bodies.one_of_several import each_body
     from hakobune.bem.database import open_database
@@ -218,9 +218,9 @@ def check(
     *,
     repair: Annotated[bool, Parameter(negative=(), help="mark damaged frequencies as unsolved")] = False,
 ):
-    """Physics checks of a database against its tolerance, and mesh findings; of a result (.h5, .csv), its checksum.
+    """Check a database by the laws of physics, and its mesh; or the checksum of a result (.h5, .csv).
 
-    Status 1 if one fails.
+    Status 1 if a check fails.
     """
     from .checking import check
 
@@ -232,12 +232,10 @@ def moor(
     study: Annotated[Path, Parameter(help="mooring study (TOML)")],
     /,
     *,
-    database: Annotated[Path, Parameter(help="of the body, .h5")],
-    output: Annotated[
-        Path | None, Parameter(help="results, .h5 or .csv, with a picture of the plan beside them")
-    ] = None,
+    database: Annotated[Path, Parameter(help="database of the body, .h5")],
+    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv, with a picture of the plan beside")] = None,
 ):
-    """Equilibrium, natural periods and line tensions of a mooring study on a database."""
+    """Compute equilibrium, natural periods and line tensions of a moored body, by the simplified method."""
     from .moor.command import moor
 
     return moor(study, database, output)
@@ -251,9 +249,9 @@ def sweep(
     output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
-    plot: Annotated[Path | None, Parameter(help="picture, over the first varied key: .png, .svg or .pdf")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture over the first key: .png, .svg or .pdf")] = None,
 ):
-    """Run many cases of a study over its keys; a second call takes up where the first stopped.
+    """Run many cases of a study over its keys; a second call continues where the first stopped.
 
     hakobune new sweep
     """

@@ -25,7 +25,7 @@ def doctor(
     *,
     compile: Annotated[bool, Parameter(help="compile the kernels of all studies now", negative="")] = False,
 ):
-    """Say what is installed and what is amiss; 1 where a command cannot work.
+    """Show what is installed and what is missing; status 1 if a command cannot work.
 
     hakobune doctor
     """

@@ -106,9 +106,12 @@ def test_files_of_the_four_jobs_are_those_that_their_commands_read(tmp_path):
     from hakobune.pipelines.scene.scene import make_scene, read_scene
     from hakobune.pipelines.single_point.reading import read_study as read_point
 
-    text = (DOCS / "jobs.md").read_text(encoding="utf-8")
-    for name, body in re.findall(r"`(\w+\.toml)`[^`]*?```toml\n(.*?)```", text, re.S):
-        (tmp_path / name).write_text(body)
+    pages = sorted(DOCS.glob("job_*.md"))
+    assert len(pages) == 4
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        for name, body in re.findall(r"`(\w+\.toml)`[^`]*?```toml\n(.*?)```", text, re.S):
+            (tmp_path / name).write_text(body)
     ship = ExposedBox(225.0, 36.0, 13.0, 5.0)
     assert read_study(tmp_path / "study.toml")[0].spreads[0].length == 150.0
     assert len(read_study(tmp_path / "jetty.toml")[0].berth(ship, (0, 0, 0)).names) == 8

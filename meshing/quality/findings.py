@@ -16,14 +16,14 @@ import numpy as np
 from .overlap import connected, overlaps
 from .seams import rings
 
-WELD = 1e-6  # of the hull's size: points closer than that are one
-AT_SURFACE = 1e-6  # of the draft
-DRAWN = 4e-3  # of an edge: how far off a plane points are drawn that are meant to be in it
-NO_AREA = 1e-9  # of the square of the longest edge
+WELD = 1e-6  # points this close are one, as a share of the hull's size
+AT_SURFACE = 1e-6  # distance from z = 0 that counts as the surface, as a share of the draft
+DRAWN = 4e-3  # distance of a point from the plane that it is drawn to lie in, as a share of its edge
+NO_AREA = 1e-9  # area of a panel without area, over the square of its longest edge
 LONGEST_ASPECT = 100.0
 LARGEST_WARP = 0.1  # distance of a corner from the panel's mean plane, of the longest edge
-PANELS_PER_WAVE = 3  # of two by two nodes each: six nodes a wave
-OPEN_AREA = 1e-3  # of the wetted area, of holes that a solution does not notice: pipes that end on a wall
+PANELS_PER_WAVE = 3  # panels of two by two nodes along a wave: six nodes a wave
+OPEN_AREA = 1e-3  # area of holes that do not change a solution, over the wetted area: pipes that end on a wall
 LID_AREA = 0.1  # relative difference between lid and waterplane
 
 
@@ -128,11 +128,13 @@ class _Edges:
         top, foot = (np.array_equal(np.flatnonzero(np.abs(z - at) <= reach), ends) for at in (z.max(), z.min()))
         if top:
             return (
-                f", all of its top, z = {z.max():.6g} m: if that is the waterline, move it there "
-                f"(`hakobune mesh --move 0,0,{-z.max():.6g}`); else close it"
+                f", all of its top, z = {z.max():.6g} m: if this is the waterline, move it to z = 0 "
+                f"(`hakobune mesh --move 0,0,{-z.max():.6g}`); otherwise close it"
             )
         if foot:
-            return f", all of its foot, z = {z.min():.6g} m: a wall may end so on a bed of that depth; else close it"
+            return (
+                f", all of its foot, z = {z.min():.6g} m: a wall may end so on a bed of that depth; otherwise close it"
+            )
         return "; close it"
 
     @property
@@ -173,7 +175,7 @@ def _position(mesh):
     if lids.any():
         yield Finding(
             "error",
-            f"{_count(lids)} in the water surface, facing up: no water wets them; remove them, a lid is made apart",
+            f"{_count(lids)} in the water surface, facing up: they are dry; remove them; a lid is made separately",
         )
     for axis in mesh.symmetry:
         side = mesh.vertices[..., "xy".index(axis)]
@@ -202,7 +204,7 @@ def _shapes(mesh):
         yield Finding(
             "warning",
             f"{_count(long)} with an aspect ratio up to {aspect.max():.3g}, good: ≤ {LONGEST_ASPECT:g}; "
-            "divide the long side more often",
+            "divide the long side into more panels",
         )
     warp = np.linalg.norm(mesh.vertices - mesh.flat_vertices, axis=2).max(axis=1)
     twisted = sound & (warp > LARGEST_WARP * mesh.sizes)
@@ -240,14 +242,14 @@ def _holes(edges, area):
             yield Finding(
                 "warning",
                 f"panels meet without sharing corners along {which.sum()} edges, {0.5 * length:.4g} m in all, up to "
-                f"{rings.widest:.2g} m apart, the first near {place}: closed for the water, less accurate there; let "
-                "panels meet corner to corner where it matters",
+                f"{rings.widest:.2g} m apart, the first near {place}: the hull is watertight there, but less "
+                "accurate; let panels meet corner to corner where it matters",
             )
         elif open_area <= OPEN_AREA * area:
             yield Finding(
                 "warning",
-                f"the hull is open {along}: {open_area:.3g} m² of {area:.5g} m², limit {100 * OPEN_AREA:g} %; it is "
-                "solved as it is",
+                f"the hull is open {along}: {open_area:.3g} m² of {area:.5g} m², limit {100 * OPEN_AREA:g} %; it "
+                "is solved with this opening",
             )
         elif plane := edges.half(which):
             yield Finding(
@@ -272,7 +274,7 @@ def _orientation(mesh, edges):
         yield Finding(
             "error",
             f"normals change side across {mixed.sum()} edges, the first near {edges.middle(mixed)}; "
-            "turn the panels on one side of them",
+            "flip the panels on one side of them",
         )
         return
     part, volume, closed = _parts(mesh, edges)
@@ -286,7 +288,7 @@ def _orientation(mesh, edges):
         yield Finding(
             "error",
             f"the normals of {_count(panels)} point into the body (volume {volume[inward].sum():.6g} m³); "
-            "turn them round (`hakobune mesh --flip`)",
+            "reverse them (`hakobune mesh --flip`)",
         )
 
 
@@ -310,8 +312,8 @@ def _overlaps(mesh):
     for inside, of, place in overlaps(mesh.whole().merged(WELD)):
         yield Finding(
             "error",
-            f"two parts of the hull lie in each other: {inside} of {of} panels looked at of one are inside of another, "
-            f"the first at {_where(place)}; join them to one hull, or move them apart",
+            f"two parts of the hull overlap: {inside} of {of} checked panels of one are inside the other, the "
+            f"first at {_where(place)}; join them into one hull, or move them apart",
         )
 
 
@@ -321,8 +323,8 @@ def _clearance(mesh, depth, edges):
         length = mesh.copies * edges.on_bed_length
         yield Finding(
             "warning",
-            f"the hull stands on the sea bed, z = {-depth:.6g} m, along {length:.4g} m: no water is under it; it is "
-            "solved as held there",
+            f"the hull stands on the sea bed, z = {-depth:.6g} m, along {length:.4g} m: there is no water under "
+            "it; it is solved as fixed to the bed",
         )
         return
     if not gap > 0:
@@ -338,8 +340,8 @@ def _clearance(mesh, depth, edges):
     if wide.any():
         yield Finding(
             "warning",
-            f"{_count(wide)} on the bottom longer than the water under them is deep: up to "
-            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; ask for more panels",
+            f"{_count(wide)} on the bottom longer than the depth of water under them: up to "
+            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; give more panels",
         )
 
 
@@ -352,7 +354,7 @@ def _resolution(mesh, shortest_wave):
         yield Finding(
             "warning",
             f"{_count(coarse)} up to {mesh.sizes.max():.3g} m long, coarse for the wave length {shortest_wave:.4g} m; "
-            f"good: ≤ {limit:.3g} m (a third); ask for more panels or leave out the shortest waves",
+            f"good: ≤ {limit:.3g} m (a third); give more panels or leave out the shortest waves",
         )
 
 
@@ -373,7 +375,7 @@ def lid_findings(mesh, lid):
         yield Finding(
             "warning",
             f"the lid covers {covered:.4g} m² of a waterplane of {inside:.4g} m²; good: within "
-            f"{100 * LID_AREA:g} %; make it anew with meshing.lid",
+            f"{100 * LID_AREA:g} %; make a new one with meshing.lid",
         )
 
 

@@ -16,9 +16,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-SAME = 1e-6  # of the size of the mesh: ends of edges closer than that are one
-NEAR = 0.5  # of the longer mean edge: how far apart two rims may be that close each other
-SLIT = 0.1  # of the mean edge: width of a ring, below which it is a seam; a missing square has 0.5
+SAME = 1e-6  # ends of edges this close are one, as a share of the size of the mesh
+NEAR = 0.5  # largest distance of two rims that close each other, over the longer mean edge
+SLIT = 0.1  # width of a ring below which it is a seam, over the mean edge; a missing square has 0.5
 
 
 class Rings(NamedTuple):

@@ -7,7 +7,7 @@ import numpy as np
 from ..lid import AT_SURFACE, panelled, rings_of
 from ..panels import PanelMesh, joined
 
-SAME = 1e-6  # of the size of a polygon: corners that are closer are one
+SAME = 1e-6  # corners this close are one, as a share of the size of a polygon
 
 
 def moonpools(mesh):
@@ -42,7 +42,9 @@ def counter_clockwise(corners):
     turn = ahead[:, 0] * np.roll(ahead, -1, axis=0)[:, 1] - ahead[:, 1] * np.roll(ahead, -1, axis=0)[:, 0]
     least = SAME * np.ptp(corners, axis=0).max() ** 2
     if len(corners) < 3 or not (np.all(turn > -least) or np.all(turn < least)) or np.abs(turn).max() <= least:
-        raise ValueError("is no convex polygon; allowed: three corners and more in order, a bent gap in several parts")
+        raise ValueError(
+            "is not a convex polygon; allowed: three or more corners in order; divide a bent gap into several parts"
+        )
     return corners if turn.sum() > 0 else corners[::-1]
 
 

@@ -102,8 +102,8 @@ def unread(name):
     if not name or "6x24" not in name.lower().split():
         return ""
     return (
-        f"{name}: K 0.280 and W 0.318 are those that makers quote from ISO 2408 (2004), not read in it; look there, or "
-        "give weight and breaking load of the maker's certificate"
+        f"{name}: K 0.280 and W 0.318 are quoted by makers from ISO 2408 (2004) and were not checked in the "
+        "standard; check there, or give weight and breaking load of the maker's certificate"
     )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
 FLOATING_STATES = ("slack, the rest floats", "partly in the sea surface", "under water", "beyond reach")
-NEAR_SHORE = 1e-3  # of the distance to where the bed is as high as the fairlead: how near curves go to it
+NEAR_SHORE = 1e-3  # how near curves go to where the bed is as high as the fairlead, over the distance to it
 
 
 @dataclass(frozen=True)

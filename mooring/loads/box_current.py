@@ -32,7 +32,7 @@ from .table_file import read_table
 DEGREES = ("0", "15", "30", "45", "60", "75", "90")
 ANGLES = np.deg2rad([float(a) for a in DEGREES])
 TANK = {1.2: 1.4, 2.0: 1.8}  # depth of the tank in beams, for each L/B
-SAME = 0.025  # of L/B or B/d: nearer to a tested proportion it counts as that proportion
+SAME = 0.025  # relative distance of L/B or B/d within which it counts as a tested proportion
 REACH = {"L/B": (1.0, 12.0), "B/d": (2.0, 60.0), "H/d": (1.02, np.inf)}  # how far tests are led on
 SHALLOWEST = {1.2: 1.05, 2.0: 1.2}  # H/d of the tests, by L/B
 GROUNDED = 3.2  # C_y abeam of ships that ground
@@ -86,7 +86,8 @@ def _require(name, value, low, high):
     if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
         span = f"{low:g} to {high:g}" if high < np.inf else f"from {low:g} on"
         raise ValueError(
-            f"{name} = {value:.4g} is too far outside the current force tests to lead them on ({span}); give current "
+            f"{name} = {value:.4g} is too far outside the current force tests to extrapolate them ({span}); give "
+            "current "
             "coefficients"
         )
 
@@ -100,8 +101,12 @@ def _beyond(name, value, taken):
     """A note where tests of the nearest proportion are taken, "" within them"""
     if abs(value / taken - 1) <= SAME:
         return ""
-    more = "; narrower sections drag more, a square one of B/d = 2 by about half" if name == "B/d" and value < 5 else ""
-    return f"current force: {name} = {value:.4g} is outside the tests and taken as {taken:g}{more}"
+    more = (
+        "; narrower sections have more drag, a square one of B/d = 2 about half more"
+        if name == "B/d" and value < 5
+        else ""
+    )
+    return f"current force: {name} = {value:.4g} is outside the tests; used is {taken:g}{more}"
 
 
 def _tested(slender, wide, relative):
@@ -116,7 +121,8 @@ def _tested(slender, wide, relative):
     rise = ((1 / relative) ** 2 - (1 / edge) ** 2) / (1 - (1 / edge) ** 2)
     y = y * (1 + max(GROUNDED / y[-1] - 1, 0.0) * rise)
     told = (
-        f"current force: H/d = {relative:.4g} is below the tests of L/B = {slender:g} ({edge:g}); C_y grows on to 3.2"
+        f"current force: H/d = {relative:.4g} is below the tests of L/B = {slender:g} ({edge:g}); C_y is "
+        "extrapolated up to 3.2"
     )
     return x, y, (*notes, told)
 
@@ -136,7 +142,7 @@ def _broad(wide, relative):
         return *(smooth([10.0, 15.0], values)(wide) for values in deep), ()
     known, low = [_over_depth(name, relative) for name in ("C_x", "C_y")], max(relative, SHALLOWEST[2.0])
     trend = [a[i] / b[i] for a, b, i in zip(_slender(wide, low), _slender(10.0, low), (0, -1), strict=True)]
-    note = f"current force: B/d = {wide:.4g} is not tested with L/B = 1.2, the trend of L/B = 2 is taken"
+    note = f"current force: B/d = {wide:.4g} was not tested with L/B = 1.2; the trend of L/B = 2 is used"
     return known[0] * trend[0], known[1] * trend[1], (note,)
 
 
@@ -192,7 +198,7 @@ def _suspects(slender, wide, relative):
         if _next_to(wide, b, beams) and _next_to(_column(slender, wide, relative), _column(slender, b, h), depths):
             yield (
                 f"current force: {name} = {r[r['suspect']]} at L/B = {slender:g}, B/d = {b:g}, H/d = {h:g}, "
-                f"{r['suspect']}° of the report is out of line with its neighbours and used as printed"
+                f"{r['suspect']}° of the report deviates from its neighbours; it is used as printed"
             )
 
 
@@ -209,7 +215,7 @@ def _next_to(value, node, nodes):
 
 def _guesses(slender, given):
     if 1.2 < slender < 2.0:
-        yield f"current force: L/B = {slender:.4g} lies between the tested 1.2 and 2; a linear guess"
+        yield f"current force: L/B = {slender:.4g} lies between the tested 1.2 and 2; it is interpolated linearly"
     if slender != 2.0 or given > 2.0 * (1 + SAME):
         yield (
             f"current moment of L/B = {given:.4g} is a guess, lever {0.09 * (min(given, 2.0) - 1):.2g} L at 45°; "

@@ -37,7 +37,7 @@ from .table_file import read_table
 
 FITTED = np.deg2rad(60.0)
 LARGEST_TURN = 0.5  # L/R of the tests
-SAME = 0.025  # of L/B or B/d: nearer to a tested proportion it counts as that proportion
+SAME = 0.025  # relative distance of L/B or B/d within which it counts as a tested proportion
 DEEP = 8.0  # H/d from which the tests with other L/B are used
 
 
@@ -207,11 +207,11 @@ def _over_slenderness(coefficient, slender):
 def _notes(slender):
     if 1.5 < slender < 3.0:
         yield (
-            f"turning coefficients of L/B = {slender:.4g}: C_y of L/B = 2.25 in the report is out of line with its "
-            "neighbours (A4, A5, A6) and used as printed"
+            f"turning coefficients of L/B = {slender:.4g}: C_y of L/B = 2.25 in the report deviates from its "
+            "neighbours (A4, A5, A6); it is used as printed"
         )
     if slender > 1.0:
         yield (
             f"turning coefficients of L/B = {slender:.4g}: the report's C_y has up to 0.13 at β = r = 0 (A0), "
-            "which a box cannot have; left out"
+            "which a box cannot have; it is not used"
         )

@@ -17,11 +17,11 @@ def breakwater(
     database: Annotated[Path | None, Parameter(help="database of a unit of finite length along x, for [map]")] = None,
     map_plot: Annotated[Path | None, Parameter(help="picture of the waves around the unit: .png, .svg or .pdf")] = None,
 ):
-    """A floating breakwater in two dimensions: transmission, a sea behind it, line tensions, pretension, anchors.
+    """Compute a floating breakwater in two dimensions: transmission, sea behind it, tensions, pretension, anchors.
 
-    With a database of a unit of finite length, the waves around a row of them.
+    With a database of one unit of finite length it computes the waves around a row of them.
 
-    Status 1 where a line goes slack, no pretension is allowed, an anchor is too small, or no design is good enough.
+    Status 1 if a line goes slack, no pretension is allowed, an anchor is too small, or no design is good enough.
     """
     from rich.console import Console
 

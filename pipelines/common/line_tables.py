@@ -21,14 +21,14 @@ from .units import KGF, TONF
 class MaterialTable(Table):
     """Submerged weight, axial stiffness EA and breaking load, each in one of its units
 
-    catalogue : a name such as "R3 studless 76 mm", for what is not given
+    catalogue : name in the catalogue, such as "R3 studless 76 mm", for values that are not given
     weight : submerged, for each metre
     axial_stiffness : EA; left out: inextensible
     breaking_load : of a new line
-    termination : of a wire rope, which takes of its breaking load: "socket", "swaged socket", "sleeve", "splice",
+    termination : end of a wire rope, which reduces its breaking load: "socket", "swaged socket", "sleeve", "splice",
         "wedge socket" or "clips"
-    efficiency : of the termination, above 0, at most 1, in place of its name
-    corrosion_mm : of the diameter of a chain of the catalogue, lost by wear and corrosion
+    efficiency : efficiency of the termination, above 0, at most 1, in place of its name
+    corrosion_mm : loss of diameter of a chain of the catalogue by wear and corrosion
     """
 
     catalogue: str | None = None
@@ -44,12 +44,12 @@ class MaterialTable(Table):
 
 
 class TypeTable(MaterialTable):
-    """What a line is made of, by the name that lines call it
+    """A type of line, by its name
 
     bed_friction : coefficient of friction on the bed, 0 to 5
-    elongation_percent : % of its length, of a hawser without weight, from 0 on; a smooth curve goes through the points
-    tension : of a hawser, at each elongation, from 0 on
-    spring_kN_per_m : kN/m, of a spring that pulls and does not push
+    elongation_percent : elongation of a hawser, % of its length, from 0 on; a smooth curve goes through the points
+    tension : tension of a hawser at each elongation, from 0 on
+    spring_kN_per_m : kN/m, stiffness of a spring that pulls only
     """
 
     bed_friction: float = 0.0
@@ -69,7 +69,7 @@ class SegmentTable(Table):
 
     type : name of one of the types
     length : m, unstretched
-    elements : of a line that moves, by default 40 for all of it, shared out by length
+    elements : number of elements of a moving line; by default 40 over its whole length
     """
 
     type: str
@@ -80,11 +80,11 @@ class SegmentTable(Table):
 class AttachedTable(Table):
     """A clump or a buoy between two segments of a line
 
-    after_segment : at whose upper end it is, from 1
+    after_segment : number of the segment at whose upper end it is, from 1
     mass : kg
-    volume : m³, of the water it displaces
+    volume : m³, volume of the displaced water
     drag_area : m², C_d A, of a line that moves
-    added_mass : times the displaced mass, of a line that moves
+    added_mass : added mass of a moving line, over the displaced mass
     """
 
     after_segment: int
@@ -98,7 +98,7 @@ class OwnBedTable(Table):
     """The bed under a line
 
     friction : by default that of the types of its segments
-    points : m, [x, z], … from its anchor along the line, flat if not given
+    points : m, [x, z], … from the anchor along the line; by default flat
     """
 
     friction: float | None = None

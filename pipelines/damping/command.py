@@ -19,10 +19,10 @@ def damping(
     ] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
+    """Find linear and quadratic damping of a body from a record: forced oscillation or free decay.
 
-    With force_kN, the reaction of the water on the body that moves as a sine: B1, B2 and added mass.  Without, the body
-    is let go: a, b of its extinction by half cycles, and B1, B2, of --mass.
+    With force_kN (reaction of the water on a body in sinusoidal motion) it finds B1, B2 and added mass. Without, the
+    record is a free decay: a and b of its extinction, and with --mass B1 and B2.
     """
     from ..common.picture import PLOTS, check_picture
     from ..results.tables import printed

@@ -18,9 +18,9 @@ def design(
         bool, Parameter(help="try other sizes, pretensions and numbers of lines where the design fails")
     ] = True,
 ):
-    """A mooring through all load cases of a site, judged by rule sets, as one page.
+    """Run a mooring through all load cases of a site, judge it by rule sets, and write one page.
 
-    Status 1 where a criterion is not met or not judged, a line parts, or a case could not be run.
+    Status 1 if a criterion is not met or not judged, a line parts, or a case could not be run.
     """
     from ..printing.console import new_console
     from ..results.tables import printed

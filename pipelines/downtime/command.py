@@ -22,10 +22,10 @@ def downtime(
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     page: Annotated[Path | None, Parameter(help=".html: tables and pictures of all results")] = None,
 ):
-    """Hours of years in which operations at a berth stop, and windows of weather between, from a hindcast.
+    """Compute the hours of years in which operations at a berth stop, and windows of weather, from a hindcast.
 
-    Every hour of the record goes through the linear responses of the body; or a moored body is simulated in states
-    that stand for all hours, and a second call takes up where the first stopped.
+    Each hour is computed by linear responses of the body. Or a moored body is simulated in states that represent
+    all hours; a second call then continues where the first stopped.
     hakobune new downtime
     """
     from hakobune.meshing.whole_files import write_whole

@@ -155,7 +155,7 @@ def _viscous(read, db):
     if db.has_viscous_motions:
         yield (
             "the viscous damping of the database's scene is not included, since each hour would need its own "
-            "value: motions near resonance come out too large; give body.damping_ratio"
+            "value: motions near resonance are too large; give body.damping_ratio"
         )
 
 

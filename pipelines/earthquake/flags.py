@@ -18,9 +18,9 @@ def earthquake(
     output: Annotated[Path | None, Parameter(help="time series, .csv, or all results, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Reaction of the fenders of a floating body when the ground under its dolphins moves.
+    """Compute the reaction of the fenders of a floating body when the ground under its dolphins moves.
 
-    By the rule's seismic coefficient, a response spectrum, and a record in time, beside each other; the normalised
+    It compares the seismic coefficient of a rule, a response spectrum and a record in time, and shows the normalised
     reaction over frequency.  hakobune earthquake earthquake_box.toml --plot earthquake.png
     """
     from .command import earthquake

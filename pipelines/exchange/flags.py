@@ -19,7 +19,7 @@ def export(
     output: Annotated[Path | None, Parameter(help="file or folder [beside the database]")] = None,
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
-    """Write a database in the files of another program.
+    """Write a database as files of another program.
 
     hakobune export box.h5 --to wamit
     """
@@ -70,7 +70,7 @@ def import_(
     ] = False,
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
-    """Read results of another program into a database; a file, or the folder of Nemoh or HAMS.
+    """Read results of another program into a database: a file, or the folder of Nemoh, HAMS or HydroStar.
 
     hakobune import barge.1 --from wamit --depth 20 --gyration 6,12,13 --center-of-gravity 0,0,1
     """
@@ -121,7 +121,7 @@ def body_(
     frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, frequencies to keep [all]")] = None,
     output: Annotated[Path | None, Parameter(help="database to write [the same file]")] = None,
 ):
-    """Give an imported database mass, centre of gravity and radii of gyration, so that every study reads it.
+    """Give an imported database mass, centre of gravity and radii of gyration, so that all studies can read it.
 
     hakobune body barge_imported.h5 --gyration 6,12,13 --center-of-gravity 0,0,1
     """

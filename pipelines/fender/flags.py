@@ -43,10 +43,10 @@ def fender(
     energy: Annotated[float | None, Parameter(help="kJ, energy to absorb", allow_leading_hyphen=True)] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Reaction and energy of a fender over its compression, what it returns, softest and stiffest; lengths in m.
+    """Compute reaction and energy of a fender over its compression, its unloading, softest and stiffest; lengths in m.
 
-    Under a face inclined by --angle over --width, deflection is that of the edge that is pressed most; shares of the
-    upright fender stand beside.
+    Under a face inclined by --angle over --width, the deflection is that of the edge that is pressed most; factors on
+    the upright fender are shown beside it.
     hakobune fender --family cell --height 2 --energy 900
     hakobune fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --plot fender.png
     """

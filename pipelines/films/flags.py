@@ -30,7 +30,7 @@ def animate(
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     field: Annotated[str | None, Parameter(help="pressure: colour the panels by it")] = None,
 ):
-    """A film of body, lines and waves from the file of a simulation, or of a body that slews at a single point; or of a
+    """Make a film of body, lines and waves from the file of a simulation or of a single point, or of a
     database's body in regular waves.
 
     hakobune animate run.h5 --output film.gif

@@ -9,41 +9,87 @@ from cyclopts import Parameter
 
 
 def keys(
-    kind: Annotated[str | None, Parameter(help="of file, or a command that reads it; without it all kinds")] = None,
-    word: Annotated[
-        str | None, Parameter(help="only tables and keys whose name has it, as waves or pretension")
+    kind: Annotated[
+        str | None, Parameter(help="kind of file, a command that reads it, or a word to search for in all files")
     ] = None,
     /,
-    *,
-    json: Annotated[bool, Parameter(help="as JSON", negative="")] = False,
-    markdown: Annotated[bool, Parameter(help="as Markdown", negative="")] = False,
+    *words: Annotated[str, Parameter(help="show only the keys with these words, as waves or pretension")],
+    json: Annotated[bool, Parameter(help="print as JSON", negative="")] = False,
+    markdown: Annotated[bool, Parameter(help="print as Markdown", negative="")] = False,
+    schema: Annotated[
+        Path | None, Parameter(help="write JSON Schemas for an editor: .json of one kind, or a folder of all kinds")
+    ] = None,
 ):
-    """Every key of a scene or study: unit, default, meaning, example.
+    """Explain the keys of a scene or study: unit, default, meaning, example.  Search them by any word.
 
     hakobune keys study waves
+    hakobune keys pretension
+    hakobune keys --schema schemas
     """
     from . import shown
-    from .reference import reference
 
     if json and markdown:
         raise ValueError("--json and --markdown are given; allowed: one of the two")
+    if schema is not None:
+        return _schemas(kind, words, schema)
     if kind is None:
         print(shown.kinds_text(json, markdown))
         return 0
-    tables = shown.having(reference(kind), word)
-    if not tables:
-        raise ValueError(f"no table and no key of a {kind} has {word!r} in its name; hakobune keys {kind} has all")
     write = shown.as_json if json else shown.as_markdown if markdown else shown.as_text
-    print(write(tables))
+    print(write(_tables(kind, words)))
+    return 0
+
+
+def _tables(kind, words):
+    """The tables of a kind that have the words, or the keys of all files that have them.  Raises ValueError."""
+    from . import shown
+    from .kinds import kind_named
+    from .reference import reference
+    from .search import search
+
+    try:
+        kind_named(kind)
+    except ValueError as unknown:
+        found = shown.tables_found(search((kind, *words)))
+        if not found:
+            raise ValueError(f"no key of any file has {' and '.join((kind, *words))!r}, and {unknown}") from None
+        return found
+    tables = reference(kind)
+    for word in words:
+        tables = shown.having(tables, word)
+    if not tables:
+        all_words = " and ".join(words)
+        raise ValueError(f"no table and no key of a {kind} has {all_words!r}; hakobune keys {kind} shows all")
+    return tables
+
+
+def _schemas(kind, words, place):
+    from hakobune.bem.database.file import check_place
+
+    from . import schema
+
+    if words:
+        raise ValueError(f"{words[0]!r} and --schema are given; a schema has all keys of a kind")
+    if kind is None:
+        if place.suffix or place.is_file():
+            raise ValueError(f"{place} is the name of one file; give a folder for all kinds, or name a kind")
+        print("\n".join(map(str, schema.write_schemas(place))))
+        return 0
+    if place.suffix != ".json":
+        raise ValueError(f"{place} has the suffix {place.suffix!r}; allowed: .json")
+    made = schema.as_text(schema.schema(kind))
+    check_place(place)
+    place.write_text(f"{made}\n", encoding="utf-8")
+    print(place)
     return 0
 
 
 def new(
-    kind: Annotated[str | None, Parameter(help="of file, as hakobune keys lists them")] = None,
-    file: Annotated[Path | None, Parameter(help="its name [KIND.toml]")] = None,
+    kind: Annotated[str | None, Parameter(help="kind of file, as hakobune keys lists them")] = None,
+    file: Annotated[Path | None, Parameter(help="name of the file [KIND.toml]")] = None,
     /,
 ):
-    """Write a file to begin with, whose keys are explained, and say which commands run it.
+    """Write an example of a file with every key explained, and print the commands that run it.
 
     hakobune new study
     """

@@ -7,7 +7,12 @@ import shutil
 import textwrap
 
 from .kinds import KINDS
-from .reference import toml
+from .reference import KeyTable, toml
+
+STEPS = """\
+hakobune keys KIND explains the keys of a kind of file
+hakobune keys WORD searches the keys of all files
+hakobune new KIND  writes an example with every key explained"""
 
 
 def kinds_text(as_json, as_markdown):
@@ -18,21 +23,32 @@ def kinds_text(as_json, as_markdown):
         rows = [f"| {name} | {kind.meaning} | {kind.commands} |" for name, kind in KINDS.items()]
         return "\n".join(["| kind | what it is | commands |", "|---|---|---|", *rows])
     lines = [f"{name:<14} {kind.meaning}; read by {kind.commands}" for name, kind in KINDS.items()]
-    return "\n".join([*lines, "", "hakobune keys KIND explains its keys, hakobune new KIND writes one to begin with"])
+    return "\n".join([*lines, "", STEPS])
 
 
 def having(tables, word):
-    """The tables whose heading has a word, and of the others the keys whose name has it; all without a word"""
-    if word is None:
-        return tables
+    """The tables whose heading has a word, and of the others the keys whose name has it; where none has it, the keys
+    whose meaning has it"""
     word, kept = word.strip("[]").lower(), []
     for table in tables:
         if any(word in place.lower().strip("[]").split(".") for place in table.places):
             kept.append(table)
         else:
-            keys = tuple(key for key in table.keys if word in key.name.lower())
-            kept += [table._replace(keys=keys)] if keys else []
-    return tuple(kept)
+            kept += _only(table, lambda key: word in key.name.lower())
+    return tuple(kept or [one for table in tables for one in _only(table, lambda key: word in key.meaning.lower())])
+
+
+def _only(table, wanted):
+    keys = tuple(filter(wanted, table.keys))
+    return [table._replace(keys=keys)] if keys else []
+
+
+def tables_found(found):
+    """`KeyTable` of what a search has found: those of one place and one set of files together"""
+    together = {}
+    for one in found:
+        together.setdefault((one.places, one.kinds), []).append(one.key)
+    return tuple(KeyTable(places, f"of {', '.join(kinds)}", tuple(keys)) for (places, kinds), keys in together.items())
 
 
 def default_of(key):

@@ -17,7 +17,7 @@ def line_dynamics(
     output: Annotated[Path | None, Parameter(help="time series and frames, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
 ):
-    """Tension, slack and work of one mooring line whose fairlead moves (TOML), beside its quasi-static tension."""
+    """Compute tension, slack and work of one mooring line whose fairlead moves, beside its quasi-static tension."""
     from .command import line_dynamics_command
 
     return line_dynamics_command(study, duration, tolerance, output, plot)

@@ -29,7 +29,7 @@ def line(
     output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Forces of one mooring line, its profile and its tension–offset curve; lengths in m."""
+    """Compute forces, profile and tension–offset curve of one mooring line; lengths in m."""
     from .line_command import line_command
 
     kN = {
@@ -65,7 +65,7 @@ def lines(
     ] = None,
     moordyn: Annotated[Path | None, Parameter(help="write the system as a MoorDyn v2 input file")] = None,
 ):
-    """Equilibrium of a system of lines (TOML, MoorDyn or MoorPy file), or frames of a stored line (.h5)."""
+    """Compute the equilibrium of a system of lines (TOML, MoorDyn or MoorPy file), or draw a stored line (.h5)."""
     if file.suffix.lower() in (".h5", ".hdf5"):
         from .pictures import draw_result
 

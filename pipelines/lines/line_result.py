@@ -133,7 +133,7 @@ def _span_at(one, tension, depth):
     span = one.span_at(tension)
     if span < 0:
         raise StudyError(
-            f"--tension is {tension / KN:g} kN, which the line has {-span:.4g} m behind its anchor, where the bed is "
+            f"--tension is {tension / KN:g} kN, at which the line is {-span:.4g} m behind its anchor, where the bed is "
             "lower; allowed: more"
         )
     return span

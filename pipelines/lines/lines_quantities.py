@@ -10,7 +10,7 @@ from ..results.result import labels, records
 REST, BODIES, POINTS = "lines at rest", "bodies at rest", "free points at rest"
 MOTION = dict(zip(("x", "y", "z", "roll", "pitch", "yaw"), 3 * ["m"] + 3 * ["rad"], strict=True))
 FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
-SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
+SHOWN = 1e-9  # stiffness that is rounding, over the largest term
 OFFSETS = ("offset", "direction")
 LEAST_ARM = 1e-3  # m, that turns a stiffness of shifts into one of rotations where all of these are rounding
 LINE = {  # name: (unit, description, table, of LineForces)

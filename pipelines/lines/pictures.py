@@ -9,8 +9,8 @@ from hakobune.mooring.lines.system.shapes import beds_of_lines, line_shapes, loa
 from ..common.picture import save
 from ..common.units import KN
 
-LEAST_ROOM = 0.25  # of the longer side of a plan, its shorter one
-KINDS = ("line", "lines", "line-dynamics")  # of results that a picture is made of
+LEAST_ROOM = 0.25  # shorter side of a plan, over its longer side
+KINDS = ("line", "lines", "line-dynamics")  # kinds of results that have a picture
 
 
 def draw_system(state, path, curves=(), losses=None):
@@ -173,6 +173,6 @@ def draw_result(file, picture):
     check_picture(picture, (*PLOTS, ".gif"))
     result = read(file, kind_of(file) if kind_of(file) in KINDS else "line-dynamics")
     if "line.place" not in result:
-        raise ValueError(f"{file} holds no frames; allowed: a result of hakobune line-dynamics")
+        raise ValueError(f"{file} has no frames; allowed: a result of hakobune line-dynamics")
     draw_frames(result.labels["frame"].values, result["line.place"], picture)
     return picture

@@ -227,6 +227,6 @@ def _warn_of_no_water(bodies):
             warnings.warn(
                 f"{body.name} is free in {', '.join(loose)}, where it has neither weight nor water here, and the lines "
                 'alone hold it; allowed: freedom = ["Surge", "Sway", "Yaw"], or Heave with its lift less its weight as '
-                "the third of force_kN; `hakobune moor` counts water",
+                "the third of force_kN; `hakobune moor` includes buoyancy",
                 stacklevel=3,
             )

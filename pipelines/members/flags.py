@@ -14,9 +14,9 @@ def members(
     *,
     plot: Annotated[Path | None, Parameter(help="forces over the wave: .png, .svg or .pdf")] = None,
 ):
-    """Water and wind on slender members, piles and frames of a dolphin, cranes: forces over a regular wave.
+    """Compute water and wind loads on slender members, piles and frames over a regular wave.
 
-    By Morison's formula with growth on the members.  hakobune members members_dolphin.toml --plot forces.png
+    It uses Morison's formula and includes marine growth.  hakobune members members_dolphin.toml --plot forces.png
     """
     from .command import members
 

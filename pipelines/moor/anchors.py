@@ -36,14 +36,14 @@ class AnchorTable(Table):
     safety : factor on the pull, above 0
     type : of a drag anchor in the charts, such as "stockless", "Danforth", "Stevin", "Stevpris Mk6"
     soil : of a drag anchor in the charts: "mud", "sand" or "medium clay"
-    mass : kg in air, of a drag anchor in the charts; left out: sized
-    holding_kN : along the bed, of a pile, or of a drag anchor that is in no chart
+    mass : kg in air, mass of a drag anchor in the charts; without it the size is computed
+    holding_kN : horizontal capacity of a pile, or of a drag anchor that is not in the charts
     uplift_kN : of a pile
     friction : coefficient of a sinker on the bed
-    weight_kN : of a sinker in water; left out: sized
-    girth : m, of a pile that holds by friction, in place of uplift_kN
-    length : m, of it in the bed
-    cohesion_kPa : of the bed along it
+    weight_kN : weight of a sinker in water; without it the size is computed
+    girth : m, girth of a friction pile, in place of uplift_kN
+    length : m, length in the bed
+    cohesion_kPa : cohesion of the soil along it
     """
 
     kind: str

@@ -46,12 +46,12 @@ MOST_LINES = 500  # largest number of lines of a study; they take three seconds
 
 
 class Study(Table):
-    """Water, hull, lines and the weather they have to stand
+    """A moored body: water, hull, lines and weather
 
-    hulls : [hull] of each of several bodies that move, by name
-    lines_file : of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines` beside the study, in place of types and lines
-    lines_body : of several, the one that these lines hold
-    allowable : fraction of the breaking load a line may carry, above 0, at most 1
+    hulls : table [hull] of each of several bodies that move, by name
+    lines_file : file of lines of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines`, in place of types and lines
+    lines_body : the one of several bodies that these lines hold
+    allowable : fraction of the breaking load that a line may carry, above 0, at most 1
     """
 
     water: DepthTable

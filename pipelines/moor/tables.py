@@ -11,9 +11,9 @@ from ..common.weather.streams import SuperstructureTable
 
 
 class HullTable(SuperstructureTable, kw_only=True):
-    """The hull as wind and current meet it
+    """The hull in wind and current
 
-    freeboard : m, depth of the hull less draft, where a wind blows
+    freeboard : m, height of the deck above still water; needed with wind
     length : m, by default that of the database
     beam : m, by default that of the database
     draft : m, by default that of the database
@@ -28,7 +28,7 @@ class HullTable(SuperstructureTable, kw_only=True):
 class Spread(LineTable, kw_only=True):
     """Lines from the four corners of the hull
 
-    corner_headings_deg : 0 to 90, off the x axis, of the lines of the corner at +x, +y; the others are mirrored
+    corner_headings_deg : angles from the x axis, 0 to 90, of the lines at the corner +x, +y; the others are mirrored
     pretension : horizontal, at rest
     fairlead_z : m, above still water
     body : name of one of several bodies, whose corners they are
@@ -103,22 +103,22 @@ class RecordTable(Table):
 class SimulationTable(Table):
     """A run in time, for simulate
 
-    duration : s, that statistics are taken of
+    duration : s, duration of the statistics
     duration_hours : the same in hours
-    ramp : s, before the duration, in which every load grows from nothing
+    ramp : s, time before the duration, in which every load grows from 0
     step : s, between samples
-    tolerance : of the motions, relative to their standard deviations
-    seeds : how many, from 1 on, or a list of them
-    keep_series : of how many seeds the records are stored
-    components : of each sea, by default chosen by duration and bandwidth
+    tolerance : error of the motions, relative to their standard deviations
+    seeds : number of seeds, from 1 on, or a list of them
+    keep_series : number of seeds whose records are stored
+    components : wave components of each sea, by default chosen by duration and bandwidth
     slow_drift : "newman", "half-waves" of the SR179 report, "mean" or "none"
-    wave_drift_damping : whether slow velocities change the drift
+    wave_drift_damping : whether slow velocities change the drift (wave drift damping)
     qtf : slow force of pairs of waves: "auto" for what the database has of it where Newman's rule is not enough,
         "newman", "bound-wave", "body" or "full", as in a response study
-    motions : names of those that the body has, by default all; the others are held where it rests, and nothing is
-        asked of their water
+    motions : names of the motions that are free, by default all; the others are held at rest and need no
+        hydrodynamics
     memory : "states", or "constant" for added mass and damping at one frequency
-    constant_period : s, of that frequency, by default the mean one of the waves
+    constant_period : s, period of that frequency; by default the mean period of the waves
     dynamic_lines : which lines have inertia, drag and a motion of their own: "auto" for all where a trial asks for it,
         "all", "none", or names; the others hang in their static shape.  They are uniform, of a catalogue type
     dynamic_elements : of each of these
@@ -164,9 +164,9 @@ class SimulationTable(Table):
 
 
 class HarbourTable(Table):
-    """The harbour that a berth lies in
+    """The harbour of a berth
 
-    periods : s, at which its water swings; natural periods of the moored body near them are told
+    periods : s, natural periods of the harbour; natural periods of the moored body near them are named
     """
 
     periods: list[float]
@@ -175,7 +175,7 @@ class HarbourTable(Table):
 class QuayTable(Table):
     """A vertical quay along x that reflects all waves, for simulate
 
-    y : m, of its face with the body at rest, as that of fenders
+    y : m, y of its face with the body at rest, as y of fenders
     method : "far-field" makes it of a database of open water, with all but the waves that decay between hull and quay;
         "panels" takes a database that was solved with --wall at y.  By default whichever fits the database
     """

@@ -16,9 +16,10 @@ def passing(
     output: Annotated[Path | None, Parameter(help="result: .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="forces along the track: .png, .svg or .pdf")] = None,
 ):
-    """Forces on a moored ship while another ship passes it on a parallel track.
+    """Compute the forces on a moored ship while another ship passes on a parallel track.
 
-    By panels of both hulls in water of any depth, before a wall or not; by Wang (1975) and Kriebel (2005) on request.
+    Both hulls are solved by panels in water of any depth, with or without a wall.  The study may ask for the faster
+    methods of Wang (1975) or Kriebel (2005).
     hakobune passing passing_tanker.toml --plot passing.png --forces passing.csv
     """
     from .command import passing

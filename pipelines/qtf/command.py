@@ -9,37 +9,35 @@ from cyclopts import Parameter
 
 
 def qtf(
-    database: Annotated[Path, Parameter(help="database of a body, with its inertia if it floats")],
+    database: Annotated[Path, Parameter(help="database of a body; with its inertia if it floats")],
     /,
     *,
-    omega: Annotated[str | None, Parameter(help="rad/s at even steps, start:stop:count, in the stored band")] = None,
-    heading: Annotated[
-        str | None, Parameter(help="degrees, directions the waves travel to; all pairs are computed")
-    ] = None,
-    difference: Annotated[float | None, Parameter(help="rad/s, the largest", allow_leading_hyphen=True)] = None,
+    omega: Annotated[str | None, Parameter(help="frequencies at even steps, rad/s, start:stop:count")] = None,
+    heading: Annotated[str | None, Parameter(help="headings, degrees travelled to; all pairs of them")] = None,
+    difference: Annotated[float | None, Parameter(help="largest difference, rad/s", allow_leading_hyphen=True)] = None,
     sums: Annotated[
-        bool, Parameter(name="--sum", negative=(), help="forces at the sums of frequencies instead of the differences")
+        bool, Parameter(name="--sum", negative=(), help="at the sum of frequencies, not the difference")
     ] = False,
-    highest: Annotated[float | None, Parameter(help="rad/s, the largest sum", allow_leading_hyphen=True)] = None,
-    fixed: Annotated[bool, Parameter(negative=(), help="for the body held fixed, instead of floating")] = False,
+    highest: Annotated[float | None, Parameter(help="largest sum, rad/s", allow_leading_hyphen=True)] = None,
+    fixed: Annotated[bool, Parameter(negative=(), help="the body is held, instead of floating")] = False,
     moored: Annotated[Path | None, Parameter(help="mooring study whose lines hold the floating body")] = None,
     level: Annotated[
         str | None, Parameter(help="body, full (with the surface's forcing) or auto; body, of sums full")
     ] = None,
     method: Annotated[str, Parameter(help="panel, contour (vertical cylinders) or auto")] = "auto",
-    fresh: Annotated[bool, Parameter(negative=(), help="compute again, even if stored")] = False,
+    fresh: Annotated[bool, Parameter(negative=(), help="compute again what is stored")] = False,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Slow forces of pairs of waves: squares of the first order, bound long waves, the moving hull and, with
-    --level full, the forcing of the surface around it, whose size is estimated where it is left out.
+    """Compute slow forces of pairs of waves (QTF) and store them in the database.
 
-    They go into the database as differences are done, from the smallest on, for qtf = "body" or "full" of response
-    studies and simulations.  A run that was ended goes on from them when it is given again, and a larger --difference
-    adds to them.  The body is solved on its panels, a vertical cylinder by the contour method.  What is stored there
-    already is told and drawn again.
+    They have the products of first-order quantities, bound long waves and the moving hull.  --level full adds the
+    forcing of the surface around the body; its size is estimated otherwise.  Response studies and simulations use them
+    by qtf = "body" or "full".  Differences are stored one by one, from the smallest on: an interrupted run continues,
+    and a larger --difference adds to what is stored.  The body is solved on its panels, a vertical cylinder by the
+    contour method.
 
-    With --sum the forces that ring and spring are solved, up to the highest sum whose waves the panels carry, with the
-    forcing of the surface, which is a large part of them.
+    --sum computes forces at the sum of frequencies (ringing, springing), up to the highest sum whose waves the panels
+    resolve, with the forcing of the surface.
     """
     import numpy as np
 

@@ -12,16 +12,16 @@ def response(
     study: Annotated[Path, Parameter(help="study of a sea and a body (TOML)")],
     /,
     *,
-    database: Annotated[Path, Parameter(help="of the body, .h5")],
+    database: Annotated[Path, Parameter(help="database of the body, .h5")],
     moored: Annotated[
         Path | None, Parameter(help="mooring study (TOML): its lines, wind and current hold the body")
     ] = None,
     output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
     plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
 ):
-    """Motions, accelerations, air gap and drift of a body in a sea state, or their extremes in a climate.
+    """Compute motions, accelerations, air gap and drift of a body in a sea state, or extremes in a climate.
 
-    The study (TOML) says which sea or scatter diagram, and which points of the body.
+    The study (TOML) has the sea or scatter diagram, and points of the body.
     """
     from ..common.picture import PLOTS, check_picture
     from ..results.output import check_result, write_result

@@ -78,18 +78,20 @@ def notes(result, years=None):
     lines = [f"{len(result.height)} sea states"]
     if years > 1:
         q = 100 * probability_not_exceeded(years, years)
-        lines.append(f"the value once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
+        lines.append(f"the value of once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
     return [*lines, *_gaps_in_years(result, years), *_keel_in_years(result, years)]
 
 
 def _of_drift(slow):
     if slow is None:
-        return ["no drift: the database holds no drift_force"]
+        return ["no drift: the database has no drift_force"]
     lines = [f"slow drift: beats up to {slow.difference[-1]:g} rad/s"]
     if slow.by_current is not None:
-        lines.append('current.waves = "still" leaves out the drift by the current')
+        lines.append('current.waves = "still" excludes the change of drift by the current')
     if slow.damping is None:
-        lines.append("no wave drift damping: the direction has no stored neighbours to differentiate drift over")
+        lines.append(
+            "no wave drift damping: the derivative of drift needs stored headings on both sides of the direction"
+        )
     return lines
 
 
@@ -154,8 +156,11 @@ def _often(term, level):
 def _whose_waves(result):
     """Which waves are in the elevation at points of a SeaState or Climate"""
     if result.missed is None:
-        return "waves scattered and made by the body not included, for want of Kochin functions in the database"
-    return "with the waves that the body scatters and makes, but those that decay within a depth or wave length of it"
+        return "waves scattered and radiated by the body are not included: the database has no Kochin functions"
+    return (
+        "with the waves that the body scatters and radiates, except those that decay within a depth or wave "
+        "length of it"
+    )
 
 
 def _gap_lines(result):

@@ -64,11 +64,12 @@ def moored(path, read, db, sea, duration, points):
     notes = [
         f"moored by {len(system.lines)} lines of {path}: steady forces Fx {statics.steady_force[0] / 1e3:.4g}, "
         f"Fy {statics.steady_force[1] / 1e3:.4g} kN, Mz {statics.steady_force[5] / 1e3:.4g} kN m; "
-        "slow drift by Newman's rule" + ("" if gust is None else f", gusts of {gusts.name}") + "; drag of the hull "
-        "linearised, that of the lines left to body.damping_ratio"
+        "slow drift by Newman's rule"
+        + ("" if gust is None else f", gusts of {gusts.name}")
+        + "; drag of the hull linearised; give drag of the lines by body.damping_ratio"
     ]
     if given.waves is not None:
-        notes.append(f"waves of {path} are left out: those of the response study are taken")
+        notes.append(f"waves of {path} are not used: those of the response study are")
     if np.isfinite(db.water_depth):
         notes += _of_bound_waves(spectrum, db)
     told = (*notes, *viscous_words(held, laws, damping))
@@ -81,4 +82,7 @@ def _of_bound_waves(spectrum, db):
 
     kh = float(wavenumber(spectrum.peak_omega, db.water_depth, db.gravity)) * db.water_depth
     if kh < 1:
-        yield f"kh is {kh:.2g} at the peak of the waves: bound long waves, left out, may move the body more than drift"
+        yield (
+            f"kh is {kh:.2g} at the peak of the waves: bound long waves are not included; they may move the "
+            "body more than drift"
+        )

@@ -16,7 +16,7 @@ def places_of(study, db):
     named = [point.name for point in (*study.points, *study.relative, *study.hinges)]
     twice = [name for name, count in Counter(named).items() if count > 1]
     if twice:
-        raise StudyError(f"two points are called {twice[0]!r}; give each a name of its own")
+        raise StudyError(f"two points are called {twice[0]!r}; give each its own name")
     for i, point in enumerate(study.points):
         if not all(map(math.isfinite, point.position)):
             raise StudyError(f"points[{i}].position is {list(point.position)}; allowed: finite, m")
@@ -32,12 +32,12 @@ def places_of(study, db):
 def keel_points(table, db):
     """`KeelPoint`s of a KeelTable.  Raises StudyError where there is no water under one at rest."""
     if not math.isfinite(db.water_depth):
-        raise StudyError("[keel] is given and the water of the database has no bed; solve it in finite depth")
+        raise StudyError("[keel] is given, but the water of the database has no bed; solve it in finite depth")
     for key in ("tide", "extra_draft"):
         if not math.isfinite(getattr(table, key)):
             raise StudyError(f"keel.{key} is {getattr(table, key)}; allowed: finite, m")
     if db.bodies and table.points is not None:
-        raise StudyError("keel.points is given with several bodies; leave it out, the corners of each bottom are taken")
+        raise StudyError("keel.points is given with several bodies; leave it out, the corners of each bottom are used")
     found = [("", point) for point in table.points or ()]
     if table.points is None:
         found = [(name, point) for name, points in _bottoms(db) for point in points]
@@ -67,18 +67,19 @@ def _check_body_of(where, point, bodies):
     """Raise StudyError for a point of no body, or of none there is, and for a clearance beside other hulls"""
     known = [body.name for body in bodies]
     if point.body not in (known or [""]):
-        allowed = f"one of {', '.join(known)}" if known else "left out, the database is of one body"
+        allowed = f"one of {', '.join(known)}" if known else "left out, since the database has one body"
         raise StudyError(f"{where}.body is {point.body!r}; allowed: {allowed}")
     if known and point.clearance is not None:
         raise StudyError(
-            f"{where}.clearance is given, and the water between hulls is not known; allowed: of one body, or left out"
+            f"{where}.clearance is given, but the elevation between hulls is not known; allowed: with one body, "
+            "or left out"
         )
 
 
 def _pair(where, table, points, db):
     """`mooring.response.points.Pair` of a RelativeTable"""
     if not db.bodies:
-        raise StudyError(f"{where} is given, and the database is of one body; allowed: with several")
+        raise StudyError(f"{where} is given, but the database has one body; allowed: with several")
     found = {point.name: point for point in points}
     unknown = [name for name in table.points if name not in found]
     if unknown:
@@ -86,6 +87,7 @@ def _pair(where, table, points, db):
     ends = tuple(found[name] for name in table.points)
     if ends[0].body == ends[1].body:
         raise StudyError(
-            f"{where}.points are both of {ends[0].body}, and do not move from each other; allowed: of two bodies"
+            f"{where}.points are both of {ends[0].body}, and do not move relative to each other; allowed: points "
+            "of two bodies"
         )
     return Pair(table.name, ends)

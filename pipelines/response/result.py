@@ -34,7 +34,7 @@ MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air 
 DAMPING, EACH = "wave drift damping", "drift of each body, about its own point in its own axes"
 MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
 FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
-FAR_FROM_DEPTH = 0.2  # of the gap under the keel, by which it may differ from that of the database
+FAR_FROM_DEPTH = 0.2  # change of the gap under the keel above which a line is printed, over that of the database
 
 
 def response(study: File | Tables | ResponseStudy, database: File | Database, moored: File | None = None) -> Result:
@@ -107,8 +107,8 @@ def _of_depth(read, db):
     if abs(more) <= FAR_FROM_DEPTH * gap:
         return []
     return [
-        f"tide and extra draft change the water under the keel by {more:.3g} of {gap:.3g} m: motions are those of the "
-        "database's depth; solve it again at that depth"
+        f"tide and extra draft change the water under the keel by {more:.3g} of {gap:.3g} m: motions are those of "
+        "the depth of the database; solve it again at that depth"
     ]
 
 

@@ -52,8 +52,8 @@ def solved_in_climate(read, body, db, points, beside):
         raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
     if db.has_viscous_motions:
         warnings.warn(
-            "viscous damping of the database's scene is left out in a climate, whose seas would have one each: motions "
-            "near resonance come out too large; give body.damping_ratio", stacklevel=2
+            "viscous damping of the database's scene is left out in a climate, since each sea would need its "
+            "own: motions near resonance are too large; give body.damping_ratio", stacklevel=2
         )  # fmt: skip
     from hakobune.mooring.response.climate import climate
 

@@ -137,8 +137,8 @@ class StationTable(Table):
         beams = [m.shape for m in db.modes if m.body == owner and isinstance(m.shape, Beam)]
         if not beams:
             raise StudyError(
-                f"{where} is given, and {self.body or 'the body'} is no beam; solve its scene with [[modes]], or leave "
-                "the stations out"
+                f"{where} is given, and {self.body or 'the body'} is not a beam; solve its scene with [[modes]], "
+                "or leave the stations out"
             )
         outside = [x for x in self.x if not beams[0].start <= x <= beams[0].end]
         if outside:
@@ -329,7 +329,7 @@ def _check_damping(matrix, words):
     least, worst = _least(matrix)
     if not least >= -1e-9:
         value = matrix[worst, worst]
-        raise StudyError(f"body.damping gives energy to {words[worst]}, {value:.4g} of it; allowed: at least 0")
+        raise StudyError(f"body.damping adds energy to {words[worst]}, {value:.4g} of it; allowed: at least 0")
 
 
 def _check_stable(stiffness, words, rigid):

@@ -116,7 +116,7 @@ def _check_one(body):
     if body.viscous is not None:
         raise SceneError("bodies[0].viscous is given, but there is one body; give its laws under [viscous]")
     if body.fixed:
-        raise SceneError("bodies[0].fixed is true, but nothing else is there to move; leave it out")
+        raise SceneError("bodies[0].fixed is true, but no other body moves; leave it out")
 
 
 def _check_among_others(key, body):
@@ -140,20 +140,20 @@ def _check_arrangement(scene):
     names = [body.name for body in scene.bodies]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise SceneError(f"bodies has two of the name {twice!r}; allowed: a name for each")
+        raise SceneError(f"bodies has two bodies named {twice!r}; allowed: each name once")
     if all(body.fixed for body in scene.bodies):
-        raise SceneError("bodies are all fixed; allowed: one at least that moves")
+        raise SceneError("all bodies are fixed; allowed: at least one that moves")
     if any(scene.rotation_center):
         raise SceneError(
             f"rotation_center is {list(scene.rotation_center)}, but there are several bodies; give it under [[bodies]]"
         )
     damped = [body.name for body in scene.bodies if body.viscous is not None]
     if damped and scene.viscous is None:
-        raise SceneError(f"{damped[0]} has viscous damping and no waves for it; give wave_height under [viscous]")
-    if scene.wall is not None:
         raise SceneError(
-            f"wall is {scene.wall:g}, beside which one body is solved; leave it out, or all bodies but one"
+            f"{damped[0]} has viscous damping, but no wave height for it; give wave_height under [viscous]"
         )
+    if scene.wall is not None:
+        raise SceneError(f"wall is {scene.wall:g}, but there are several bodies; a wall stands beside one body only")
     files = [body.file for body in scene.bodies if body.shape == "mesh"]
     if scene.panels is not None and files:
         raise SceneError(f"panels is {scene.panels}, but {files[0]} has its own; leave panels out")
@@ -171,7 +171,7 @@ def _check_damping_lids(scene):
             except ValueError as error:
                 raise SceneError(f"{key}.corners {error}") from None
     if scene.damping_lids and scene.wall is not None:
-        raise SceneError("damping_lids are there and a wall; allowed: one of them")
+        raise SceneError("damping_lids and a wall are given; allowed: one of them")
 
 
 def _check_ship(key, body):
@@ -196,13 +196,13 @@ def _check_waves(scene):
         raise SceneError(f"waves has {found}; give one of {', '.join(FREQUENCY_KEYS)}")
     key = given[0]
     if key == "band" and scene.several:
-        raise SceneError("waves.band places frequencies for one body, there are several; give omegas or periods")
+        raise SceneError("waves.band places frequencies for one body, but there are several; give omegas or periods")
     if key == "band" and scene.modes:
-        raise SceneError("waves.band places frequencies for rigid bodies, there are modes; give omegas or periods")
+        raise SceneError("waves.band places frequencies for rigid bodies, but there are modes; give omegas or periods")
     if key == "xi_B" and scene.several:
-        raise SceneError("waves.xi_B needs one body with a beam, there are several; give omegas or periods")
+        raise SceneError("waves.xi_B needs one body with a beam, but there are several; give omegas or periods")
     if key == "xi_B" and scene.body.shape == "mesh":
-        raise SceneError("waves.xi_B needs a beam, a body from a mesh file has none; give omegas or periods")
+        raise SceneError("waves.xi_B needs a beam, which a body from a mesh file does not have; give omegas or periods")
     _check_list(f"waves.{key}", getattr(scene.waves, key), partial(_within, limits=RANGES[key]))
     _check_list("waves.headings_deg", scene.waves.headings_deg, _check_heading)
     _check_apart("waves.headings_deg", listed("", scene.waves.headings_deg), scene.headings(), turn=2 * np.pi)

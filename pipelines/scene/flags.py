@@ -9,8 +9,8 @@ from typing import Annotated
 from cyclopts import Parameter
 
 
-def _flag(text, converter=None):
-    return Parameter(help=text, allow_leading_hyphen=True, converter=converter)
+def _flag(text, converter=None, name=None):
+    return Parameter(name=name, help=text, allow_leading_hyphen=True, converter=converter)
 
 
 def _file(kind, tokens):
@@ -27,22 +27,22 @@ class SceneFlags:
     """What every body has in common."""
 
     depth: Annotated[float | None, _flag("water depth, m; inf for deep water")] = None
-    omega: Annotated[str | None, _flag("rad/s: a,b,c or start:stop:count, or auto:from:to (to --tolerance)")] = None
-    period: Annotated[str | None, _flag("periods, s, instead of omega")] = None
-    heading: Annotated[str | None, _flag("degrees the waves travel to (0: +x, 90: +y)")] = None
-    tolerance: Annotated[float | None, _flag("relative error asked for [0.01]")] = None
-    panels: Annotated[str | None, _flag("panels on the whole hull, instead of tolerance")] = None
-    method: Annotated[str | None, _flag("auto, panel, contour, pressure, strip or inverse-strip")] = None
+    omega: Annotated[str | None, _flag("frequencies, rad/s: a,b,c, start:stop:count or auto:from:to")] = None
+    period: Annotated[str | None, _flag("wave periods, s, instead of omega")] = None
+    heading: Annotated[str | None, _flag("headings, degrees the waves travel to (0: +x, 90: +y)")] = None
+    tolerance: Annotated[float | None, _flag("relative error of the coefficients [0.01]")] = None
+    panels: Annotated[str | None, _flag("number of panels on the whole hull, instead of tolerance")] = None
+    method: Annotated[str | None, _flag("method: auto, panel, contour, pressure, strip or inverse-strip")] = None
     wall: Annotated[float | None, _flag("y of a wall along x that reflects all waves, m")] = None
-    density: Annotated[float | None, _flag("of the water, kg/m³ [1025]")] = None
-    gravity: Annotated[float | None, _flag("m/s² [9.80665]")] = None
-    mass: Annotated[float | None, _flag("kg [that of the displaced water]")] = None
-    center_of_gravity: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
-    gm: Annotated[float | None, Parameter(name="--GM", help="m, in place of z", allow_leading_hyphen=True)] = None
-    gyration: Annotated[str | None, _flag("kxx,kyy,kzz m about it; without them no motions")] = None
-    trimmed: Annotated[bool, Parameter(help="held as it is drawn, whatever its weight does", negative="")] = False
-    rotation_center: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
-    only: Annotated[str | None, _flag("names or groups to compute, a,b,c [all]")] = None
+    density: Annotated[float | None, _flag("density of the water, kg/m³ [1025]")] = None
+    gravity: Annotated[float | None, _flag("acceleration of gravity, m/s² [9.80665]")] = None
+    mass: Annotated[float | None, _flag("mass of the body, kg [that of the displaced water]")] = None
+    center_of_gravity: Annotated[str | None, _flag("centre of gravity, x,y,z m [0,0,0]")] = None
+    gm: Annotated[float | None, _flag("metacentric height, m, in place of z", name="--GM")] = None
+    gyration: Annotated[str | None, _flag("radii of gyration about it, kxx,kyy,kzz m; without them no motions")] = None
+    trimmed: Annotated[bool, Parameter(help="keep the drawn trim, whatever the weight does", negative="")] = False
+    rotation_center: Annotated[str | None, _flag("point of rotations and moments, x,y,z m [0,0,0]")] = None
+    only: Annotated[str | None, _flag("names or groups of results to compute, a,b,c [all]")] = None
 
 
 @Parameter(name="*")
@@ -53,7 +53,7 @@ class RunFlags:
     output: Annotated[Path | None, _flag("the database, or the mesh file with --mesh-only", _file)] = None
     mesh_only: Annotated[bool, Parameter(help="write the mesh and stop", negative="")] = False
     fresh: Annotated[bool, Parameter(help="replace an existing database", negative="")] = False
-    executor: Annotated[str, _flag("local, processes:N, dask:N, dask://host:port, slurm:N")] = "local"
+    executor: Annotated[str, _flag("where to compute: local, processes:N, dask:N, dask://host:port, slurm:N")] = "local"
 
 
 def overlaid(raw, flags, body):
@@ -82,7 +82,7 @@ def overlaid(raw, flags, body):
     given = [key for key in ("mass", "center_of_gravity", "gm", "gyration") if getattr(flags, key) is not None]
     if len(bodies) > 1 and (given or body):
         key = next(iter((*given, *body))).replace("_", "-")
-        raise SceneError(f"--{key} is of one body, the scene has {len(bodies)}; give it under [[bodies]]")
+        raise SceneError(f"--{key} is for one body, but the scene has {len(bodies)}; give it under [[bodies]]")
     _put(bodies[0], mass=flags.mass, GM=flags.gm, trimmed=flags.trimmed or None, **body)
     for key in ("center_of_gravity", "gyration"):
         _put(bodies[0], **{key: _triple(key, getattr(flags, key))})

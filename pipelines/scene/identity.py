@@ -20,11 +20,11 @@ from .scene import Scene, SceneError
 
 MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
 FILE = re.compile(r"(bodies|modes)\[\d+\]\.file")
-FREE = re.compile(  # of the free body alone
+FREE = re.compile(  # keys of the free body only
     r"bodies\[\d+\]\.(mass|center_of_gravity|GM|gyration|viscous)|viscous\."
     r"|modes\[\d+\]\.(EI|GJ|mass|stiffness|damping|mass_per_length|inertia_per_length)$"
 )
-SAME = 1e-6  # of the hull: what is left of its points in mesh files
+SAME = 1e-6  # rounding of points in mesh files, over the size of the hull
 
 
 def contents(scene):
@@ -49,7 +49,7 @@ def fixed_part(scene, mesh_file=None):
         raw["tolerance"] = scene.accuracy
     contents = iter((mesh_file or "").split("; "))
     for body in raw["bodies"]:
-        del body["trimmed"]  # of which no number depends
+        del body["trimmed"]  # no number depends on it
         if not body["fixed"]:
             del body["fixed"]  # which files from before do not know
         if body["file"] is not None:
@@ -85,12 +85,12 @@ def check_same(scene, header, output):
         stored = typed(tomllib.loads(header.scene), Scene, SceneError)
     except ValueError as error:
         raise SceneError(
-            f"{output} is of a scene that cannot be read: {error}; give --fresh to replace it or another --output"
+            f"{output} belongs to a scene that cannot be read: {error}; give --fresh to replace it or another --output"
         ) from None
     then = fixed_part(stored, _stored_content(scene, header))
     what = difference(then, fixed)
     if difference(*map(_flow, (then, fixed))) or (stored.motions_known and not scene.motions_known):
-        raise SceneError(f"{output} is of another scene: {what}; give --fresh to replace it or another --output")
+        raise SceneError(f"{output} belongs to another scene: {what}; give --fresh to replace it or another --output")
     return what
 
 

@@ -55,7 +55,7 @@ def names_given(scene, names, named):
     refused = [name for name in named if name in missing]
     if refused:
         if scene.wall is not None and refused[0] in FAR_FIELD:
-            raise ValueError(f"want has {refused[0]}, which a body beside a wall does not have; leave it out")
+            raise ValueError(f"want has {refused[0]}, which is not computed beside a wall; leave it out")
         if refused[0] == POWER and not scene.damping_lids:
             raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
         if refused[0] in OF_EACH:
@@ -66,7 +66,7 @@ def names_given(scene, names, named):
         )
     kept = tuple(name for name in names if name not in missing)
     if not kept:
-        raise ValueError(f"want is {', '.join(named)}, of which method {method} gives nothing here; another method may")
+        raise ValueError(f"want is {', '.join(named)}, none of which method {method} computes here; try another method")
     return kept
 
 
@@ -121,7 +121,7 @@ def _obstacles(scene, method):
     if scene.damping_lids and method is not METHODS["panel"]:
         out.append("knows no damping lids")
     if scene.modes and not method.panels:
-        out.append("knows the six rigid motions alone, not [[modes]]")
+        out.append("has the six rigid motions only, not [[modes]]")
     if scene.wall is not None and not method.wall:
         out.append("knows no wall")
     return out

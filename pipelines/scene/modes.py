@@ -28,18 +28,21 @@ def check_modes(scene):
     if not scene.modes:
         return
     if scene.wall is not None:
-        raise SceneError("modes are there and a wall; allowed: one of them")
+        raise SceneError("modes and a wall are given; allowed: one of them")
     if any(body.GM is not None for body in scene.bodies):
-        raise SceneError("modes are there and a GM of a body; allowed: z in center_of_gravity, where its masses lie")
+        raise SceneError(
+            "modes and the GM of a body are given; allowed: z of center_of_gravity, since the shapes need the "
+            "place of the masses"
+        )
     for number, mode in enumerate(scene.modes):
         _check(f"modes[{number}]", mode, scene)
     names = [(owner(scene, mode), name) for mode in scene.modes for name in names_of(mode)]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise SceneError(f"modes has {twice[1]!r} twice; allowed: each kind of beam once for a body, and names once")
+        raise SceneError(f"modes has {twice[1]!r} twice; allowed: each kind of beam once per body, and each name once")
     for body in {owner(scene, mode) for mode in scene.modes}:
         if len({mode.kind == "file" for mode in scene.modes if owner(scene, mode) == body}) > 1:
-            raise SceneError("modes of one body are of a beam and of files; allowed: all of the one or of the other")
+            raise SceneError("modes of one body come from a beam and from files; allowed: only one of the two")
 
 
 def names_of(mode):
@@ -99,7 +102,7 @@ def points_of(key, file):
             row = [float(word) for word in words]
         except ValueError:
             if rows:
-                raise SceneError(f"{file}, line {number}: {line.strip()[:40]!r} is no row of numbers") from None
+                raise SceneError(f"{file}, line {number}: {line.strip()[:40]!r} is not a row of numbers") from None
             continue
         if row:
             rows.append(row)
@@ -112,7 +115,7 @@ def points_of(key, file):
     if len(np.unique(found[:, :3], axis=0)) < len(found):
         raise SceneError(f"{file} has a point twice; allowed: each once")
     if not np.any(found[:, 3:6]):
-        raise SceneError(f"{file} has no displacement that is not 0; allowed: a shape that moves")
+        raise SceneError(f"{file} has only displacements of 0; allowed: a shape that moves")
     if found.shape[1] == 7 and (np.any(found[:, 6] < 0) or not np.any(found[:, 6])):
-        raise SceneError(f"{file} has masses below 0, or none; allowed: 0 or more, kg")
+        raise SceneError(f"{file} has negative masses, or all masses are 0; allowed: 0 or more, kg, and one above 0")
     return found

@@ -35,17 +35,17 @@ from .tables import (
 
 
 class Scene(SceneTable, dict=True):  # where derived quantities are kept
-    """One floating body in water, or several, their waves and what is wanted
+    """One floating body or several, with their water, their waves and the results that are wanted
 
-    want : names or groups of results, left out: everything
-    tolerance : relative error asked for [0.01]; or give panels
-    panels : on the whole hull, in place of tolerance
+    want : names or groups of results; by default everything
+    tolerance : relative error of the coefficients [0.01]; or give panels
+    panels : number of panels on the whole hull, in place of tolerance
     method : auto, panel, contour, pressure, strip or inverse-strip
-    rotation_center : m, x, y, z that rotations and moments are about
+    rotation_center : m, x, y, z of the point of rotations and moments
     lid : whether there is an interior lid against irregular frequencies
     wall : m, y of a vertical wall along x that reflects all waves
-    damping_lids : water between hulls or in moonpools that takes energy
-    modes : shapes that bodies bend or twist in, by panels
+    damping_lids : lids on the water between hulls or in moonpools that take energy
+    modes : shapes in which bodies bend or twist, by panels
     """
 
     water: Water

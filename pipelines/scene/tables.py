@@ -36,7 +36,7 @@ class Span(SceneTable):
 
 
 class Band(SceneTable):
-    """A band in which as many frequencies are solved as the tolerance asks for
+    """A band of frequencies, as many as the tolerance needs
 
     from : rad/s
     to : rad/s
@@ -66,19 +66,19 @@ class BodyTable(SceneTable):
     draft : m, of a box, buoy or ship
     radius : m, of a buoy
     block : coefficient of a ship
-    bow : fullness of a ship's waterplane there
-    stern : fullness of a ship's waterplane there
-    waterplane : coefficient of a ship's waterplane, in place of bow and stern
-    file : of a mesh, beside the scene: .gdf .msh .vtu .pnl …
-    mass : kg, left out: that of the displaced water
+    bow : fullness of the waterplane of a ship at this end
+    stern : fullness of the waterplane of a ship at this end
+    waterplane : waterplane coefficient of a ship, in place of bow and stern
+    file : mesh file beside the scene: .gdf .msh .vtu .pnl …
+    mass : kg, by default that of the displaced water
     center_of_gravity : m, x, y, z; z above still water
     GM : m, transverse metacentric height, in place of z of the centre of gravity
     gyration : m, [kxx, kyy, kzz] about the centre of gravity; without them no motions
-    trimmed : whether something holds the body as it is drawn, though its weight would turn it
-    name : of one of several bodies, before the names of its motions
-    place : m, m, degrees; where the origin of one of several bodies lies, and how it is turned about z
-    rotation_center : m, x, y, z from the origin of one of several bodies, that its rotations and moments are about
-    fixed : whether one of several bodies scatters waves and does not move: a caisson, a pier
+    trimmed : whether the body is held in its drawn trim, though its weight would turn it
+    name : name of one of several bodies, a prefix of the names of its motions
+    place : m, m, degrees; place of the origin of one of several bodies, and its heading
+    rotation_center : m, x, y, z from the origin of one of several bodies, the point of its rotations and moments
+    fixed : whether one of several bodies is fixed and scatters waves, as a caisson or a pier
     viscous : damping of one of several bodies; [viscous] of the scene has the wave height
     """
 
@@ -105,22 +105,22 @@ class BodyTable(SceneTable):
 
 
 class ModeTable(SceneTable):
-    """Shapes that a body bends or twists in: the lowest of a free beam along x, or one from a file
+    """Shapes in which a body bends or twists: the lowest of a free beam along x, or one from a file
 
     kind : "vertical bending", "horizontal bending", "torsion" or "file"
     body : name of one of several bodies
-    count : shapes of a beam, the lowest first
+    count : number of shapes of a beam, the lowest first
     EI : N m², of bending
     GJ : N m², of torsion
-    length : m, of the beam about the middle of the hull, left out: that of the hull
-    mass_per_length : kg/m, left out: mass over length
+    length : m, length of the beam about the middle of the hull; by default that of the hull
+    mass_per_length : kg/m, by default mass over length
     inertia_per_length : kg m, of torsion, left out: mass times kxx² over length
-    axis_height : m, z of the neutral axis, of torsion of the shear centre
-    damping : of critical, of each shape out of water
+    axis_height : m, z of the neutral axis, or for torsion of the shear centre
+    damping : ratio to critical damping, of each shape in air
     file : rows x, y, z (m, of the body), ux, uy, uz of a unit of the shape, and mass (kg) where it is known
     name : of the shape in a file
     stiffness : N/m, of the shape in a file
-    mass : kg, of the shape in a file that has no masses
+    mass : kg, mass of the shape in a file without masses
     """
 
     kind: str
@@ -140,10 +140,10 @@ class ModeTable(SceneTable):
 
 
 class DampingLidTable(SceneTable):
-    """Water between hulls or in a moonpool that takes energy, in place of the eddies of the real flow
+    """A lid on the water between hulls or in a moonpool that takes energy, for the loss in eddies
 
     damping : epsilon of g phi_z = omega^2 (1 + i epsilon) phi; tests with gaps and moonpools give 0.02 to 0.07
-    corners : m, [[x, y], …] of a convex polygon on the water; left out: all moonpools of the bodies
+    corners : m, [[x, y], …] corners of a convex polygon on the water; by default all moonpools of the bodies
     """
 
     damping: float
@@ -156,7 +156,7 @@ class Waves(SceneTable):
     omegas : rad/s, a list or a span
     periods : s, a list or a span
     xi_B : ω²B/2g, a list or a span
-    band : in which as many frequencies are solved as the tolerance asks for
+    band : band of frequencies, as many as the tolerance needs
     headings_deg : degrees the waves travel to, 0 → +x, 90 → +y, a list or a span
     """
 
@@ -171,12 +171,12 @@ def listed(key, value):
     """The numbers of a list, a Span or, of a Band, its ends.  Raises SceneError."""
     if isinstance(value, Band):
         if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
-            raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from below to")
+            raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from less than to")
         return [value.first, value.last]
     if not isinstance(value, Span):
         return [float(v) for v in value]
     if not 2 <= value.count <= MOST:
         raise SceneError(f"{key}: count is {value.count}; allowed: 2 to {MOST}")
     if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
-        raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from below to")
+        raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from less than to")
     return np.linspace(value.first, value.last, value.count).tolist()

@@ -20,7 +20,9 @@ def viscous_of(scene):
         raise ValueError("viscous damping needs motions; give gyration (--gyration)")
     if scene.several:
         if any(getattr(table, mode) is not None for mode in MODES):
-            raise ValueError("viscous has a law, but there are several bodies; give it under [bodies.viscous] of each")
+            raise ValueError(
+                "viscous has a damping law, but there are several bodies; give it under [bodies.viscous] of each"
+            )
         moving = [body for body in scene.bodies if not body.fixed]
         rows = [(body.name, body.viscous, box_of(msgspec.to_builtins(body))) for body in moving]
         return viscous_of_several(table, rows, scene.water.density, scene.water.gravity)

@@ -21,7 +21,7 @@ def sea(
     output: Annotated[Path | None, Parameter(help="write the spectrum to this CSV file")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Moments, periods and heights of a wave spectrum, or of a record of waves; records made of a spectrum.
+    """Compute moments, periods and heights of a wave spectrum or of a record, or make a record.
 
     Heights in m, periods in s.  hakobune sea --height 3 --mean-period 8 --record waves.csv
     """
@@ -65,7 +65,7 @@ def _check_places(file, table, record, output, plot):
     paths = [Path(os.path.realpath(path)) for path in (file, table, record, output, plot) if path is not None]
     for i, path in enumerate(paths):
         if path in paths[:i]:
-            raise ValueError(f"{path.name} is named twice; give each file a name of its own")
+            raise ValueError(f"{path.name} is named twice; give each file its own name")
     check_output(record, "a record made here", is_record, (".csv",))
     check_output(output, "a spectrum written here", is_spectrum, (".csv",))
     check_picture(plot, PLOTS)

@@ -25,14 +25,14 @@ from .flags import ReadingFlags, RecordFlags, SpectrumFlags
 
 FEWEST, APART = 50, 25.0  # components of a record; frequencies it resolves for each of them
 LONGEST = 10_000_000  # values of a record
-# measured: bytes for a component times √values, for a value, for a component; s for each, and for a component's wave
-# of Mitsuyasu's directions; s for a component at a value, and times √values
+# cost of making a record, measured: bytes per component times √values, per value, per component; then s per value and
+# per component, s more per component with Mitsuyasu's directions, s per component and value, and per component √values
 BYTES = 64, 180, 700
-OF_BYTE = 1.5e-7  # s, of a record that is read
+OF_BYTE = 1.5e-7  # s per byte of a record that is read
 SECONDS, OF_DIRECTIONS, OF_PHASES, OF_ROOT = (1e-6, 3e-6), 6e-5, 0.5e-9, 8e-8
-WAVES = 1000  # whose expected maximum is told of a spectrum without a record
-ROWS = 1000  # of a spectrum that is stored
-SHARES = (1e-6, 1 - 1e-4)  # of its energy that lie below the first and the last row
+WAVES = 1000  # number of waves of the expected maximum of a spectrum without a record
+ROWS = 1000  # rows of a stored spectrum
+SHARES = (1e-6, 1 - 1e-4)  # shares of its energy below the first and the last row
 MOMENTS = {  # order: unit, description
     -1: ("m2 s/rad", "m₋₁"), 0: ("m2", "m₀"), 1: ("m2 rad/s", "m₁"), 2: ("m2 rad2/s2", "m₂"), 3: ("m2 rad3/s3", "m₃"),
 }  # fmt: skip
@@ -143,7 +143,7 @@ def _of_band(spectrum):
     low, high = spectrum.quantile(BAND)
     held = 2 * math.pi * math.sqrt(spectrum.moment(0, low, high) / spectrum.moment(2, low, high))
     return (
-        f"the record holds waves of {low:.3g} to {high:.3g} rad/s; their T02 is {held:.4g} s, "
+        f"the record has waves of {low:.3g} to {high:.3g} rad/s; their T02 is {held:.4g} s, "
         f"{100 * (held / spectrum.T02 - 1):.3g} % longer than that of the whole spectrum",
     )
 
@@ -172,7 +172,7 @@ def _spectrum(flags, depth):
         return _by_fetch(flags, gamma, depth)
     if flags.height is None:
         raise ValueError(
-            "nothing says what sea; give --height and a period, --wind-speed and --fetch, --table, or a record file"
+            "no sea is given; give --height and a period, --wind-speed and --fetch, --table, or a record file"
         )
     return known[flags.spectrum](flags.height, **gamma, **flags.periods)
 
@@ -246,8 +246,9 @@ def _warn_of_few(components, resolved):
     least = max(FEWEST, math.ceil(resolved / APART))
     if components < least:
         warnings.warn(
-            f"{components} components for a record that tells {resolved:.0f} frequencies apart: it is not Gaussian, "
-            f"groups and extremes are not those of the sea; give --components {least} or more, or a shorter --duration",
+            f"{components} components for a record that resolves {resolved:.0f} frequencies: the record is not "
+            f"Gaussian, and its groups and extremes are not those of the sea; give --components {least} or more, "
+            "or a shorter --duration",
             stacklevel=2,
         )
 

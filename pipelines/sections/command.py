@@ -23,9 +23,9 @@ def sections(
     tolerance: Annotated[float, _flag("relative error, 1e-8 or more")] = 1e-6,
     output: Annotated[Path | None, _flag(".csv or .h5 [table in the terminal]")] = None,
 ):
-    """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20.
+    """Compute added mass, damping and excitation of rectangular sections (SR179 report, Tables 2.1.3.1 to 20).
 
-    Without flags the report's twenty shapes and ten frequencies.
+    Without flags it takes the report's twenty shapes and ten frequencies.
     """
     from ..common.outputs import check_output
     from ..printing.console import document

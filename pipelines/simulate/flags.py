@@ -12,7 +12,7 @@ def simulate(
     study: Annotated[Path, Parameter(help="mooring study with [simulation] (TOML)")],
     /,
     *,
-    database: Annotated[Path, Parameter(help="of the body, .h5")],
+    database: Annotated[Path, Parameter(help="database of the body, .h5")],
     output: Annotated[Path, Parameter(help="the file of all runs, .h5, with pictures beside it")],
     seeds: Annotated[int | None, Parameter(help="number of runs, from seed 1 on, in place of the study's")] = None,
     duration: Annotated[float | None, Parameter(help="s, duration of a run, in place of the study's")] = None,
@@ -29,9 +29,9 @@ def simulate(
         Parameter(help="with --methods: database of a box of the ship's dimensions, solved with --method contour, .h5"),
     ] = None,
 ):
-    """A mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.
+    """Run a mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.
 
-    A second call with the same output takes up where the first stopped, or adds more seeds.
+    A second call with the same output continues where the first stopped, or adds seeds.
     """
     from .command import simulate
 

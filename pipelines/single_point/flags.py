@@ -16,9 +16,9 @@ def single_point(
     output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: plan of all equilibria, .png, .svg or .pdf")] = None,
 ):
-    """A body on a buoy or turret: all headings of rest, whether it slews (fishtails), hawser and lines.
+    """Find all headings of rest of a body on a buoy or turret, whether it slews (fishtails), and its line loads.
 
-    A study with [[maps]] draws how the slewing grows over its numbers; one with [slewing] runs in time.
+    [[maps]] of the study draw the growth of slewing over its numbers; [slewing] runs it in time.
     """
     from .command import single_point_command
 

@@ -16,7 +16,7 @@ def site(
         Path, Parameter(help=".toml of the values for studies, the page stands beside it as .html; or the result, .h5")
     ],
 ):
-    """Return period, extremes, levels and seismic coefficient of a site, as one page and one file for studies."""
+    """Compute return periods, extremes, levels and seismic coefficient of a site, for a page and for studies."""
     from hakobune.meshing.whole_files import write_whole
 
     from ..common.outputs import DATABASE, check_output

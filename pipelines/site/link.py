@@ -25,12 +25,12 @@ MEAN = "mean"
 
 
 class SiteLink(Table):
-    """Values of a site, by `hakobune site`, that the study stands in
+    """Values of a site from `hakobune site`
 
-    file : of the values, beside this file
+    file : file of the values, beside this file
     state : of weather there
     level : of the water there
-    leave_out : of wind, current and waves
+    leave_out : those of wind, current and waves that are not taken
     """
 
     file: str
@@ -99,10 +99,10 @@ def _laid(path, what, taken):
     if taken.depth:
         _lay(laid, taken.depth, _depth(link, values))
     elif link.level != MEAN:
-        raise StudyError(f"site.level is {link.level!r}; {what} takes no water of a site")
+        raise StudyError(f"site.level is {link.level!r}; {what} takes no water level of a site")
     if taken.coefficient:
         if "coefficient" not in values.earthquake:
-            raise StudyError("the site's file has no seismic coefficient; give [earthquake] to hakobune site")
+            raise StudyError("the file of the site has no seismic coefficient; give [earthquake] to hakobune site")
         _lay(laid, taken.coefficient, values.earthquake["coefficient"])
     for key, table in _state(link, values, taken, what).items():
         name = taken.states[key]
@@ -142,7 +142,7 @@ def site_file(path):
     try:
         return msgspec.convert(raw, _SiteFile)
     except msgspec.ValidationError as fault:
-        raise StudyError(f"{path} is no file of hakobune site: {fault}") from None
+        raise StudyError(f"{path} is not a file of hakobune site: {fault}") from None
 
 
 def _link(raw):

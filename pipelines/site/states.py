@@ -40,7 +40,7 @@ def climate_of(table, years, folder, findings):
     if top[0] > law.highest:
         findings.append(
             f"the contour of {years:.4g} years reaches {top[0]:.3g} m, the scatter ends at {law.highest:g} m: "
-            "beyond it the joint law is an extrapolation"
+            "above it the joint law is an extrapolation"
         )
     return Climate(scatter, law, height, period, top, table.hours)
 

@@ -56,7 +56,7 @@ def filled_band(scene, file, fill, wider, console):
         return outcome
     said = _text(scene, db, error)
     if error > scene.accuracy:
-        said = fails(f"{said}; the tolerance is not reached: ask for less, or solve more accurately")
+        said = fails(f"{said}; the tolerance is not reached: give a coarser tolerance, or solve with more panels")
     return replace(outcome, remarks=(*outcome.remarks, said))
 
 
@@ -114,7 +114,7 @@ def _text(scene, db, error):
     band = scene.waves.band
     solved = f"{_inside(scene, db.omega)} frequencies from {band.first:g} to {band.last:g} rad/s"
     if not np.isfinite(error):
-        return f"{solved}: too few to estimate the error between them"
+        return f"{solved}: too few to estimate the error between frequencies"
     words = "coefficients and forces" if FORCES[0] in controlled(db.names) else "coefficients"
     share, limit = 100 * error, 100 * scene.accuracy
     text = f"{solved}: estimated error of {words} between them {share:.2g} % (tolerance {limit:.2g} %)"

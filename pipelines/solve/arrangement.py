@@ -14,7 +14,7 @@ from hakobune.meshing.quality.overlap import winding
 from ..scene.scene import SceneError
 from .gaps.resonant_water import resonant_water
 
-TOUCHING = 1e-6  # of the size of the whole: bodies that are closer touch
+TOUCHING = 1e-6  # distance at which bodies touch, over the size of the whole
 NEAR = 8  # panels of another body that are looked at from a corner
 
 
@@ -70,15 +70,15 @@ def check_apart(scene, mesh):
             gap, size = _gap(one, hulls[j])
             names = f"{scene.bodies[i].name} and {scene.bodies[j].name}"
             if _overlap(one, hulls[j]) or _overlap(hulls[j], one):
-                raise SceneError(f"{names} lie in each other; allowed: water between them; move one (place)")
+                raise SceneError(f"{names} overlap; allowed: water between them; move one of them (place)")
             if gap <= reach:
-                raise SceneError(f"{names} touch; allowed: water between them, or one mesh of both (place)")
+                raise SceneError(f"{names} touch; allowed: water between them (place), or one mesh of both")
             widths = [min(np.ptp(hull.points[:, :2], axis=0)) for hull in (one, hulls[j])]
             gaps.append((names, gap, min(one.draft, hulls[j].draft), sum(widths) + gap))
             if gap < size / 2:
                 said.append(
-                    f"{names} are {gap:.3g} m apart, their panels there up to {size:.3g} m long; good: at most twice "
-                    "the gap; ask for more panels"
+                    f"{names} are {gap:.3g} m apart, but their panels are up to {size:.3g} m long; good: at most "
+                    "twice the gap; give more panels"
                 )
     return (*said, *resonant_water(scene, mesh, gaps))
 

@@ -54,7 +54,7 @@ def check(path, console, repair=False):
     ]
     if not db.complete:
         lines.append(
-            fails(f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run its command again to go on")
+            fails(f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run the command again to continue")
         )
     return tell(lines, console, "")
 
@@ -71,7 +71,7 @@ def _broken(db):
         Finding(
             "error",
             f"stored numbers: {law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s; "
-            f"allowed: {limit:.2g}; solve it anew with --fresh",
+            f"allowed: {limit:.2g}; solve it again with --fresh",
         )
         for law, worst, omega, limit in laws
     ]
@@ -104,7 +104,7 @@ def _scene_findings(db):
     try:
         scene = typed(tomllib.loads(db.header.scene), Scene, SceneError)
     except ValueError as error:
-        yield Finding("error", f"the text of its scene cannot be read: {error}; solve it anew with --fresh")
+        yield Finding("error", f"the text of its scene cannot be read: {error}; solve it again with --fresh")
         return
     said = {"depth": db.water_depth, "density": db.density, "gravity": db.gravity}
     for name, stored in said.items():
@@ -112,7 +112,7 @@ def _scene_findings(db):
             yield Finding(
                 "error",
                 f"its scene has water.{name} {getattr(scene.water, name):g}, its numbers are for {stored:g}; "
-                "solve it anew with --fresh",
+                "solve it again with --fresh",
             )
 
 

@@ -27,7 +27,7 @@ from .large import shared_band
 from .panel_counts import FEWEST, coarse_counts, fine_counts, finer_counts, meshed
 
 MOST_PANELS = 20_000
-MOST_GIVEN = 100_000  # of a mesh file, or by --panels
+MOST_GIVEN = 100_000  # panels of a mesh file, or by --panels
 FOR_SHOW = 500  # panels of a mesh that is only drawn
 PER_WAVE = 4.7  # panels along the shortest wave; with fewer, extrapolation leaves too much to do without finer meshes
 MOST_REFINED = 5000  # panels of a mesh for single frequencies, whose full equations take up to 2 GB
@@ -247,10 +247,10 @@ def _usable(scene, mesh):
     wave = scene.shortest_wave
     apart = check_apart(scene, mesh) if scene.several else resonant_water(scene, mesh)
     found = (*apart, *_without_errors(scene, findings(mesh, scene.water.depth, wave)))
-    if mesh.sizes.max() > wave:  # of two nodes along an edge, fewer than two a wave: nothing is left of it
+    if mesh.sizes.max() > wave:  # two nodes along an edge, fewer than two a wave: the wave is not resolved
         raise SceneError(
-            f"{_name(scene)}: panels up to {mesh.sizes.max():.3g} m cannot carry the shortest wave, {wave:.3g} m; "
-            "allowed: at most its length; ask for more panels or leave out the highest frequencies"
+            f"{_name(scene)}: panels up to {mesh.sizes.max():.3g} m are too long for the shortest wave, {wave:.3g} m; "
+            "allowed: at most its length; give more panels or leave out the highest frequencies"
         )
     return found
 

@@ -34,7 +34,7 @@ WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 27  # frequencies that an adaptive band takes, about
 NODES_WORTH_TELLING = 3000
 NODES_WORTH_ASKING = 1500  # a frequency on them takes two seconds, of which asking how long is a tenth
-COPIES = 3  # of a database while it is laid out: numbers, file, and the image of it that is written
+COPIES = 3  # copies of a database in memory while it is created: numbers, file, and the image that is written
 
 
 def shared_band(scene, mesh, lid=None, some=None):
@@ -87,7 +87,7 @@ def _announce_contour(problem, omegas, console, processes):
     needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), problem.depth, problem.gravity)))
     across = problem.sizes[:2] if problem.shape == "box" else problem.sizes[:1]
     body = f"{problem.shape} of {' by '.join(f'{size:g} m' for size in across)}"
-    way_out = "give a body less slender, longer waves, or another method (--method panel, strip)"
+    way_out = "give a less slender body, longer waves, or another method (--method panel, strip)"
     check_memory(f"{body}: its contour needs", processes * needed.memory, way_out, SceneError)
     seconds = needed.table + len(omegas) * needed.each / processes
     check_seconds(f"{body}: its contour takes", seconds, way_out, SceneError)
@@ -138,7 +138,7 @@ class Telling:
         finer, omega = what
         if PER_PANEL * len(finer.problem.mesh) < NODES_WORTH_ASKING:
             return None
-        text = f"ω {omega:.4g} rad/s: {finer.problem.mesh.total} panels for the tolerance take"
+        text = f"ω {omega:.4g} rad/s: {finer.problem.mesh.total} panels for the tolerance need"
         return told(text, _seconds_alone(finer, [omega]), partial(self.console.print, highlight=False, soft_wrap=True))
 
 

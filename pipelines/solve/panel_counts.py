@@ -18,11 +18,11 @@ from hakobune.meshing.ship import counts_of_ship, ship, ship_counts
 MAKERS = {"box": (box, box_counts), "buoy": (buoy, buoy_counts), "ship": (ship, ship_counts)}
 LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 3, 3)}  # a buoy of twelve sides has a yaw of its own
 LONGEST = 7  # breadths, up to which panels across were counted
-COARSE = 0.71  # of the counts: about half as many panels
+COARSE = 0.71  # factor on the counts of edges: about half as many panels
 FEWEST = 2  # in a direction of the coarse mesh
 FINER = 2**0.5  # times the counts: about twice as many panels
 SHIP = 800.0  # panels of a ship at one per cent
-TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser gives no estimate of the error
+TOO_CLOSE = 0.8  # share of panels above which a coarse mesh gives no estimate of the error
 
 
 def panels_for(body, tolerance):

@@ -79,7 +79,10 @@ def resumed(scene, file):
     plan = _plan(scene, stored_hull(scene, header), header)
     anew = tuple(name for name in (*NEEDS_MOTION, "pressure") if moved and name in db.names)
     told = (
-        (f"{moved}: {', '.join(anew)} made anew, without solving where coefficients and Kochin functions are stored",)
+        (
+            f"{moved}: {', '.join(anew)} computed again, without a new solution where coefficients and Kochin "
+            "functions are stored",
+        )
         if anew
         else ()
     )
@@ -104,7 +107,7 @@ def _by_the_same_method(scene, header, output):
         check_method(same)
     except ValueError as error:
         raise SceneError(
-            f"{output} is by method {same.method} so far, and {str(error).partition(';')[0]}; "
+            f"{output} was solved by method {same.method} so far, and {str(error).partition(';')[0]}; "
             "give --fresh to replace it or another --output"
         ) from None
     return same

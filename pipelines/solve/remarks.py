@@ -42,14 +42,17 @@ def _weight_remarks(scene, mesh, body):
 def _density_remarks(density):
     low, high = DENSITIES
     if not low <= density <= high:
-        yield f"density {density:g} kg/m³ is not that of water, {low:g} to {high:g} kg/m³; check its unit (--density)"
+        yield (
+            f"density {density:g} kg/m³ is not a density of water, {low:g} to {high:g} kg/m³; check its unit "
+            "(--density)"
+        )
 
 
 def _gravity_remarks(gravity):
     low, high = GRAVITIES
     if not low <= gravity <= high:
-        feet = ": that is its value in ft/s²" if FEET[0] <= gravity <= FEET[1] else ""
-        yield f"gravity {gravity:g} m/s² is not that of the earth, {low:g} to {high:g} m/s²{feet}; check its unit"
+        feet = ": this is gravity in ft/s²" if FEET[0] <= gravity <= FEET[1] else ""
+        yield f"gravity {gravity:g} m/s² is not gravity on the earth, {low:g} to {high:g} m/s²{feet}; check its unit"
 
 
 def _motion_remarks(scene):
@@ -69,5 +72,5 @@ def _lid_remarks(lid, wave):
     if largest > wave / 3:
         yield (
             f"lid panels up to {largest:.3g} m are coarse for the shortest wave {wave:.3g} m; "
-            f"good: ≤ {wave / 3:.3g} m (a third); --fresh makes them anew"
+            f"good: ≤ {wave / 3:.3g} m (a third); --fresh makes new ones"
         )

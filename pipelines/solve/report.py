@@ -24,12 +24,12 @@ CHECKED = {
     "estimated_error": "two resolutions",
     "damping": "by its own size",
 }
-ESTIMATED = ("estimated_error", "damping")  # of what is checked: errors, not laws
+ESTIMATED = ("estimated_error", "damping")  # checks that are errors, not laws
 # Where panels are given no tolerance is promised.  Of 900 frequencies of random boxes and buoys on 24 to 80 panels, in
 # waves longer than two of them, with half a draft and more under the keel, the worst breaks a law by 0.16; with a tenth
 # of a draft under it, of which the mesh findings warn, by 0.39: there the numbers are unusable.
 BROKEN = 0.25
-RESIDUAL = 1e-6  # of a linear system; four digits below the finest tolerance that makes sense
+RESIDUAL = 1e-6  # residual of a linear system; four digits below the finest useful tolerance
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ def failed_laws(db, own_panels):
         f"{max(check.limit, own_panels * BROKEN):.2g}"
         for check in failed
     )
-    return f"checks failed: {said}; the mesh or the method does not fit this body, look at both" if said else ""
+    return f"checks failed: {said}; the mesh or the method does not suit this body; check both" if said else ""
 
 
 def missed_tolerance(db):
@@ -145,7 +145,7 @@ def resonances_of(db):
         return []
     try:
         body = db.reader
-    except BetweenError:  # of numbers that are not known at some frequencies
+    except BetweenError:  # some frequencies have unknown numbers
         return []
     return resonance_lines(resonances(body), db.omega, db["rao"])
 
@@ -160,8 +160,8 @@ def print_outcome(console, outcome, db, own_panels):
         console.print(checks_table(checked(db)))
     status = tell([*outcome.remarks, *resonances_of(db), *failures(outcome, db, own_panels)], console, "note: ")
     stored = f"{outcome.stored} of {outcome.total} frequencies stored in {outcome.path}"
-    go_on = "" if outcome.exit_status == 0 else "; run the same command to go on"
-    by = f"{outcome.solved} by this run" if outcome.jobs else "nothing was left to do"
+    go_on = "" if outcome.exit_status == 0 else "; run the same command to continue"
+    by = f"{outcome.solved} by this run" if outcome.jobs else "nothing was left to compute"
     console.print(f"{stored}, {by}{go_on}", highlight=False, markup=False, soft_wrap=True)
     return outcome.exit_status or status
 

@@ -13,10 +13,10 @@ import numpy as np
 
 from ..scene.scene import SceneError
 
-TILT = 2.0  # degrees at rest
-TOLD = 0.1  # degrees, from which an angle is remarked
-GYRATION = 1.25  # times the largest radius there can be; those printed for models in tanks are above it by 8 %
-ROUNDED = 1.01  # of the same
+TILT = 2.0  # largest angle at rest, degrees
+TOLD = 0.1  # angle above which a line is printed, degrees
+GYRATION = 1.25  # factor on the largest possible radius; printed radii of tank models exceed it by 8 %
+ROUNDED = 1.01  # factor on the same that rounding explains
 
 
 def check_weight(scene, mesh, body):
@@ -32,9 +32,9 @@ def check_weight(scene, mesh, body):
         if angle > TILT and not scene.body.trimmed:
             raise SceneError(
                 f"center_of_gravity is {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
-                f"{moment:.4g} N m, {angle:.3g}° of static {name}, limit {TILT:g}°; check where its coordinates begin "
-                "(--center-of-gravity), or give --trimmed (trimmed = true under [[bodies]]) if something holds the "
-                "body as it is drawn"
+                f"{moment:.4g} N m, {angle:.3g}° of static {name}, limit {TILT:g}°; check the origin of its "
+                "coordinates (--center-of-gravity), or give --trimmed (trimmed = true under [[bodies]]) if the "
+                "body is held in its drawn trim"
             )
 
 
@@ -44,7 +44,7 @@ def weight_remarks(scene, mesh, body):
     if abs(body["mass"] / displaced - 1) > 0.01:
         yield (
             f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; "
-            "allowed where lines or moorings carry the difference"
+            "allowed if lines or moorings carry the difference"
         )
     for name in ("transverse", "longitudinal"):
         height = body[f"{name}_metacentric_height"]
@@ -54,7 +54,7 @@ def weight_remarks(scene, mesh, body):
         if angle > TOLD:
             yield (
                 f"centre of gravity {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
-                f"{moment:.4g} N m, {angle:.3g}° of static {name}; the body is solved as its mesh lies"
+                f"{moment:.4g} N m, {angle:.3g}° of static {name}; the body is solved in the position of its mesh"
             )
     yield from _gyration_remarks(scene.body.gyration, mesh)
 
@@ -72,8 +72,8 @@ def _gyration_remarks(gyration, mesh):
     limit = _largest_radius(gyration)
     if longest > ROUNDED * limit:
         yield (
-            f"radius of gyration {longest:g} m is larger than the {limit:.4g} m that the other two allow any body, "
-            "k² ≤ k₂² + k₃²; check all three (--gyration)"
+            f"radius of gyration {longest:g} m is larger than the {limit:.4g} m that the other two radii allow "
+            "for any body, k² ≤ k₂² + k₃²; check all three (--gyration)"
         )
 
 
@@ -93,7 +93,7 @@ def _check_place(mesh, body):
 def _check_gyration(gyration):
     if gyration is not None and max(gyration) > GYRATION * _largest_radius(gyration):
         raise SceneError(
-            f"gyration has {max(gyration):g} m, but the other two allow any body at most "
+            f"gyration has {max(gyration):g} m, but the other two radii allow at most "
             f"{_largest_radius(gyration):.4g} m, k² ≤ k₂² + k₃²; check all three (--gyration)"
         )
 

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def waves(
-    database: Annotated[Path, Parameter(help="of the body, .h5")],
+    database: Annotated[Path, Parameter(help="database of the body, .h5")],
     /,
     *,
     period: Annotated[float | None, Parameter(help="s, of the waves")] = None,
@@ -23,7 +23,7 @@ def waves(
     output: Annotated[Path | None, Parameter(help="points of the map, .csv, or all results, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="map: .png, .svg or .pdf")] = None,
 ):
-    """The waves around a body in regular waves, what it scatters and radiates included.
+    """Compute the water around a body in regular waves, with the waves that it scatters and radiates.
 
     hakobune waves box.h5 --period 9 --heading 180 --plot waves.png
     """

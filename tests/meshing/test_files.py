@@ -181,7 +181,7 @@ def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
     with pytest.raises(ValueError, match="of its points"):
         read_mesh(tmp_path / "points.vtp")
     pyvista.Line().save(tmp_path / "line.vtp")
-    with pytest.raises(ValueError, match=r"line\.vtp: no polygons"):
+    with pytest.raises(ValueError, match=r"line\.vtp: it has lines, points or strips, but no polygons"):
         read_mesh(tmp_path / "line.vtp")
     (tmp_path / "cut.vtp").write_bytes((tmp_path / "a.vtp").read_bytes()[:700])
     with pytest.raises(ValueError, match=r"cut\.vtp"):
@@ -287,7 +287,7 @@ def test_a_binary_stl_that_is_cut_off_says_how_much_is_lost(tmp_path):
     points, triangles = tetrahedron()
     meshio.Mesh(points, [("triangle", triangles)]).write(tmp_path / "a.stl", binary=True)
     (tmp_path / "a.stl").write_bytes((tmp_path / "a.stl").read_bytes()[:200])
-    with pytest.raises(ValueError, match="its head says 3 triangles, 234 bytes, and it has 200"):
+    with pytest.raises(ValueError, match="its header says 3 triangles, 234 bytes, and it has 200"):
         read_mesh(tmp_path / "a.stl")
 
 

@@ -32,7 +32,9 @@ def plain(length, beam, draft, counts=(1, 1, 1)):
 
 def test_panels_a_hundred_times_as_long_as_wide():
     line = both("aspect ratio", {"mesh": plain(196, 2, 1)}, {"mesh": plain(208, 2, 1)})
-    assert line.endswith("2 of 3 panels with an aspect ratio up to 104, good: ≤ 100; divide the long side more often")
+    assert line.endswith(
+        "2 of 3 panels with an aspect ratio up to 104, good: ≤ 100; divide the long side into more panels"
+    )
 
 
 def test_corners_a_tenth_of_the_longest_edge_off_the_plane():
@@ -55,7 +57,7 @@ def test_three_panels_a_wave():
 def test_bottom_panels_as_long_as_the_water_under_them_is_deep():
     hull = plain(100, 50, 10, (10, 5, 5))
     line = both("on the bottom", {"mesh": hull, "depth": 15.1}, {"mesh": hull, "depth": 14.9})
-    assert "50 of 125 panels on the bottom longer than the water under them is deep: up to 5 m over 4.9 m" in line
+    assert "50 of 125 panels on the bottom longer than the depth of water under them: up to 5 m over 4.9 m" in line
 
 
 def test_a_side_that_slopes_by_thirty_degrees_is_bottom():

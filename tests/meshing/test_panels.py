@@ -93,7 +93,7 @@ def test_a_half_is_mirrored_and_what_lies_on_both_sides_is_not():
     assert half.mirrored("y").symmetry == "y" and half.mirrored("y").mirrored("x").symmetry == "xy"
     assert half.moved(dy=-4).mirrored("y").total == 2  # all on the other side
     for hull, axis in ((half.moved(dx=-1), "x"), (half.moved(dy=-2), "y"), (half.mirrored("y"), "y")):
-        with pytest.raises(ValueError, match=f"both sides of {axis} = 0 already"):
+        with pytest.raises(ValueError, match=f"already lies on both sides of {axis} = 0"):
             hull.mirrored(axis)
     assert half.moved(dx=-1).mirrored("y").symmetry == "y"
 

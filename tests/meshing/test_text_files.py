@@ -43,5 +43,5 @@ def test_what_is_packed_in_a_file_is_read_up_to_its_limit_and_refused_beyond(tmp
         if whole:
             assert len(read_text(path, largest=1)) == size
         else:
-            with pytest.raises(KeyError, match="has more than 1 MB packed in it"):
+            with pytest.raises(KeyError, match="has more than 1 MB unpacked"):
                 read_text(path, KeyError, largest=1)

@@ -18,8 +18,8 @@ def test_texts_and_bytes_are_written_one_after_another_in_place_of_what_was_ther
 def test_a_file_that_fails_while_it_is_made_leaves_what_was_there_and_nothing_beside(tmp_path):
     path = tmp_path / "a.txt"
     path.write_text("before")
-    with pytest.raises(NotWritten, match=r"a\.txt cannot be written: No space left on device; what was there"), \
-            made_beside(path) as partial:  # fmt: skip
+    said = r"a\.txt cannot be written: No space left on device; the file that was there before is unchanged"
+    with pytest.raises(NotWritten, match=said), made_beside(path) as partial:
         assert partial.parent == tmp_path and partial.suffix == ".txt" and partial != path
         partial.write_text("half")
         raise OSError(28, "No space left on device")
@@ -35,7 +35,7 @@ def test_a_part_that_does_not_arrive_is_missed(tmp_path, monkeypatch):
         def __len__(self):
             return 4
 
-    with pytest.raises(NotWritten, match="a part of it did not arrive"):
+    with pytest.raises(NotWritten, match="a part of it was not written"):
         write_whole(tmp_path / "a.txt", Short("abc"))
     assert not (tmp_path / "a.txt").exists()
 
@@ -76,5 +76,5 @@ def test_what_cannot_be_kept_is_said_and_what_is_not_ones_own_is_left_alone(tmp_
 
 def test_a_fault_without_a_reason_of_the_system_is_told_in_one_line(tmp_path):
     assert str(not_written("a.h5", OSError("of\nits own"))) == (
-        "a.h5 cannot be written: of its own; what was there before is as it was"
+        "a.h5 cannot be written: of its own; the file that was there before is unchanged"
     )

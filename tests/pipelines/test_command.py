@@ -112,7 +112,7 @@ def test_a_second_run_says_that_nothing_was_left_to_do(whole, capsys):
     before = whole.read_bytes()
     assert main([*WORDS, "--output", str(whole)]) == 0
     said = capsys.readouterr().out
-    assert "12 of 12 frequencies stored" in said and "nothing was left to do" in said
+    assert "12 of 12 frequencies stored" in said and "nothing was left to compute" in said
     assert "\x1b" not in said and whole.read_bytes() == before
 
 

@@ -54,7 +54,7 @@ WAVES = {
     f"{BODY} --omega 1e-200": ("waves.omegas is 1e-200", "1e-06 to 10000"),
     f"{BODY} --omega 0.1:2:1000000": ("count is 1000000", "2 to 10000"),
     f"{BODY} --omega 50": ("shortest wave, 0.0246 m", "ask for more panels"),
-    f"{BODY} --period 1e-3": ("cannot carry the shortest wave", "ask for more panels"),
+    f"{BODY} --period 1e-3": ("are too long for the shortest wave", "ask for more panels"),
     f"{BODY} --period 0": ("waves.periods is 0.0", "above 0"),
     f"{BODY} --omega 1 --heading 400": ("headings_deg has 400.0", "-360 to 360"),
     f"{BODY} --omega 1 --heading 0,360": ("headings_deg", "twice"),

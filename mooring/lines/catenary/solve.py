@@ -13,9 +13,9 @@ import numpy as np
 
 from .state import BEYOND_REACH, LineError
 
-TOLERANCE = 1e-10  # of the line length, on the recomputed fairlead position
+TOLERANCE = 1e-10  # error of the recomputed fairlead position, over the line length
 _LARGEST, _SMALLEST, _STEEPEST = np.finfo(float).max, np.nextafter(0.0, 1.0), np.nextafter(1.5, 0.0)
-LIMITS = (  # of the columns of `_lines`: least, most, what is allowed
+LIMITS = (  # least value, largest value and text of what is allowed, for each column of `_lines`
     ("x", 0.0, _LARGEST, "finite, at least 0 m"),
     ("z", -_LARGEST, _LARGEST, "finite"),
     ("length", _SMALLEST, _LARGEST, "finite, above 0 m"),

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..multi_segment.bed import Bed
 
-ROUND = 0.1  # of the shorter facet at an edge, that is bent on either side of it
+ROUND = 0.1  # rounded length on either side of an edge, over the shorter facet
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ from .run import DynamicLineError, run_esdirk
 from .start import start
 
 COARSER = 2.0  # times as long as the run's are the steps beside it
-NONE = 1e-6  # of the larger of both, and of the heaviest node: a tension that is rounding
-PARTS = 10  # of a run, whose largest tensions are compared
+NONE = 1e-6  # tension that is rounding, relative to the larger of both and to the heaviest node
+PARTS = 10  # parts of a run whose largest tensions are compared
 
 
 def mesh_error(case, result, limit):
@@ -55,7 +55,7 @@ def step_error(case, result, state, limit):
     try:
         found = run_esdirk(_plain(case)._replace(coarser=COARSER), state)
     except DynamicLineError as error:
-        warnings.warn(f"largest tensions are not known for their steps; with longer ones, {error}", stacklevel=3)
+        warnings.warn(f"the error of largest tensions by steps is not known; with longer steps, {error}", stacklevel=3)
         return np.nan
     edges = np.linspace(result.time[0], result.time[-1], PARTS + 1)
     ours, others = _largest_of_parts(result, edges), _largest_of_parts(found, edges)

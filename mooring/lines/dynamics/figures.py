@@ -11,11 +11,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-SLACK = 0.1  # of the tension at rest
-POSITIONS = 48  # of the fairlead, for the quasi-static tension
+SLACK = 0.1  # tension below which a line is slack, over its tension at rest
+POSITIONS = 48  # positions of the fairlead for the quasi-static tension
 INSTANT = 1e-3  # s, a run whose first row is the line at rest
-SMALL_WORK = 1e-2  # of what is lost, gained and stored, below which nothing is told as a share of the work
-NONE = 1e-6  # of the largest tension, and of the heaviest node: what is less is rounding, nothing is divided by it
+SMALL_WORK = 1e-2  # work below which no share of it is printed, over the energy that is lost, gained and stored
+NONE = 1e-6  # tension that is rounding and no divisor, relative to the largest tension and to the heaviest node
 LOSSES = ("drag", "water_inertia", "structural", "bed", "friction")
 
 

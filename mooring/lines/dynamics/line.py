@@ -81,7 +81,7 @@ class DynamicSegment:
         _ = Segment(self.length, 1.0, self.axial_stiffness).strain_table
         strain, tension = np.array(self.axial_stiffness, float).T
         if not np.all(np.diff(strain) > 0):
-            raise ValueError("segment axial_stiffness: a strain stands twice; allowed: strains that rise from 0")
+            raise ValueError("segment axial_stiffness: a strain occurs twice; allowed: strains that rise from 0")
         return strain, tension
 
     @cached_property

@@ -12,11 +12,11 @@ from .line import DynamicLine
 from .lumped.system import Control, State, Water, elastic_tension
 from .surroundings import FairleadMotion
 
-ROWS = 1000  # of history at a time
-SHORTEST = 1e-8  # of the longest step
-FIRST = 0.02  # of the longest step
+ROWS = 1000  # rows of history that are computed at a time
+SHORTEST = 1e-8  # shortest step, over the longest
+FIRST = 0.02  # first step, over the longest
 FINER = 4  # times as short are the longest steps where friction acts: its work goes with the cube of a pull
-FREE = 0.01  # of the line's length; a step may move no node wrongly by more than this times the tolerance
+FREE = 0.01  # largest error of a node's place in a step, over the line's length times the tolerance
 
 
 class DynamicLineError(ValueError):
@@ -161,7 +161,7 @@ def _control(case, state):
 def stopped(line, time, step, shortest, node):
     """DynamicLineError of a run whose step became too short near a node"""
     return DynamicLineError(
-        f"{line}: at t = {time:.6g} s the step fell to {step:.3g} s, below {shortest:.3g} s, "
+        f"{line}: at t = {time:.6g} s the time step fell to {step:.3g} s, below {shortest:.3g} s, "
         f"near node {node} of {line.elements}; give a larger tolerance, more damping or a softer bed"
     )
 

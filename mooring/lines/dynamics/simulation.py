@@ -115,8 +115,8 @@ def _check_joint(motion, state, from_rest):
     jerk = np.linalg.norm(velocity - state.velocity[-1])
     if from_rest and jerk > JERK:
         warnings.warn(
-            f"the fairlead starts at {jerk:.3g} m/s but the line at rest: the first tensions are those of a blow; "
-            "give the motion a ramp",
+            f"the fairlead starts at {jerk:.3g} m/s, but the line at rest: the first tensions are those of an "
+            "impact; give the motion a ramp",
             stacklevel=3,
         )
 

@@ -8,11 +8,11 @@ from ..catenary.solve import profile, solve_lines
 from ..catenary.state import LineError, State
 from .lumped import system as lumped
 
-LIGHTEST = 1e-6  # of all weights: least weight of a line in the first guess
+LIGHTEST = 1e-6  # least weight of a line in the first guess, as a share of all weights
 SOFT = 1e4  # times the weight: axial stiffness that Newton's method takes from the first guess
 LOOSE = 1e3  # m, slip that mobilises friction: it then acts as a force, not as a spring
 MANY = 1000  # elements: of a chain of 315 m in 60 m they come to rest, 2300 do not
-LEAST_PACKED = 0.5  # of its length; slack elements on the bed start no shorter
+LEAST_PACKED = 0.5  # least initial length of slack elements on the bed, over their length
 
 
 def start(line, fairlead, water):
@@ -54,8 +54,8 @@ def _check_bending(line, q):
     tension = float(lumped.elastic_tension(line.system, q).max())
     if 4 * stiffest.bending_stiffness > tension * line.length**2:
         raise LineError(
-            f"{line}: bending stiffness EI = {1e-3 * stiffest.bending_stiffness:.4g} kN m² holds it up more than its "
-            f"tension, at most {1e-3 * tension:.4g} kN at rest without it; allowed: up to "
+            f"{line}: bending stiffness EI = {1e-3 * stiffest.bending_stiffness:.4g} kN m² holds it more than its "
+            f"tension does, at most {1e-3 * tension:.4g} kN at rest without it; allowed: up to "
             f"{0.25e-3 * tension * line.length**2:.4g} kN m², T L²/4"
         )
 

@@ -53,7 +53,7 @@ from .touchdown import (
     TO_VERTEX,
 )
 
-CORNER = 1e-12  # of the length: how far from a vertex a sinker is at it
+CORNER = 1e-12  # distance within which a sinker is at a vertex, over the length
 
 
 class Equations(NamedTuple):

@@ -16,7 +16,7 @@ from hakobune.bem.kernels.jit import kernel
 
 from .line_data import HIGH, LENGTH, LOW, PHI, H, S, T, V, X, Z, mix, slides_on
 
-HEAPED = 100.0  # of the least tension: what is laid out in a heap
+HEAPED = 100.0  # tension of a part laid out in a heap, over the least tension
 
 
 @kernel()

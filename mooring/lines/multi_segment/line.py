@@ -35,12 +35,12 @@ from .solution import LineState, StaticSolution, heaped, turned
 __all__ = ["Bed", "LineState", "PointLoad", "Segment", "StaticLine", "StaticSolution"]
 
 FLAT = Bed.sloping()
-LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is called slack
-RESIDUAL = 1e-10  # of the line length, on every equation
-SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
+LEAST = 1e-11  # horizontal tension below which a line is slack, over its weight
+RESIDUAL = 1e-10  # residual of every equation, over the line length
+SOFT = 1e-7  # height over which a buoy emerges while its state is sought, over the line length
 SOFTER = 1e-3  # the same where that finds nothing: of buoys in the surface one moves many times as far as the next
-WORDS = ("submerged", "floating", "emerged")  # of the states of point loads
-MOBILISED = (0.5, 0.2, 0.0)  # of the friction, where all of it has no equilibrium
+WORDS = ("submerged", "floating", "emerged")  # states of point loads
+MOBILISED = (0.5, 0.2, 0.0)  # shares of the friction that are tried where the whole has no equilibrium
 
 
 @cache

@@ -24,7 +24,7 @@ STATE_ROWS, DERIVATIVE_ROWS, PIECE_COLUMNS = 7, 11, 11
 SUBMERGED, FLOATING, EMERGED = 0, 1, 2
 # what is left over of a line: nothing; it lies in a heap at the anchor; where the line first touches the bed
 TAUT, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN = np.arange(3)
-STEEP = 1e-12  # of a slope, by which it is steeper than friction holds
+STEEP = 1e-12  # excess of a slope over what friction holds
 
 
 class LineData(NamedTuple):

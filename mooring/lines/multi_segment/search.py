@@ -22,10 +22,10 @@ from .traverse import traverse
 # results of a search beside `State`: an equilibrium that is not slack; none found, though in reach; one with a heap
 # at the bed vertex to which the line slides
 SOLVED, LOST, SLIDES = -1, -2, -3
-# of the length, left over at the anchor by a search: that of a single position to begin with, those where it finds
-# nothing, and those of many positions
+# errors of a search at the anchor, over the length: of a single position at first, where that finds nothing, and of
+# many positions
 QUICK, EXACT, ROUGH, COARSE = np.array([1e-2]), np.array([1e-6]), np.array([1e-3]), np.array([1e-3, 1e-6])
-CLOSE = 1e-7  # of the starts of spans in the coarsest searches
+CLOSE = 1e-7  # relative distance of starts of spans in the coarsest searches
 
 
 @kernel()

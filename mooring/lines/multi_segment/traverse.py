@@ -46,7 +46,7 @@ from .touchdown import (
     try_span,
 )
 
-AT_FOOT = 1e-3  # of the length: how far from a sinker in a hollow the search leaves the hollow
+AT_FOOT = 1e-3  # distance from a sinker in a hollow at which the search leaves the hollow, over the length
 
 
 @kernel()

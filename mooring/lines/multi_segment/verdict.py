@@ -21,8 +21,8 @@ from .free_span import free_step, length_to, level_in_sea
 from .friction import bed_step
 from .line_data import EMERGED, FLOATING, H, S, T, V, X, Z, slides_on
 
-FAR = 1e-8  # of the line's length: largest penetration, and distance of a buoy from where its state has it
-STRAY = 1e-7  # of the largest tension: largest imbalance
+FAR = 1e-8  # largest penetration, and distance of a buoy from the place of its state, over the line's length
+STRAY = 1e-7  # largest imbalance of forces, over the largest tension
 
 
 @kernel()

@@ -13,8 +13,8 @@ import numpy as np
 from .parts import EquilibriumError, LineSystemError
 
 OVER = 4.0  # times the tension at rest, where no breaking load is known
-SLACK = 1e-3  # of the horizontal pull at the end of the curve: where it begins
-ROUNDS = 60  # of halving, to rounding
+SLACK = 1e-3  # horizontal pull at the begin of the curve, over that at its end
+ROUNDS = 60  # halvings, down to rounding
 
 
 class Characteristic(NamedTuple):
@@ -73,7 +73,7 @@ def _where(beyond, rest, length):
         if beyond(high):
             return _halved(beyond, low, high)
         low, high = high, high + 2 * (high - low)
-    raise EquilibriumError(f"the line of {length:g} m does not come to its end at a span of {high:g} m")
+    raise EquilibriumError(f"the line of {length:g} m does not become taut at a span of {high:g} m")
 
 
 def _halved(beyond, low, high):

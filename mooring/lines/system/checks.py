@@ -56,10 +56,12 @@ def _check_ends(system):
         for end in (line.a, line.b):
             if end not in names:
                 known = ", ".join(sorted(names))
-                raise LineSystemError(f"line {line.name}: its end {end!r} is no point of the system; allowed: {known}")
+                raise LineSystemError(
+                    f"line {line.name}: its end {end!r} is not a point of the system; allowed: {known}"
+                )
         if line.a == line.b:
             raise LineSystemError(f"line {line.name}: both ends are at {line.a!r}; allowed: two different points")
         used |= {line.a, line.b}
     loose = [point.name for point in system.free_points if point.name not in used]
     if loose:
-        raise LineSystemError(f"point {loose[0]!r} is free and no line holds it; allowed: at least one line")
+        raise LineSystemError(f"point {loose[0]!r} is free, but no line holds it; allowed: at least one line")

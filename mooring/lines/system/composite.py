@@ -43,7 +43,7 @@ def composite(system, number, end):
     points = {point.name: point for point in system.points}
     ends = points[given.a], points[given.b]
     if given.bed is not None and not end:
-        raise LineSystemError(f"line {given.name} has a bed of its own and no anchor; allowed: an anchor at one end")
+        raise LineSystemError(f"line {given.name} has its own bed, but no anchor; allowed: an anchor at one end")
     if not end and all(isinstance(p, Anchor) and p.position[2] <= -system.depth + ON_BED for p in ends):
         raise LineSystemError(f"line {given.name} has segments and both ends on the bed; allowed: one end on it")
     return of_line(given, number, end, ends[end == "b"].position[2])

@@ -21,7 +21,7 @@ from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction,
 from .graph import LineForces, Pose, System, line_forces
 from .parts import EquilibriumError
 
-TARGET, LIMIT = 1e-12, 1e-9  # of all forces at work: aim of the iteration, and what is accepted
+TARGET, LIMIT = 1e-12, 1e-9  # residual that the iteration aims at and that is accepted, over the sum of all forces
 
 
 @dataclass(frozen=True)
@@ -205,7 +205,7 @@ def _found(system, pose, load, may, unit, count):
         raise EquilibriumError(
             f"no equilibrium within {count} steps: {residual[worst]:.4g} {'N' if unit[worst] == 1 else 'N m'} "
             f"is left on {freedom_name(system, worst)}, {share:.2g} of all forces; allowed: {LIMIT:g}; "
-            "start nearer to it"
+            "start nearer to the equilibrium"
         )
     vertical = slice(6 * len(system.bodies) + 2, None, 3)
     on_bed = ~moving[vertical]

@@ -41,7 +41,7 @@ def beyond_tables(system, tension):
         if tension[i] > system.lines[i].most
     ]
     if past:
-        yield f"beyond the table of load against elongation, led on straight: {', '.join(past)}; extend the table"
+        yield f"beyond the table of load over elongation, extrapolated linearly: {', '.join(past)}; extend the table"
 
 
 def warn_of_floating(system, load):
@@ -60,7 +60,7 @@ def warn_of_floating(system, load):
         if top > ON_BED:
             warnings.warn(
                 f"line {line.name} floats and its {part} would be {top:.3g} m above the water; allowed: below it, "
-                "the surface holds no line here; shorten the line or give it its weight in air",
+                "since the surface holds no line here; shorten the line, or give it its weight in air",
                 stacklevel=4,
             )
 
@@ -74,7 +74,7 @@ def warn_of_friction(system, lines):
     ]
     if left:
         warnings.warn(
-            f"bed friction is not counted on {', '.join(left)}: between free points it depends on history; "
+            f"bed friction is not included on {', '.join(left)}: between free points it depends on history; "
             "allowed: lines that end at an anchor on the bed",
             stacklevel=4,
         )
@@ -93,8 +93,9 @@ def warn_of_sliding(system, lines):
     names = [name for name, slides in zip(system.line_names, unheld(lines), strict=True) if slides]
     if names:
         warnings.warn(
-            f"without tension on a bed steeper than friction holds: {', '.join(names)}; taken to lie there, in truth "
-            "it slides and pulls; allowed: tan of the slope up to the friction; give more friction or a shorter line",
+            f"without tension on a bed steeper than friction holds: {', '.join(names)}; it is taken to lie there, "
+            "but in reality it slides and pulls; allowed: tan of the slope up to the friction; give more "
+            "friction or a shorter line",
             stacklevel=4,
         )
 

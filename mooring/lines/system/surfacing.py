@@ -19,8 +19,8 @@ from .composite import of_line
 from .parts import CompositeLine, LineSystemError, UniformLine
 
 PROFILE = 200  # places along a line at which it is first looked for the surface
-STEPS, CLOSE = 40, 1e-11  # of Newton; of the length, on the height of joints
-SHIFT = 1e-5  # of the length: difference for derivatives
+STEPS, CLOSE = 40, 1e-11  # steps of Newton's method; error of the height of joints, over the length
+SHIFT = 1e-5  # difference for derivatives, over the length
 
 
 @dataclass(frozen=True)

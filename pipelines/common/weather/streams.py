@@ -25,7 +25,7 @@ AREAS = ("area_x", "area_y", "area_n", "length")
 class SuperstructureTable(Table):
     """What stands on the deck, for the wind
 
-    superstructure_front : m², area of superstructures seen from ahead
+    superstructure_front : m², area of superstructures, seen from ahead
     superstructure_side : m², area of superstructures seen from abeam
     superstructure_z : m, middle of these areas above still water, by default on the deck, spread all along the hull
     """
@@ -40,15 +40,15 @@ class Coefficients(Table):
 
     angles_deg : 0 to 90, between stream and x axis, for a box; or of where the stream goes, from the bow towards port,
         0 to 180 for a hull that is alike on both sides, or 0 to 360
-    x : of the force along x, on the front
-    y : of the force along y, on the side
+    x : coefficients of the force along x, on the front
+    y : coefficients of the force along y, on the side
     lever : of the moment over the length, with angles to 90
     n : of the moment about z on side times length, with angles to 180 or 360
-    area_x : m², by default the front of the hull that the stream meets
+    area_x : m², area of the force along x; by default the front of the hull in the stream
     area_y : m², by default the side
-    area_n : m², of the moment, by default area_y
+    area_n : m², area of the moment; by default area_y
     length : m, by default that of the hull
-    height : m above still water where the force acts, where it is known
+    height : height of the force above still water, m, if it is known
     """
 
     angles_deg: list[float]
@@ -68,7 +68,7 @@ class StreamTable(Table):
 
     speed : m/s; or speed_knots
     file : CSV of coefficients over 0 to 180° or 360°, in the form of OCIMF's, beside this file
-    center_z : m above still water where it acts, by default the middle of what it meets
+    center_z : height of the force above still water, m; by default the middle of the exposed area
     """
 
     speed: float | None = None
@@ -83,8 +83,8 @@ class StreamTable(Table):
 class CurrentTable(StreamTable):
     """A uniform current
 
-    waves : frequencies in which the waves are given that it carries: "intrinsic", in the water that moves along, as
-        wave models do, or "absolute", at a place at rest, as a moored buoy does; "still": the waves do not know of it
+    waves : how the spectrum was measured that the current carries: "intrinsic", in the moving water, as wave models
+        give it; "absolute", at a place at rest, as a moored buoy; "still", waves without current
     """
 
     waves: str = "intrinsic"
@@ -93,12 +93,12 @@ class CurrentTable(StreamTable):
 class WindTable(StreamTable):
     """Wind, at 10 m
 
-    ship : type of a ship whose coefficients are taken (Blendermann 1994), as "tanker, loaded"
+    ship : type of the ship whose coefficients are used (Blendermann 1994), as "tanker, loaded"
     gusts : davenport, hino, npd or kaimal, about the mean wind, for simulate
-    surface_drag : K, where the gusts have it
-    gust_height : m, where the gusts have it
-    gust_exponent : of the profile, where the gusts have it
-    gust_intensity : of turbulence, where the gusts have it
+    surface_drag : K, if the gust spectrum has it
+    gust_height : m, if the gust spectrum has it
+    gust_exponent : exponent of the profile, if the gust spectrum has it
+    gust_intensity : of turbulence, if the gust spectrum has it
     """
 
     ship: str | None = None

@@ -15,7 +15,7 @@ from ...scene.modes import names_of, owner, points_of
 from ...scene.scene import SceneError
 
 ALONG = np.polynomial.legendre.leggauss(200)  # places of mass along a beam
-RIGID = 1e-6  # of its largest displacement: what a shape that strains nothing differs from rigid motions by
+RIGID = 1e-6  # difference of a shape without strain from rigid motions, over its largest displacement
 
 
 def modes_of(scene, hulls):
@@ -80,12 +80,12 @@ def mode_remarks(scene, hulls):
         if isinstance(mode.shape, Table):
             shape, hull = mode.shape, hulls[mode.body].whole()
             error = 100 * shape.error(hull.centroids)
-            yield f"{mode.name}: on the hull known within {error:.2g} % of its largest displacement, by two splines"
+            yield f"{mode.name}: is known on the hull within {error:.2g} % of its largest displacement, by two splines"
             if shape.dimensions < 3:
                 where = "in a plane" if shape.dimensions == 2 else "on a line"
-                yield f"{mode.name}: its points lie {where}, across which it is taken as constant"
+                yield f"{mode.name}: its points lie {where}, and it is taken as constant across them"
             if shape.masses is None and scene.motions_known:
-                yield f"{mode.name}: {table.file} has no masses: shape and rigid motions are taken as uncoupled by mass"
+                yield f"{mode.name}: {table.file} has no masses: the shape has no mass coupling with the rigid motions"
 
 
 def _tables(scene):
@@ -143,7 +143,7 @@ def _matrices(scene, number, hull, modes):
     u, slopes, pairs = at(points)
     mass = inertia(u, masses)
     for i, mode in enumerate(modes, 6):
-        if mode.turns:  # of sections about their own centres of gravity
+        if mode.turns:  # moments of sections about their own centres of gravity
             mass[i, i] += mode.shape.mass
     return restoring + of_weight(u, slopes, masses, water.gravity, 6, pairs), mass
 
@@ -167,7 +167,9 @@ def _check_strained(scene, modes, u):
     for mode, shape in zip(modes, u[6:].reshape(len(modes), -1), strict=True):
         left = shape - rigid @ np.linalg.lstsq(rigid, shape, rcond=None)[0]
         if scene.motions_known and np.abs(left).max() <= RIGID * np.abs(shape).max():
-            raise SceneError(f"{mode.name} strains nothing: it is a rigid motion, which the body has; leave it out")
+            raise SceneError(
+                f"{mode.name} has no strain: it is a rigid motion, which the body already has; leave it out"
+            )
 
 
 def _rigid(d, center):

@@ -16,7 +16,7 @@ import numpy as np
 
 from hakobune.meshing.surface.patches import moonpools
 
-NARROW = 1.0  # of the draft: wider gaps do not trap their water
+NARROW = 1.0  # width above which a gap does not trap its water, over the draft
 SPREAD = 1.15  # between the frequency by the formulas and the true one
 
 
@@ -40,8 +40,8 @@ def resonant_water(scene, mesh, gaps=()):
         )
     omegas = scene.omegas()
     return tuple(
-        f"{water} resonates near T = {2 * math.pi / own:.3g} s; without losses its rise and the forces there come out "
-        "several times too large; [[damping_lids]] with damping 0.02 to 0.07 take what eddies take"
+        f"{water} resonates near T = {2 * math.pi / own:.3g} s; without losses its elevation and its forces are "
+        "several times too large; give [[damping_lids]] with damping 0.02 to 0.07 for the loss in eddies"
         for water, own in said
         if omegas[0] / SPREAD <= own <= omegas[-1] * SPREAD
     )

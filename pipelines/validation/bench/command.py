@@ -31,7 +31,7 @@ def bench(
     only: Annotated[str | None, _flag("cases a,b: cylinder-15, -30, -100, box-12, -20, -100 [all]")] = None,
     quick: Annotated[bool, _plain("few settings on two bodies, with what is compiled already")] = False,
 ):
-    """Error against time of one frequency, cold and warm, with peak memory; every job in a process of its own.
+    """Measure error against time of one frequency, cold and warm, with peak memory; each job in its own process.
 
     Cylinder of radius and draft 10 m (exact reference), box 100 x 50 x 10 m (contour method at 1e-7), in three depths
     each.  Writes bench.csv and bench.png.  `make bench` installs the other programs and runs it.

@@ -21,7 +21,7 @@ def compare(
     xi: Annotated[str | None, _flag("ξ_B = ω²B/2g: a,b,c or start:stop:count [the report's, and between]")] = None,
     fresh: Annotated[bool, Parameter(help="replace the databases that are there", negative="")] = False,
 ):
-    """One of the SR179 report's (1982) comparisons made again, in its units, as NAME.csv and pictures.
+    """Repeat a comparison of the SR179 report (1982), in its units, as NAME.csv and pictures.
 
     depth-series: six depths, Figures 2.1.5.3-46; length-series: five L/B, 2.1.5.47-90; sections: three against two
     dimensions, 2.1.5.91-99; motions: 2.4.3.1-24; models: tank models M3A and M3B by five methods, 2.4.4.2-11.

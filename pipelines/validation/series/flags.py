@@ -33,7 +33,7 @@ def series(
     ] = None,
     fresh: Annotated[bool, Parameter(help="replace the databases that are there", negative="")] = False,
 ):
-    """A design series of the SR179 report (1982) made again: its numbers beside ours, its charts, its statements.
+    """Repeat a design series of the SR179 report (1982): its numbers beside ours, its charts, its statements.
 
     single-point: floaters A and B on six to eighteen chains, contact and intermediate buoy, Tables 3.6.5.3 to 3.6.5.5.
     multi-point: A and B on chain, with a buoy or a sinker, over sea, depth, period and number of lines (section 3.5.5):
@@ -43,7 +43,7 @@ def series(
     dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method, and
     Table 3.7.5.2 in time; with --quay 25 the charts before a quay, beside those of open water.
     lines: static lines, charts 1.7.1 to 1.7.6: friction, scope, slope, hills, sinker and buoys, elasticity.
-    A second call solves nothing again; every case is kept as a study for `hakobune single-point`, or `simulate`.
+    A second call solves only what is new; every case is stored as a study for `hakobune single-point`, or `simulate`.
     """
     from ...common.outputs import check_folder
     from ...results.output import check_result, write_result

@@ -22,7 +22,7 @@ def stress(
     output: Annotated[Path, _flag("a row for every scene")] = Path("stress.csv"),
     executor: Annotated[str, _flag("local or processes:N")] = "local",
 ):
-    """Solve random boxes and buoys in any depth and wave, and hold every answer to the laws of waves.
+    """Solve random boxes and buoys in any depth and wave, and test each answer by the laws of waves.
 
     Finite, reciprocal, energy kept and damping not negative within the stored estimated error; one scene in twenty
     again with every parameter moved a little, and one as a mesh rotated and shifted.  Status 1 if one fails.

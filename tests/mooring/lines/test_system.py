@@ -249,7 +249,7 @@ def test_friction_between_free_points_is_not_counted_and_that_is_said():
         ],
         [MooredBody("ship", (200.0, 0, 0, 0, 0, 0), freedom=())],
     )
-    with pytest.warns(UserWarning, match="bed friction is not counted on riser"):
+    with pytest.warns(UserWarning, match="bed friction is not included on riser"):
         assert rest(leg).lines.grounded_length[1] > 1.0
 
 

@@ -7,11 +7,14 @@ from pathlib import Path
 
 import msgspec
 import pytest
+from jsonschema import Draft202012Validator
 
 from hakobune.pipelines import cli
 from hakobune.pipelines.keys.beginning import commented
 from hakobune.pipelines.keys.kinds import KINDS, SCENES, _collect, struct_of
 from hakobune.pipelines.keys.reference import entries, reference, summary, tables_of
+from hakobune.pipelines.keys.schema import schema
+from hakobune.pipelines.keys.search import search
 from hakobune.pipelines.keys.words import COMMON, ENDINGS
 
 PIPELINES = Path(cli.__file__).parent
@@ -115,6 +118,100 @@ def test_keys_are_found_by_command_table_and_name(capsys):
     assert cli.main(["keys", "scene", "nothing"]) == 2
     assert cli.main(["keys", "pasta"]) == 2
     assert "allowed: scene, bodies, study" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "name", "table"),
+    [
+        (["Hs"], "height", "[waves]"),  # by the names of other programs
+        (["Tp"], "peak_period", "[waves]"),
+        (["MBL"], "breaking_load_kN", "[types.NAME]"),
+        (["KG"], "center_of_gravity", "[[bodies]]"),
+        (["pretension"], "pretension_kN", "[[spreads]]"),
+        (["wave", "drift", "damping"], "wave_drift_damping", "[simulation]"),
+        (["corrosion"], "corrosion_mm", "[types.NAME]"),
+    ],
+)
+def test_a_search_of_all_files_shows_the_key_first(words, name, table):
+    found = search(words)
+    best = [one for one in found if one.key.name == name and table in one.places]
+    assert best and found.index(best[0]) < 4, [one.key.name for one in found]
+
+
+def test_a_search_is_printed_with_the_files_that_have_the_key_and_nothing_found_is_refused(capsys):
+    assert cli.main(["keys", "mbl"]) == 0
+    printed = capsys.readouterr().out
+    assert "breaking_load_kN" in printed and "study, simulation" in printed
+    assert cli.main(["keys", "pasta", "sauce"]) == 2
+    assert "no key of any file has 'pasta and sauce'" in capsys.readouterr().err
+
+
+@pytest.fixture(scope="module")
+def validators():
+    """{kind: validator of its JSON Schema}; each schema is one of the draft that it names"""
+    made = {kind: schema(kind) for kind in KINDS}
+    for one in made.values():
+        Draft202012Validator.check_schema(one)
+    return {kind: Draft202012Validator(one) for kind, one in made.items()}
+
+
+@pytest.mark.parametrize("file", sorted(SCENES.glob("*.toml")), ids=lambda file: file.name)
+def test_schemas_accept_a_shipped_file_exactly_where_its_command_reads_it(file, validators):
+    raw = tomllib.loads(file.read_text(encoding="utf-8"))
+    read = {kind for kind in KINDS if reads(raw, kind)}
+    assert read and {kind for kind, one in validators.items() if one.is_valid(raw)} == read
+
+
+def reads(raw, kind):
+    try:
+        msgspec.convert(raw, struct_of(kind))
+    except msgspec.ValidationError:
+        return False
+    return True
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_schema_refuses_an_unknown_key_a_wrong_type_and_a_key_that_is_missing(kind, validators):
+    raw = tomllib.loads((SCENES / KINDS[kind].example).read_text(encoding="utf-8"))
+    first = next(iter(raw))
+    assert validators[kind].is_valid(raw)
+    assert not validators[kind].is_valid(raw | {"pasta": 1})
+    assert not validators[kind].is_valid(raw | {first: {"pasta": 1} if isinstance(raw[first], list) else []})
+    needed = validators[kind].schema["$defs"][struct_of(kind).__name__].get("required", [])
+    assert all(not validators[kind].is_valid({k: v for k, v in raw.items() if k != key}) for key in needed)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_key_of_a_schema_is_described_with_its_unit(kind, validators):
+    properties = [p for one in validators[kind].schema["$defs"].values() for p in one["properties"].values()]
+    assert properties and all(one["description"] for one in properties)
+    told = [one["description"] for one in properties]
+    assert all(any(text.startswith(key.unit) for text in told) for table in reference(kind) for key in table.keys)
+
+
+def test_schemas_are_written_of_one_kind_or_of_all(tmp_path, capsys):
+    assert cli.main(["keys", "moor", "--schema", str(tmp_path / "study.json")]) == 0
+    assert json.loads((tmp_path / "study.json").read_text(encoding="utf-8"))["$ref"] == "#/$defs/Study"
+    assert cli.main(["keys", "--schema", str(tmp_path / "all")]) == 0
+    assert {path.name for path in (tmp_path / "all").iterdir()} == {f"{kind}.schema.json" for kind in KINDS}
+    capsys.readouterr()
+    for words, said in (
+        (["study", "--schema", str(tmp_path / "study.toml")], "allowed: .json"),
+        (["--schema", str(tmp_path / "study.json")], "give a folder"),
+        (["study", "waves", "--schema", str(tmp_path / "waves.json")], "'waves' and --schema are given"),
+    ):
+        assert cli.main(["keys", *words]) == 2 and said in capsys.readouterr().err
+    assert not (tmp_path / "waves.json").exists()
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_is_installed_with_all_commands_and_their_flags(shell, tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    place = tmp_path / "completion"
+    assert cli.main(["--install-completion", "--shell", shell, "--output", str(place)]) == 0
+    text = place.read_text(encoding="utf-8")
+    assert all(name in text for name in cli.app if not name.startswith("-"))
+    assert "database" in text and "rotation-center" in text
 
 
 def test_entries_of_a_docstring_go_on_in_further_lines_and_end_at_a_paragraph():

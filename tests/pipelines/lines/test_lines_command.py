@@ -200,7 +200,7 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
             "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, it does not",
         ),
         ([*HANGING, "--tension", "1e12"], "--tension is 1e+12 kN, at which an inextensible line of 300 m is straight"),
-        ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN, which the line has "),
+        ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN, at which the line is "),
         ([*HANGING, "--tension", "9000", "--slope-deg", "15"], "60 m above the anchor on a line of 300 m with 9e+06 N"),
         ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
     ],
@@ -270,7 +270,7 @@ def test_coupled_points_of_a_moordyn_file_are_held_until_a_force_moves_the_vesse
     assert "bending stiffness EI of chain is left out" in shown
     assert main(["lines", str(legs), "--depth", "60", "--force", "50,0,0"]) == 0
     shown = capsys.readouterr().out
-    assert "vessel is held where it is given; under --force it moves in surge, sway and yaw" in shown
+    assert "vessel is held at its position; with --force it moves in surge, sway and yaw" in shown
     assert lines(legs, depth=60.0, force=[50e3, 0, 0])["body[vessel].x"] > 0.1
 
 
@@ -306,7 +306,7 @@ FAULTS = [
      "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes studlink or studless"),
     (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown, depth may be meant; allowed: depth"),
     (("mass = 8000.0", "mass = -1"), [], "point sinker: mass is -1; allowed: finite, at least 0 kg"),
-    (("to = \"stern\"", "to = \"bow\""), [], "its end 'bow' is no point of the system"),
+    (("to = \"stern\"", "to = \"bow\""), [], "its end 'bow' is not a point of the system"),
     (("", ""), ["--body", "tug"], "--body is 'tug'; allowed: barge"),
     (("", ""), ["--force", "1,2"], "--force has 2 numbers; allowed: 3"),
     (("", ""), ["--force", "a"], "--force is 'a'; allowed: finite numbers"),
@@ -350,7 +350,7 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     assert "run_frames.png" in capsys.readouterr().out
     Result("lines", {}).write(run)
     assert main(["lines", str(run)]) == 2
-    assert "holds no frames" in capsys.readouterr().err
+    assert "has no frames" in capsys.readouterr().err
 
 
 SINKER = SPREAD[SPREAD.index("[[points]]") : SPREAD.index('[[lines]]\nname = "stern chain"')]

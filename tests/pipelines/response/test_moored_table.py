@@ -33,4 +33,6 @@ def test_bound_waves_are_told_where_kh_at_the_peak_is_below_one(depth, told):
     spectrum = issc(1.0, peak_period=10.0)
     h = depth * 9.81 * math.tanh(1.0) / spectrum.peak_omega**2
     said = list(moored._of_bound_waves(spectrum, SimpleNamespace(water_depth=h, gravity=9.81)))
-    assert len(said) == told and all("bound long waves, left out, may move the body more than drift" in s for s in said)
+    assert len(said) == told and all(
+        "bound long waves are not included; they may move the body more than drift" in s for s in said
+    )

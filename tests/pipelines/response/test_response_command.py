@@ -221,7 +221,7 @@ SINKING = ", ".join([ZERO] * 2 + ["[0, 0, -1e9, 0, 0, 0]"] + [ZERO] * 3)
     [
         ("height = 3.0", "height = 25.0", "significant height is 25 m .* single waves break at .* in 20 m of water"),
         ("[[points]]", f"[body]\ndamping = [{GAINING}]\n[[points]]",
-         "body.damping gives energy to surge, -1e\\+06 of it; allowed: at least 0"),
+         "body.damping adds energy to surge, -1e\\+06 of it; allowed: at least 0"),
         ("[[points]]", f"[body]\nstiffness = [{SINKING}]\n[[points]]",
          "body.stiffness leaves -.* of restoring to heave: the body does not float"),
         ("height = 3.0", 'height = 3.0\nfile = "a.csv"', "sea: both are given; allowed: one of height, file"),

@@ -41,7 +41,7 @@ def test_absolute_and_relative_motion_and_drift_of_each(database):
 FAULTS = {
     "of none": ({"points": [{**DECK, "body": "tug"}]}, "points[0].body is 'tug'; allowed: one of barge, pier"),
     "of no body": ({"points": [{**DECK, "body": ""}]}, "points[0].body is ''; allowed: one of barge, pier"),
-    "a clearance": ({"points": [{**DECK, "clearance": 1.0}]}, "water between hulls is not known"),
+    "a clearance": ({"points": [{**DECK, "clearance": 1.0}]}, "elevation between hulls is not known"),
     "a pair of what is not there": ({"points": [DECK], "relative": [HOSE]}, "relative[0].points has 'quay'"),
     "a pair of one body": (
         {"points": [DECK, {**DECK, "name": "bow"}], "relative": [{**HOSE, "points": ["deck", "bow"]}]},

@@ -33,7 +33,7 @@ def test_damping_that_gives_energy_is_refused_and_coupling_that_does_no_work_is_
     skew[0, 5], skew[5, 0] = 100.0, -100.0
     study._check_damping(skew, WORDS)
     skew[1, 1] = -2.0
-    with pytest.raises(StudyError, match=r"body\.damping gives energy to sway, -2 of it; allowed: at least 0"):
+    with pytest.raises(StudyError, match=r"body\.damping adds energy to sway, -2 of it; allowed: at least 0"):
         study._check_damping(skew, WORDS)
 
 

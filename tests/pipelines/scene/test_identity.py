@@ -62,7 +62,7 @@ def test_lists_of_waves_and_products_do_not_change_what_a_database_is_of():
         check_same(scene(*change), of, "box.h5")
         assert scene_hash(fixed_part(scene(*change))) == scene_hash(fixed_part(scene()))
     for change in (("20.0", "21.0"), ("draft = 10.0", "draft = 11.0"), ("0.01", "0.02")):
-        with pytest.raises(SceneError, match=r"box.h5 is of another scene: .* was .*, is .*; give --fresh"):
+        with pytest.raises(SceneError, match=r"box.h5 belongs to another scene: .* was .*, is .*; give --fresh"):
             check_same(scene(*change), of, "box.h5")
         assert scene_hash(fixed_part(scene(*change))) != scene_hash(fixed_part(scene()))
 
@@ -110,7 +110,7 @@ def test_a_key_that_came_later_has_its_default_in_files_from_before(monkeypatch)
     later = scene(kind=Later)
     assert scene_hash(fixed_part(later)) != stored.scene_hash
     check_same(later, stored, "box.h5")
-    with pytest.raises(SceneError, match=r"of another scene: ice was 0.0, is 2.0; give --fresh"):
+    with pytest.raises(SceneError, match=r"belongs to another scene: ice was 0.0, is 2.0; give --fresh"):
         check_same(Later(**{k: getattr(now, k) for k in Scene.__struct_fields__}, ice=2.0), stored, "box.h5")
 
 
@@ -118,7 +118,7 @@ def test_a_key_that_came_later_has_its_default_in_files_from_before(monkeypatch)
     ("text", "words"), [("", "water"), ("a = [", "Invalid value"), (BEFORE + "ice = 1.0\n", "ice is unk")]
 )
 def test_a_stored_scene_that_cannot_be_read_is_refused_with_its_fault(text, words):
-    with pytest.raises(SceneError, match=rf"box.h5 is of a scene that cannot be read: .*{words}.*; give --fresh"):
+    with pytest.raises(SceneError, match=rf"box.h5 belongs to a scene that cannot be read: .*{words}.*; give --fresh"):
         check_same(scene(), header(text), "box.h5")
 
 
@@ -137,9 +137,9 @@ def test_a_mesh_file_counts_by_its_content_wherever_it_lies(tmp_path, stored):
     of = header(to_toml(of_mesh(first)), read_mesh(first).whole(), **attributes)
     first.unlink()
     check_same(of_mesh(moved), of, "hull.h5")
-    with pytest.raises(SceneError, match=r"hull.h5 is of another scene: the mesh file has changed; give --fresh"):
+    with pytest.raises(SceneError, match=r"hull.h5 belongs to another scene: the mesh file has changed; give --fresh"):
         check_same(of_mesh(changed), of, "hull.h5")
-    with pytest.raises(SceneError, match=r"of another scene: water.depth was 20.0, is 30.0; give --fresh"):
+    with pytest.raises(SceneError, match=r"belongs to another scene: water.depth was 20.0, is 30.0; give --fresh"):
         check_same(of_mesh(moved, depth=30.0), of, "hull.h5")
     with pytest.raises(SceneError, match=r"shape was 'mesh', is 'box'; "):
         check_same(scene(), of, "hull.h5")

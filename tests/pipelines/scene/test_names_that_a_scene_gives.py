@@ -17,7 +17,7 @@ def a_scene(method, **more):
 @pytest.mark.parametrize(
     ("scene", "name", "words"),
     [
-        (a_scene("pressure", wall="y"), "drift_force", "which a body beside a wall does not have"),
+        (a_scene("pressure", wall="y"), "drift_force", "which is not computed beside a wall"),
         (
             a_scene("pressure", wall="y"),
             "added_mass_infinity",
@@ -37,5 +37,5 @@ def test_a_name_that_is_asked_for_and_not_given_is_refused_by_what_lacks_it(scen
 
 def test_nothing_is_left_out_where_all_is_given_and_nothing_kept_is_told():
     assert names_given(a_scene("panel"), ("drift_force", POWER, EACH), ["drift_force"]) == ("drift_force", POWER, EACH)
-    with pytest.raises(ValueError, match="want is drift, of which method strip gives nothing here"):
+    with pytest.raises(ValueError, match="want is drift, none of which method strip computes here"):
         names_given(a_scene("strip"), ("drift_force",), ["drift"])

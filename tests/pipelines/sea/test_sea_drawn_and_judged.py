@@ -49,7 +49,7 @@ def test_a_record_that_is_made_has_its_steps_and_its_picture(tmp_path, asked, pi
 def test_the_band_of_a_record_loses_the_shortest_waves_of_its_tail(tmp_path, asked):
     """Σ of 0.1 to 99.9 % of the energy: m₂ of a tail ω⁻⁵ up to ω_h misses ∫ ω² A ω⁻⁵, so that T02 is longer"""
     (made,), _ = asked(*SEA, "--record", tmp_path / "r.csv", "--duration", 600)
-    line = next(line for line in made["notes"] if "the record holds waves of" in line)
+    line = next(line for line in made["notes"] if "the record has waves of" in line)
     low, high, period, more = (float(x) for x in re.findall(r"\d+\.?\d*", line.replace("T02", ""))[:4])
     omega = np.linspace(low, high, 40000)
     S = issc(omega)
@@ -115,7 +115,7 @@ def test_a_record_has_sixteen_steps(tmp_path, capsys, duration, says):
 @pytest.mark.parametrize("count, told", [(50, False), (49, True)])
 def test_fewer_than_fifty_components_are_warned_of(tmp_path, asked, count, told):
     _, said = asked(*SEA, "--record", tmp_path / "r.csv", "--duration", 100, "--components", count)
-    assert (f"{count} components for a record that tells" in said and "give --components 50 or more" in said) is told
+    assert (f"{count} components for a record that resolves" in said and "give --components 50 or more" in said) is told
 
 
 @pytest.mark.parametrize("more, told", [(1, False), (-1, True)])
@@ -124,7 +124,7 @@ def test_a_long_record_needs_a_component_for_each_twenty_five_frequencies(tmp_pa
     highest = 2 * math.pi / 8 * (0.44 / -math.log(0.999)) ** 0.25
     least = math.ceil(highest * 3600 / (2 * math.pi) / 25)
     _, said = asked(*SEA, "--record", tmp_path / "r.csv", "--components", least + 2 * more)
-    assert ("it is not Gaussian, groups and extremes are not those of the sea" in said) is told
+    assert ("the record is not Gaussian, and its groups and extremes are not those of the sea" in said) is told
 
 
 FLAGS = [

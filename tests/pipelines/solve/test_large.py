@@ -101,7 +101,7 @@ def test_panels_for_the_tolerance_are_told_with_their_time(monkeypatch):
     monkeypatch.setattr(cost, "seconds_alone", lambda *_: 42.0)
     monkeypatch.setattr(large, "NODES_WORTH_ASKING", 100)
     Telling(console)(FINER, (finer, 0.5))
-    assert said == [f"ω 0.5 rad/s: {mesh.total} panels for the tolerance take about 42 s"]
+    assert said == [f"ω 0.5 rad/s: {mesh.total} panels for the tolerance need about 42 s"]
     monkeypatch.setattr(cost, "seconds_alone", lambda *_: 2.0)
     Telling(console)(FINER, (finer, 0.5))
     assert len(said) == 1
@@ -199,6 +199,6 @@ def test_a_contour_far_more_slender_than_there_is_memory_or_time_for_is_refused(
     with pytest.raises(SceneError, match=r"box of 1e\+09 m by 1 m: its contour needs about .* GB.*--method panel"):
         announced(replace(slender, sizes=(1e9, 1.0, 1.0)), 0, None, omegas=[0.1])
     monkeypatch.setattr(bounds, "available_memory", lambda: 1e9)
-    with pytest.raises(SceneError, match=r"needs about [0-9.]+ GB, 1.0 GB are free; give a body less slender"):
+    with pytest.raises(SceneError, match=r"needs about [0-9.]+ GB, 1.0 GB are free; give a less slender body"):
         announced(slender, 0, None, omegas=[0.1])
     assert announced(replace(slender, sizes=(100.0, 50.0, 10.0)), 0, None, omegas=[0.1]) is None

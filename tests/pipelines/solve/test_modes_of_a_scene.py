@@ -78,7 +78,7 @@ def test_a_body_that_cannot_bend_is_rigid(barge, tmp_path):
     path.write_bytes(barge.read_bytes())
     stiff = tables({**BENDING, "EI": 1e18}, {**TORSION, "GJ": 1e18})
     outcome = solve(make_scene(stiff), path)
-    assert "made anew, without solving" in " ".join(outcome.remarks)
+    assert "computed again, without a new solution" in " ".join(outcome.remarks)
     db, six = open_database(path), slice(0, 6)
     A, B, F = db["added_mass"], db["radiation_damping"], db["excitation_force"]
     for i, omega in enumerate(db.omega):
@@ -96,7 +96,7 @@ def test_a_shape_from_a_file_is_that_of_the_beam(barge, tmp_path):
     np.savetxt(tmp_path / "mode.csv", rows, delimiter=",", header="x,y,z,ux,uy,uz,mass")
     file = {"kind": "file", "name": "first", "file": str(tmp_path / "mode.csv"), "stiffness": 7e5}
     outcome = solve(make_scene(tables(file)), tmp_path / "file.h5")
-    (said,) = re.findall(r"first: on the hull known within ([\d.]+) %", " ".join(outcome.remarks))
+    (said,) = re.findall(r"first: is known on the hull within ([\d.]+) %", " ".join(outcome.remarks))
     db, known = open_database(tmp_path / "file.h5"), open_database(barge)
     assert db["added_mass"][0, 6, 6] == pytest.approx(known["added_mass"][0, 6, 6], rel=5e-3)
     assert db["added_mass"][0, 2, 6] == pytest.approx(known["added_mass"][0, 2, 6], rel=1e-2)
@@ -154,7 +154,7 @@ def test_studies_of_rigid_bodies_say_so(barge):
     "modes, more, said",
     [
         ([BENDING], {"method": "contour", "panels": None}, "six rigid motions alone"),
-        ([BENDING], {"wall": 30.0}, "modes are there and a wall"),
+        ([BENDING], {"wall": 30.0}, "modes and a wall are given"),
         ([{**BENDING, "kind": "hinge"}], {}, "kind is 'hinge'; allowed: vertical bending"),
         ([{**BENDING, "GJ": 1.0}], {}, "GJ is 1.0; vertical bending has EI"),
         ([{"kind": "torsion"}], {}, "GJ is missing"),

@@ -222,7 +222,7 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
 
 @pytest.mark.parametrize(
     ("more", "said"),
-    [({"wall": 20.0}, "beside which one body is solved"), ({"method": "contour"}, "knows one body alone"),
+    [({"wall": 20.0}, "a wall stands beside one body only"), ({"method": "contour"}, "knows one body alone"),
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
      ({"waves": {"band": {"from": 0.5, "to": 1.0}}}, "places frequencies for one body"),
@@ -237,7 +237,7 @@ def test_what_several_bodies_do_not_have_is_refused(more, said):
 
 @pytest.mark.parametrize(
     ("place", "said"),
-    [([0.0, 3.0, 0.0], "barge and other lie in each other"), ([0.0, -1.0, 0.0], "barge and other touch")],
+    [([0.0, 3.0, 0.0], "barge and other overlap"), ([0.0, -1.0, 0.0], "barge and other touch")],
 )
 def test_bodies_that_overlap_or_touch_are_named(place, said):
     """Boxes 5 m wide about y = 4 and 3, and about 4 and −1, which share a side"""

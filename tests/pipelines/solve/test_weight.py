@@ -85,8 +85,8 @@ def test_radii_of_gyration_that_no_body_has_are_refused(gyration):
     [
         ([15.0, 29.0, 32.0], []),
         ([3.0, 4.0, 5.0], []),  # a flat plate
-        ([0.674, 1.12, 1.408], ["that the other two allow"]),  # of a model in a tank, as printed
-        ([150.0, 140.0, 15.0], ["largest dimension of the wetted body, 100 m", "that the other two allow"]),
+        ([0.674, 1.12, 1.408], ["that the other two radii allow"]),  # of a model in a tank, as printed
+        ([150.0, 140.0, 15.0], ["largest dimension of the wetted body, 100 m", "that the other two radii allow"]),
     ],
 )
 def test_radii_of_gyration_that_are_doubtful_are_remarked(gyration, words):
@@ -155,11 +155,11 @@ def test_trim_and_heel_follow_from_moment_and_stiffness(axis, name, stiffness):
 def test_the_third_radius_of_gyration_is_at_most_what_the_others_allow(longest, told, refused):
     """√(3² + 4²) = 5: a hundredth above it is told, a quarter refused"""
     if refused:
-        with pytest.raises(SceneError, match=f"gyration has {longest} m, but the other two allow any body at most 5 m"):
+        with pytest.raises(SceneError, match=f"gyration has {longest} m, but the other two radii allow at most 5 m"):
             told_of(longest)
         return
     said = [line for line in told_of(longest) if "gyration" in line]
-    assert len(said) == told and all("larger than the 5 m that the other two allow" in line for line in said)
+    assert len(said) == told and all("larger than the 5 m that the other two radii allow" in line for line in said)
 
 
 def told_of(longest):

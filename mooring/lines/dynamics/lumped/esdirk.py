@@ -28,7 +28,7 @@ from .surroundings import fairlead_at, moves, water_at
 from .workspace import INERTIA, copy, largest_of, read, workspace, write
 
 DONE, FULL, TOO_SHORT = range(3)
-NEWTON = 0.02  # of the step's tolerance, left by Newton's method
+NEWTON = 0.02  # residual of Newton's method, as a share of the step's tolerance
 COLUMNS = 20  # time, fairlead force, anchor force, six works, four energies, least and largest tension, step
 SAFETY, LEAST, MOST = 0.8, 0.2, 1.6
 

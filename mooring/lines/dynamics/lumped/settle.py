@@ -21,8 +21,8 @@ from .surroundings import water_at
 from .workspace import add, copy, largest_of, read, workspace, write
 
 PASSES = 400
-LIMIT = 1e-10  # of the largest tension and of the line's length, last correction
-ROUNDING = 1e-14  # of the line's length, in the distance of two nodes
+LIMIT = 1e-10  # last correction, relative to the largest tension and to the line's length
+ROUNDING = 1e-14  # rounding of the distance of two nodes, over the line's length
 
 
 @kernel()
