@@ -5,15 +5,16 @@ python tests/bench/public_files.py FOLDER [--kinds sets,meshes,seas,lines] [--on
 A row a set (each body of a set by itself): repository, file, program, what was read, the laws it was held against, and
 the verdict: "right" where all laws hold that can be tested, "told" where one does not, "refused" with the reason, and
 "unchecked" where none can be tested.  With --own the hull that lies beside is solved too, as `hakobune import` does.
-Depth, where a set does not say it, is that of DEPTHS by a part of its path, else deep water.  Meshes, spectra and lines
-are judged as `public_meshes`, `public_seas` and `public_lines` say.  A file that is another one byte by byte counts
-once; sums follow by kind, by program and by repository.
+Depth, where a set does not say it, is that of the HydroDyn input that names it, or of DEPTHS by its path, else of
+deep water.  Meshes, spectra and lines are judged as `public_meshes`, `public_seas` and `public_lines` say.  A file that
+is another one byte by byte counts once; sums follow by kind, by program and by repository.
 """
 
 import argparse
 import contextlib
 import hashlib
 import io
+import re
 import sys
 import warnings
 from collections import Counter
@@ -100,8 +101,22 @@ def sets(folder):
             yield path, kind[0], (kind[2] or (lambda same: same))(path)
 
 
+def depth_of_hydrodyn(path):
+    """m, of an input of HydroDyn up to three folders above that names the set; None without one, or where it is of
+    another file
+    """
+    for file in (file for folder in list(path.parents)[:3] for file in sorted(folder.glob("*.dat"))):
+        text = file.read_text("utf-8", "replace")
+        named = re.search(r"^\s*\"?([^\"\n]+?)\"?\s+PotFile", text, re.MULTILINE)
+        depth = re.search(r"^\s*([\d.]+)\s+WtrDpth", text, re.MULTILINE)
+        if named and depth and re.split(r"[\\/]", named[1])[-1] == path.stem:
+            return float(depth[1])
+    return None
+
+
 def known_of(path, place, body):
     depth = next((value for part, value in DEPTHS.items() if part in str(path)), None)
+    depth = depth_of_hydrodyn(path) or depth
     return {"water_depth": depth, "density": 1025.0, "gravity": 9.80665, "body": body}
 
 
