@@ -75,8 +75,11 @@ def read_mesh(path):
         from .drawing import read_drawing
 
         return read_drawing(path)
-    of_polygons = suffix == ".vtp" or (suffix == ".vtk" and _is_poly_data(path))
-    read = _read_poly_data if of_polygons else TEXT_READERS.get(suffix, _read_with_meshio)
+    read = TEXT_READERS.get(suffix, _read_with_meshio)
+    if suffix == ".vtp" or (suffix == ".vtk" and _says(path, b"dataset polydata")):
+        read = _read_poly_data
+    elif suffix == ".stl" and _says(path, b"facet") and _says(path, b"vertex"):
+        read = text_formats.read_stl
     mesh = read(path)
     if not len(mesh):
         raise ValueError(f"{path}: no panels in it")
@@ -172,9 +175,9 @@ def _check_counts(path):
                 )
 
 
-def _is_poly_data(path):
+def _says(path, words):
     with open(path, "rb") as file:
-        return b"DATASET POLYDATA" in file.read(1024).upper()
+        return words in file.read(4096).lower()
 
 
 def _read_poly_data(path):

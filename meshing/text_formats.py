@@ -8,6 +8,7 @@ orientation; `meshing.quality.findings` tells when it is wrong.
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 
@@ -105,6 +106,21 @@ def read_obj(path):
     numbers = {number: place for place, number in enumerate(range(1, len(points) + 1))}
     corners = [_panel(path, k, row, numbers) for k, row in panels]
     return PanelMesh(np.reshape(points, (-1, 3)), np.reshape(corners, (-1, 4)).astype(int))
+
+
+def read_stl(path):
+    """Triangles of a text .stl: three lines `vertex x y z` each, whatever stands between them; coordinates in m
+
+    raises : ValueError naming the word that is no number, and vertices that are no threes
+    """
+    words = re.findall(r"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", read_text(path, errors="replace"), re.IGNORECASE)
+    wrong = next((word for row in words for word in row if not _is_number(word)), None)
+    if wrong is not None:
+        raise ValueError(f"{path}: {_shown(wrong)} of a vertex is no number")
+    points = np.array(words, float)
+    if not len(points) or len(points) % 3:
+        raise ValueError(f"{path}: {len(points)} vertices; allowed: three for each triangle")
+    return PanelMesh(points, np.arange(len(points)).reshape(-1, 3)[:, [0, 1, 2, 2]])
 
 
 def cut(corners):

@@ -96,6 +96,23 @@ def test_corners_of_an_obj_may_have_normals_and_count_from_the_last_point(tmp_pa
     assert (len(mesh), len(mesh.points)) == (3, 4) and mesh.volume == pytest.approx(0.5)
 
 
+def test_a_text_stl_may_begin_with_an_empty_line_and_in_capitals(tmp_path):
+    points, triangles = tetrahedron()
+    rows = [
+        f"facet normal 0 0 0\nouter loop\n{corners}\nendloop\nendfacet"
+        for corners in ("\n".join("VERTEX {} {} {}e+000".format(*points[i]) for i in row) for row in triangles)
+    ]
+    text = "\nsolid a name\n" + "\n".join(rows) + "\nendsolid\n"
+    (tmp_path / "a.stl").write_text(text)
+    assert read_mesh(tmp_path / "a.stl").volume == pytest.approx(0.5)
+    (tmp_path / "a.stl").write_text(text.replace("VERTEX", "VERTX", 1))
+    with pytest.raises(ValueError, match=r"a\.stl: 8 vertices; allowed: three for each triangle"):
+        read_mesh(tmp_path / "a.stl")
+    (tmp_path / "a.stl").write_text(text.replace("e+000", "e+x", 1))
+    with pytest.raises(ValueError, match="of a vertex is no number"):
+        read_mesh(tmp_path / "a.stl")
+
+
 def prism(sides):
     """Points and faces (from 0) of a prism of so many sides, 2 m deep below z = 0, its keel one polygon, open on top"""
     turn = 2 * np.pi * np.arange(sides) / sides
