@@ -21,7 +21,8 @@ from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
 
 VOLUMES, LID = 0.02, 0.05
-PANELS = {".toml": rb"\[\[parts\]\]", ".vtk": b"CELL_TYPES|POLYGONS", ".vtp": rb"NumberOfPolys=\"\s*[1-9]"}
+PANELS = {".obj": rb"(?m)^f\s", ".toml": rb"\[\[parts\]\]", ".vtk": b"CELL_TYPES|POLYGONS",
+          ".vtp": rb"NumberOfPolys=\"\s*[1-9]"}  # fmt: skip
 LARGEST = 6000  # panels that are looked at whole
 
 
