@@ -75,7 +75,11 @@ def read_mesh(path):
         from .drawing import read_drawing
 
         return read_drawing(path)
-    read = _read_vtp if suffix == ".vtp" else TEXT_READERS.get(suffix, _read_with_meshio)
+    read = TEXT_READERS.get(suffix, _read_with_meshio)
+    if suffix == ".vtp" or (suffix == ".vtk" and _says(path, b"dataset polydata")):
+        read = _read_poly_data
+    elif suffix == ".stl" and _says(path, b"facet") and _says(path, b"vertex"):
+        read = text_formats.read_stl
     mesh = read(path)
     if not len(mesh):
         raise ValueError(f"{path}: no panels in it")
@@ -174,13 +178,20 @@ def _check_counts(path):
                 )
 
 
-def _read_vtp(path):
+def _says(path, words):
+    with open(path, "rb") as file:
+        return words in file.read(4096).lower()
+
+
+def _read_poly_data(path):
+    """Polygons of VTK, in a .vtp or an old .vtk of that kind, as ParaView and meshmagick write them"""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkObject
+    from vtkmodules.vtkIOLegacy import vtkPolyDataReader
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
     vtkObject.GlobalWarningDisplayOff()
-    reader = vtkXMLPolyDataReader()
+    reader = vtkXMLPolyDataReader() if path.suffix.lower() == ".vtp" else vtkPolyDataReader()
     reader.SetFileName(str(path))
     reader.Update()
     found = reader.GetOutput()
@@ -188,14 +199,14 @@ def _read_vtp(path):
     if reader.GetErrorCode() or not polygons.GetNumberOfCells():
         lines = found.GetNumberOfLines() + found.GetNumberOfStrips() + found.GetNumberOfVerts()
         state = "it has lines, points or strips, but no polygons" if lines else "it cannot be read, or holds nothing"
-        raise ValueError(f"{path}: {state}; allowed: polygons of 3 or 4 corners")
+        raise ValueError(f"{path}: {state}; allowed: polygons")
     points = np.array(vtk_to_numpy(found.GetPoints().GetData()), float)
     starts = vtk_to_numpy(polygons.GetOffsetsArray())
     sides, numbers = np.diff(starts), vtk_to_numpy(polygons.GetConnectivityArray())
-    if sides.min() < 3 or sides.max() > 4 or numbers.min() < 0 or numbers.max() >= len(points):
-        raise ValueError(f"{path}: polygons of {sides.min()} to {sides.max()} corners; allowed: 3 or 4, of its points")
-    last = np.where(sides == 4, 3, 2)
-    return PanelMesh(points, numbers[starts[:-1, None] + np.minimum(np.arange(4), last[:, None])])
+    if sides.min() < 3 or numbers.min() < 0 or numbers.max() >= len(points):
+        raise ValueError(f"{path}: polygons of {sides.min()} to {sides.max()} corners; allowed: 3 or more, its points")
+    parts = [part for polygon in np.split(numbers, starts[1:-1]) for part in text_formats.cut(polygon.tolist())]
+    return PanelMesh(points, np.array([part if len(part) == 4 else [*part, part[-1]] for part in parts]))
 
 
 def _read_with_meshio(path):

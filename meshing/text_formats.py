@@ -8,6 +8,7 @@ orientation; `meshing.quality.findings` tells when it is wrong.
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 
@@ -90,7 +91,8 @@ def read_obj(path):
     """Wavefront's: points `v x y z`, panels `f` of points from 1, or from the last one read, −1; normals do not count.
 
     A corner may be point/texture/normal, whose numbers are others, which libraries of meshes take for those of points.
-    Coordinates are taken as m.  raises : ValueError naming the line
+    Polygons of more than four corners are cut, which keeps what lies within them where they are convex.  Coordinates
+    are taken as m.  raises : ValueError naming the line
     """
     points, panels = [], []
     for k, line in enumerate(read_text(path, errors="replace").replace("\\\n", " ").splitlines(), 1):
@@ -98,13 +100,33 @@ def read_obj(path):
         if what == "v":
             points.append(_numbers(path, k, " ".join(words), 3))
         elif what == "f":
-            if len(words) not in (3, 4):
-                raise ValueError(f"{path}, line {k}: {len(words)} nodes; a panel has 3 or 4")
             corners = [_number(path, k, word.split("/")[0]) for word in words]
-            panels.append((k, [value if value > 0 else len(points) + 1 + value for value in corners]))
+            corners = [value if value > 0 else len(points) + 1 + value for value in corners]
+            panels += [(k, part) for part in cut(corners)]
     numbers = {number: place for place, number in enumerate(range(1, len(points) + 1))}
     corners = [_panel(path, k, row, numbers) for k, row in panels]
     return PanelMesh(np.reshape(points, (-1, 3)), np.reshape(corners, (-1, 4)).astype(int))
+
+
+def read_stl(path):
+    """Triangles of a text .stl: three lines `vertex x y z` each, whatever stands between them; coordinates in m
+
+    raises : ValueError naming the word that is no number, and vertices that are no threes
+    """
+    words = re.findall(r"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", read_text(path, errors="replace"), re.IGNORECASE)
+    wrong = next((word for row in words for word in row if not _is_number(word)), None)
+    if wrong is not None:
+        raise ValueError(f"{path}: {_shown(wrong)} of a vertex is no number")
+    points = np.array(words, float)
+    if not len(points) or len(points) % 3:
+        raise ValueError(f"{path}: {len(points)} vertices; allowed: three for each triangle")
+    return PanelMesh(points, np.arange(len(points)).reshape(-1, 3)[:, [0, 1, 2, 2]])
+
+
+def cut(corners):
+    """Corners of a polygon as panels of three or four, cut from its first; those of fewer as they are"""
+    last = max(len(corners) - 1, 2)
+    return [[corners[0], *corners[i : i + 3]] for i in range(1, last, 2)]
 
 
 def split(corners):

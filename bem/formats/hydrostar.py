@@ -109,5 +109,7 @@ def _file(path):
         raise FormatError(
             f"{path} has not the head and the rows of HydroStar; allowed: as its files of one quantity"
         ) from None
+    if rows.ndim != 2:
+        raise FormatError(f"{path} has a head and no rows; allowed: a row for each frequency")
     water["depth"] = water["depth"] if water["depth"] > 0 else np.inf
     return name, mode[1], water, rows, beta

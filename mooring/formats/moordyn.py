@@ -27,6 +27,7 @@ from .moordyn_rows import (
     PointRow,
     RodRow,
     RodTypeRow,
+    early_body,
     finite_number,
 )
 
@@ -133,8 +134,13 @@ def _rows(key, rows, path):
         raise fault(
             path, rows[0][0] if rows else None, section.title, "a line of column names and a line of units are required"
         )
-    fields = _columns(key, rows[0][1].split(), (path, rows[0][0], section.title))
-    made = tuple(_row(key, fields, number, line.split("#")[0].split(), path) for number, line in rows[2:])
+    names, entries = rows[0][1].split(), [line.split("#")[0].split() for _, line in rows[2:]]
+    if key == "bodies" and "xcg" in map(str.lower, names):
+        entries = [early_body(words) for words in entries]
+    if key == "failures" and names[0].lower() == "node":  # of the same drafts, without a number of its own
+        names, entries = ["FailureID", "Point", *names[1:]], [[str(i), *words] for i, words in enumerate(entries, 1)]
+    fields = _columns(key, names, {len(words) for words in entries}, (path, rows[0][0], section.title))
+    made = tuple(_row(key, fields, number, words, path) for (number, _), words in zip(rows[2:], entries, strict=True))
     seen = set()
     for (number, _), row in zip(rows[2:], made, strict=True):
         if row[0] in seen:
@@ -143,14 +149,17 @@ def _rows(key, rows, path):
     return made
 
 
-def _columns(key, names, place):
+def _columns(key, names, counts, place):
     """Fields in the order of a file's columns; None for those of IDLE
 
+    counts : how many entries rows have; words behind that many known names are a remark
     place : path, line and section, for the fault of a name that is not known where others stand in another order
     """
     known = _fields(key)
     names = [name.lower() for name in names]
     strange = [name for name in names if name not in known and name not in IDLE]
+    if strange and counts == {names.index(strange[0])}:
+        names, strange = names[: names.index(strange[0])], []
     if key == "bodies" or strange:
         usual = SECTIONS[key].row._fields
         moved = [name for name, field in zip(names, usual, strict=False) if known.get(name, field) != field]

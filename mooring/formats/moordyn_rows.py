@@ -69,6 +69,21 @@ class BodyRow(NamedTuple):
     Ca: str
 
 
+def early_body(words):
+    """Entries in the order of BodyRow from the table of drafts of version 2, which MoorPy still writes
+
+    BodyID X0 Y0 Z0 r0 p0 y0 Xcg Ycg Zcg M V IX IY IZ, then CdA and Ca of one or three numbers; the attachment stands
+    behind the number, as 1Coupled, and a number alone floats.  Others are given back as they are.
+    """
+    drag = {17: 1, 19: 3, 21: 3}.get(len(words))
+    if drag is None:
+        return words
+    number = words[0].rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")
+    parts = words[7:10], words[12:15], words[15 : 15 + drag], words[15 + drag :]
+    centre, inertia, CdA, Ca = ("|".join(part) for part in parts)
+    return [number, words[0][len(number) :] or "Free", *words[1:7], words[10], centre, inertia, words[11], CdA, Ca]
+
+
 class RodRow(NamedTuple):
     id: str
     type: str

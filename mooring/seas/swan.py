@@ -76,7 +76,8 @@ class Swan:
             elif word in ("AFREQ", "RFREQ"):
                 head["omega"] = 2 * np.pi * self.rows("frequencies")
             elif word in ("NDIR", "CDIR"):
-                head["angle"] = word, self.rows("directions")
+                if not self.none_follows():
+                    head["angle"] = word, self.rows("directions")
             elif word == "QUANT":
                 head["QUANT"] = [self.quantity() for _ in range(self.count("quantities"))]
         if "omega" not in head:
@@ -88,6 +89,13 @@ class Swan:
         for _ in range(location - 1):
             self.block(head)
         return self.made(head, self.block(head), x_axis)
+
+    def none_follows(self):
+        """Whether 0 directions are said and none listed, as of a 1-D file; then its line is read"""
+        said = [line.split()[0] for _, line in self.lines[self.at : self.at + 2]]
+        none = said[:1] == ["0"] and not numbers_of(said[-1])
+        self.at += none
+        return none
 
     def rows(self, thing):
         return np.array([self.numbers(1, thing)[0] for _ in range(self.count(thing))])

@@ -1,17 +1,21 @@
 """Every file of other programs below a folder of fetched repositories: read, checked, told or refused.
 
-python tests/bench/public_files.py FOLDER [--kinds sets,…] [--only TEXT] [--own]
+python tests/bench/public_files.py FOLDER [--kinds sets,meshes,seas,lines] [--only TEXT] [--own]
 
 A row a set (each body of a set by itself): repository, file, program, what was read, the laws it was held against, and
 the verdict: "right" where all laws hold that can be tested, "told" where one does not, "refused" with the reason, and
 "unchecked" where none can be tested.  With --own the hull that lies beside is solved too, as `hakobune import` does.
-Depth, where a set does not say it, is that of DEPTHS by a part of its path, else deep water; files of other kinds have
-a reader in KINDS.
+Depth, where a set does not say it, is that of the HydroDyn input that names it, or of DEPTHS by its path, else of
+deep water.  Meshes, spectra and lines are judged as `public_meshes`, `public_seas` and `public_lines` say.  A file that
+is another one byte by byte counts once; sums follow by kind, by program and by repository.
 """
 
 import argparse
 import contextlib
+import hashlib
 import io
+import re
+import sys
 import warnings
 from collections import Counter
 from importlib import import_module
@@ -24,6 +28,12 @@ from hakobune.bem.formats.judging.causes import finding
 from hakobune.bem.formats.judging.own_solution import own_of, sample
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.meshing.files import read_mesh
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import public_lines
+import public_meshes
+import public_seas
 
 DEPTHS = {"HydroData/barge.1": 150.0, "HydroData/spar.1": 320.0, "tlpmit.1": 200.0, "marin_semi": 200.0,
           "UMaineSemi": 200.0, "OC3": 320.0, "OC4": 200.0, "VolturnUS": 200.0, "MHK_RM1": 60.0,
@@ -91,8 +101,22 @@ def sets(folder):
             yield path, kind[0], (kind[2] or (lambda same: same))(path)
 
 
+def depth_of_hydrodyn(path):
+    """m, of an input of HydroDyn up to three folders above that names the set; None without one, or where it is of
+    another file
+    """
+    for file in (file for folder in list(path.parents)[:3] for file in sorted(folder.glob("*.dat"))):
+        text = file.read_text("utf-8", "replace")
+        named = re.search(r"^\s*\"?([^\"\n]+?)\"?\s+PotFile", text, re.MULTILINE)
+        depth = re.search(r"^\s*([\d.]+)\s+WtrDpth", text, re.MULTILINE)
+        if named and depth and re.split(r"[\\/]", named[1])[-1] == path.stem:
+            return float(depth[1])
+    return None
+
+
 def known_of(path, place, body):
     depth = next((value for part, value in DEPTHS.items() if part in str(path)), None)
+    depth = depth_of_hydrodyn(path) or depth
     return {"water_depth": depth, "density": 1025.0, "gravity": 9.80665, "body": body}
 
 
@@ -173,7 +197,49 @@ def of_sets(folder, asked):
                 yield path, kind, words, laws_, verdict
 
 
-KINDS = {"sets": of_sets}  # kind of file: rows of (path, program, read, checked, verdict) below a folder
+def of_family(found, judged, checks):
+    """Rows of the files that one of the benches beside this finds, each by itself"""
+
+    def rows(folder, asked):
+        for path in found(folder):
+            if asked.only in str(path):
+                yield path, program_of(path), *row_of(path, judged, checks)
+
+    return rows
+
+
+def row_of(path, judged, checks):
+    try:
+        verdict, why = judged(path)
+    except Exception as error:
+        return "", "", f"TRACEBACK {type(error).__name__}: {error}"
+    why = " ".join(why.split())
+    return ("", "", f"{verdict}: {why}") if verdict != "right" else (why, checks, verdict)
+
+
+def program_of(path):
+    """What wrote a file, as far as its ending or first line tells"""
+    ending = path.suffix.lower().lstrip(".")
+    if ending in ("yaml", "yml"):
+        return "yaml"
+    head = public_seas._head(path).upper()
+    known = next((word for word in ("SWAN", "WAVEWATCH", "TRIAXYS", "MOORDYN", "MAP") if word in head), "")
+    return known.lower() or ("ndbc" if head.startswith(("#YY", "YY")) else ending)
+
+
+# kind of file: rows of (path, program, read, checked, verdict) below a folder
+KINDS = {
+    "sets": of_sets,
+    "meshes": of_family(public_meshes.of_meshes, public_meshes.judged, "findings, three volumes, lid"),
+    "seas": of_family(public_seas.of_seas, public_seas.judged, "height"),
+    "lines": of_family(public_lines.of_lines, public_lines.judged, "rest"),
+}
+
+
+def first_time(path, kind, seen):
+    """Whether this is the first file of its kind with these bytes, or a further body of it"""
+    mark = kind, hashlib.sha1(path.read_bytes()).digest()
+    return seen.setdefault(mark, path) == path
 
 
 def main():
@@ -182,18 +248,22 @@ def main():
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--only", default="")
     parser.add_argument("--own", action="store_true")
-    asked, counts, programs = parser.parse_args(), Counter(), {}
+    asked, seen, sums = parser.parse_args(), {}, {}
     warnings.simplefilter("ignore")
+    np.seterr(all="ignore")
     for kind in asked.kinds.split(","):
         with contextlib.redirect_stderr(io.StringIO()):
             for path, program, words, tested, verdict in KINDS[kind](asked.folder, asked):
+                if not first_time(path, kind, seen):
+                    continue
                 name = path.relative_to(asked.folder)
                 print(f"{str(name)[:100]} | {program} | {words} | {tested} | {verdict[:300]}", flush=True)
                 word = verdict.split("taken; ")[-1].split("as told; ")[-1].split(":")[0].split()[0]
-                counts[word] += 1
-                programs.setdefault(program, Counter())[word] += 1
-    for program, found in [*sorted(programs.items()), ("all", counts)]:
-        print(f"{program:12s}", ", ".join(f"{word} {n}" for word, n in found.most_common()))
+                for group in (name.parts[0], f"{kind} {program}", f"all {kind}", "all"):
+                    sums.setdefault(group, Counter())[word] += 1
+    for group, found in sums.items():
+        share = 100 * found["right"] / sum(found.values())
+        print(f"{group:40s} {share:3.0f} % right:", ", ".join(f"{word} {n}" for word, n in found.most_common()))
 
 
 if __name__ == "__main__":

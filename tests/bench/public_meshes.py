@@ -8,6 +8,7 @@ z agree within 2 % and whose lid has the area of its waterplane within 5 %; the 
 
 from __future__ import annotations
 
+import re
 import sys
 from collections import Counter
 from pathlib import Path
@@ -20,14 +21,19 @@ from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
 
 VOLUMES, LID = 0.02, 0.05
+PANELS = {".obj": rb"(?m)^f\s", ".toml": rb"\[\[parts\]\]", ".vtk": b"CELL_TYPES|POLYGONS",
+          ".vtp": rb"NumberOfPolys=\"\s*[1-9]"}  # fmt: skip
 LARGEST = 6000  # panels that are looked at whole
 
 
 def of_meshes(folder):
-    """Files under a folder that hold panels by their ending; of those with a common one, by how they begin"""
+    """Files under a folder that hold panels by their ending; of those with a common one, by what is in them"""
     for path in sorted(folder.rglob("*")):
         ending = path.suffix.lower()
-        if path.is_file() and ending in READABLE and (ending not in (".dat", ".hst", ".mar") or _lists_points(path)):
+        listed = ending not in (".dat", ".hst", ".mar") or (path.is_file() and _lists_points(path))
+        if not path.is_file() or ending not in READABLE or not listed:
+            continue
+        if ending not in PANELS or re.search(PANELS[ending], path.read_bytes()):
             yield path
 
 

@@ -22,13 +22,19 @@ SPECTRA = (
     *(".his", ".spt", ".dirspec", ".nondirspec", ".data_spec", ".swden", ".nc", ".nc4"),
 )
 HEADS = ("SWAN ", "'WAVEWATCH III SPECTRA'", "TRIAXYS", "#YY  MM DD hh", "#YY MM DD hh", "YYYY MM DD hh", "YY MM DD hh")
+NUMBERS = re.compile(r"\s\d?\.\d|Sep_Freq", re.IGNORECASE)
 TIME = re.compile(r"\d{8}[. ]\d{6}|\d{4}-\d\d-\d\dT\d\d:\d\d|(?<=first is )\S+")
 
 
 def of_seas(folder):
-    """Files that hold spectra by their ending or their first line"""
+    """Files that hold spectra by their ending or their first line; of netCDF and NDBC those with frequencies"""
     for path in sorted(folder.rglob("*")):
-        if path.is_file() and (path.suffix.lower() in SPECTRA or _head(path).startswith(HEADS)):
+        head, ending = _head(path) if path.is_file() else "", path.suffix.lower()
+        if not path.is_file() or (head.startswith(("#YY", "YY")) and not NUMBERS.search(head)):
+            continue
+        if ending in (".nc", ".nc4") and b"freq" not in path.read_bytes().lower():
+            continue
+        if ending in SPECTRA or head.startswith(HEADS):
             yield path
 
 
@@ -72,7 +78,7 @@ def _text(path):
 
 def _head(path):
     try:
-        return path.open(errors="replace").readline(80).lstrip()
+        return path.open(errors="replace").readline(120).lstrip()
     except OSError:
         return ""
 

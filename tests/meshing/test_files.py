@@ -96,6 +96,53 @@ def test_corners_of_an_obj_may_have_normals_and_count_from_the_last_point(tmp_pa
     assert (len(mesh), len(mesh.points)) == (3, 4) and mesh.volume == pytest.approx(0.5)
 
 
+def test_a_text_stl_may_begin_with_an_empty_line_and_in_capitals(tmp_path):
+    points, triangles = tetrahedron()
+    rows = [
+        f"facet normal 0 0 0\nouter loop\n{corners}\nendloop\nendfacet"
+        for corners in ("\n".join("VERTEX {} {} {}e+000".format(*points[i]) for i in row) for row in triangles)
+    ]
+    text = "\nsolid a name\n" + "\n".join(rows) + "\nendsolid\n"
+    (tmp_path / "a.stl").write_text(text)
+    assert read_mesh(tmp_path / "a.stl").volume == pytest.approx(0.5)
+    (tmp_path / "a.stl").write_text(text.replace("VERTEX", "VERTX", 1))
+    with pytest.raises(ValueError, match=r"a\.stl: 8 vertices; allowed: three for each triangle"):
+        read_mesh(tmp_path / "a.stl")
+    (tmp_path / "a.stl").write_text(text.replace("e+000", "e+x", 1))
+    with pytest.raises(ValueError, match="of a vertex is no number"):
+        read_mesh(tmp_path / "a.stl")
+
+
+def prism(sides):
+    """Points and faces (from 0) of a prism of so many sides, 2 m deep below z = 0, its keel one polygon, open on top"""
+    turn = 2 * np.pi * np.arange(sides) / sides
+    ring = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    points = [(*xy, z) for z in (0.0, -2.0) for xy in ring]
+    after = np.roll(np.arange(sides), -1)
+    return points, [
+        [*range(2 * sides - 1, sides - 1, -1)],
+        *([i, i + sides, j + sides, j] for i, j in enumerate(after.tolist())),
+    ]
+
+
+@pytest.mark.parametrize("sides", (5, 6, 7))
+@pytest.mark.parametrize("suffix", (".obj", ".vtp", ".vtk"))
+def test_a_keel_of_one_polygon_is_cut_into_panels(tmp_path, suffix, sides):
+    points, faces = prism(sides)
+    path = tmp_path / f"a{suffix}"
+    if suffix == ".obj":
+        rows = ["v {} {} {}".format(*point) for point in points] + [
+            "f " + " ".join(str(n + 1) for n in f) for f in faces
+        ]
+        path.write_text("\n".join(rows) + "\n")
+    else:
+        pyvista = pytest.importorskip("pyvista")
+        pyvista.PolyData(np.array(points), [n for face in faces for n in (len(face), *face)]).save(path)
+    mesh = read_mesh(path)
+    assert mesh.volume == pytest.approx(sides * np.sin(2 * np.pi / sides), rel=1e-6)  # 2 m deep
+    assert findings(mesh) == []
+
+
 def test_a_deck_in_the_water_surface_is_left_out(tmp_path):
     import meshio
 
@@ -178,7 +225,7 @@ def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
     pyvista.PolyData(points, faces).save(tmp_path / "points.vtp", binary=False)
     text = (tmp_path / "points.vtp").read_text()
     (tmp_path / "points.vtp").write_text(re.sub(r"(connectivity.*?>\s+)\d+", r"\1-1", text, flags=re.DOTALL))
-    with pytest.raises(ValueError, match="of its points"):
+    with pytest.raises(ValueError, match="3 or more, its points"):
         read_mesh(tmp_path / "points.vtp")
     pyvista.Line().save(tmp_path / "line.vtp")
     with pytest.raises(ValueError, match=r"line\.vtp: it has lines, points or strips, but no polygons"):
@@ -264,7 +311,7 @@ BAD = {
     "half.ply": ("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty", "ends within its head"),
     "half.off": ("OFF\n# a comment\n\n", "ends within its head"),
     "points.obj": ("v 0 0 0\n", "no panels"),
-    "five.obj": ("v 0 0 0\nf 1 1 1 1 1\n", "line 2: 5 nodes; a panel has 3 or 4"),
+    "two.obj": ("v 0 0 0\nf 1 1\n", "line 2: 2 nodes; a panel has 3 or 4"),
     "bad.xyz": ("hello", "cannot read .xyz; allowed: .gdf"),
 }
 

@@ -371,3 +371,49 @@ def test_options_of_time_and_of_the_water_are_known_and_others_are_told():
         "currents (Currents 1) left out: still water over a flat bed is used",
         "option mystery, x is unknown and left out",
     ]
+
+
+DRAFT = """\
+---- MoorDyn input file ----
+---- LINE DICTIONARY ----
+LineType Diam MassDenInAir EA cIntDamp EI Can Cat Cdn Cdt A remark: Name is free, Diam in m
+(-) (m) (kg/m) (N) (Pa-s) (N-m^2) (-) (-) (-) (-) and a word
+chain 0.1 90.0 5.0e8 -1 0 0.2 0.3 1.4 1.5
+---- BODY LIST ----
+BodyID X0 Y0 Z0 r0 p0 y0 Xcg Ycg Zcg M V IX IY IZ CdA-x,y,z Ca-x,y,z
+(-) (m) (m) (m) (deg) (deg) (deg) (m) (m) (m) (kg) (m^3) (kg-m^2) (kg-m^2) (kg-m^2) (m^2) (-)
+1Coupled 1 2 -3 4 5 6 0.1 0.2 -0.3 5000 7 11 12 13 {drag}
+---- POINT PROPERTIES ----
+Node Type X Y Z M V FX FY FZ CdA Ca
+(-) (-) (m) (m) (m) (kg) (m^3) (kN) (kN) (kN) (m2) ()
+1 Fix 100 0 -50 0 0 0 0 0 0 0
+2 Body1 2 0 -1 0 0 0 0 0 0 0
+---- LINE PROPERTIES ----
+Line LineType UnstrLen NumSegs NodeAnch NodeFair Flags/Outputs
+(-) (-) (m) (-) (-) (-) (-)
+1 chain 130 10 1 2 p
+---- FAILURE ----
+Node Line(s) FailTime FailTen
+() (,) (s or 0) (N or 0)
+2 1 5 0
+---- need this line ----
+"""
+
+
+@pytest.mark.parametrize(
+    ("drag", "CdA", "Ca"), (("9 8", "9", "8"), ("1 2 3 4", "1|2|3", "4"), ("1 2 3 4 5 6", "1|2|3", "4|5|6"))
+)
+def test_tables_of_drafts_of_version_2_and_remarks_behind_their_names_are_read(drag, CdA, Ca):
+    file = parse_moordyn(DRAFT.format(drag=drag))
+    (body,) = file.bodies
+    assert body == ("1", "Coupled", 1, 2, -3, 4, 5, 6, 5000, "0.1|0.2|-0.3", "11|12|13", 7, CdA, Ca)
+    (kind,) = file.line_types
+    assert (kind.Ca, kind.CaAx, kind.Cd, kind.CdAx) == (0.2, 0.3, 1.4, 1.5)  # not in the order of version 2
+    assert file.failures[0] == ("1", "2", "1", 5, 0)
+
+
+def test_a_remark_that_may_be_a_column_is_told_and_a_body_of_other_entries_too():
+    with pytest.raises(FormatError, match="LINE TYPES"):
+        parse_moordyn(DRAFT.format(drag="9 8").replace("0.2 0.3 1.4 1.5", "0.2 0.3 1.4 1.5 7 8 9 1"))
+    with pytest.raises(FormatError, match="BODIES: 18 entries; allowed: 14"):
+        parse_moordyn(DRAFT.format(drag="9 8 7"))

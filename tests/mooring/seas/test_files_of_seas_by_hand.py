@@ -95,6 +95,16 @@ def test_mean_direction_and_spread_of_a_line_of_swan_are_weighed_with_the_energy
             read_sea(tmp_path / "a.spc", location=2)
 
 
+def test_a_line_of_swan_may_say_that_it_has_no_directions_before_its_own(tmp_path):
+    plain = SWAN.format(head="", quantities=ONE.format(kind="CDIR"))
+    said = plain.replace(
+        "QUANT", "CDIR    spectral Cartesian directions in degr\n     0    number of directions\nQUANT"
+    )
+    one, two = (read_sea(written(tmp_path, text), location=2) for text in (plain, said))
+    assert (two.direction, two.spreading.s) == (one.direction, one.spreading.s)
+    assert two.spectrum.values.tolist() == one.spectrum.values.tolist()
+
+
 def plane(tmp_path, kind="CDIR", name="VaDens", block=None, head="", times="", first=-90.0, **words):
     """A file of 3 frequencies and 4 directions; only the second location has waves"""
     numbers = "1 0 0 0\n 0 2 6 0\n0 0 0 3"
