@@ -8,7 +8,7 @@ import numpy as np
 
 from ..fenders.fender import Fender, FenderError
 from ..fenders.hysteresis import contact_table
-from ..lines.system.bodies import axes_in_space, rotation
+from ..lines.system.bodies import places_along, rotation
 from ..lines.system.graph import Pose
 from .contact_loads import Contacts, contact_loads, contact_work, contacts_along
 from .line_loads import generalized
@@ -118,7 +118,7 @@ def berth_force(berth, position):
 def berth_stiffness(berth, position):
     """(n, n) −∂force/∂position at a position (n,), along the axes of the bodies"""
     count = len(position)
-    out, along = np.empty((count, count)), axes_in_space(berth.heading)
+    out, along = np.empty((count, count)), places_along(berth.heading)
     for j, h in enumerate(np.tile(STEP, count // 6)):
         ahead, behind = position + h * along[:, j], position - h * along[:, j]
         out[:, j] = (berth_force(berth, behind) - berth_force(berth, ahead)) / (2 * h)
@@ -130,14 +130,12 @@ def at_rest(berth, others, start, unit):
 
     raises : ValueError where they do not
     """
-    from scipy.optimize import least_squares
-
     size = max(np.abs(contact_forces(berth, start)).max(), 1.0)
 
     def residual(x):
         return (berth_force(berth, x * unit) + others(x * unit)) * unit / size
 
-    found = least_squares(residual, np.asarray(start) / unit, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    found = _balanced(residual, np.asarray(start) / unit)
     if not np.abs(found.fun).max() <= RESTS:
         raise ValueError(
             f"the body comes to no rest between its fenders and ropes: {np.abs(found.fun).max():.2g} of the largest "
@@ -146,14 +144,23 @@ def at_rest(berth, others, start, unit):
     return found.x * unit
 
 
+def _balanced(residual, start):
+    """Where a residual is least, as of `scipy.optimize.least_squares`, with the same digits each time
+
+    Not by method="lm": of a body that some motion of hardly changes the residual its next place is, of scipy 1.17, one
+    of several by what lies in memory that it has not written.
+    """
+    from scipy.optimize import least_squares
+
+    return least_squares(residual, start, method="trf", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+
+
 def rest_together(links, forces, start, unit, headings):
     """(n,) places where forces, a function of the place (n,) in space, and links balance, and (r,) what these hold
 
     forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
     raises : ValueError where they do not
     """
-    from scipy.optimize import least_squares
-
     size = max(np.abs(forces(np.asarray(start)) * unit).max(), 1.0)
 
     def parts(place):
@@ -168,7 +175,7 @@ def rest_together(links, forces, start, unit, headings):
 
     x = np.asarray(start) / unit
     if np.abs(residual(x)).max() > TOGETHER:
-        found = least_squares(residual, x, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        found = _balanced(residual, x)
         if not np.abs(found.fun).max() <= RESTS:
             raise ValueError(
                 f"the bodies come to no rest with their hinges: {np.abs(found.fun).max():.2g} of the largest force, or "
@@ -180,7 +187,7 @@ def rest_together(links, forces, start, unit, headings):
 
 def stiffness_together(links, forces, place, mu, headings):
     """(n, n) along the axes of the bodies, of forces as of `rest_together` and of what links hold there, μ (r,)"""
-    out, along = np.empty((len(place), len(place))), axes_in_space(headings)
+    out, along = np.empty((len(place), len(place))), places_along(headings)
 
     def total(at):
         return forces(at) + rows_at(links, poses_at(at, headings))[0].T @ mu
@@ -198,7 +205,7 @@ def rest_between(system, berth, links, water, load):
     """
     given = np.array([one.position for one in system.bodies], float)
     headings = given[:, 5]
-    turn = axes_in_space(headings)
+    turn = places_along(headings)
 
     def forces(place):
         poses = given + place.reshape(-1, 6)
