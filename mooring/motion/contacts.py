@@ -12,7 +12,7 @@ from ..lines.system.bodies import places_along, rotation
 from ..lines.system.graph import Pose
 from .contact_loads import Contacts, contact_loads, contact_work, contacts_along
 from .line_loads import generalized
-from .links import rows_at
+from .links import rows_at, springs_at
 
 SIDES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0)}
 STEP = np.array([1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6])  # m, rad, of a difference quotient
@@ -158,14 +158,17 @@ def _balanced(residual, start):
 def rest_together(links, forces, start, unit, headings):
     """(n,) places where forces, a function of the place (n,) in space, and links balance, and (r,) what these hold
 
+    Springs of links are beside the forces.
     forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
     raises : ValueError where they do not
     """
-    size = max(np.abs(forces(np.asarray(start)) * unit).max(), 1.0)
+    given = forces(np.asarray(start)), springs_at(links, poses_at(start, headings))
+    size = max(*(np.abs(part * unit).max() for part in given), 1.0)
 
     def parts(place):
-        G, gap = rows_at(links, poses_at(place, headings))
-        F = forces(place)
+        poses = poses_at(place, headings)
+        G, gap = rows_at(links, poses)
+        F = forces(place) + springs_at(links, poses)
         mu = np.linalg.lstsq((G * unit).T, -F * unit, rcond=None)[0]
         return F + G.T @ mu, gap, mu
 
@@ -186,11 +189,12 @@ def rest_together(links, forces, start, unit, headings):
 
 
 def stiffness_together(links, forces, place, mu, headings):
-    """(n, n) along the axes of the bodies, of forces as of `rest_together` and of what links hold there, μ (r,)"""
+    """(n, n) along the axes of the bodies, of forces as of `rest_together`, springs and what links hold, μ (r,)"""
     out, along = np.empty((len(place), len(place))), places_along(headings)
 
     def total(at):
-        return forces(at) + rows_at(links, poses_at(at, headings))[0].T @ mu
+        poses = poses_at(at, headings)
+        return forces(at) + springs_at(links, poses) + rows_at(links, poses)[0].T @ mu
 
     for j, h in enumerate(np.tile(STEP, len(place) // 6)):
         out[:, j] = (total(place - h * along[:, j]) - total(place + h * along[:, j])) / (2 * h)

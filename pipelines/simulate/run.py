@@ -14,6 +14,7 @@ import msgspec
 import numpy as np
 
 from hakobune.bem.database.integrity import DatabaseError
+from hakobune.bem.hinges import told_of
 from hakobune.mooring.motion.extremes import median_extreme
 from hakobune.mooring.motion.statistics import over_runs
 
@@ -158,6 +159,10 @@ def _identity(study, files, duration):
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
+    for one in words.get("hinges", ()):
+        for name in ("stiffness", "rest"):
+            if not one[name]:
+                one.pop(name)
     for one in words["types"].values():
         for name in ("termination", "efficiency", "corrosion_mm"):
             if one.get(name) is None:
@@ -261,7 +266,7 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
     center = at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float)
     names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
     fenders = tuple(one.name for one in body.berth.fenders)
-    hinges = tuple(one.name for one in body.reader.links)
+    links = body.reader.links
     attributes = {
         "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": task.study.allowable,
@@ -295,11 +300,11 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
         np.array(load, float),
         *ends,
         sample_times(plan.settings),
-        *quantities_of(names, fenders, body.reader.words, ready.sides, hinges),
+        *quantities_of(names, fenders, body.reader.words, ready.sides, links),
         attributes,
         fenders,
         body.reader.names,
-        hinges,
+        tuple(name for name, _, _ in told_of(links)),
     )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from hakobune.bem import DOFS
 from hakobune.bem.database.reader import Reader
+from hakobune.bem.hinges import driven
 from hakobune.bem.viscous import Quadratic
 
 from ...lines.system.bodies import places_along
@@ -78,7 +79,8 @@ class Moored:
     def dynamic_stiffness(self):
         """(q, n, n) complex force per motion of the linear body on its lines, at the frequencies of `waves`"""
         K, omega = self.stiffness - self.reader.stiffness, self.waves.omega
-        body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping)
+        more = driven(self.reader).damping - self.reader.damping
+        body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping + more)
         return body.dynamic_stiffness(omega, *body.coefficients(omega))
 
     def __repr__(self):
