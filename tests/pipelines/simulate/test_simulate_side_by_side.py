@@ -123,7 +123,8 @@ def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
         # z of the hinge, of both, 1 m ahead of the middle of the barge
         at = motion[:, [2, 8]] - [0, 1] * np.sin(pitch) + (np.cos(roll) - 3.5 * np.sin(roll)) * np.cos(pitch)
         assert np.abs(np.diff(at, axis=1)).max() < 1e-4 and np.abs(roll.sum(axis=1)).max() > 1e-4
-        assert held.shape == (len(motion), 6) and held[:, 2].max() == pytest.approx(made["hinge.largest"][2], rel=1e-6)
+        assert held[:, 6] == pytest.approx(-roll.sum(axis=1), abs=2e-6)  # its travel, of a barge that heads astern
+        assert held.shape == (len(motion), 7) and held[:, 2].max() == pytest.approx(made["hinge.largest"][2], rel=1e-6)
 
 
 def test_the_gap_is_that_of_rectangles():
