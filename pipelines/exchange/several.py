@@ -1,6 +1,7 @@
 """Results of another program on several bodies into one database, all of them moving.
 
-Of the files each body is read as one that moves beside the others, and the added mass and damping of all together.  A
+Of the files each body is read as one that moves beside the others, held to the laws that such a one keeps, and the
+added mass and damping of all together.  A
 set of one heading on bodies of revolution about one vertical has every other heading by a turn.
 """
 
@@ -13,11 +14,13 @@ import numpy as np
 
 from hakobune.bem.database.schema import BODY
 from hakobune.bem.formats.afloat import on_hull
+from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.bem.modes import Body, turned
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.panels import assembled, with_symmetry
 from hakobune.meshing.whole_files import made_beside
+from hakobune.mooring.criteria.failing import fails
 
 from ..printing.console import new_console
 from ..printing.verdict import tell
@@ -43,7 +46,7 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
         raise ValueError(f"--bodies is {','.join(names)!r}; allowed: a name for each, all different")
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     check_import(kind, known, output, fresh, place)
-    parts, hulls, remarks = [], [], []
+    parts, hulls, remarks, lost = [], [], [], []
     for number, weight in enumerate(weights, 1):
         of_module = {name: known[name] for name in kind.silent} | {"body": number}
         inputs = module.inputs_of(place, of_module)
@@ -55,7 +58,9 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
             )
         hull = hull_of(place, kind, module, None, of_module)
         values, said = on_hull(values, hull, weight)
-        remarks += [f"{names[number - 1]}: {one}" for one in said]
+        _, agreed, doubts = believed(values, hull)
+        remarks += [f"{names[number - 1]}: {one}" for one in (*said, *agreed)]
+        lost += [fails(f"{names[number - 1]}: {one}") for one in doubts]
         parts.append(values)
         hulls.append(hull)
     values = _together(parts, module.coupled(place, of_module, len(names)))
@@ -69,7 +74,7 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
     with made_beside(output) as partial:
         store(replace(values, bodies=bodies, rotation_center=np.zeros(3)), mesh, partial, f"{kind_name}: {place}")
     print(f"{output}: {', '.join(names)}, {len(values.omega)} frequencies, {len(values.wave_direction)} headings")
-    return tell(remarks, new_console(stderr=True))
+    return tell([*remarks, *lost], new_console(stderr=True))
 
 
 def _together(parts, radiation):

@@ -50,6 +50,19 @@ def imported(place, *more):
     return main([*words, "--output", str(place.with_suffix(".h5"))])
 
 
+def test_each_body_of_a_set_is_held_to_its_laws(place, capsys):
+    weight = "--bodies", "a,b", "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0"
+    assert imported(place, *weight) == 0
+    assert "b: not held against our own solution, other bodies are beside it" in capsys.readouterr().err.replace(
+        "\n", " "
+    )
+    one_way = " 5.0 7 11 1.5 0.0\n 5.0 11 7 -1.5 0.0\n"
+    place.write_text(place.read_text() + one_way)
+    assert imported(place, *weight, "--fresh") == 1
+    said = " ".join(capsys.readouterr().err.split())
+    assert "FAILS: b: reciprocity: A_15 and A_51" in said and "FAILS: a:" not in said
+
+
 def test_bodies_of_a_set_move_together(place):
     assert imported(place, "--bodies", "a,b", "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0") == 0
     db = open_database(place.with_suffix(".h5"))
