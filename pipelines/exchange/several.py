@@ -32,10 +32,11 @@ AROUND = np.arange(12) * (np.pi / 6)
 AXIS = 1e-3  # of a hull's length, how far from the origin the middle of one of revolution may stand
 
 
-def import_several(place, kind_name, names, known, weights, output, fresh=False):
+def import_several(place, kind_name, names, known, weights, output, fresh=False, uncoupled=False):
     """Make the database of the bodies called `names` and say what is in it; the exit status.  Raises ValueError.
 
     known : as of `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
+    uncoupled : whether added mass and damping of one by the motions of another are left out, as WEC-Sim does (b2b = 0)
     """
     kind = format_of("from", kind_name)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
@@ -63,7 +64,12 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
         lost += [fails(f"{names[number - 1]}: {one}") for one in doubts]
         parts.append(values)
         hulls.append(hull)
-    values = _together(parts, module.coupled(place, of_module, len(names)))
+    radiation = module.coupled(place, of_module, len(names))
+    if uncoupled:
+        own = np.kron(np.eye(len(names)), np.ones((6, 6)))
+        radiation = {name: part * own for name, part in radiation.items()}
+        remarks.append("left out: added mass and damping of each body by the motions of the others")
+    values = _together(parts, radiation)
     if len(values.wave_direction) == 1 and _round(hulls):
         values = _all_around(values)
         remarks.append("forces at other headings are those stored, turned: the bodies are of revolution about one axis")

@@ -72,6 +72,10 @@ def test_bodies_of_a_set_move_together(place):
     assert db["radiation_damping"][0, 8, 2] == pytest.approx(20 * w)
     assert db["excitation_force"][0, 0] == pytest.approx(1e4 * np.arange(1.0, 13))
     assert db["mass"][:] == pytest.approx([32e3, 72e3])
+    apart = "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0", "--uncoupled", "--fresh"
+    assert imported(place, "--bodies", "a,b", *apart) == 0
+    alone = open_database(place.with_suffix(".h5"))["added_mass"][0]
+    assert alone[2, [2, 8]] == pytest.approx([2000.0, 0.0]) and alone[8, [2, 8]] == pytest.approx([0.0, 2000.0])
     assert np.diag(db["inertia_matrix"])[[3, 9]] == pytest.approx([32e3 * (1 + 1), 72e3 * (4 + 4)])  # about XBODY
     assert db["hydrostatic_stiffness"][2, 2] == pytest.approx(1e4 * 16)
     assert db["hydrostatic_stiffness"][8, 8] == pytest.approx(1e4 * 24) and not db["hydrostatic_stiffness"][2, 8]
@@ -83,6 +87,7 @@ def test_bodies_of_a_set_move_together(place):
         (("--bodies", "a"), "has 2 bodies, --bodies names 1; allowed: all of them"),
         (("--bodies", "a,a"), "allowed: a name for each, all different"),
         (("--bodies", "a,b", "--gyration", "1,1,1"), "three numbers for each of a, b, ; between"),
+        (("--uncoupled",), "--uncoupled is given without --bodies"),
         (("--bodies", "a,b", "--body", "1"), "allowed: what the files say"),
     ],
 )
