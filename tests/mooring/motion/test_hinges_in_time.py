@@ -22,6 +22,7 @@ STILL = {"memory": "constant", "slow_drift": "none", "tolerance": 1e-5}
 AT = (4.0, -30.0, 2.0)  # of the ship: (4, 0, 2) in the scene
 JOINT = Link("joint", ("ship", "barge"), AT, (1.0, 0.0, 0.0))
 SLIDE = Link("slide", ("ship", "barge"), AT, (0.3, 0.1, 1.0), "slider", 6e6, 2e6)
+PIN = Link("pin", ("space", "barge"), (20.0, -25.0, 1.0), kind="ball")
 POST = Link("post", ("pier", "barge"), (20.0, -25.0, 1.0), (0.0, 0.0, 1.0))
 I, J = 16, 3  # of frequency and heading
 
@@ -58,11 +59,11 @@ def remembering(body):
     return replace(no_memory(body), arrays=arrays)
 
 
-@pytest.mark.parametrize("link", [JOINT, SLIDE])
+@pytest.mark.parametrize("link", [JOINT, SLIDE, PIN])
 def test_regular_waves_move_linked_bodies_as_in_the_frequency_domain(held, link, coupled):
     """Amplitudes, phases and what the link holds; after the ramp, by least squares over four periods
 
-    A slider with its spring and damper, and the memory of the water with it.
+    A slider with its spring and damper, and the memory of the water with it; a ball from space.
     """
     w, a, memory = OMEGA[I], 1e-3, remembering(coupled[0]) if link is SLIDE else None
     T = 2 * np.pi / w
@@ -77,7 +78,7 @@ def test_regular_waves_move_linked_bodies_as_in_the_frequency_domain(held, link,
         D = D + (link.stiffness - 1j * w * link.damping) * np.outer(row, row)
     F = bodies.reader.between.quantities["excitation_force"][I, J]
     G = rows_at(links_of(bodies.reader), bodies.reader.axes_at_rest * [0, 0, 0, 0, 0, 1])[0]
-    exact = np.linalg.solve(np.block([[D, -G.T], [G, np.zeros((5, 5))]]), np.concatenate([F, np.zeros(5)]))
+    exact = np.linalg.solve(np.block([[D, -G.T], [G, np.zeros((len(G),) * 2)]]), np.concatenate([F, np.zeros(len(G))]))
     mu = exact[12:]  # along and about the axes of the first, as of a slider those that it holds
     exact = np.concatenate([exact[:12], mu[: len(link.along)] @ link.along])
     if memory:
@@ -90,7 +91,9 @@ def test_regular_waves_move_linked_bodies_as_in_the_frequency_domain(held, link,
     found = np.linalg.lstsq(turn, series / a, rcond=None)[0]
     off = np.abs((found[0] + 1j * found[1])[: len(exact)] - exact)
     assert off[:12].max() < 5e-5 * np.abs(exact[:12]).max() and off[12:15].max() < 5e-5 * np.abs(exact[12:15]).max()
-    if link is JOINT:
+    if link is PIN:
+        assert not run.links[:, 0, 3:].any()
+    elif link is JOINT:
         assert np.abs(run.links[:, 0, 3]).max() < 1e-9 * np.abs(run.links[:, 0, 4]).max()  # none about its axis
     else:
         assert off[15] < 5e-5 * abs(exact[15])
