@@ -3,7 +3,9 @@
     G X = 0,    D X = F + Gᵀμ,    X = Z q,  G Z = 0,    (Zᵀ D Z) q = Zᵀ F,    μ = (G Gᵀ)⁻¹ G (D X − F)
 
 A row of G says that the point of the link on the second body moves as that on the first along an axis of the first, or
-that both turn alike about one.  μ is the force and moment with which the first body holds the second.  One of them may
+that both turn alike about one.  μ is the force and moment with which the first body holds the second.  A spring and a
+damper along a slider or about a hinge (a power take-off) pull back its travel s, how far the second is from the first
+along the axis or about it, with k (s − rest) + c ṡ.  One of the bodies may
 be SPACE, in coordinates of the scene, and a body that is alone is called ALONE.
 """
 
@@ -17,6 +19,8 @@ from .modes import Body
 
 SPACE, ALONE = "space", "body"
 KINDS = ("hinge", "ball", "rigid", "slider")
+DRIVEN = ("hinge", "slider")  # kinds of links with a travel, on which a spring and a damper may act
+SHOWN = 7  # numbers of a link: force, moment, travel
 SAME = 1e-9  # singular value, relative to the largest, below which a constraint is redundant
 
 
@@ -24,7 +28,8 @@ class Link(NamedTuple):
     """name; bodies : names of two; position (3,) m and axis (3,) in coordinates of the first
 
     kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
-    damping : N s/m along the axis of a slider, N m s about that of a hinge
+    stiffness, damping : N/m, N s/m along the axis of a slider, N m, N m s about that of a hinge
+    rest : m, rad, the travel at which its spring pulls nothing
     """
 
     name: str
@@ -33,6 +38,8 @@ class Link(NamedTuple):
     axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
     kind: str = "hinge"
     damping: float = 0.0
+    stiffness: float = 0.0
+    rest: float = 0.0
 
     @property
     def along(self):
@@ -66,15 +73,50 @@ def rows_of(reader, link):
     return np.vstack([link.along @ rows[:3], link.held @ rows[3:]])
 
 
-def damping_of(reader):
-    """(n, n) N s/m … of the dampers in the links of a Reader, for small motions about rest"""
-    total = np.zeros((len(reader.words),) * 2)
+def driven(reader):
+    """A Reader with the springs and dampers of its links, for small motions about rest"""
+    damping, stiffness = np.zeros((2, *reader.damping.shape))
     for link in reader.links:
-        if link.damping:
-            part = _all_rows(reader, link)[:3] if link.kind == "slider" else _all_rows(reader, link)[3:]
-            row = np.asarray(link.axis, float) @ part / np.linalg.norm(link.axis)
-            total += link.damping * np.outer(row, row)
-    return total
+        if link.damping or link.stiffness:
+            row = travel_of(reader, link)
+            damping += link.damping * np.outer(row, row)
+            stiffness += link.stiffness * np.outer(row, row)
+    return reader.restrained(damping=damping, stiffness=stiffness)
+
+
+def travel_of(reader, link):
+    """(n,) row of the travel of a slider along its axis, m, or of a hinge about it, rad, by the motions of a Reader"""
+    part = _all_rows(reader, link)[:3] if link.kind == "slider" else _all_rows(reader, link)[3:]
+    return np.asarray(link.axis, float) @ part / np.linalg.norm(link.axis)
+
+
+def told_of(links):
+    """(name, unit, column) of what is told of links: of each force, moment, and of those DRIVEN the travel
+
+    column : of SHOWN numbers for each link
+    """
+    found = []
+    for i, link in enumerate(links):
+        names = [f"{link.name} {word} {axis}" for word in ("force", "moment") for axis in "xyz"]
+        rows = list(zip(names, ("N",) * 3 + ("N m",) * 3, range(6), strict=True))
+        if link.kind in DRIVEN:
+            rows.append((f"{link.name} travel", "m" if link.kind == "slider" else "rad", 6))
+        found += [(name, unit, SHOWN * i + column) for name, unit, column in rows]
+    return found
+
+
+def pulls_of(reader, omega, motions):
+    """(q, p, links, 6) N and N m per m of the springs and dampers of links alone, as `forces_of`
+
+    omega : (q,) rad/s, of motions (q, p, n)
+    """
+    out = np.zeros((*motions.shape[:2], len(reader.links), 6), complex)
+    for i, link in enumerate(reader.links):
+        if link.damping or link.stiffness:
+            way = np.asarray(link.axis, float) / np.linalg.norm(link.axis)
+            pull = (1j * omega * link.damping - link.stiffness)[:, None] * (motions @ travel_of(reader, link))
+            out[:, :, i, slice(0, 3) if link.kind == "slider" else slice(3, 6)] = pull[..., None] * way
+    return out
 
 
 def _all_rows(reader, link):

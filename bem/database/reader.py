@@ -28,7 +28,7 @@ import numpy as np
 from hakobune.meshing.panels import PanelMesh
 
 from ..drift import OF_EACH, harmonics
-from ..hinges import forces_of, free_of, rows_of
+from ..hinges import forces_of, free_of, pulls_of, rows_of
 from ..modes import moving, names_of, turning, words_of
 from ..viscous import Viscous, linearised_response
 from ..waves import group_factor, wavenumber
@@ -177,11 +177,11 @@ class Reader:
     def link_forces(self, omega, headings, motions):
         """(q, p, links, 6) force and moment per m, along axes of the first body, with which it holds the second
 
-        motions : (q, p, n) of these bodies in these waves
+        motions : (q, p, n) of these bodies in these waves, with the springs and dampers of links (`hinges.driven`)
         """
         D = self.dynamic_stiffness(self.inside(omega), *self.coefficients(omega))
         left = motions @ D.swapaxes(1, 2) - self.forces(omega, headings)
-        return forces_of(self.links, self._held, left)
+        return forces_of(self.links, self._held, left) + pulls_of(self, self.inside(omega), motions)
 
     def floating(self):
         """The same body without the viscous damping of stored motions, with everything motions follow from.

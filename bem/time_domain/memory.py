@@ -224,11 +224,11 @@ def _goal(body, band, motions, stored=True):
     )
 
 
-def _shorter(body, goal, motions):
+def _shorter(body, goal, motions, stored=True):
     """`_Goal` of as much of the lower band as agrees with itself, the nearest to it where nothing does"""
     (low, high), best = goal.band, goal
     for share in SHORTER:
-        found = _goal(body, (low, low + share * (high - low)), motions)
+        found = _goal(body, (low, low + share * (high - low)), motions, stored)
         best = min(best, found, key=lambda one: one.deviation.max())
         if best.deviation.max() <= CLOSE[0]:
             break
@@ -248,6 +248,8 @@ def _by_causality(body, goal, motions):
     Panels that are coarse for short waves leave A(∞) off: of WAMIT's set of RM3 that of a thin plate's roll, by 3 %.
     """
     found = _goal(body, body.between.span, motions, stored=False)
+    if found.deviation.max() > CLOSE[0]:
+        found = _shorter(body, found, motions, stored=False)
     if found.deviation.max() > CLOSE[1]:
         return goal
     warn(

@@ -116,7 +116,7 @@ def _fitted(t, x, start, size, power=2):
             y = _solutions(both.T, t, power) / size
             return np.nan_to_num((y[:, :6] - y[:, 6:]) / (2 * DIFFERENCE), nan=0.0, posinf=FAR, neginf=-FAR)
 
-    found = least_squares(off, start / unit, jac=slope, method="lm", xtol=1e-13, ftol=1e-15, gtol=1e-15, max_nfev=25)
+    found = least_squares(off, start / unit, jac=slope, xtol=1e-13, ftol=1e-15, gtol=1e-15, max_nfev=25)
     return found.x * unit, x + size * found.fun
 
 

@@ -8,11 +8,11 @@ import numpy as np
 
 from ..fenders.fender import Fender, FenderError
 from ..fenders.hysteresis import contact_table
-from ..lines.system.bodies import axes_in_space, rotation
+from ..lines.system.bodies import places_along, rotation
 from ..lines.system.graph import Pose
 from .contact_loads import Contacts, contact_loads, contact_work, contacts_along
 from .line_loads import generalized
-from .links import rows_at
+from .links import rows_at, springs_at
 
 SIDES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0)}
 STEP = np.array([1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6])  # m, rad, of a difference quotient
@@ -118,7 +118,7 @@ def berth_force(berth, position):
 def berth_stiffness(berth, position):
     """(n, n) −∂force/∂position at a position (n,), along the axes of the bodies"""
     count = len(position)
-    out, along = np.empty((count, count)), axes_in_space(berth.heading)
+    out, along = np.empty((count, count)), places_along(berth.heading)
     for j, h in enumerate(np.tile(STEP, count // 6)):
         ahead, behind = position + h * along[:, j], position - h * along[:, j]
         out[:, j] = (berth_force(berth, behind) - berth_force(berth, ahead)) / (2 * h)
@@ -130,14 +130,12 @@ def at_rest(berth, others, start, unit):
 
     raises : ValueError where they do not
     """
-    from scipy.optimize import least_squares
-
     size = max(np.abs(contact_forces(berth, start)).max(), 1.0)
 
     def residual(x):
         return (berth_force(berth, x * unit) + others(x * unit)) * unit / size
 
-    found = least_squares(residual, np.asarray(start) / unit, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    found = _balanced(residual, np.asarray(start) / unit)
     if not np.abs(found.fun).max() <= RESTS:
         raise ValueError(
             f"no equilibrium of the body between its fenders and ropes was found: {np.abs(found.fun).max():.2g} "
@@ -146,19 +144,31 @@ def at_rest(berth, others, start, unit):
     return found.x * unit
 
 
-def rest_together(links, forces, start, unit, headings):
-    """(n,) places where forces, a function of the place (n,) in space, and links balance, and (r,) what these hold
+def _balanced(residual, start):
+    """Where a residual is least, as of `scipy.optimize.least_squares`, with the same digits each time
 
-    forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
-    raises : ValueError where they do not
+    Not by method="lm": of a body that some motion of hardly changes the residual its next place is, of scipy 1.17, one
+    of several by what lies in memory that it has not written.
     """
     from scipy.optimize import least_squares
 
-    size = max(np.abs(forces(np.asarray(start)) * unit).max(), 1.0)
+    return least_squares(residual, start, method="trf", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+
+
+def rest_together(links, forces, start, unit, headings):
+    """(n,) places where forces, a function of the place (n,) in space, and links balance, and (r,) what these hold
+
+    Springs of links are beside the forces.
+    forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
+    raises : ValueError where they do not
+    """
+    given = forces(np.asarray(start)), springs_at(links, poses_at(start, headings))
+    size = max(*(np.abs(part * unit).max() for part in given), 1.0)
 
     def parts(place):
-        G, gap = rows_at(links, poses_at(place, headings))
-        F = forces(place)
+        poses = poses_at(place, headings)
+        G, gap = rows_at(links, poses)
+        F = forces(place) + springs_at(links, poses)
         mu = np.linalg.lstsq((G * unit).T, -F * unit, rcond=None)[0]
         return F + G.T @ mu, gap, mu
 
@@ -168,7 +178,7 @@ def rest_together(links, forces, start, unit, headings):
 
     x = np.asarray(start) / unit
     if np.abs(residual(x)).max() > TOGETHER:
-        found = least_squares(residual, x, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        found = _balanced(residual, x)
         if not np.abs(found.fun).max() <= RESTS:
             raise ValueError(
                 f"no equilibrium of the bodies with their hinges was found: {np.abs(found.fun).max():.2g} of "
@@ -179,11 +189,12 @@ def rest_together(links, forces, start, unit, headings):
 
 
 def stiffness_together(links, forces, place, mu, headings):
-    """(n, n) along the axes of the bodies, of forces as of `rest_together` and of what links hold there, μ (r,)"""
-    out, along = np.empty((len(place), len(place))), axes_in_space(headings)
+    """(n, n) along the axes of the bodies, of forces as of `rest_together`, springs and what links hold, μ (r,)"""
+    out, along = np.empty((len(place), len(place))), places_along(headings)
 
     def total(at):
-        return forces(at) + rows_at(links, poses_at(at, headings))[0].T @ mu
+        poses = poses_at(at, headings)
+        return forces(at) + springs_at(links, poses) + rows_at(links, poses)[0].T @ mu
 
     for j, h in enumerate(np.tile(STEP, len(place) // 6)):
         out[:, j] = (total(place - h * along[:, j]) - total(place + h * along[:, j])) / (2 * h)
@@ -198,7 +209,7 @@ def rest_between(system, berth, links, water, load):
     """
     given = np.array([one.position for one in system.bodies], float)
     headings = given[:, 5]
-    turn = axes_in_space(headings)
+    turn = places_along(headings)
 
     def forces(place):
         poses = given + place.reshape(-1, 6)

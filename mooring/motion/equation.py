@@ -334,14 +334,23 @@ def of_moorings(scene, y, rate):
 
 
 @kernel(inline=True, counted=False)
-def of_links(scene, links, y):
-    """What hinges hold between the bodies of a `Scene` in the state y (n,), into the forces"""
+def of_links(scene, links, y, rate):
+    """What hinges hold between the bodies of a `Scene` in the state y (n,), into the forces; of dampers and springs the
+    work, into its rates (n,), is that of damping
+    """
     held, kept = links
     if held.ends.shape[0] > 0:
         for b in range(scene.body.heading.size):
             for j in range(6):
                 kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
         hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
+        for k in range(held.ends.shape[0]):
+            for e in range(2):
+                b = held.ends[k, e]
+                if b >= 0:
+                    for j in range(6):
+                        power = kept.pull[k] * kept.pulled[k, 6 * e + j] * y[BLOCK * b + 6 + j]
+                        rate[BLOCK * b + FIRST_WORK + BY_DAMPING] += power
 
 
 @kernel(counted=False)
@@ -365,7 +374,7 @@ def rates(scene, buoy, t, y, rate):
         at, place = (t - work.span[0]) / work.span[1] + EDGE, y[first : first + 6]
         good = buoy_rates(floating, kept, y, place, work.R[0], at, share, grown, rate[first : first + 6]) and good
         give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
-    of_links(scene, scene.links, y)
+    of_links(scene, scene.links, y, rate)
     for b in range(count):
         move(body, b, y, rate, work.force)
     return good

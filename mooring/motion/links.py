@@ -6,8 +6,9 @@ g (r,) is what a link holds to zero: d, how far its point on the second body is 
 a slider h · R₁ᵀd along two axes h of the first; and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in
 axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions,
 along the axes that forces are along, with the angles as they are; so μ, force and moment on the second body, does no
-work while it holds.  Ġν is a difference quotient along the course.  What errors of steps leave of g dies away at α
-(Baumgarte 1972).
+work while it holds.  A spring and a damper of a slider or a hinge give −k (s − rest) − c ṡ along or about its axis
+R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference quotient along the course.  What errors
+of steps leave of g dies away at α (Baumgarte 1972).
 """
 
 from __future__ import annotations
@@ -16,12 +17,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem.hinges import end_of
+from hakobune.bem.hinges import SHOWN, end_of
 from hakobune.bem.kernels.jit import kernel
 
 from .line_loads import generalized, give_generalized, rotation_of
 
 BACK = 2.0  # α, rad/s: faster would ask for steps below those of waves
+ALONG, ABOUT = 1, 2  # an axis, the travel of a slider and of a hinge
 AHEAD = 1e-3  # s, of the difference quotient: it is off by a millionth of a term of second order
 
 
@@ -34,6 +36,8 @@ class Links(NamedTuple):
     first : (k + 1,) number of the first constraint of each; turns : (k,) that of its first about a turn
     place : (N, 3) m, origins of the axes of the bodies at rest
     shown : (k, 3, 3) rows, along which forces are told, in axes of the first
+    way : (k, 3) of the axis of a slider or a hinge, in axes of the first; drive : (k, 3) k, c and rest
+    travels : (k,) ALONG an axis, ABOUT one, or none, 0
     """
 
     ends: np.ndarray
@@ -45,6 +49,9 @@ class Links(NamedTuple):
     turns: np.ndarray
     place: np.ndarray
     shown: np.ndarray
+    way: np.ndarray
+    drive: np.ndarray
+    travels: np.ndarray
 
 
 class LinkWork(NamedTuple):
@@ -53,7 +60,8 @@ class LinkWork(NamedTuple):
     rows : (r, 12) of G, of the first and the second body; gap : (r,) g; axis : (r, 3) of forces and moments, in space
     left, mu : (r,); matrix, shares : (r, r), (6N, r); speed : (6N,) ν; ahead : (N, 6) poses
     turn : (2, 3, 3); arms : (2, 3) m to the point of the second; arm, push : (3,); Q : (3, 3); free : (6N,)
-    state, rate : (n,) of a sample; kept : (samples, 6k) N, N m, on the second body along `Links.shown`
+    state, rate : (n,) of a sample; kept : (samples, SHOWN k) N, N m, on the second body along `Links.shown`, travels
+    pull, travel : (k,) of springs and dampers, N or N m, m or rad; pulled : (k, 12), toward : (k, 3) their rows, axes
     """
 
     rows: np.ndarray
@@ -74,13 +82,17 @@ class LinkWork(NamedTuple):
     state: np.ndarray
     rate: np.ndarray
     kept: np.ndarray
+    pull: np.ndarray
+    travel: np.ndarray
+    pulled: np.ndarray
+    toward: np.ndarray
 
 
 def links_of(reader):
     """`Links` of a `bem.database.reader.Reader`, None where it has none.  Raises ValueError for unknown bodies."""
     if not reader.links:
         return None
-    ends, points, backs, helds, shown = [], [], [], ([], []), []
+    ends, points, backs, helds, shown, ways = [], [], [], ([], []), [], []
     for link in reader.links:
         bodies, moves = zip(*(end_of(reader, name) for name in link.bodies), strict=True)
         place, axes = bodies[0].in_scene(link.position), [np.eye(3) if one.fixed else one.axes for one in bodies]
@@ -93,11 +105,14 @@ def links_of(reader):
             part[-1][: len(held)] = held
         backs.append((axes[0].T @ axes[1]).T)
         shown.append(own.T)
+        ways.append(own @ np.asarray(link.axis, float) / np.linalg.norm(link.axis))
     first = np.cumsum([0, *(len(link.along) + len(link.held) for link in reader.links)])
     turns = first[:-1] + [len(link.along) for link in reader.links]
     return Links(
         np.array(ends), np.array(points), np.array(backs), *map(np.array, helds), first, turns,
-        np.ascontiguousarray(reader.axes_at_rest[:, :3]), np.array(shown),
+        np.ascontiguousarray(reader.axes_at_rest[:, :3]), np.array(shown), np.array(ways),
+        np.array([(link.stiffness, link.damping, link.rest) for link in reader.links], float),
+        np.array([{"slider": ALONG, "hinge": ABOUT}.get(link.kind, 0) for link in reader.links]),
     )  # fmt: skip
 
 
@@ -105,8 +120,9 @@ def no_links(place):
     """`Links` of none, of bodies with their axes at place (N, 3) m"""
     none, of_none = np.zeros((0, 3, 3)), np.zeros(0, np.int64)
     return Links(
-        np.zeros((0, 2), np.int64), np.zeros((0, 2, 3)), none, none, none, np.zeros(1, np.int64), of_none, place, none
-    )
+        np.zeros((0, 2), np.int64), np.zeros((0, 2, 3)), none, none, none, np.zeros(1, np.int64), of_none, place, none,
+        np.zeros((0, 3)), np.zeros((0, 3)), of_none,
+    )  # fmt: skip
 
 
 def link_work(links, states=0, samples=0):
@@ -115,14 +131,15 @@ def link_work(links, states=0, samples=0):
     return LinkWork(
         np.zeros((r, 12)), np.zeros(r), np.zeros((r, 3)), np.zeros(r), np.zeros(r), np.zeros((r, r)),
         np.zeros((6 * n, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3),
-        np.zeros(3), np.zeros((3, 3)), np.zeros(6 * n), np.zeros(states), np.zeros(states), np.zeros((samples, 6 * k)),
+        np.zeros(3), np.zeros((3, 3)), np.zeros(6 * n), np.zeros(states), np.zeros(states),
+        np.zeros((samples, SHOWN * k)), np.zeros(k), np.zeros(k), np.zeros((k, 12)), np.zeros((k, 3)),
     )  # fmt: skip
 
 
 def rows_at(links, poses):
     """(r, 6N) of G and (r,) of what is held to zero, of `links.Links` with the bodies at poses (N, 6)"""
     work, poses = link_work(links), np.ascontiguousarray(poses, float)
-    fill_rows(links, work, poses)
+    fill_rows(links, work, poses, False)
     G = np.zeros((len(work.gap), poses.size))
     for k, ends in enumerate(links.ends):
         rows = slice(links.first[k], links.first[k + 1])
@@ -134,30 +151,39 @@ def rows_at(links, poses):
 
 def held_by(links, poses, mu):
     """(k, 6) N, N m with which the first body of each link holds the second, along the axes of the first, of μ (r,)"""
-    work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(6 * len(links.ends))
-    fill_rows(links, work, poses)
+    work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(SHOWN * len(links.ends))
+    fill_rows(links, work, poses, True)
+    drive(links, work, np.zeros(poses.size))
     work.mu[:] = mu
     put_forces(links, work, poses, out)
-    return out.reshape(-1, 6)
+    return out.reshape(-1, SHOWN)[:, :6]
+
+
+def springs_at(links, poses):
+    """(6N,) N, N m along the axes of the bodies, of the springs of links with the bodies at rest at poses (N, 6)"""
+    work, poses, force = link_work(links), np.ascontiguousarray(poses, float), np.zeros(np.size(poses))
+    fill_rows(links, work, poses, True)
+    drive(links, work, force)
+    return force
 
 
 @kernel(inline=True, counted=False)
-def give_row(links, work, poses, k, i, turns):
-    """Row i, of link k, of a unit force or moment along work.axis on the second body, and against it on the first"""
-    m, f = work.axis[i], work.push
+def give_row(links, work, poses, k, m, turns, row):
+    """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and less on the first"""
+    f = work.push
     for e in range(2):
         b, sign = links.ends[k, e], 2.0 * e - 1.0
         for j in range(3):
             f[j] = sign * m[j]
         if b >= 0 and turns:
-            generalized(poses[b], 0.0, 0.0, 0.0, f[0], f[1], f[2], work.rows[i, 6 * e : 6 * e + 6])
+            generalized(poses[b], 0.0, 0.0, 0.0, f[0], f[1], f[2], row[6 * e : 6 * e + 6])
         elif b >= 0:
-            give_generalized(poses[b], work.arms[e], f, work.rows[i, 6 * e : 6 * e + 6])
+            give_generalized(poses[b], work.arms[e], f, row[6 * e : 6 * e + 6])
 
 
 @kernel(counted=False)
-def fill_rows(links, work, poses):
-    """work.rows, gap and axis with the bodies at poses (N, 6)"""
+def fill_rows(links, work, poses, driven):
+    """work.rows, gap and axis with the bodies at poses (N, 6); if `driven` also its travel, pulled and toward"""
     R, arms, Q, d, p = work.turn, work.arms, work.Q, work.arm, links.points
     work.rows[:] = 0.0
     for k in range(links.ends.shape[0]):
@@ -180,13 +206,24 @@ def fill_rows(links, work, poses):
             for j in range(3):
                 m[j] = R[0, j, 0] * h[0] + R[0, j, 1] * h[1] + R[0, j, 2] * h[2] if slides else h[j]
             work.gap[i] = m[0] * d[0] + m[1] * d[1] + m[2] * d[2]
-            give_row(links, work, poses, k, i, False)
+            give_row(links, work, poses, k, m, False, work.rows[i])
+        if driven and links.travels[k] > 0:
+            h, m = links.way[k], work.toward[k]
+            for j in range(3):
+                m[j] = R[0, j, 0] * h[0] + R[0, j, 1] * h[1] + R[0, j, 2] * h[2]
+            work.pulled[k] = 0.0
+            give_row(links, work, poses, k, m, links.travels[k] == ABOUT, work.pulled[k])
+            work.travel[k] = m[0] * d[0] + m[1] * d[1] + m[2] * d[2]
         for i in range(3):  # Q = (R₁ᵀ R₂) R₀ᵀ; R₁ᵀR₂ row by row
             for j in range(3):
                 d[j] = R[0, 0, i] * R[1, 0, j] + R[0, 1, i] * R[1, 1, j] + R[0, 2, i] * R[1, 2, j]
             for j in range(3):
                 Q[i, j] = d[0] * links.back[k, 0, j] + d[1] * links.back[k, 1, j] + d[2] * links.back[k, 2, j]
         trace = Q[0, 0] + Q[1, 1] + Q[2, 2]
+        if driven and links.travels[k] == ABOUT:
+            h = links.way[k]
+            sine = h[0] * (Q[2, 1] - Q[1, 2]) + h[1] * (Q[0, 2] - Q[2, 0]) + h[2] * (Q[1, 0] - Q[0, 1])
+            work.travel[k] = np.arctan2(sine, trace - 1.0)
         for i in range(links.turns[k], links.first[k + 1]):
             h, m = links.held[k, i - links.turns[k]], work.axis[i]
             work.gap[i] = 0.5 * (h[0] * (Q[2, 1] - Q[1, 2]) + h[1] * (Q[0, 2] - Q[2, 0]) + h[2] * (Q[1, 0] - Q[0, 1]))
@@ -194,7 +231,27 @@ def fill_rows(links, work, poses):
                 d[j] = 0.5 * (trace * h[j] - h[0] * Q[0, j] - h[1] * Q[1, j] - h[2] * Q[2, j])
             for j in range(3):
                 m[j] = R[0, j, 0] * d[0] + R[0, j, 1] * d[1] + R[0, j, 2] * d[2]
-            give_row(links, work, poses, k, i, True)
+            give_row(links, work, poses, k, m, True, work.rows[i])
+
+
+@kernel(counted=False)
+def drive(links, work, force):
+    """work.pull of springs and dampers at the travels and rows filled in, with work.speed, and into the forces (6N,)"""
+    for k in range(links.ends.shape[0]):
+        if links.travels[k] > 0:
+            speed, row = 0.0, work.pulled[k]
+            for e in range(2):
+                b = links.ends[k, e]
+                if b >= 0:
+                    for j in range(6):
+                        speed += row[6 * e + j] * work.speed[6 * b + j]
+            pull = -links.drive[k, 0] * (work.travel[k] - links.drive[k, 2]) - links.drive[k, 1] * speed
+            work.pull[k] = pull
+            for e in range(2):
+                b = links.ends[k, e]
+                if b >= 0:
+                    for j in range(6):
+                        force[6 * b + j] += pull * row[6 * e + j]
 
 
 @kernel(inline=True, counted=False)
@@ -264,12 +321,13 @@ def hold_together(links, work, poses, inverse, force):
             )
             for j in range(2, 6):
                 work.ahead[b, j] = poses[b, j] + h * speed[6 * b + j]
-        fill_rows(links, work, work.ahead)
+        fill_rows(links, work, work.ahead, False)
         for k in range(links.ends.shape[0]):
             for i in range(links.first[k], links.first[k + 1]):
                 before = 0.0 if side > 0.0 else work.left[i]
                 work.left[i] = before - side * along_rows(links, work, k, i, speed) / (2.0 * AHEAD)
-    fill_rows(links, work, poses)
+    fill_rows(links, work, poses, True)
+    drive(links, work, force)
     fill_shares(links, work, inverse)
     for j in range(force.size):
         total = 0.0
@@ -298,7 +356,7 @@ def give_rows(links, work, mu, force):
 
 @kernel(counted=False)
 def put_forces(links, work, poses, out):
-    """out (6k,) N, N m of work.mu, on the second body, along `Links.shown`, with the bodies at poses (N, 6)"""
+    """out (SHOWN k,) of bodies at poses (N, 6): N, N m of work.mu and pull on the second along `Links.shown`; travel"""
     for k in range(links.ends.shape[0]):
         R = work.turn[0]
         for i in range(3):
@@ -312,6 +370,9 @@ def put_forces(links, work, poses, out):
                 if (i >= links.turns[k]) == (part == 1):
                     for j in range(3):
                         work.arm[j] += work.mu[i] * work.axis[i, j]
+            if links.travels[k] == part + 1:
+                for j in range(3):
+                    work.arm[j] += work.pull[k] * work.toward[k, j]
             for i in range(3):
                 total = 0.0
                 for j in range(3):
@@ -319,4 +380,5 @@ def put_forces(links, work, poses, out):
                         R[j, 0] * links.shown[k, i, 0] + R[j, 1] * links.shown[k, i, 1] + R[j, 2] * links.shown[k, i, 2]
                     )
                     total += along * work.arm[j]
-                out[6 * k + 3 * part + i] = total
+                out[SHOWN * k + 3 * part + i] = total
+        out[SHOWN * k + 6] = work.travel[k]

@@ -23,6 +23,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.threads import blas_threads
 from hakobune.bem.waves import wavenumber
 
 from ..response.linear import frequencies
@@ -116,7 +117,15 @@ class WaveForces:
 
 
 def wave_forces(body):
-    """`WaveForces` of a `bem.database.reader.Reader` at frequencies close enough for every resonance."""
+    """`WaveForces` of a `bem.database.reader.Reader` at frequencies close enough for every resonance.
+
+    The same digits whatever the threads of the machine: a second one would add up products in another order.
+    """
+    with blas_threads(1):
+        return _wave_forces(body)
+
+
+def _wave_forces(body):
     omega, ring = frequencies(body), np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
     if body.bodies:
         first, *others = (_of_one(body, one, omega, ring) for one in body.bodies if not one.fixed)

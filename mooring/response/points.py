@@ -26,6 +26,7 @@ import numpy as np
 
 from hakobune.bem.flexible.beams import Beam
 from hakobune.bem.flexible.coupling import gradients
+from hakobune.bem.hinges import told_of, travel_of
 from hakobune.bem.waves import wavenumber
 
 from ..on_current.body import carrier_of_body
@@ -143,10 +144,12 @@ def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
             units.append("m")
             values.append((next(levels) - d[..., 2])[..., None])
     if body.links:
-        values.append(body.link_forces(given, heading, motion).reshape(*motion.shape[:2], -1))
-        for link in body.links:
-            names += [f"{link.name} {word} {axis}" for word in ("force", "moment") for axis in "xyz"]
-            units += ["N"] * 3 + ["N m"] * 3
+        travels = np.stack([motion @ travel_of(body, link) for link in body.links], axis=-1)[..., None]
+        held = np.concatenate([body.link_forces(given, heading, motion), travels], axis=-1)
+        told = told_of(body.links)
+        names += [name for name, _, _ in told]
+        units += [unit for _, unit, _ in told]
+        values.append(held.reshape(*motion.shape[:2], -1)[..., [column for _, _, column in told]])
     return Transfer(tuple(names), tuple(units), given, heading, np.concatenate(values, axis=-1), missed, met)
 
 

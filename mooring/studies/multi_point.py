@@ -23,6 +23,7 @@ import numpy as np
 
 from hakobune.bem import DOFS
 from hakobune.bem.database.natural_periods import NaturalPeriods, natural_periods
+from hakobune.bem.hinges import driven
 
 from ..lines.system.bodies import rotation
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
@@ -51,7 +52,8 @@ class MultiPoint:
         the amplitudes
     hulls : `conditions.Afloat` of every body; berth : `motion.contacts.Berth`, None for none
     contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
-    held : (2, k, 6) N, N m with which the first body of each of k `hinges` holds the second, along its axes, at both
+    held : (3, k, 6) N, N m with which the first body of each of k `hinges` holds the second, along its axes, at both,
+        and the largest, with `motion_factor` times what motions in the waves add, away from zero
     warnings : findings, a line each; of what fails as `criteria.failing.fails` marks it
     """
 
@@ -133,7 +135,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
         conditions = with_coefficients(conditions, hull, system.depth)
     stays = rest(held_at(system, {one.name: one.position for one in system.bodies}))
     hydrostatic = [body.stiffness[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(hulls))]
-    waves = wave_effects(db, conditions, body) if conditions.waves else {}
+    waves = wave_effects(db, conditions, driven(body)) if conditions.waves else {}
     effects = waves.get(conditions.method, WaveEffects(None, np.zeros(6 * len(hulls))))
     loads = _loads(hulls, conditions, system.depth, effects.drift)
     steady, links = sum(loads.values(), np.zeros(6 * len(hulls))), links_of(body)
@@ -148,6 +150,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
         natural_periods(body.restrained(stiffness=in_motions(state.stiffness, hulls) + more))
         for state, more in zip((at_rest, equilibrium), beside, strict=True)
     ]
+    added = np.zeros(np.shape(held[1])) if effects.held is None else effects.held
     outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
@@ -168,7 +171,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
         hulls,
         berth,
         np.array(contact),
-        np.array(held),
+        np.array([*held, held[1] + np.copysign(conditions.motion_factor * added, held[1])]),
         tuple(link.name for link in body.links),
     )
     return replace(result, warnings=(*place_findings(system, hulls), *findings(result, db)))

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hakobune.bem.database.between_frequencies import BetweenError
+from hakobune.bem.hinges import told_of
 
 from ..environment.sea import Sea
 from ..environment.spectra import issc
@@ -34,6 +35,7 @@ class WaveEffects(NamedTuple):
     """drift : (3,) N, N, N m; amplitudes : (n,) m, rad; slow : (3,) deviation of the slow drift, or None; warnings
 
     by_current : (3,) of the drift, what a current that carries the waves adds; None in still water
+    held : (k, 6) N, N m, of each link of the body, largest that the motions add to what it holds; None without links
     Of several bodies drift is (3,) for each that moves, one after another, and slow that of all about the origin
     """
 
@@ -42,6 +44,7 @@ class WaveEffects(NamedTuple):
     slow: np.ndarray | None = None
     warnings: tuple[str, ...] = ()
     by_current: np.ndarray | None = None
+    held: np.ndarray | None = None
 
 
 def wave_effects(db, conditions, body=None):
@@ -87,7 +90,14 @@ def _irregular(reader, conditions):
         _cleared(slow.sigma),
         state.warnings,
         slow.by_current,
+        _held(body, state.names, state.expected_maximum),
     )
+
+
+def _held(body, names, values):
+    """(k, 6) of `WaveEffects.held`, of responses (c,) and their names"""
+    told = [values[names.index(name)] for name, unit, _ in told_of(body.links) if unit.startswith("N")]
+    return np.array(told).reshape(-1, 6) if told else None
 
 
 def _of_moving(body, of_each):
@@ -111,10 +121,12 @@ def _regular(reader, conditions):
         drift = _of_moving(body, body.drift_of_each([w.omega], [w.direction])[0, 0]) * amplitude**2
     else:
         drift = body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
-    X = np.abs(body.motions([w.omega], [w.direction])[0, 0]).reshape(-1, 2, 3).swapaxes(0, 1)
+    motions = body.motions([w.omega], [w.direction])
+    X = np.abs(motions[0, 0]).reshape(-1, 2, 3).swapaxes(0, 1)
+    held = amplitude * np.abs(body.link_forces([w.omega], [w.direction], motions)[0, 0]) if body.links else None
     amplitudes = np.stack([_cleared(X[0]), _cleared(X[1])], axis=1).ravel() * amplitude
     if carrier is None:
-        return WaveEffects(_cleared(drift), amplitudes)
+        return WaveEffects(_cleared(drift), amplitudes, held=held)
     warnings = tuple(check_blocked(carrier, w, body.depth, body.gravity))
     if body.lacks_motions:
         warnings += (
@@ -126,7 +138,7 @@ def _regular(reader, conditions):
     place = int(np.searchsorted(np.unique(near), w.omega))
     added = of_current(body, coefficients)[place, 0] * amplitude**2
     warnings += tuple(current_along_waves(carrier, np.array([w.direction]), np.ones(1), known or None))
-    return WaveEffects(_cleared(drift + added), amplitudes, None, warnings, added)
+    return WaveEffects(_cleared(drift + added), amplitudes, None, warnings, added, held)
 
 
 def _cleared(values):

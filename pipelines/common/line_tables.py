@@ -83,6 +83,7 @@ class AttachedTable(Table):
     after_segment : number of the segment at whose upper end it is, from 1
     mass : kg
     volume : m³, volume of the displaced water
+    weight_N : N, weight in water, negative for a buoy; by default from mass and volume in the water of the study
     drag_area : m², C_d A, of a line that moves
     added_mass : added mass of a moving line, over the displaced mass
     """
@@ -90,6 +91,7 @@ class AttachedTable(Table):
     after_segment: int
     mass: float
     volume: float = 0.0
+    weight_N: float | None = None
     drag_area: float = 0.0
     added_mass: float = 0.5
 
@@ -307,7 +309,7 @@ def _point_loads(where, bodies, lengths, density, gravity):
     loads = []
     for i, body in enumerate(attached(f"{where}.", bodies, len(lengths) - 1)):
         if body is not None:
-            weight = gravity * (body.mass - density * body.volume)
+            weight = gravity * (body.mass - density * body.volume) if body.weight_N is None else body.weight_N
             loads.append(PointLoad(sum(lengths[: i + 1]), weight, gravity * body.mass, f"after segment {i + 1}"))
     return loads
 

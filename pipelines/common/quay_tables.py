@@ -22,12 +22,11 @@ from dataclasses import replace
 import msgspec
 import numpy as np
 
-from hakobune.bem.hinges import ALONE, KINDS, SPACE, Link
+from hakobune.bem.hinges import ALONE, DRIVEN, KINDS, SPACE, Link
 
 from .fender_tables import FenderTable, fender_of, pair_of
 from .quantities import StudyError, Table, positive
 
-DAMPED = ("hinge", "slider")
 FARTHEST = 10.0  # m, of a fender from the hull at rest
 
 
@@ -254,6 +253,8 @@ class HingeTable(Table):
     axis : free to turn about, of a slider to move along, in axes of the first
     kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
     damping : kN s/m along the axis of a slider, kN m s about that of a hinge
+    stiffness : kN/m of a spring along the axis of a slider, kN m/rad about that of a hinge
+    rest : m of a slider, ° of a hinge, its travel from the places given at which the spring pulls nothing
     """
 
     name: str
@@ -262,6 +263,8 @@ class HingeTable(Table):
     axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
     kind: str = "hinge"
     damping: float = 0.0
+    stiffness: float = 0.0
+    rest: float = 0.0
 
     def link(self, where, db):
         """`bem.hinges.Link`.  Raises StudyError."""
@@ -280,12 +283,19 @@ class HingeTable(Table):
             raise StudyError(
                 f"{where} has position {self.position} and axis {self.axis}; allowed: finite, with an axis other than 0"
             )
-        if not (math.isfinite(self.damping) and self.damping >= 0) or (self.damping and self.kind not in DAMPED):
+        for name in ("damping", "stiffness"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value >= 0) or (value and self.kind not in DRIVEN):
+                raise StudyError(
+                    f"{where}.{name} is {value:g} of a {self.kind}; allowed: 0 or more, of a {' or '.join(DRIVEN)}"
+                )
+        if not math.isfinite(self.rest) or (self.rest and not self.stiffness):
             raise StudyError(
-                f"{where}.damping is {self.damping:g} for a {self.kind}; allowed: 0 or more, for a "
-                f"{' or '.join(DAMPED)}"
+                f"{where}.rest is {self.rest:g} and its stiffness {self.stiffness:g}; allowed: finite, with a spring"
             )
-        return Link(self.name, self.bodies, self.position, self.axis, self.kind, 1e3 * self.damping)
+        rest = math.radians(self.rest) if self.kind == "hinge" else self.rest
+        drive = 1e3 * self.damping, 1e3 * self.stiffness, rest
+        return Link(self.name, self.bodies, self.position, self.axis, self.kind, *drive)
 
 
 def linked(body, hinges, db):

@@ -68,6 +68,10 @@ def import_(
             help="correct units, points, phases or headings that our own solution of the hull contradicts", negative=""
         ),
     ] = False,
+    uncoupled: Annotated[
+        bool,
+        Parameter(help="for several bodies, without the coupling between them, as WEC-Sim by default", negative=""),
+    ] = False,
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
     """Read results of another program into a database: a file, or the folder of Nemoh, HAMS or HydroStar.
@@ -85,12 +89,14 @@ def import_(
     points = {"--center-of-gravity": center_of_gravity, "--gyration": gyration}
     if bodies is not None:
         others = (mesh, about, body, mass, correct or None)
-        return _of_several(place, from_, bodies, known, others, points, output, fresh)
+        return _of_several(place, from_, bodies, known, others, points, output, fresh, uncoupled)
+    if uncoupled:
+        raise ValueError("--uncoupled is given without --bodies; allowed: with the names of several that all move")
     center, radii = (_three(flag, text) for flag, text in points.items())
     return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh, correct)
 
 
-def _of_several(place, kind, names, known, others, points, output, fresh):
+def _of_several(place, kind, names, known, others, points, output, fresh, uncoupled):
     """`import_` of all bodies of a set; others : flags of one body; points : {flag: text} of each"""
     from hakobune.bem.formats.afloat import Weight
 
@@ -108,7 +114,7 @@ def _of_several(place, kind, names, known, others, points, output, fresh):
             raise ValueError(f"{flag} is {text!r}; allowed: three numbers for each of {', '.join(names)}, ; between")
         each.append([_three(flag, part) for part in parts])
     weights = [Weight(None, *pair) for pair in zip(*each, strict=True)]
-    return import_several(place, kind, [name.strip() for name in names], known, weights, output, fresh)
+    return import_several(place, kind, [name.strip() for name in names], known, weights, output, fresh, uncoupled)
 
 
 def body_(

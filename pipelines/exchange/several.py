@@ -1,6 +1,7 @@
 """Results of another program on several bodies into one database, all of them moving.
 
-Of the files each body is read as one that moves beside the others, and the added mass and damping of all together.  A
+Of the files each body is read as one that moves beside the others, held to the laws that such a one keeps, and the
+added mass and damping of all together.  A
 set of one heading on bodies of revolution about one vertical has every other heading by a turn.
 """
 
@@ -13,11 +14,13 @@ import numpy as np
 
 from hakobune.bem.database.schema import BODY
 from hakobune.bem.formats.afloat import on_hull
+from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.values import FormatError, with_headings_once
 from hakobune.bem.modes import Body, turned
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.panels import assembled, with_symmetry
 from hakobune.meshing.whole_files import made_beside
+from hakobune.mooring.criteria.failing import fails
 
 from ..printing.console import new_console
 from ..printing.verdict import tell
@@ -29,10 +32,11 @@ AROUND = np.arange(12) * (np.pi / 6)
 AXIS = 1e-3  # largest distance of the axis of a hull of revolution from the origin, over its length
 
 
-def import_several(place, kind_name, names, known, weights, output, fresh=False):
+def import_several(place, kind_name, names, known, weights, output, fresh=False, uncoupled=False):
     """Make the database of the bodies called `names` and say what is in it; the exit status.  Raises ValueError.
 
     known : as of `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
+    uncoupled : whether added mass and damping of one by the motions of another are left out, as WEC-Sim does (b2b = 0)
     """
     kind = format_of("from", kind_name)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
@@ -45,7 +49,7 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
         raise ValueError(f"--bodies is {','.join(names)!r}; give each body a different name")
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     check_import(kind, known, output, fresh, place)
-    parts, hulls, remarks = [], [], []
+    parts, hulls, remarks, lost = [], [], [], []
     for number, weight in enumerate(weights, 1):
         of_module = {name: known[name] for name in kind.silent} | {"body": number}
         inputs = module.inputs_of(place, of_module)
@@ -57,10 +61,17 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
             )
         hull = hull_of(place, kind, module, None, of_module)
         values, said = on_hull(values, hull, weight)
-        remarks += [f"{names[number - 1]}: {one}" for one in said]
+        _, agreed, doubts = believed(values, hull)
+        remarks += [f"{names[number - 1]}: {one}" for one in (*said, *agreed)]
+        lost += [fails(f"{names[number - 1]}: {one}") for one in doubts]
         parts.append(values)
         hulls.append(hull)
-    values = _together(parts, module.coupled(place, of_module, len(names)))
+    radiation = module.coupled(place, of_module, len(names))
+    if uncoupled:
+        own = np.kron(np.eye(len(names)), np.ones((6, 6)))
+        radiation = {name: part * own for name, part in radiation.items()}
+        remarks.append("left out: added mass and damping of each body by the motions of the others")
+    values = _together(parts, radiation)
     if len(values.wave_direction) == 1 and _round(hulls):
         values = _all_around(values)
         remarks.append(
@@ -73,7 +84,7 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False)
     with made_beside(output) as partial:
         store(replace(values, bodies=bodies, rotation_center=np.zeros(3)), mesh, partial, f"{kind_name}: {place}")
     print(f"{output}: {', '.join(names)}, {len(values.omega)} frequencies, {len(values.wave_direction)} headings")
-    return tell(remarks, new_console(stderr=True))
+    return tell([*remarks, *lost], new_console(stderr=True))
 
 
 def _together(parts, radiation):

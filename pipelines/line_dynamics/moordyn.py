@@ -39,7 +39,7 @@ def with_moordyn(study, folder):
     types = {f"line {line.name}": _type(line, path) for line in lines}
     segments = [SegmentTable(f"line {line.name}", line.length, max(line.elements or LEAST, LEAST)) for line in lines]
     bodies = [
-        AttachedTable(i + 1, joint.mass, joint.volume, joint.drag_area, joint.added_mass)
+        AttachedTable(i + 1, joint.mass, joint.volume, None, joint.drag_area, joint.added_mass)
         for i, joint in enumerate(joints)
         if joint.mass or joint.volume
     ]

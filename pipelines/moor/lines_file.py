@@ -52,7 +52,8 @@ def tables_of(file, depth=None):
     if len(bodies) != 1:
         raise StudyError(f"{KEY}: {file.name} has {len(bodies)} bodies; allowed: one, the hull of the study")
     types = {}
-    return {"lines": [_table(chain, points, bodies, system.depth, types) for chain in _chains(system)], "types": types}
+    given = points, bodies, system.depth, (system.density, system.gravity), types
+    return {"lines": [_table(chain, *given) for chain in _chains(system)], "types": types}
 
 
 def _chains(system):
@@ -81,8 +82,11 @@ def _chains(system):
             yield chain
 
 
-def _table(chain, points, bodies, depth, types):
-    """A table of [[lines]] of one of the `_chains`; its types are added to `types`"""
+def _table(chain, points, bodies, depth, water, types):
+    """A table of [[lines]] of one of the `_chains`; its types are added to `types`
+
+    water : its density and gravity in the file, by which lines weigh there and what hangs in them too
+    """
     ends = [(line.a, line.b) if along else (line.b, line.a) for line, along in chain]
     anchor, fairlead = points[ends[0][0]], points[ends[-1][1]]
     place = [float(value) for value in anchor.position]
@@ -93,10 +97,11 @@ def _table(chain, points, bodies, depth, types):
         parts += _parts(line, along, types)
         joints.append(len(parts))
     loads = [
-        {"after_segment": count, "mass": float(points[end].mass), "volume": float(points[end].volume)}
+        {"after_segment": count, "mass": float(points[end].mass), "volume": float(points[end].volume),
+         "weight_N": float(water[1] * (points[end].mass - water[0] * points[end].volume))}
         for count, (_, end) in zip(joints[:-1], ends[:-1], strict=True)
         if points[end].mass or points[end].volume
-    ]
+    ]  # fmt: skip
     if len(parts) == 1:
         return made | parts[0]
     rough = max(types[part["type"]]["bed_friction"] for part in parts)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hakobune.bem.hinges import damping_of
 from hakobune.mooring.criteria.anchors import anchor_findings
 from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
@@ -79,8 +78,6 @@ def studied(study, db):
         raise StudyError("the study has no lines; give at least one [[spreads]] or [[lines]], or use hakobune simulate")
     anchors = study.anchors_on(system.line_names)
     berth, body = study.berth_of(db, hull) if db.bodies else None, linked(db.bodies_reader, study.hinges, db)
-    if study.hinges:
-        body = body.restrained(damping=damping_of(body))
     result = multi_point(db, system, hull, study.conditions(), study.allowable, berth, body)
     found = anchor_findings(system.line_names, anchors, *_at_anchors(result))
     return replace(result, warnings=(*study.remarks(hull, db), *result.warnings, *found)), hull
@@ -165,6 +162,7 @@ def _held(made):
             depth, force = made.contact[i]
             found[f"contact.{name}"] = Quantity(np.maximum(depth, 0.0), ("contact",), "m", words, CONTACTS)
             found[f"contact.force_{name}"] = Quantity(force, ("contact",), "N", f"force {words}", CONTACTS)
+    for i, (name, words) in enumerate((("at_rest", "at rest"), ("steady", "steady"), ("largest", "largest"))):
         if len(made.held[i]):
             units = ("N", "N", "N", "N m", "N m", "N m") * len(made.held[i])
             found[f"hinge.{name}"] = Quantity(made.held[i].ravel(), ("hinge",), units, words, HINGES)

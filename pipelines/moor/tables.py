@@ -91,13 +91,13 @@ class RecordTable(Table):
     """A measured record of the waves at the body's place, in place of [waves]; every seed has the same waves
 
     file : CSV beside the study, of time_s and elevation_m, equally spaced, as long as ramp and duration
-    shortest : s, period below which waves are left out
+    shortest : s, period below which waves are left out, by default that of the highest stored frequency
     """
 
     file: str
     direction_deg: float | None = None
     incidence_deg: float | None = None
-    shortest: float = 5.0
+    shortest: float | None = None
 
 
 class SimulationTable(Table):

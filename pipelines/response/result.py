@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hakobune.bem.database.resonances import resonances
-from hakobune.bem.hinges import damping_of
+from hakobune.bem.hinges import driven
 from hakobune.mooring.response.long_term import YEAR
 from hakobune.mooring.response.sea_state import TINY
 
@@ -59,8 +59,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         db.require_one_body()
     body = db.bodies_reader.floating()
     if not moored:
-        body = linked(read.restrained(body), read.hinges, db)
-        body = body.restrained(damping=damping_of(body))
+        body = driven(linked(read.restrained(body), read.hinges, db))
     with heard() as caught:
         try:
             if moored is not None:

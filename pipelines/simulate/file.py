@@ -46,8 +46,8 @@ SERIES = {  # name: (axes, unit, long name)
     "deflection": (("kept_seed", "time", "fender"), "m", "deflection of a fender"),
     "links": (
         ("kept_seed", "time", "hinge"),
-        "N, N, N, N m, N m, N m",
-        "force and moment of the first body of a hinge on the second",
+        "N, N, N, N m, N m, N m; m or rad of a travel",
+        "force and moment of the first body of a hinge on the second, and the travel along or about its axis",
     ),
 }
 ONLY_WITH = "fender", "hinge"  # axes that are there only where they have a name
@@ -73,7 +73,7 @@ class Header:
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
-    hinges : names, of which each has a force and a moment along the axes of its first body
+    hinges : names of what is told of them, as of `bem.hinges.told_of`
     """
 
     identity: str
@@ -93,8 +93,7 @@ class Header:
     @property
     def some(self):
         """{axis of ONLY_WITH: names}"""
-        forces = [f"{one} {word} {axis}" for one in self.hinges for word in ("force", "moment") for axis in "xyz"]
-        return dict(zip(ONLY_WITH, (self.fenders, tuple(forces)), strict=True))
+        return dict(zip(ONLY_WITH, (self.fenders, self.hinges), strict=True))
 
     @property
     def datasets(self):

@@ -130,7 +130,7 @@ def result_of(file, window=None, more=()):
         **_of_lines(file, [values[f"tension {name}"] for name in lines]),
         **quantities_of_anchors(*(anchors_in_runs(file) or ((), (), ()))),
         **_of_fenders(file, fenders, values),
-        **_of_hinges(hinges, values),
+        **_of_hinges([(name, units_of(file)[names.index(name)]) for name in hinges], values),
         **_of_berth(file),
         **_scalars(file),
     }
@@ -216,13 +216,13 @@ def _of_gaps(names, values):
     }
 
 
-def _of_hinges(names, values):
-    """Of the force and moment of each hinge, {} without"""
-    units = tuple("N" if " force " in name else "N m" for name in names)
+def _of_hinges(told, values):
+    """Of forces, moments and travels, (name, unit) of each, {} without"""
+    units = tuple(unit for _, unit in told)
     return {
-        f"hinge.{key}": Quantity([values[name][key] for name in names], ("hinge",), units, WORDS[key][0], HINGES)
+        f"hinge.{key}": Quantity([values[name][key] for name, _ in told], ("hinge",), units, WORDS[key][0], HINGES)
         for key in ("mean", "sigma", "smallest", "largest")
-        if names
+        if told
     }
 
 

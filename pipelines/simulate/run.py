@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hakobune.bem.database.integrity import DatabaseError
+from hakobune.bem.hinges import told_of
 from hakobune.mooring.motion.extremes import median_extreme
 from hakobune.mooring.motion.statistics import over_runs
 
@@ -243,7 +244,7 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
     center = at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float)
     names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
     fenders = tuple(one.name for one in body.berth.fenders)
-    hinges = tuple(one.name for one in body.reader.links)
+    links = body.reader.links
     attributes = {
         "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": task.study.allowable,
@@ -277,11 +278,11 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
         np.array(load, float),
         *ends,
         sample_times(plan.settings),
-        *quantities_of(names, fenders, body.reader.words, ready.sides, hinges),
+        *quantities_of(names, fenders, body.reader.words, ready.sides, links),
         attributes,
         fenders,
         body.reader.names,
-        hinges,
+        tuple(name for name, _, _ in told_of(links)),
     )
 
 

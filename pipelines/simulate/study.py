@@ -173,24 +173,31 @@ def _record(study, table, settings, omega, folder):
     if length < wanted * (1 - 1e-9):
         raise StudyError(f"{where} lasts {length:g} s; allowed: ramp and duration, {wanted:g} s, or longer")
     first = record._replace(elevation=record.elevation[: int(np.ceil(wanted / record.step)) + 1])
-    found = components_of(first, towards, positive(f"{where}.shortest", table.record.shortest))
+    given = table.record.shortest
+    shortest = 2 * np.pi / omega[-1] * (1 - 1e-9) if given is None else positive(f"{where}.shortest", given)
+    every, found = (components_of(first, towards, period) for period in (0.0, shortest))
     carrier = carrier_of(study.conditions().current)
     if carrier is not None:  # a record at a place has the frequencies that are met there
         found = in_water(found, carrier._replace(absolute=True), study.water.depth, 9.80665)
     if not len(found.omega):
-        raise StudyError(f"{where} has no waves of {table.record.shortest:g} s or longer; lower shortest")
+        raise StudyError(f"{where} has no waves of {shortest:.4g} s or longer; lower shortest")
     if len(found.omega) > MOST_OF_RECORD:
         raise StudyError(
             f"{where} has {len(found.omega)} waves; allowed: {MOST_OF_RECORD}; give a longer shortest, or a shorter run"
         )
+    lost = 1.0 - float((found.amplitude**2).sum() / (every.amplitude**2).sum())
+    told = ()
+    if lost > MISSED:
+        way = "give a shorter shortest" if given is not None else f"solve {every.omega[-1]:.3g} rad/s and less"
+        told = (f"{100 * lost:.3g} % of the record's energy is of waves below {shortest:.3g} s, left out; {way}",)
     outside = (found.omega < omega[0]) | (found.omega > omega[-1])
     share = float((found.amplitude[outside] ** 2).sum() / (found.amplitude**2).sum())
     if share > MISSED:
-        return found, (
+        told += (
             f"{100 * share:.3g} % of the record's energy lies outside the stored frequencies, {omega[0]:.3g} to "
             f"{omega[-1]:.3g} rad/s, and is not included; solve {found.omega[0]:.3g} rad/s and above",
         )
-    return found, ()
+    return found, told
 
 
 def damping(study, body):

@@ -9,7 +9,7 @@ from functools import partial
 import msgspec
 import numpy as np
 
-from hakobune.bem.hinges import ALONE, damping_of
+from hakobune.bem.hinges import ALONE, told_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
@@ -82,7 +82,7 @@ def prepared(task, db=None, waves=None):
         memory = task.memory
         if memory is None and (of_quay or plan.settings.memory == "constant"):
             memory = no_memory(reader)
-        extra, drag = damping(study, reader.floating()) + damping_of(reader), quadratic(study, words)
+        extra, drag = damping(study, reader.floating()), quadratic(study, words)
         if of_quay and reader.viscous is None:  # made of the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
@@ -194,8 +194,9 @@ def simulate_seed(task, seed, kept, progress=None):
     run = run._replace(tension=np.column_stack([run.tension, run.pull]))
     met = [column for pair in zip(run.deflection.T, run.reaction.T, strict=True) for column in pair]
     apart = gaps(plan.sides, run.poses)
+    told = [column for _, _, column in told_of(body.reader.links)]
     run = run._replace(
-        links=np.zeros((len(run.time), 0)) if run.links is None else run.links.reshape(len(run.time), -1)
+        links=np.zeros((len(run.time), 0)) if run.links is None else run.links.reshape(len(run.time), -1)[:, told]
     )
     columns = np.column_stack([run.motion, run.wave, run.wind_speed, apart, run.tension, *met, run.links])[late]
     if not np.all(np.isfinite(columns)):
@@ -316,12 +317,13 @@ def at_rest_of(sides):
     return np.array([[[0, 0, 0, 0, 0, one.place[2]] for one in sides if one.moves >= 0]], float)
 
 
-def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), hinges=()):
+def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), links=()):
     """Names and units of the columns of statistics; words : of the motions; sides : of several bodies"""
     between = [f"gap {one.name} {other.name}" for one, other in pairs_of(sides)]
     names = [*words, "wave", "wind speed", *between, *(f"tension {line}" for line in lines)]
     names += [f"{what} {fender}" for fender in fenders for what in ("deflection", "reaction")]
-    names += [f"{hinge} {word} {axis}" for hinge in hinges for word in ("force", "moment") for axis in "xyz"]
+    told = told_of(links)
+    names += [name for name, _, _ in told]
     units = [
         *MOTION_UNITS * (len(words) // 6),
         "m",
@@ -329,6 +331,6 @@ def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), hinges=()):
         *["m"] * len(between),
         *["N"] * len(lines),
         *["m", "N"] * len(fenders),
-        *["N", "N", "N", "N m", "N m", "N m"] * len(hinges),
+        *(unit for _, unit, _ in told),
     ]
     return tuple(names), tuple(units)

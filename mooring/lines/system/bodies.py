@@ -55,3 +55,14 @@ def axes_in_space(headings):
     for i, heading in enumerate(headings):
         turn[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = np.kron(np.eye(2), rotation(0.0, 0.0, heading))
     return turn
+
+
+def places_along(headings):
+    """(6N, 6N) whose columns are what motions of bodies of headings (N,) rad, along their axes, do to their places
+
+    Of places x, y are along those of space; roll and pitch are already about the axes of the body.
+    """
+    turn = np.eye(6 * len(headings))
+    for i, heading in enumerate(headings):
+        turn[6 * i : 6 * i + 3, 6 * i : 6 * i + 3] = rotation(0.0, 0.0, heading)
+    return turn

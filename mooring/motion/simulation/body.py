@@ -7,7 +7,7 @@ import numpy as np
 from hakobune.bem.time_domain.fast_states import slow_memory
 from hakobune.bem.time_domain.memory import MemoryArrays
 
-from ...lines.system.bodies import axes_in_space
+from ...lines.system.bodies import axes_in_space, places_along
 from .. import slow_damping
 from ..equation import Body
 from ..given_forces import sampled
@@ -48,7 +48,7 @@ def body_of(moored, weather, settings, components, drag, munk):
         turning * of_each(reader.inertia),
         turning * of_each(moored.slow_added_mass),
         of_each(reader.stiffness),
-        of_each(in_space(moored.spring, reader.axes_at_rest[:, 5])),
+        of_each(on_places(moored.spring, reader.axes_at_rest[:, 5])),
         damping,
         quadratic,
         np.ascontiguousarray(reader.axes_at_rest[:, 5]),
@@ -65,6 +65,12 @@ def body_of(moored, weather, settings, components, drag, munk):
 def of_each(matrix):
     """(N, 6, 6) of a matrix (6N, 6N), without what is between bodies"""
     return np.array([matrix[i : i + 6, i : i + 6] for i in range(0, len(matrix), 6)])
+
+
+def on_places(spring, headings):
+    """A spring (6N, 6N) along the axes of bodies of headings (N,) rad, on their places in space"""
+    turn = places_along(headings)
+    return turn @ spring @ turn.T
 
 
 def in_space(matrix, headings):

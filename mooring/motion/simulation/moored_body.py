@@ -9,9 +9,10 @@ import numpy as np
 
 from hakobune.bem import DOFS
 from hakobune.bem.database.reader import Reader
+from hakobune.bem.hinges import driven
 from hakobune.bem.viscous import Quadratic
 
-from ...lines.system.bodies import axes_in_space
+from ...lines.system.bodies import places_along
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
@@ -20,11 +21,12 @@ from ..force_tables import TOLERANCE
 from ..line_loads import body_lines, line_loads, line_work, tables_of
 from ..links import links_of
 from ..wave_loads import WaveForces, wave_forces
-from .body import in_space, of_each
+from .body import in_space, of_each, on_places
 from .linked import check_held
 from .memory import fitted_memory
 
 FLOATS = [2, 3, 4]  # heave, roll, pitch
+LOOSE = 1e-5  # of the stiffest motion, below which a restoring holds nothing: a period 300 times as long
 CAPSIZED = 1e-6  # of the stiffest motion, below which a negative restoring is rounding
 
 
@@ -77,7 +79,8 @@ class Moored:
     def dynamic_stiffness(self):
         """(q, n, n) complex force per motion of the linear body on its lines, at the frequencies of `waves`"""
         K, omega = self.stiffness - self.reader.stiffness, self.waves.omega
-        body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping)
+        more = driven(self.reader).damping - self.reader.damping
+        body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping + more)
         return body.dynamic_stiffness(omega, *body.coefficients(omega))
 
     def __repr__(self):
@@ -128,6 +131,7 @@ def moored(
         if berth.names:
             start = at_rest(berth, _but_berth(system, tables, body, spring), start, _unit(body))
             stiffness = stiffness + berth_stiffness(berth, start)
+            findings = (*findings, *_of_loose(stiffness, body, free))
         _check_upright(stiffness, body, free)
     slow = body.held_added_mass(0.0)[0]
     rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
@@ -184,9 +188,9 @@ def _rest(system, body, spring):
 
 
 def _but_berth(system, tables, body, spring):
-    """Function of places (n,) in space: forces (n,), along the axes of the bodies, of lines, water and springs"""
+    """Function of places (n,) in space: forces (n,), along the axes of the bodies there, of lines, water and springs"""
     headings = body.axes_at_rest[:, 5]
-    count, turn = len(headings), axes_in_space(headings)
+    count, held = len(headings), on_places(spring, headings)
     lines = body_lines(system, (), tables, bodies=count)
     work = line_work(lines)
     R, out = np.zeros((count, 3, 3)), np.zeros((count, 6))
@@ -195,7 +199,7 @@ def _but_berth(system, tables, body, spring):
         poses = place.reshape(-1, 6).copy()
         poses[:, 5] += headings
         line_loads(lines, work, poses, R, out)
-        return out.ravel() - (body.stiffness + spring) @ (turn.T @ place)
+        return out.ravel() - body.stiffness @ place - places_along(poses[:, 5]).T @ (held @ place)
 
     return others
 
@@ -242,6 +246,19 @@ def _check_upright(stiffness, body, free):
                 f"{name} capsizes: its restoring in {DOFS[floats[worst]].lower()}, with springs, lines and fenders, is "
                 f"{1e-3 * values[0] * scale[worst] ** 2:.4g} {unit}, limit 0; lower center_of_gravity"
             )
+
+
+def _of_loose(stiffness, body, free):
+    """A finding where ropes and fenders leave a way that nothing holds, by a stiffness (n, n) of all at rest"""
+    scale = 1 / np.sqrt(np.diag(body.inertia)[list(free)])
+    K = (0.5 * (stiffness + stiffness.T))[np.ix_(free, free)] * np.outer(scale, scale)
+    values, ways = np.linalg.eigh(K)
+    if values[0] < LOOSE * values[-1]:
+        worst = body.words[free[int(np.argmax(np.abs(ways[:, 0])))]]
+        yield (
+            f"{worst} is held by nothing at rest: ropes and fenders leave a way free there, and the body may lie at "
+            "any of several places; a run begins next to the one given; shorten ropes, or give more of them"
+        )
 
 
 def _check_place(system, body):

@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.hinges import SHOWN
+
 from ...lines.system.findings import beyond_tables
 from .. import integrator
 from ..contacts import courses
@@ -31,7 +33,8 @@ class Realisation(NamedTuple):
     buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
     poses : (n, N, 6) m, rad, displacements in space and headings of the bodies
     hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
-    links : (n, k, 6) N, N m with which the first body of each hinge holds the second, along the axes of the first
+    links : (n, k, SHOWN) N, N m with which the first body of each hinge holds the second, along the axes of the first,
+        with its spring and damper, and its travel, m or rad
     """
 
     time: np.ndarray
@@ -95,7 +98,7 @@ def realisation_of(moored, settings, seed, begun, course):
         tension, seed, np.full(6 * len(at_rest), np.nan), int(clock.counts[integrator.STEPS]),
         dict(zip(WORKS, works.tolist(), strict=True)), findings,
         depth[:, :count], force[:, :count], force[:, count:], poses, *_of_buoy(moored.buoy, course),
-        None if course.held is None else course.held.reshape(len(samples), -1, 6),
+        None if course.held is None else course.held.reshape(len(samples), -1, SHOWN),
     )  # fmt: skip
 
 

@@ -214,7 +214,8 @@ def test_coefficients_that_contradict_each_other_are_told_and_then_refused(share
 def test_a_stored_limit_that_denies_the_band_gives_way_to_that_of_damping(monkeypatch, by_damping, taken):
     """Where the other agrees; what is stored stays, to be refused, where neither does"""
     goals = {
-        stored: SimpleNamespace(deviation=np.array([[off]])) for stored, off in ((True, 0.27), (False, by_damping))
+        stored: SimpleNamespace(deviation=np.array([[off]]), band=(0.2, 2.0))
+        for stored, off in ((True, 0.27), (False, by_damping))
     }
     module = "hakobune.bem.time_domain.memory._goal"
     monkeypatch.setattr(module, lambda body, band, motions, stored=True: goals[stored])
@@ -223,3 +224,19 @@ def test_a_stored_limit_that_denies_the_band_gives_way_to_that_of_damping(monkey
         warnings.simplefilter("always")
         assert _by_causality(body, goals[True], ()) is goals[not taken]
     assert len(said) == taken and (not taken or "0.27 of the largest, allowed: 0.1" in str(said[0].message))
+
+
+def test_a_band_whose_limit_and_upper_end_are_off_is_taken_as_far_as_it_agrees(monkeypatch):
+    """WAMIT's set of RM3: A(∞) denies every part of the band, and its upper half the lower"""
+
+    def goal(body, band, motions, stored=True):
+        off = 0.34 if stored else 0.5 * (band[1] - 1.0)
+        return SimpleNamespace(deviation=np.array([[off]]), band=band)
+
+    monkeypatch.setattr("hakobune.bem.time_domain.memory._goal", goal)
+    body = SimpleNamespace(between=SimpleNamespace(span=(0.2, 2.0), ringing=()))
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        found = _by_causality(body, goal(body, (0.2, 2.0), ()), ())
+    assert found.band == pytest.approx((0.2, 1.1)) and found.deviation == pytest.approx(0.05)
+    assert "above 1.1 rad/s" in str(said[0].message) and "0.34 of the largest" in str(said[1].message)

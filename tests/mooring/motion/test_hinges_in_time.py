@@ -7,7 +7,7 @@ import pytest
 from made_up_body import INERTIA, OMEGA, STIFFNESS
 from two_bodies import coupled_bodies, two_bodies
 
-from hakobune.bem.hinges import Link, damping_of
+from hakobune.bem.hinges import Link
 from hakobune.bem.time_domain.memory import MemoryArrays, no_memory
 from hakobune.mooring.motion.links import links_of, rows_at
 from hakobune.mooring.motion.simulation import moored, simulate
@@ -21,7 +21,8 @@ SPRING, DRAG = np.diag([3e6, 2e6, 0, 0, 0, 3e9]), 0.05 * INERTIA
 STILL = {"memory": "constant", "slow_drift": "none", "tolerance": 1e-5}
 AT = (4.0, -30.0, 2.0)  # of the ship: (4, 0, 2) in the scene
 JOINT = Link("joint", ("ship", "barge"), AT, (1.0, 0.0, 0.0))
-SLIDE = Link("slide", ("ship", "barge"), AT, (0.3, 0.1, 1.0), "slider", 5e6)
+SLIDE = Link("slide", ("ship", "barge"), AT, (0.3, 0.1, 1.0), "slider", 6e6, 2e6)
+PIN = Link("pin", ("space", "barge"), (20.0, -25.0, 1.0), kind="ball")
 POST = Link("post", ("pier", "barge"), (20.0, -25.0, 1.0), (0.0, 0.0, 1.0))
 I, J = 16, 3  # of frequency and heading
 
@@ -37,8 +38,7 @@ def held(coupled):
 
     def made(*links, spring=0.0, memory=None):
         spring, linked = twice(SPRING) + spring, body.linked(links)
-        memory, damping = memory or no_memory(body), twice(DRAG) + damping_of(linked)
-        return moored(linked, memory=memory, spring=spring, damping=damping, waves=waves)
+        return moored(linked, memory=memory or no_memory(body), spring=spring, damping=twice(DRAG), waves=waves)
 
     return made
 
@@ -59,11 +59,11 @@ def remembering(body):
     return replace(no_memory(body), arrays=arrays)
 
 
-@pytest.mark.parametrize("link", [JOINT, SLIDE])
+@pytest.mark.parametrize("link", [JOINT, SLIDE, PIN])
 def test_regular_waves_move_linked_bodies_as_in_the_frequency_domain(held, link, coupled):
     """Amplitudes, phases and what the link holds; after the ramp, by least squares over four periods
 
-    A slider with its damper, and the memory of the water with it.
+    A slider with its spring and damper, and the memory of the water with it; a ball from space.
     """
     w, a, memory = OMEGA[I], 1e-3, remembering(coupled[0]) if link is SLIDE else None
     T = 2 * np.pi / w
@@ -75,23 +75,53 @@ def test_regular_waves_move_linked_bodies_as_in_the_frequency_domain(held, link,
         D = -(w**2) * (twice(INERTIA) + memory.added_mass_infinity) + twice(STIFFNESS + SPRING)
         D = D - 1j * w * (twice(DRAG) + memory.transform(w)[0])
         row = np.array(link.axis) @ slides() / np.linalg.norm(link.axis)
-        D = D - 1j * w * link.damping * np.outer(row, row)
+        D = D + (link.stiffness - 1j * w * link.damping) * np.outer(row, row)
     F = bodies.reader.between.quantities["excitation_force"][I, J]
     G = rows_at(links_of(bodies.reader), bodies.reader.axes_at_rest * [0, 0, 0, 0, 0, 1])[0]
-    exact = np.linalg.solve(np.block([[D, -G.T], [G, np.zeros((5, 5))]]), np.concatenate([F, np.zeros(5)]))
+    exact = np.linalg.solve(np.block([[D, -G.T], [G, np.zeros((len(G),) * 2)]]), np.concatenate([F, np.zeros(len(G))]))
     mu = exact[12:]  # along and about the axes of the first, as of a slider those that it holds
     exact = np.concatenate([exact[:12], mu[: len(link.along)] @ link.along])
+    if memory:
+        exact = np.append(exact, row @ exact[:12])
+        exact[12:15] += (1j * w * link.damping - link.stiffness) * exact[15] * np.array(link.axis) / np.sqrt(1.1)
     late = run.time >= 40 * T
     t = run.time[late] + 20 * T
     turn = np.stack([np.cos(w * t), np.sin(w * t), np.ones_like(t)], axis=1)
-    series = np.column_stack([run.motion, run.links[:, 0, :3]])[late]
+    series = np.column_stack([run.motion, run.links[:, 0, :3], run.links[:, 0, 6]])[late]
     found = np.linalg.lstsq(turn, series / a, rcond=None)[0]
-    off = np.abs(found[0] + 1j * found[1] - exact[:15])
-    assert off[:12].max() < 5e-5 * np.abs(exact[:12]).max() and off[12:].max() < 5e-5 * np.abs(exact[12:15]).max()
-    if link is JOINT:
+    off = np.abs((found[0] + 1j * found[1])[: len(exact)] - exact)
+    assert off[:12].max() < 5e-5 * np.abs(exact[:12]).max() and off[12:15].max() < 5e-5 * np.abs(exact[12:15]).max()
+    if link is PIN:
+        assert not run.links[:, 0, 3:].any()
+    elif link is JOINT:
         assert np.abs(run.links[:, 0, 3]).max() < 1e-9 * np.abs(run.links[:, 0, 4]).max()  # none about its axis
     else:
-        assert np.abs(run.links[:, 0, :3] @ link.axis).max() < 1e-9 * np.abs(run.links[:, 0, :3]).max()
+        assert off[15] < 5e-5 * abs(exact[15])
+
+
+@pytest.mark.parametrize("kind", ["slider", "hinge"])
+def test_a_spring_moves_two_bodies_as_far_as_by_hand(held, kind):
+    """k (s − rest) between two equal bodies 12 m and 60 m apart, of C and K22 each, at a point between and 1 m above
+
+    Slider along z: heave −z and z, roll φ, pitch θ of both: Cz = F, 2C₄₄φ = 60F, 2C₅₅θ = −12F, s = 2z + 60φ − 12θ.
+    Hinge about x: roll −φ and φ, sway −φ and φ 1 m: (C₄₄ + K₂₂)φ = M, s = 2φ.
+    """
+    C33, C44, C55, K22 = STIFFNESS[2, 2], STIFFNESS[3, 3], STIFFNESS[4, 4], SPRING[1, 1]
+    k, rest = (3e6, 0.01) if kind == "slider" else (2e9, 1e-3)
+    gives = 2 / C33 + 1800 / C44 + 72 / C55 if kind == "slider" else 2 / (C44 + K22)
+    pull = k * rest / (1 + k * gives)
+    bodies = held(JOINT._replace(kind=kind, axis=(0.0, 0.0, 1.0) if kind == "slider" else (1.0, 0.0, 0.0),
+                                 stiffness=k, rest=rest))  # fmt: skip
+    if kind == "slider":
+        wanted = {2: -pull / C33, 8: pull / C33, 3: 30 * pull / C44, 9: -30 * pull / C44}  # the barge heads astern
+    else:
+        wanted = {3: -pull / (C44 + K22), 9: -pull / (C44 + K22)}
+    assert [bodies.start[i] for i in wanted] == pytest.approx(list(wanted.values()), rel=1e-4)
+    run = simulate(bodies, Weather(), Settings(10.0, 0.0, 1.0, **STILL | {"constant_period": 9.0}))
+    assert np.abs(run.motion - run.motion[0]).max() < 1e-8
+    told = run.links[-1, 0]
+    assert told[2 if kind == "slider" else 3] == pytest.approx(pull, rel=1e-4)
+    assert told[6] == pytest.approx(pull * gives, rel=1e-4)
 
 
 def test_a_hinge_is_where_springs_grow_stiff_to_first_order(held):

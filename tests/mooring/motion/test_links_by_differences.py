@@ -22,7 +22,8 @@ def a_link(second):
         points[0, 1] = (10.3, 0.4, -0.8)
     held = np.array([[[1.0, 0.1, 0.0], [0.0, 0.2, 1.0], [0.0, 0.0, 0.0]]])
     along, first, turns = np.eye(3)[None], np.array([0, 5]), np.array([3])
-    return links.Links(ends, points, BACK[None], along, held, first, turns, PLACE, rotation(0.0, 0.0, 0.4)[None])
+    none = np.zeros((1, 3)), np.zeros((1, 3)), np.zeros(1, np.int64)
+    return links.Links(ends, points, BACK[None], along, held, first, turns, PLACE, rotation(0.0, 0.0, 0.4)[None], *none)
 
 
 def moved(poses, speed, t):

@@ -12,15 +12,17 @@ from hakobune.bem.time_domain.memory import no_memory
 from hakobune.mooring.lines.catalogue import line_type
 from hakobune.mooring.lines.dynamics.simulation import FairleadMotion
 from hakobune.mooring.lines.dynamics.simulation import simulate as drive
+from hakobune.mooring.lines.ropes import RopePart, rope
 from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
 from hakobune.mooring.lines.system.moored_body import Leg, moored_bodies
 from hakobune.mooring.lines.system.parts import UniformLine
+from hakobune.mooring.motion.contacts import berth_of
 from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
 from hakobune.mooring.motion.moving_lines.prepare import dynamic_line
 from hakobune.mooring.motion.simulation import SimulationError, moored, simulate
 from hakobune.mooring.motion.wave_loads import no_wave_forces
 from hakobune.mooring.motion.weather import Settings, Weather
-from hakobune.mooring.studies.conditions import Waves
+from hakobune.mooring.studies.conditions import Afloat, ExposedBox, Waves
 
 AROUND = np.arange(24) * (np.pi / 12)
 SPRING = np.diag([3e6, 2e6, 0, 0, 0, 3e9])
@@ -65,6 +67,28 @@ def test_regular_waves_move_both_as_in_the_frequency_domain(pair):
     assert np.abs(found[0] + 1j * found[1] - exact).max() < 1e-4 * np.abs(exact).max()
     scale = np.repeat(np.abs(exact).reshape(-1, 3).max(axis=1), 3)  # translations, rotations of each
     assert np.all(np.abs(found[0] + 1j * found[1] - exact) < 3e-4 * scale)
+
+
+def test_a_body_that_heads_the_other_way_rests_as_one_that_does_not():
+    """On a spring that couples sway and roll, pulled down and aside by a rope at its side: along its own axes alike"""
+    body, K = two_bodies(AROUND), SPRING.copy()
+    K[1, 3] = K[3, 1] = 4e6
+    main = RopePart(1.2e6, 0.1)
+    moving = [one for one in BODIES if not one.fixed]
+    bollard, lead = np.array([[30.0, 60.0, -4.0], [28.0, 15.0, 3.0]])  # from the rotation centre
+    ropes = [
+        rope(one.name, one.in_scene(one.own_center + bollard), one.in_scene(one.own_center + lead), main, 8e5)
+        for one in moving
+    ]
+    box = ExposedBox(100.0, 30.0, 8.0, 5.0)
+    hulls = [Afloat(one.name, box, one.own_center, np.array(one.place), one.heading, 1025.0) for one in moving]
+    berth = berth_of((), ropes, None, hulls, [(0, -1), (1, -1)])
+    held = moored(body, memory=no_memory(body), spring=np.kron(np.eye(2), K), berth=berth)
+    ship, barge = np.split(held.start, 2)
+    assert abs(ship[3]) > 3e-4 and barge == pytest.approx(ship * [-1, -1, 1, 1, 1, 1], rel=1e-6, abs=1e-9)
+    assert held.stiffness[6:, 6:] == pytest.approx(held.stiffness[:6, :6], rel=1e-6, abs=1e-6 * np.abs(K).max())
+    run = simulate(held, Weather(), Settings(20.0, 0.0, 1.0, **STILL | {"constant_period": 9.0}))
+    assert run.motion[-1] == pytest.approx(run.motion[0], abs=1e-6)
 
 
 def test_bodies_that_do_not_see_each_other_are_each_as_alone():

@@ -50,6 +50,19 @@ def imported(place, *more):
     return main([*words, "--output", str(place.with_suffix(".h5"))])
 
 
+def test_each_body_of_a_set_is_held_to_its_laws(place, capsys):
+    weight = "--bodies", "a,b", "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0"
+    assert imported(place, *weight) == 0
+    assert "b: not held against our own solution, other bodies are beside it" in capsys.readouterr().err.replace(
+        "\n", " "
+    )
+    one_way = " 5.0 7 11 1.5 0.0\n 5.0 11 7 -1.5 0.0\n"
+    place.write_text(place.read_text() + one_way)
+    assert imported(place, *weight, "--fresh") == 1
+    said = " ".join(capsys.readouterr().err.split())
+    assert "FAILS: b: reciprocity: A_15 and A_51" in said and "FAILS: a:" not in said
+
+
 def test_bodies_of_a_set_move_together(place):
     assert imported(place, "--bodies", "a,b", "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0") == 0
     db = open_database(place.with_suffix(".h5"))
@@ -59,6 +72,10 @@ def test_bodies_of_a_set_move_together(place):
     assert db["radiation_damping"][0, 8, 2] == pytest.approx(20 * w)
     assert db["excitation_force"][0, 0] == pytest.approx(1e4 * np.arange(1.0, 13))
     assert db["mass"][:] == pytest.approx([32e3, 72e3])
+    apart = "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0", "--uncoupled", "--fresh"
+    assert imported(place, "--bodies", "a,b", *apart) == 0
+    alone = open_database(place.with_suffix(".h5"))["added_mass"][0]
+    assert alone[2, [2, 8]] == pytest.approx([2000.0, 0.0]) and alone[8, [2, 8]] == pytest.approx([0.0, 2000.0])
     assert np.diag(db["inertia_matrix"])[[3, 9]] == pytest.approx([32e3 * (1 + 1), 72e3 * (4 + 4)])  # about XBODY
     assert db["hydrostatic_stiffness"][2, 2] == pytest.approx(1e4 * 16)
     assert db["hydrostatic_stiffness"][8, 8] == pytest.approx(1e4 * 24) and not db["hydrostatic_stiffness"][2, 8]
@@ -70,11 +87,8 @@ def test_bodies_of_a_set_move_together(place):
         (("--bodies", "a"), "has 2 bodies, and --bodies names 1; name all of them"),
         (("--bodies", "a,a"), "give each body a different name"),
         (("--bodies", "a,b", "--gyration", "1,1,1"), "three numbers for each of a, b, ; between"),
-        (
-            ("--bodies", "a,b", "--body", "1"),
-            "--bodies is given with --mesh, --about, --body, --mass or "
-            "--correct; several bodies are read as the files describe them",
-        ),
+        (("--uncoupled",), "--uncoupled is given without --bodies"),
+        (("--bodies", "a,b", "--body", "1"), "several bodies are read as the files describe them"),
     ],
 )
 def test_faults_are_one_line(place, more, line, capsys):

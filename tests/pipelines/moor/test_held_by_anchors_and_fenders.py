@@ -34,7 +34,7 @@ def test_each_line_tells_what_its_anchor_holds_uses_and_needs():
 def test_fenders_and_hinges_are_told_at_rest_and_under_the_steady_forces():
     """A fender that is not met has no deflection below nothing"""
     contact = [np.array([[-0.2, 0.1], [0.0, 5.0]]), np.array([[0.3, 0.2], [7.0, 9.0]])]
-    held = [np.arange(6.0)[None], 10 + np.arange(6.0)[None]]
+    held = [first + np.arange(6.0)[None] for first in (0.0, 10.0, 20.0)]
     made = SimpleNamespace(berth=SimpleNamespace(names=("a", "b")), contact=contact, held=held)
     found = {name: (q.values.tolist(), q.unit) for name, q in _held(made).items()}
     units = ("N", "N", "N", "N m", "N m", "N m")
@@ -43,6 +43,7 @@ def test_fenders_and_hinges_are_told_at_rest_and_under_the_steady_forces():
         "contact.steady": ([0.3, 0.2], "m"), "contact.force_steady": ([7.0, 9.0], "N"),
         "hinge.at_rest": ([0.0, 1.0, 2.0, 3.0, 4.0, 5.0], units),
         "hinge.steady": ([10.0, 11.0, 12.0, 13.0, 14.0, 15.0], units),
+        "hinge.largest": ([20.0, 21.0, 22.0, 23.0, 24.0, 25.0], units),
     }  # fmt: skip
-    none = SimpleNamespace(berth=SimpleNamespace(names=()), contact=contact, held=[held[0][:0]] * 2)
+    none = SimpleNamespace(berth=SimpleNamespace(names=()), contact=contact, held=[held[0][:0]] * 3)
     assert _held(none) == {}

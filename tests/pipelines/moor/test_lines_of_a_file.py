@@ -46,6 +46,15 @@ def read(folder, text=HEAD, file=FILE):
     return read_study(folder / "s.toml")
 
 
+def test_a_buoy_has_the_buoyancy_of_the_water_of_its_file(tmp_path):
+    """Whatever the water of the database that the study stands in: (m − 1025 V) g"""
+    buoy = FILE.replace("3 Free 0.0 100.0 -40.0 0 0 0 0", "3 Free 0.0 100.0 -20.0 16000 20 0 0")
+    study, _ = read(tmp_path, file=buoy)
+    for density in (1000.0, 1025.0):
+        (load,) = study.system(study.hull_of({}), (0, 0, 0), density, 9.81).lines[0].loads
+        assert load.weight == pytest.approx((16000 - 1025 * 20) * 9.80665)
+
+
 def test_lines_have_the_numbers_of_the_file(tmp_path):
     """Submerged weight (m − ρ π d²/4) g; a body headed 90° has what lies ahead at +y"""
     study, text = read(tmp_path)

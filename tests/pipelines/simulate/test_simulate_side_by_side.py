@@ -8,10 +8,13 @@ import pytest
 import hakobune
 from hakobune.bem.modes import Body
 from hakobune.mooring.fenders.gaps import Side, gaps
+from hakobune.mooring.motion.simulation import moored
 from hakobune.mooring.studies.conditions import Afloat, ExposedBox
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.quay_tables import QuayFenderTable, berth_between
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.simulate.work import Task, prepared
 
 SHIP = {"name": "ship", "shape": "box", "length": 14.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 3.5, 0.0],
         "gyration": [1.6, 4.0, 4.0]}  # fmt: skip
@@ -25,6 +28,7 @@ FENDER = {"name": "F", "body": "barge", "to": "ship", "position": [1.0, -4.5, 0.
           "friction": 0.2, "shear": 300.0}  # fmt: skip
 ROPE = {"name": "R", "body": "barge", "fairlead": [4.0, -2.5, 1.0], "to": "ship", "bollard": [-5.0, -2.5, 1.0],
         "breaking_load_kN": 100.0, "break_strain": 0.3, "pretension_kN": 3.0}  # fmt: skip
+ACROSS = {**ROPE, "bollard": [-1.0, -2.5, 1.0]}
 HINGE = {"name": "H", "bodies": ["ship", "barge"], "position": [0.0, -3.5, 1.0], "axis": [1.0, 0.0, 0.0]}
 STUDY = {
     "water": {"depth": 12.0}, "hulls": {"ship": {"freeboard": 1.5}, "barge": {"freeboard": 1.5}},
@@ -34,6 +38,9 @@ STUDY = {
     "simulation": {"duration": 30.0, "ramp": 20.0, "memory": "constant", "dynamic_lines": "none",
                    "linear_damping": {"barge sway": 2.0}},
 }  # fmt: skip
+SHORT = STUDY["simulation"] | {"duration": 10.0, "ramp": 1.0}
+TIGHT = {"rope": [ACROSS], "fender": [
+    {**FENDER, "position": [3.0, -4.5, 0.5]}, {**FENDER, "name": "G", "position": [-1.0, -4.5, 0.5]}]}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -46,8 +53,7 @@ def database(tmp_path_factory):
 
 def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
     run = tmp_path / "run.h5"
-    # 0.2 m nearer than where it would just touch: pressed at rest, wherever the last digit sends the hulls after it
-    made = hakobune.simulate(STUDY | {"fender": [{**FENDER, "position": [1.0, -4.7, 0.5]}]}, database, run)
+    made = hakobune.simulate({**STUDY, **TIGHT}, database, run)
     assert made.labels["record"].values[[0, 6]].tolist() == ["ship surge", "barge surge"]
     assert made.labels["gap"].values.tolist() == ["ship barge"] and made["gap.smallest"][0] < made["gap.mean"][0] < 2.4
     assert made.labels["line"].values.tolist()[-2:] == ["tie", "R"] and made["deflection.largest"][0] > 0.005
@@ -63,11 +69,30 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
     assert main(film) == 2 and "is of ship, barge; allowed: a run of one body" in capsys.readouterr().err
 
 
+def test_a_barge_that_ropes_leave_slack_is_told_of(database, tmp_path):
+    """Pushed off by 0.2 m of fender, away from where hawser and rope are straight"""
+    study = {**STUDY, "fender": [{**FENDER, "position": [1.0, -4.7, 0.5]}], "simulation": SHORT}
+    words = "barge surge is held by nothing at rest"
+    assert words in "".join(hakobune.simulate(study, database, tmp_path / "run.h5").findings)
+    assert words not in "".join(hakobune.simulate({**study, **TIGHT}, database, tmp_path / "tight.h5").findings)
+
+
+def test_a_loose_barge_rests_at_one_place_to_the_last_digit(database):
+    """Whatever lies in memory: by MINPACK of scipy 1.17 half of such tries differ"""
+    body, _, _ = prepared(Task(make_study(STUDY), str(database), None, None))
+    reader, waste = body.reader, []
+    places = []
+    for length in range(10):
+        waste.append([bytes(137 * length + 1) for _ in range(20)])
+        again = moored(reader, body.system, berth=body.berth, memory=body.memory, waves=body.waves)
+        places.append(again.start.tobytes())
+    assert len(set(places)) == 1
+
+
 def test_moor_finds_the_rest_between_fenders_ropes_and_hinges(database):
     """The barge hangs on the ship alone: hawser and rope, 45° off its side, press it on the fender; a hinge holds what
     waves push it with"""
-    rope = {**ROPE, "bollard": [-1.0, -2.5, 1.0]}
-    made = hakobune.moor({**STUDY, "rope": [rope]}, database)
+    made = hakobune.moor({**STUDY, "rope": [ACROSS]}, database)
     fender, rope = made["contact.force_at_rest"]
     assert fender == pytest.approx(np.sqrt(0.5) * (rope + made["tension.at_rest"][-1]), rel=0.03)
     assert rope == pytest.approx(made["tension.at_rest"][-1], rel=0.05) and rope > 1e3
@@ -88,8 +113,11 @@ def test_a_hinge_whose_damper_gives_no_way_moves_in_moor_as_a_rigid_link(databas
 
 
 def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
-    run = tmp_path / "run.h5"
-    made = hakobune.simulate({**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}, database, run)
+    """By moor too: the largest is the steady force and the amplitude in the regular wave, which chains hardly change"""
+    run, study = tmp_path / "run.h5", {**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}
+    made, held = hakobune.simulate(study, database, run), hakobune.moor(study, database)
+    waves = np.abs(held["hinge.largest"]) - np.abs(held["hinge.steady"])
+    assert waves[[0, 2, 4, 5]] == pytest.approx(np.sqrt(2) * made["hinge.sigma"][[0, 2, 4, 5]], rel=0.06)
     assert made.labels["hinge"].values.tolist()[:4] == ["H force x", "H force y", "H force z", "H moment x"]
     assert made["hinge.largest"][2] > 100 and abs(made["hinge.largest"][3]) < 1e-6 * made["hinge.largest"][4]
     with h5py.File(run) as file:
@@ -98,7 +126,8 @@ def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
         # z of the hinge, of both, 1 m ahead of the middle of the barge
         at = motion[:, [2, 8]] - [0, 1] * np.sin(pitch) + (np.cos(roll) - 3.5 * np.sin(roll)) * np.cos(pitch)
         assert np.abs(np.diff(at, axis=1)).max() < 1e-4 and np.abs(roll.sum(axis=1)).max() > 1e-4
-        assert held.shape == (len(motion), 6) and held[:, 2].max() == pytest.approx(made["hinge.largest"][2], rel=1e-6)
+        assert held[:, 6] == pytest.approx(-roll.sum(axis=1), abs=2e-6)  # its travel, of a barge that heads astern
+        assert held.shape == (len(motion), 7) and held[:, 2].max() == pytest.approx(made["hinge.largest"][2], rel=1e-6)
 
 
 def test_the_gap_is_that_of_rectangles():
@@ -135,7 +164,7 @@ FAULTS = {
     "torn": (
         {"hinges": [HINGE], "types": STUDY["types"] | {"chain": {**CHAIN, "weight_kg_per_m": 700.0}},
          "hulls": {"ship": {"freeboard": 0.1}, "barge": {"freeboard": 1.5}}},
-        "hinges tear ship down by 0.562 m at rest, limit 0.1 m",
+        "hinges tear ship down by 0.474 m at rest, limit 0.1 m",
     ),
     "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database contains several bodies"),
 }  # fmt: skip
@@ -161,8 +190,6 @@ def test_what_cannot_be_is_refused_in_a_line(database, tmp_path, name):
 
 
 def test_a_berth_of_one_body_takes_no_names(tmp_path):
-    from hakobune.pipelines.moor.study import make_study
-
     study = make_study({"water": {"depth": 12.0}, "fender": [FENDER]})
     with pytest.raises(StudyError, match="fender F: body 'barge' is given, and the database is of one"):
         study.berth(None, np.zeros(3))
