@@ -142,7 +142,7 @@ def _largest(*values):
 
 def _small(run):
     """Of `_parts`, what is `SMALL` of the tolerance"""
-    share, A, F = SMALL * run.problem.tolerance, np.zeros((6, 6)), np.zeros(6)
+    share, A, F = SMALL * run.problem.tolerance, np.zeros((run.count,) * 2), np.zeros(run.count)
     B = A.copy()
     if run.radiates:
         block = np.ix_(run.dofs, run.dofs)

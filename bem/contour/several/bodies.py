@@ -14,13 +14,13 @@ from itertools import product
 import numpy as np
 
 from ...kernels.threads import blas_threads
-from ...modes import reference_change, turned
+from ...modes import reference_change, turned, with_net_flux
 from ...waves import wavenumber
 from ..modal_sums import ChebyshevNodes, contracted
 from ..one_frequency import degrees
 from ..plan.circle import Circle
-from ..plan.maps import CLASSES
-from ..solver import ALONG, SMALL, memoised, prepare_box, prepare_cylinder
+from ..plan.maps import CLASSES, area_moment
+from ..solver import SMALL, memoised, prepare_box, prepare_cylinder
 from .exterior import REACH, Exterior
 from .fixed import Fixed
 from .one_frequency import SeveralFrequency
@@ -32,10 +32,11 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
 
     shapes : [("box", (length, beam, draft)) or ("buoy", (radius, draft))], m
     places : [`exterior.Place`] of the middle of each; depth : m, finite
-    Raises ValueError as `solver.prepare_box`.
+    Raises ValueError as `solver.prepare_box`, and for bodies that touch.
     """
     makers = {"box": prepare_box, "buoy": prepare_cylinder}
     bodies = [makers[shape](*sizes, depth, tolerance) for shape, sizes in shapes]
+    _check_apart([body.plan for body in bodies], places)
     gaps = nearest([body.plan for body in bodies], places)
     bodies = [replace(body, plan=near(body, gap)) for body, gap in zip(bodies, gaps, strict=True)]
     return SeveralBodies(tuple(bodies), tuple(places), tuple(gaps))
@@ -64,12 +65,29 @@ def nearest(plans, places):
     return out
 
 
-def _outline(plan):
-    """(p,) complex m, points of a circle or the corners of a rectangle"""
+def _check_apart(plans, places):
+    """Raise ValueError for two plans that meet"""
+    outlines = [place.in_scene(_outline(plan, 50)) for plan, place in zip(plans, places, strict=True)]
+    for (a, plan), (b, outline) in product(enumerate(plans), enumerate(outlines)):
+        if a == b:
+            continue
+        seen = places[a].own(outline)
+        if isinstance(plan, Circle):
+            inside = np.abs(seen) <= plan.radius
+        else:
+            inside = (np.abs(seen.real) <= plan.length / 2) & (np.abs(seen.imag) <= plan.beam / 2)
+        if np.any(inside):
+            raise ValueError(f"bodies {a + 1} and {b + 1} lie in each other or touch; allowed: water between them")
+
+
+def _outline(plan, pieces=1):
+    """(p,) complex m, points of a circle or the corners of a rectangle, with its sides in so many pieces"""
     if isinstance(plan, Circle):
         return plan.radius * np.exp(2j * np.pi * np.arange(180) / 180)
     corner = (plan.length + 1j * plan.beam) / 2
-    return np.array([corner, -corner.conjugate(), -corner, corner.conjugate()])
+    corners = np.array([corner, -corner.conjugate(), -corner, corner.conjugate()])
+    along = np.roll(corners, -1) - corners
+    return (corners[:, None] + along[:, None] * np.arange(pieces) / pieces).ravel()
 
 
 def _distance(one, other):
@@ -119,8 +137,8 @@ class SeveralBodies:
         with blas_threads(SMALL):
             return SeveralFrequency(self, omega, headings, theta, density, gravity).result(list(needed))
 
-    def froude_krylov(self, omega, headings, density=1025.0, gravity=9.80665):
-        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin"""
+    def froude_krylov(self, omega, headings, dofs=None, density=1025.0, gravity=9.80665):
+        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : all are found"""
         k, beta = float(wavenumber(omega, self.depth, gravity)), np.atleast_1d(np.asarray(headings, float))
         each = []
         for body, place in zip(self.bodies, self.places, strict=True):
@@ -130,14 +148,27 @@ class SeveralBodies:
         return np.hstack(each) @ self.to_scene.T
 
     def added_mass_limit(self, which, density=1025.0):
-        """(6N, 6N) added mass for `which` "zero" or "infinity" of the frequency, about the origin"""
+        """(6N, 6N) added mass for `which` "zero" or "infinity" of the frequency, about the origin
+
+        At zero infinite between motions with a net flux, as `frequency_limits`.
+        """
+        finite, flux = self.limit(which)
+        return with_net_flux(density * finite, flux, np.abs(flux).max() or 1.0)
+
+    def limit(self, which):
+        """(6N, 6N) of unit density, and (6N,) m² the flux of each motion, a source in plan; both about the origin
+
+        What is infinite between two of these is left out.
+        """
         if which not in ("zero", "infinity"):
             raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
+        area = [area_moment(body.plan.polynomial_contour(body.plan.degree(0.0, 1.0)), 0, 0) for body in self.bodies]
+        flux = np.kron(area, [0, 0, which == "zero", 0, 0, 0]).astype(float)
         with blas_threads(SMALL):
-            return density * self._limit(which == "zero")
+            return self._limit(which == "zero"), self.to_scene @ flux
 
     def _limit(self, zero):
-        """Modes as of `frequency_limits`, per unit density; between heaves, whose net flux is a source in plan, infinite"""
+        """Modes as of `frequency_limits`"""
         degrees_, tops = self.degrees(0.0)
         shift = 0.0 if zero else -0.5
         k = (np.arange(1, self.mode_count(0.0) + 1) + shift) * np.pi / self.depth
@@ -152,11 +183,7 @@ class SeveralBodies:
             one.append(body.profiles.combinations @ (whole if zero else 0 * whole))
         outside, none = fixed.outside(weights, self.outer_maps(degrees_, tops), one, single), np.zeros((fixed.size, 0))
         found = -fixed.loads(outside, *fixed.solved(outside, none)[:2], none)
-        heave = np.arange(len(found)) % 6 == 2
-        found = self.to_scene @ found @ self.to_scene.T
-        if zero:
-            found[np.ix_(heave, heave)] = np.inf
-        return found
+        return self.to_scene @ found @ self.to_scene.T
 
     @cached_property
     def finer(self):

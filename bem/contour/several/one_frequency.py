@@ -92,7 +92,7 @@ class SeveralFrequency:
         excitation = -1j * self.density * self.omega * (T @ loads[:, d:]).T
         wall = self.amplitude * self.exterior.weak @ self.plane[1]
         haskind = -1j * self.density * self.omega * (T @ (self.on_contours[:, :d].T @ wall)).T
-        known = self.bodies.froude_krylov(self.omega, self.headings, self.density, self.gravity)
+        known = self.bodies.froude_krylov(self.omega, self.headings, None, self.density, self.gravity)
         far = self.far_field()
         kochin = -1j * self.omega * np.einsum("ij,pjt->pit", T, far[:, :d])
         return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
