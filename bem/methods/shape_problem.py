@@ -104,7 +104,7 @@ class PreparedShapeProblem:
         return FewEstimates(self, self.problem.omegas) if many else None
 
     def added_mass_limit(self, which):
-        """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency; of several (6N, moving)"""
+        """A (6, 6), of several (6N, moving), about the rotation centre for the frequency `which`, zero or infinity"""
         if self.problem.shapes:
             return self._limit_of_several(which)
         T, about_origin = self.problem.transform, self.solver.added_mass_limit(which, self.problem.density)

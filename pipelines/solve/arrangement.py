@@ -57,9 +57,10 @@ def in_scene(body, point):
     return turn @ np.asarray(point, float) + (x, y, 0.0)
 
 
-def check_apart(scene, mesh):
+def check_apart(scene, mesh, panels_matter=True):
     """Raise SceneError for two bodies that lie in each other or touch.
 
+    panels_matter : whether the bodies are solved on these panels
     returns : lines on those closer than their panels allow, and on the water between those that are close
     """
     said, gaps = [], []
@@ -75,7 +76,7 @@ def check_apart(scene, mesh):
                 raise SceneError(f"{names} touch; allowed: water between them, or one mesh of both (place)")
             widths = [min(np.ptp(hull.points[:, :2], axis=0)) for hull in (one, hulls[j])]
             gaps.append((names, gap, min(one.draft, hulls[j].draft), sum(widths) + gap))
-            if gap < size / 2:
+            if gap < size / 2 and panels_matter:
                 said.append(
                     f"{names} are {gap:.3g} m apart, their panels there up to {size:.3g} m long; good: at most twice "
                     "the gap; ask for more panels"

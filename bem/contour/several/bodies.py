@@ -130,12 +130,14 @@ class SeveralBodies:
         return max(body.accuracy.digits for body in self.bodies)
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
-        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; as `ContourBody.first_order`"""
+        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; as `ContourBody.first_order`
+
+        dofs : all are found
+        """
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
-        needed = range(6 * len(self.bodies)) if dofs is None else dofs
         with blas_threads(SMALL):
-            return SeveralFrequency(self, omega, headings, theta, density, gravity).result(list(needed))
+            return SeveralFrequency(self, omega, headings, theta, density, gravity).result()
 
     def froude_krylov(self, omega, headings, dofs=None, density=1025.0, gravity=9.80665):
         """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : all are found"""
@@ -221,7 +223,8 @@ class SeveralBodies:
 
     @cached_property
     def _first_of_kinds(self):
-        return [next(body for body, kind in self.of_kinds if kind == one) for one in range(max(k for _, k in self.of_kinds) + 1)]
+        kinds = [kind for _, kind in self.of_kinds]
+        return [self.bodies[kinds.index(one)] for one in range(max(kinds) + 1)]
 
     def mode_count(self, k):
         """Evanescent modes outside, k = ω²/g"""
@@ -248,7 +251,7 @@ class SeveralBodies:
         """`Exterior` that resolves waves of k rad/m; the same for all k between two powers of 1.2"""
         longest = max(body.plan.reach for body in self.bodies)
         step = 1.2 ** np.ceil(np.log(max(k * longest, 1.0)) / np.log(1.2))
-        return self._exterior(float(step / longest), degrees_)
+        return self._exterior(float(step / longest) if k else 0.0, degrees_)
 
     @memoised
     def _exterior(self, k, degrees_):
@@ -265,6 +268,10 @@ class SeveralBodies:
         first, last = min(one.first for one in each), max(one.last for one in each)
         dense = max((one.count - 2) / np.log(one.last / one.first) for one in each)
         return ChebyshevNodes(first, last, int(np.ceil(dense * np.log(last / first))) + 2)
+
+    def coupled(self, tops):
+        """At how many κ of the table the plans see each other"""
+        return int(np.sum(self.nodes(tops).kappa * min(self.gaps) <= REACH))
 
     @memoised
     def maps(self, tops):
@@ -300,7 +307,7 @@ class SeveralBodies:
         return np.concatenate(chosen)
 
     def weights(self, kinds, tops):
-        """{(a, b): (r_a, r_b, c + 1)} weight of each node of the table in the sums over the `OuterModes` of all kinds"""
+        """{(a, b): (r_a, r_b, c + 1)} weight of each node of the table in sums over the `OuterModes` of all kinds"""
         return self._weights([one.rows for one in kinds], kinds[0].wavenumbers, kinds[0].norms, tops)
 
     def _weights(self, rows, k, norms, tops):

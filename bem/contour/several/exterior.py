@@ -10,6 +10,7 @@ of all plans are coupled.  Waves that decay over the depth hardly reach the next
 from __future__ import annotations
 
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -44,7 +45,7 @@ class Exterior:
     def __init__(self, senders, places):
         self.senders, self.places = senders, places
         ends = np.cumsum([0] + [4 * len(one.contour.x) for one in senders])
-        self.own = [slice(*pair) for pair in zip(ends[:-1], ends[1:], strict=True)]
+        self.own = [slice(*pair) for pair in pairwise(ends)]
         self.size = int(ends[-1])
 
     @cached_property

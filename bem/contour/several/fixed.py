@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 
@@ -83,7 +83,13 @@ def _of_body(body, degree, top):
         if one.net is not None:
             out["net"][:, own, 0] = one.net.reshape(e, c)
             out["volume"][dofs, 0] = one.volume
-    flat = {"beneath": (e * n, e * n), "side": (6, 2 * n), "driven": (e * n, 6), "carried": (6, e * n), "net": (e * n, 1)}
+    flat = {
+        "beneath": (e * n, e * n),
+        "side": (6, 2 * n),
+        "driven": (e * n, 6),
+        "carried": (6, e * n),
+        "net": (e * n, 1),
+    }
     return {name: value.reshape(flat.get(name, value.shape)) for name, value in out.items()} | {"n": n}
 
 
@@ -94,4 +100,4 @@ def _joined(parts):
 
 
 def _slices(ends):
-    return [slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+    return [slice(int(a), int(b)) for a, b in pairwise(ends)]

@@ -80,15 +80,13 @@ class SeveralFrequency:
             out.append(one)
         return np.vstack(out)
 
-    def result(self, needed):
-        """`FirstOrder`; needed : numbers of the motions that radiate"""
+    def result(self):
+        """`FirstOrder`"""
         loads = self.fixed.loads(self.outside, *self.flow[:2], self.incident)
         residual, d, T = self.flow[2], self.fixed.side.shape[0], self.bodies.to_scene
         if not residual < 1e-6:  # NaN too
             raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the equations of the gaps left {residual:.1e}")
-        still = ~np.isin(np.arange(d), needed)
         radiation = -self.density * T @ loads[:, :d] @ T.T
-        radiation[still], radiation[:, still] = 0, 0
         excitation = -1j * self.density * self.omega * (T @ loads[:, d:]).T
         wall = self.amplitude * self.exterior.weak @ self.plane[1]
         haskind = -1j * self.density * self.omega * (T @ (self.on_contours[:, :d].T @ wall)).T

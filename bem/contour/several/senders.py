@@ -17,7 +17,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import h1vp, hankel1, ive, ivp, jv, jvp, kve
+from scipy.special import h1vp, hankel1, ive, jv, jvp, kve
 
 from ..plan.circle import Circle
 from ..plan.layers import decaying, laplace, layers, radiating
@@ -64,9 +64,8 @@ class OnRectangle:
         self.panels, self.count, self.smallest = made, fine.count, 3 * shortest
         self.contour = made.contour
         self.bases = {cls: plan.basis(cls, degree, self.contour) for cls in CLASSES}
-        n = np.arange(1, int(INSIDE + k * np.hypot(plan.length, plan.beam) / 4) + 1)
-        x, y = 0.45 * plan.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0), 0.45 * plan.beam * ((n * (np.sqrt(2) - 1)) % 1.0)
-        self.inside = _points(x, y)
+        along, across = _scattered(k * np.hypot(plan.length, plan.beam) / 4)
+        self.inside = _points(0.45 * plan.length * along, 0.45 * plan.beam * across)
 
     @cached_property
     def _own(self):
@@ -103,8 +102,8 @@ class OnCircle:
         self.orders = {cls: plan.orders(cls, 2 * count)[:count] for cls in CLASSES}
         theta = np.arctan2(self.contour.y, self.contour.x)
         self.coefficients = {cls: np.linalg.inv(_turned(cls, self.orders[cls], theta)) for cls in CLASSES}
-        n = np.arange(1, int(INSIDE + k * plan.radius / 2) + 1)
-        r, turn = plan.radius * (0.3 + 0.6 * ((n * (np.sqrt(5) - 1) / 2) % 1.0)), np.pi / 2 * ((n * (np.sqrt(2) - 1)) % 1.0)
+        along, around = _scattered(k * plan.radius / 2)
+        r, turn = plan.radius * (0.3 + 0.6 * along), np.pi / 2 * around
         self.inside = _points(r * np.cos(turn), r * np.sin(turn))
 
     def own(self, kernel):
@@ -139,6 +138,12 @@ class OnCircle:
 def _turned(cls, m, theta):
     turn = np.multiply.outer(theta, m)
     return np.cos(turn) if cls[1] == 1 else np.sin(turn)
+
+
+def _scattered(further):
+    """Points of a unit square in irrational steps, `INSIDE` and so many `further`, two (n,)"""
+    n = np.arange(1, int(INSIDE + further) + 1)
+    return (n * (np.sqrt(5) - 1) / 2) % 1.0, (n * (np.sqrt(2) - 1)) % 1.0
 
 
 def _points(x, y):
