@@ -1,4 +1,4 @@
-"""Two ships side by side beside Capytaine: the same panels, frequencies and water, seconds of processor of each whole job.
+"""Two ships side by side beside Capytaine: equal panels, frequencies and water, seconds of processor of whole jobs.
 
     python tests/bench/two_ships.py FOLDER --peer PYTHON [--panels 3000] [--frequencies 40] [--depth 30]
 
