@@ -55,7 +55,7 @@ def names_given(scene, names, named):
     missing = _lacking(scene, METHODS[method])
     refused = [name for name in named if name in missing]
     if refused:
-        if scene.wall is not None and refused[0] in FAR_FIELD:
+        if scene.wall is not None and refused[0] in (*FAR_FIELD, *OF_EACH):
             raise ValueError(f"want has {refused[0]}, which a body beside a wall does not have; leave it out")
         if refused[0] == POWER and not scene.damping_lids:
             raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
@@ -90,7 +90,7 @@ def check_method(scene):
 
 def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
-    beside_wall = FAR_FIELD if scene.wall is not None else ()
+    beside_wall = (*FAR_FIELD, *OF_EACH) if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
     alone = () if scene.several and not scene.modes and method is METHODS["panel"] else tuple(OF_EACH)
     lidless = () if scene.damping_lids else (POWER,)

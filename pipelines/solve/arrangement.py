@@ -64,6 +64,7 @@ def check_apart(scene, mesh, panels_matter=True):
     returns : lines on those closer than their panels allow, and on the water between those that are close
     """
     said, gaps = [], []
+    _check_wall(scene, mesh)
     hulls = [mesh.of_body(i).whole() for i in range(mesh.bodies)]
     reach = TOUCHING * float(np.ptp(mesh.whole().points, axis=0).max())
     for i, one in enumerate(hulls):
@@ -82,6 +83,20 @@ def check_apart(scene, mesh, panels_matter=True):
                     "the gap; ask for more panels"
                 )
     return (*said, *resonant_water(scene, mesh, gaps))
+
+
+def _check_wall(scene, mesh):
+    """Raise SceneError for a body in the wall of a scene or behind it, seen from the first"""
+    if scene.wall is None:
+        return
+    sides = [mesh.of_body(i).whole().points[:, 1] - scene.wall for i in range(mesh.bodies)]
+    side = np.sign(sides[0].mean())
+    for body, y in zip(scene.bodies, sides, strict=True):
+        if np.min(side * y) <= 0:
+            raise SceneError(
+                f"{body.name} is from {scene.wall + y.min():.6g} to {scene.wall + y.max():.6g} m, the wall at y = "
+                f"{scene.wall:g}; allowed: all bodies on one side of it"
+            )
 
 
 def _overlap(one, other):

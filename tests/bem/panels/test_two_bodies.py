@@ -105,6 +105,26 @@ def test_two_equal_bodies_and_their_mirror(barge):
         assert one[name] == pytest.approx(symmetric, rel=1e-7, abs=1e-7 * np.abs(symmetric).max())
 
 
+def test_two_bodies_beside_a_wall_are_half_of_four(barge):
+    """Before a wall at y = −1.5: with the images of both, moving as images, in waves and their reflection"""
+    wall, tug = -1.5, barge.scaled(0.5).rotated(0.4)
+    hulls, places = [barge.moved(dy=1.5), tug.moved(dx=1.0, dy=6.0)], [(0.0, 1.5, 0.0), (1.0, 6.0, 0.0)]
+    bodies = [Body(name, place) for name, place in zip("ab", places, strict=True)]
+    images = [replace(h, points=h.points * [1, -1, 1] + [0, 2 * wall, 0]).flipped() for h in hulls]
+    behind = [Body(f"{b.name}_image", (b.rotation_center[0], 2 * wall - b.rotation_center[1], 0.0)) for b in bodies]
+    four = solved([*hulls, *images], [*bodies, *behind], headings=(0.7, -0.7))
+    two = solved(hulls, bodies, headings=(0.7,), wall=wall)
+    for name in ("added_mass", "radiation_damping"):
+        whole = four[name][:12, :12] + four[name][:12, 12:] * np.tile(MIRRORED, 2)
+        assert two[name] == pytest.approx(whole, abs=1e-6 * np.abs(whole).max())
+    from hakobune.bem.waves import wavenumber
+
+    k = float(wavenumber(1.1, 9.0, 9.80665))
+    reflected = four["excitation_force"][1] * np.exp(2j * k * np.sin(0.7) * wall)  # the crest at the wall at once
+    whole = (four["excitation_force"][0] + reflected)[:12]
+    assert two["excitation_force"][0] == pytest.approx(whole, abs=1e-6 * np.abs(whole).max())
+
+
 def test_what_is_fixed_scatters_and_does_not_move(pair, barge):
     """Forces, and those of the motions of the other body, are the same; the other moves as if the matrices of the
     fixed one were not there"""
