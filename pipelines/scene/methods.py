@@ -59,8 +59,8 @@ def names_given(scene, names, named):
             raise ValueError(f"want has {refused[0]}, which a body beside a wall does not have; leave it out")
         if refused[0] == POWER and not scene.damping_lids:
             raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
-        if refused[0] in OF_EACH and (scene.modes or not scene.several):
-            raise ValueError(f"want has {refused[0]}, which a scene of several rigid bodies has; leave it out")
+        if refused[0] in OF_EACH and not scene.several:
+            raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
         others = [name for name, other in METHODS.items() if refused[0] not in _lacking(scene, other)]
         raise ValueError(
             f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
@@ -92,7 +92,7 @@ def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
     beside_wall = (*FAR_FIELD, *OF_EACH) if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
-    alone = () if scene.several and not scene.modes and method is METHODS["panel"] else tuple(OF_EACH)
+    alone = () if scene.several and method is METHODS["panel"] else tuple(OF_EACH)
     lidless = () if scene.damping_lids else (POWER,)
     return method.without + beside_wall + deep + alone + lidless
 
