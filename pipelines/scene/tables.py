@@ -108,7 +108,7 @@ class ModeTable(SceneTable):
     """Shapes that a body bends or twists in: the lowest of a free beam along x, or one from a file
 
     kind : "vertical bending", "horizontal bending", "torsion" or "file"
-    body : name of one of several bodies
+    body : name of one of several bodies, left out: a shape in a file is of all that move
     count : shapes of a beam, the lowest first
     EI : N m², of bending
     GJ : N m², of torsion
@@ -117,7 +117,7 @@ class ModeTable(SceneTable):
     inertia_per_length : kg m, of torsion, left out: mass times kxx² over length
     axis_height : m, z of the neutral axis, of torsion of the shear centre
     damping : of critical, of each shape out of water
-    file : rows x, y, z (m, of the body), ux, uy, uz of a unit of the shape, and mass (kg) where it is known
+    file : rows x, y, z (m, of the body, or of the scene), ux, uy, uz of a unit of the shape, and mass (kg) if known
     name : of the shape in a file
     stiffness : N/m, of the shape in a file
     mass : kg, of the shape in a file that has no masses

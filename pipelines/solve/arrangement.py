@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from hakobune.bem.modes import Body
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.panels import assembled, with_symmetry
 from hakobune.meshing.quality.overlap import winding
@@ -16,16 +15,6 @@ from .gaps.resonant_water import resonant_water
 
 TOUCHING = 1e-6  # of the size of the whole: bodies that are closer touch
 NEAR = 8  # panels of another body that are looked at from a corner
-
-
-def bodies_of(scene):
-    """`bem.modes.Body` of each of several bodies, empty for one"""
-    if not scene.several:
-        return ()
-    return tuple(
-        Body(body.name, _center(body), math.radians(body.place[2]), body.fixed, tuple(map(float, body.place[:2])))
-        for body in scene.bodies
-    )
 
 
 def arranged(scene, hulls):
@@ -48,13 +37,6 @@ def own_hulls_of_modes(scene, mesh):
     if not scene.modes:
         return ()
     return own_hulls(scene, mesh) if scene.several else [mesh]
-
-
-def in_scene(body, point):
-    """(3,) m in coordinates of the scene of a point in those of a body"""
-    x, y, angle = body.place[0], body.place[1], math.radians(body.place[2])
-    turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
-    return turn @ np.asarray(point, float) + (x, y, 0.0)
 
 
 def check_apart(scene, mesh, panels_matter=True):
@@ -131,10 +113,6 @@ def _distance(point, corners, normal):
     share = np.clip(np.einsum("...i,...i", ahead, side) / np.where(length > 0, length, 1.0), 0, 1)
     to_sides = np.linalg.norm(ahead - share[..., None] * side, axis=-1).min(axis=-1)
     return np.where(above, np.abs(np.einsum("...i,...i", ahead[..., 0, :], normal)), to_sides)
-
-
-def _center(body):
-    return tuple(float(x) for x in in_scene(body, body.rotation_center or (0.0, 0.0, 0.0)))
 
 
 def _at_place(hull, place):

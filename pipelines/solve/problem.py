@@ -10,8 +10,9 @@ from hakobune.bem.modes import moving, names_of
 from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
+from ..scene.places import bodies_of
 from ..scene.viscous_table import viscous_of
-from .arrangement import bodies_of, own_hulls_of_modes
+from .arrangement import own_hulls_of_modes
 from .bending.modes import modes_of
 from .gaps.damping_lids import damping_lids_of
 from .hull import coarse_hull, finer_hull, make_lid

@@ -53,7 +53,7 @@ def drift_of_each(run, moving):
 def _bent_load(run, surface, motions, own, number):
     """(m, 6) mean load on a body that may bend, about the origin; motions : (m, n) of all; own : (m, 6) of this one"""
     rigid, problem, line = 6 * len(run.problem.bodies), run.problem, surface.waterline
-    shapes = [(mode, motions[:, d]) for d, mode in enumerate(problem.modes, rigid) if mode.body == number]
+    shapes = [(mode, motions[:, d]) for d, mode in enumerate(problem.modes, rigid) if number in mode.moves]
 
     def bent(points):
         out = np.zeros((len(motions), *points.shape), complex)
