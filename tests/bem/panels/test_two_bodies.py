@@ -176,12 +176,10 @@ def test_a_list_of_one_has_the_drift_by_pressure_of_one(barge):
 
 def test_drift_of_each_of_two_bodies_of_which_one_bends():
     """Together that of the far field, which knows nothing of the hulls; too stiff to bend, that of the rigid body"""
-    hulls = [
-        box(20.0, 4.0, 1.5, panels=140).whole().moved(dy=4.0),
-        box(8.0, 4.0, 2.0, panels=80).whole().moved(dy=-4.0),
-    ]
+    long, held = box(20.0, 4.0, 1.5, panels=140).whole(), box(8.0, 4.0, 2.0, panels=80).whole()
+    hulls = [long.moved(dy=4.0), held.moved(dy=-4.0)]
     bodies = (Body("long", (0.0, 4.0, 0.0)), Body("held", (0.0, -4.0, 0.0), 0.0, True, (0.0, -4.0)))
-    still = hydrostatics(hulls[0].moved(dy=-4.0), (0, 0, 0.0))
+    still = hydrostatics(long, (0, 0, 0.0))
     M, C = np.zeros((2, 13, 13))
     M[:6, :6], C[:6, :6] = inertia_matrix(still.mass, (0, 0, 0.0), (1.4, 6.0, 6.0), (0, 0, 0.0)), still.stiffness
 
