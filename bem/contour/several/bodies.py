@@ -27,17 +27,27 @@ from .one_frequency import SeveralFrequency
 from .senders import Kernel, sender
 
 
+NARROWEST = 0.005  # of half the width of a body, a gap: with a hundredth a frequency takes minutes
+
+
 def prepare_several(shapes, places, depth, tolerance=1e-3):
     """`SeveralBodies`.
 
     shapes : [("box", (length, beam, draft)) or ("buoy", (radius, draft))], m
     places : [`exterior.Place`] of the middle of each; depth : m, finite
-    Raises ValueError as `solver.prepare_box`, and for bodies that touch.
+    Raises ValueError as `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`.
     """
     makers = {"box": prepare_box, "buoy": prepare_cylinder}
     bodies = [makers[shape](*sizes, depth, tolerance) for shape, sizes in shapes]
     _check_apart([body.plan for body in bodies], places)
     gaps = nearest([body.plan for body in bodies], places)
+    for number, (body, gap) in enumerate(zip(bodies, gaps, strict=True), 1):
+        least = NARROWEST * body.plan.scale
+        if gap < least:
+            raise ValueError(
+                f"body {number} is {gap:.3g} m from the next; allowed by contours: from {least:.3g} m, {NARROWEST:g} of "
+                "half its width; take the panel method"
+            )
     bodies = [replace(body, plan=near(body, gap)) for body, gap in zip(bodies, gaps, strict=True)]
     return SeveralBodies(tuple(bodies), tuple(places), tuple(gaps))
 
