@@ -26,7 +26,6 @@ from .fixed import Fixed
 from .one_frequency import SeveralFrequency
 from .senders import Kernel, sender
 
-
 NARROWEST = 0.005  # of half the width of a body, a gap: with a hundredth a frequency takes minutes
 
 
@@ -45,8 +44,8 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
         least = NARROWEST * body.plan.scale
         if gap < least:
             raise ValueError(
-                f"body {number} is {gap:.3g} m from the next; allowed by contours: from {least:.3g} m, {NARROWEST:g} of "
-                "half its width; take the panel method"
+                f"body {number} is {gap:.3g} m from the next; allowed by contours: from {least:.3g} m, {NARROWEST:g} "
+                "of half its width; take the panel method"
             )
     bodies = [replace(body, plan=near(body, gap)) for body, gap in zip(bodies, gaps, strict=True)]
     return SeveralBodies(tuple(bodies), tuple(places), tuple(gaps))
