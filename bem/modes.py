@@ -47,11 +47,12 @@ class Body(NamedTuple):
 
 
 class Mode(NamedTuple):
-    """A shape that a body moves in beside its six rigid motions.
+    """A shape that a body, or several, move in beside their six rigid motions.
 
     name : without that of its body; turns : whether its amplitude is in rad; body : number of its body
     shape : with displacement((…, 3) m) → (…, 3), both in coordinates of the body
     place : (2,) m and heading : rad, of the body
+    on : numbers of all bodies of a shape between several, `body` the first, in coordinates of the scene; empty of one
     """
 
     name: str
@@ -60,6 +61,18 @@ class Mode(NamedTuple):
     body: int = 0
     place: tuple = (0.0, 0.0)
     heading: float = 0.0
+    on: tuple = ()
+
+    @property
+    def moves(self):
+        """Numbers of the bodies that it moves"""
+        return self.on or (self.body,)
+
+    def in_body(self, body, points):
+        """(…, 3) m per m or rad at points (…, 3) m, both in coordinates of a `Body`, or of the one there is (None)"""
+        if not self.on:
+            return self.shape.displacement(points)
+        return self.shape.displacement(body.in_scene(points)) @ body.axes
 
     def displacement(self, points):
         """(…, 3) m per m or rad at points (…, 3) m, in coordinates of the scene"""
@@ -94,7 +107,7 @@ def names_of(bodies, modes=()):
 
 
 def _of_body(bodies, mode, between):
-    return f"{bodies[mode.body].name}{between}{mode.name}" if bodies else mode.name
+    return f"{bodies[mode.body].name}{between}{mode.name}" if bodies and not mode.on else mode.name
 
 
 def moving(bodies, modes=()):
@@ -140,7 +153,7 @@ def modes_of(bodies, body_of_point, points, normals, modes=()):
     each = normal_velocities(points, normals)
     out = [each * (body_of_point == i)[:, None] for i in range(bodies)]
     for mode in modes:
-        own, velocity = body_of_point == mode.body, np.zeros((len(points), 1))
+        own, velocity = np.isin(body_of_point, mode.moves), np.zeros((len(points), 1))
         velocity[own, 0] = np.einsum("na,na->n", mode.displacement(points[own]), normals[own])
         out.append(velocity)
     return np.concatenate(out, axis=1)

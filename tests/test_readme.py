@@ -64,6 +64,7 @@ OF_DOWNTIME = {"hindcast": {"file": "hindcast.csv", "x_axis_compass_deg": 0.0}, 
 # what a file needs beside a part of it that a page shows
 PARTS = {
     ("docs/berth.md", "simulation"): {"water": {"depth": 20.0}},
+    ("docs/several_bodies.md", "method"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "modes"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "damping_lids"): {"water": {"depth": 9.0}, "bodies": [], "waves": {}},
     ("docs/several_bodies.md", "hulls"): {"water": {"depth": 9.0}},

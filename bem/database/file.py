@@ -332,7 +332,7 @@ def _mode(file, number, given):
     else:
         group = file[f"shapes/{number}"]
         shape = Table(**{name: group[name][()] for name in TABLE if name in group})
-    return Mode(**given | {"shape": shape, "place": tuple(given["place"])})
+    return Mode(**given | {"shape": shape, "place": tuple(given["place"]), "on": tuple(given.get("on", ()))})
 
 
 _EMPTY = Header(PanelMesh(np.zeros((0, 3)), np.zeros((0, 4))), None, np.inf, 0, 0, np.zeros(3), np.zeros(0))

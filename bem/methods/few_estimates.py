@@ -142,7 +142,8 @@ def _largest(*values):
 
 def _small(run):
     """Of `_parts`, what is `SMALL` of the tolerance"""
-    share, A, F = SMALL * run.problem.tolerance, np.zeros((6, 6)), np.zeros(6)
+    share, count = SMALL * run.problem.tolerance, len(run.prepared.displacing)
+    A, F = np.zeros((count, count)), np.zeros(count)
     B = A.copy()
     if run.radiates:
         block = np.ix_(run.dofs, run.dofs)

@@ -1,4 +1,4 @@
-"""The radiation–diffraction problem of a box or vertical cylinder, for the methods that need no panels."""
+"""The radiation–diffraction problem of boxes and vertical cylinders, for the methods that need no panels."""
 
 from __future__ import annotations
 
@@ -15,18 +15,20 @@ from .shape_run import ShapeRun
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ShapeProblem(Problem):
-    """A box or buoy in water, its waterplane centred at the origin.
+    """A box or buoy in water, its waterplane centred at the origin, or several by the contour method.
 
     method : contour, strip or inverse-strip; shape : box (length, beam, draft) or buoy (radius, draft)
     sizes : m, in that order; tolerance : relative error asked for
+    shapes : of several `bodies`, the shape and sizes of each, in place of these
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None
     omegas : (n,) rad/s, ascending, that will be asked for: of many some tell the errors of the others
         (`bem.methods.few_estimates`)
     """
 
     method: str
-    shape: str
-    sizes: tuple
+    shape: str = ""
+    sizes: tuple = ()
+    shapes: tuple = ()
     tolerance: float = 1e-3
     panels: object = None
     omegas: object = ()
@@ -46,6 +48,12 @@ class PreparedShapeProblem:
     def solver(self):
         """What solves a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
         s = self.problem
+        if s.shapes:
+            from ..contour.several.bodies import prepare_several
+            from ..contour.several.exterior import Place
+
+            places = [Place(*body.place, body.heading) for body in s.bodies]
+            return prepare_several(s.shapes, places, s.depth, s.tolerance)
         if s.method == "contour":
             from ..contour.solver import prepare_box, prepare_cylinder
 
@@ -64,18 +72,26 @@ class PreparedShapeProblem:
     @property
     def radius(self):
         """m, largest distance of the hull from the vertical axis through the origin"""
-        s = self.problem.sizes
-        return float(np.hypot(s[0], s[1]) / 2 if self.problem.shape == "box" else s[0])
+        problem = self.problem
+        if problem.shapes:
+            each = zip(problem.shapes, problem.bodies, strict=True)
+            return max(_reach(*one) + float(np.hypot(*body.place)) for one, body in each)
+        return _reach(problem.shape, problem.sizes)
 
     @property
     def draft(self):
-        """m, of the hull"""
-        return self.problem.sizes[-1]
+        """m, of the hull, or of the deepest of several"""
+        return max(sizes[-1] for _, sizes in self.shapes)
 
     @property
     def displacing(self):
-        """(6,) whether a mode moves water at all"""
-        return np.array([True] * 5 + [self.problem.shape == "box"])
+        """(6,) whether a mode moves water at all; of several bodies (6N,)"""
+        return np.array([moves for shape, _ in self.shapes for moves in [True] * 5 + [shape == "box"]])
+
+    @property
+    def shapes(self):
+        """Shape and sizes of the body, or of each of several"""
+        return self.problem.shapes or ((self.problem.shape, self.problem.sizes),)
 
     def run(self, *arguments):
         """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
@@ -88,8 +104,21 @@ class PreparedShapeProblem:
         return FewEstimates(self, self.problem.omegas) if many else None
 
     def added_mass_limit(self, which):
-        """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency"""
+        """A (6, 6), of several (6N, moving), about the rotation centre for the frequency `which`, zero or infinity"""
+        if self.problem.shapes:
+            return self._limit_of_several(which)
         T, about_origin = self.problem.transform, self.solver.added_mass_limit(which, self.problem.density)
         grows = np.isinf(about_origin[2, 2])
         finite = np.where(np.isinf(about_origin), 0.0, about_origin)
         return with_net_flux(T @ finite @ T.T, T[:, 2] * grows, 1.0)
+
+    def _limit_of_several(self, which):
+        problem, T = self.problem, self.problem.transform
+        finite, flux = self.solver.limit(which)
+        out = with_net_flux(problem.density * T @ finite @ T.T, T @ flux, np.abs(flux).max() or 1.0)
+        return out[:, problem.moving]
+
+
+def _reach(shape, sizes):
+    """m, from the middle of a body to its farthest point in plan"""
+    return float(np.hypot(sizes[0], sizes[1]) / 2 if shape == "box" else sizes[0])

@@ -121,16 +121,16 @@ class Geometry:
         symmetry = self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
         classes = [class_of(d, symmetry) for d in range(6 * self.mesh.bodies)]
         for mode in self.shapes:
-            signs = dict(zip("xy", mode.parity(self._points_of(mode.body)), strict=True))
+            signs = dict(zip("xy", mode.parity(self._points_of(mode.moves)), strict=True))
             if any(signs[axis] == 0 for axis in symmetry):
                 raise ValueError(f"{mode.name} is not its own image in {symmetry}; allowed: a mesh without that plane")
             classes.append(tuple(signs[axis] if axis in symmetry else 1 for axis in "xy"))
         return {cls: [d for d, own in enumerate(classes) if own == cls] for cls in self.classes}
 
-    def _points_of(self, number):
-        """(n, 3) m, nodes of one of the bodies"""
+    def _points_of(self, numbers):
+        """(n, 3) m, nodes of some of the bodies"""
         points, body = self.elements.nodes[: self.hull] - self.origin, self.mesh.body
-        return points if body is None else points[np.repeat(body, self.hull // len(body)) == number]
+        return points if body is None else points[np.isin(np.repeat(body, self.hull // len(body)), numbers)]
 
     def signs(self, cls):
         """(images,) ±1: sign of the potential on each mirror image, in a class"""

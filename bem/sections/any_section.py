@@ -130,7 +130,8 @@ class Shape:
 class AnyFlow:
     """The flows at one frequency: radiated by sway, heave and roll, and scattered from waves towards +y and −y.
 
-    damping : ε of the water in gaps; in_gaps : [(s, 2)] whole potential of the waves in each
+    damping : ε of the water in gaps; in_gaps : [(s, 2)] whole potential of the waves in each, moved_in_gaps : [(s, m)]
+    that of the motions
     velocities : (n, m) of other motions along the normals of the body, in place of those three
     potentials : (n, m + 2) on the body; waves : (2, m + 2) potential at z = 0 of those that leave towards −y and +y,
     referred to y = 0
@@ -164,6 +165,7 @@ class AnyFlow:
         self.potentials = B0 @ phi + B1 @ normal + B2 @ flux
         out = np.exp(-1j * self.k * np.array([-shape.ends[0], shape.ends[1]]))
         self.in_gaps = [phi[gap, m:] + self._incident_on(gap) for gap in shape.gaps]
+        self.moved_in_gaps = [phi[gap, :m] for gap in shape.gaps]
         self.waves = np.stack([first[place] @ phi[side] for place, side in enumerate(shape.sides)]) * out[:, None]
 
     def _modes(self):

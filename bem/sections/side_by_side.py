@@ -37,19 +37,46 @@ def side_by_side(sections, depth, omega, damping=0.0, *, gravity=9.80665, tolera
     sections : [(`Wetted`, y m)], each moved by y, from left to right; depth : m; omega : rad/s; damping : ε of all gaps
     raises : ValueError for sections that touch or pass each other, and what cannot be solved to the tolerance
     """
+    flow = flow_of(sections, depth, omega, damping, gravity, tolerance)
+    reflection, transmission = flow.scattered(+1)
+    rise = in_gaps(flow)
+    gains = np.abs([mean for mean, _ in rise])
+    return SideBySide(omega, gains, reflection, transmission, taken_of(flow, depth, damping, rise))
+
+
+def flow_of(sections, depth, omega, damping, gravity, tolerance, velocities=None):
+    """`AnyFlow` of sections as of `side_by_side`; velocities : function of points, normals and the number of the
+    section of each, (n,), that gives (n, m) of motions along the normals, or None
+    """
     if not (damping >= 0 and np.isfinite(damping)):
         raise ValueError(f"damping is {damping:g}; allowed: 0 or more")
     longest = PER_RADIAN / float(wavenumber(omega, depth, gravity))
     made = shape(_chain(sections), depth, float(2.0 ** np.floor(np.log2(longest))), tolerance)
-    flow = AnyFlow(made, omega, gravity, damping)
-    reflection, transmission = flow.scattered(+1)
-    weights = made.weights[~made.body]
-    rise = [omega / gravity * phi[:, 0] @ weights[gap] / weights[gap].sum()
-            for phi, gap in zip(flow.in_gaps, made.gaps, strict=True)]  # fmt: skip
-    lost = sum(np.abs(phi[:, 0]) ** 2 @ weights[gap] for phi, gap in zip(flow.in_gaps, made.gaps, strict=True))
-    celerity = omega / flow.k * float(group_factor(flow.k, depth))
-    taken = damping * omega**3 / gravity**2 / celerity * lost
-    return SideBySide(omega, np.abs(rise), reflection, transmission, float(taken))
+    if velocities is None:
+        return AnyFlow(made, omega, gravity, damping)
+    p, n = made.points[made.body], made.normals[made.body]
+    ends = [y + wetted.right for wetted, y in sections]
+    owner = np.searchsorted([0.5 * (a + y + w.left) for a, (w, y) in zip(ends[:-1], sections[1:], strict=True)], p.real)
+    return AnyFlow(made, omega, gravity, damping, velocities(p, n, owner))
+
+
+def in_gaps(flow, speeds=None):
+    """[(mean rise, ∫ |rise|² dy)] of the water in each gap in the wave towards +y, complex m per m and m³ per m²
+
+    speeds : (m,) m/s … of the motions, or None
+    """
+    out, weights = [], flow.shape.weights[~flow.shape.body]
+    for phi, gap in zip(flow.in_gaps, flow.shape.gaps, strict=True):
+        whole = phi[:, 0] if speeds is None else phi[:, 0] + flow.moved_in_gaps[len(out)] @ speeds
+        rise = flow.omega / flow.gravity * whole
+        out.append((rise @ weights[gap] / weights[gap].sum(), float(np.abs(rise) ** 2 @ weights[gap])))
+    return out
+
+
+def taken_of(flow, depth, damping, rise):
+    """Of the wave's energy, what gaps take; rise : `in_gaps`"""
+    celerity = flow.omega / flow.k * float(group_factor(flow.k, depth))
+    return float(damping * flow.omega / celerity * sum(square for _, square in rise))
 
 
 def _chain(sections):

@@ -20,6 +20,7 @@ axes of the body of the first.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -169,6 +170,7 @@ def of_point(body, motion, point):
     body : `bem.database.reader.Reader`; motion : (q, p, n) of all of it
     Of a body that bends both have the shapes in them, and its rotations are those at the point.
     """
+    one = None
     if body.bodies:
         one = body.body_named(point.body)
         own, center = body.motions_of(motion, one), one.own_center
@@ -178,9 +180,9 @@ def of_point(body, motion, point):
     for mode, amplitude in shapes_of(body, motion, point.body):
         size = 1.0 + float(np.abs(point.position).max())
         place = np.asarray(point.position, float)[None]
-        (g,) = gradients(mode.shape.displacement, place, size)
+        (g,) = gradients(partial(mode.in_body, one), place, size)
         turn = 0.5 * np.array([g[2, 1] - g[1, 2], g[0, 2] - g[2, 0], g[1, 0] - g[0, 1]])
-        moved = moved + amplitude[..., None] * mode.shape.displacement(place)[0]
+        moved = moved + amplitude[..., None] * mode.in_body(one, place)[0]
         own = own + amplitude[..., None] * np.append(np.zeros(3), turn)
     return moved, own
 
@@ -188,7 +190,7 @@ def of_point(body, motion, point):
 def shapes_of(body, motion, name=""):
     """[(`bem.modes.Mode`, its amplitudes (q, p))] of one of the bodies of a `Reader`; motion : (q, p, n) of all"""
     owner = [one.name for one in body.bodies].index(name) if body.bodies else 0
-    return [(mode, motion[..., d]) for d, mode in enumerate(body.modes, body.rigid) if mode.body == owner]
+    return [(mode, motion[..., d]) for d, mode in enumerate(body.modes, body.rigid) if owner in mode.moves]
 
 
 def of_station(body, motion, station):

@@ -159,6 +159,13 @@ KINDS = {
         "passing_tanker.toml",
         ("hakobune passing FILE --plot passing.png",),
     ),
+    "sections": Kind(
+        "sections side by side in beam waves, free or hinged",
+        "hakobune.pipelines.sections.study:SectionsStudy",
+        "sections",
+        "sections_hinged.toml",
+        ("hakobune sections FILE",),
+    ),
     "breakwater": Kind(
         "a taut-moored floating breakwater",
         "hakobune.pipelines.breakwater.tables:BreakwaterStudy",

@@ -152,8 +152,6 @@ def _check_arrangement(scene):
         raise SceneError(
             f"{damped[0]} has viscous damping, but no wave height for it; give wave_height under [viscous]"
         )
-    if scene.wall is not None:
-        raise SceneError(f"wall is {scene.wall:g}, but there are several bodies; a wall stands beside one body only")
     files = [body.file for body in scene.bodies if body.shape == "mesh"]
     if scene.panels is not None and files:
         raise SceneError(f"panels is {scene.panels}, but {files[0]} has its own; leave panels out")
@@ -195,10 +193,6 @@ def _check_waves(scene):
         found = " and ".join(given) or "no frequencies"
         raise SceneError(f"waves has {found}; give one of {', '.join(FREQUENCY_KEYS)}")
     key = given[0]
-    if key == "band" and scene.several:
-        raise SceneError("waves.band places frequencies for one body, but there are several; give omegas or periods")
-    if key == "band" and scene.modes:
-        raise SceneError("waves.band places frequencies for rigid bodies, but there are modes; give omegas or periods")
     if key == "xi_B" and scene.several:
         raise SceneError("waves.xi_B needs one body with a beam, but there are several; give omegas or periods")
     if key == "xi_B" and scene.body.shape == "mesh":
@@ -264,6 +258,8 @@ def _check_wall(scene):
         return
     if not abs(scene.wall) <= EXTENT[1]:
         raise SceneError(f"wall is {scene.wall:g}; allowed: a number from {-EXTENT[1]:g} to {EXTENT[1]:g}, m")
+    if scene.several:  # where they lie is seen on their panels
+        return
     half = 0.0 if scene.body.shape == "mesh" else scene.beam / 2
     if abs(scene.wall) <= half:
         raise SceneError(

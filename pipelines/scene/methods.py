@@ -34,14 +34,15 @@ METHODS = {
 
 
 def chosen_method(scene):
-    """Name of METHODS; `auto` takes contour where it can represent the scene and no panels are asked for.
+    """Name of METHODS; `auto` takes contour where it can represent the scene of one body and no panels are asked for.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits.
+    a bed far below the keel it loses digits.  Of several it does not know the drift of each, which mooring needs.
     """
     if scene.method != "auto":
         return scene.method
-    return "panel" if scene.panels is not None or _obstacles(scene, METHODS["contour"]) else "contour"
+    panels = scene.panels is not None or scene.several or _obstacles(scene, METHODS["contour"])
+    return "panel" if panels else "contour"
 
 
 def names_given(scene, names, named):
@@ -54,12 +55,12 @@ def names_given(scene, names, named):
     missing = _lacking(scene, METHODS[method])
     refused = [name for name in named if name in missing]
     if refused:
-        if scene.wall is not None and refused[0] in FAR_FIELD:
+        if scene.wall is not None and refused[0] in (*FAR_FIELD, *OF_EACH):
             raise ValueError(f"want has {refused[0]}, which is not computed beside a wall; leave it out")
         if refused[0] == POWER and not scene.damping_lids:
             raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
-        if refused[0] in OF_EACH:
-            raise ValueError(f"want has {refused[0]}, which a scene of several rigid bodies has; leave it out")
+        if refused[0] in OF_EACH and not scene.several:
+            raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
         others = [name for name, other in METHODS.items() if refused[0] not in _lacking(scene, other)]
         raise ValueError(
             f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
@@ -89,27 +90,30 @@ def check_method(scene):
 
 def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
-    beside_wall = FAR_FIELD if scene.wall is not None else ()
+    beside_wall = (*FAR_FIELD, *OF_EACH) if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
-    alone = () if scene.several and not scene.modes else tuple(OF_EACH)
+    alone = () if scene.several and method is METHODS["panel"] else tuple(OF_EACH)
     lidless = () if scene.damping_lids else (POWER,)
     return method.without + beside_wall + deep + alone + lidless
 
 
 def _relative_gap(scene):
-    """Water under the keel over the smaller of draft and half the width"""
-    body = scene.body
-    width = body.radius if body.shape == "buoy" else min(body.length, body.beam) / 2
-    return (scene.water.depth - body.draft) / min(body.draft, width)
+    """Water under the keel over the smaller of draft and half the width, of several bodies the largest"""
+    each = []
+    for body in scene.bodies:
+        width = body.radius if body.shape == "buoy" else min(body.length, body.beam) / 2
+        each.append((scene.water.depth - body.draft) / min(body.draft, width))
+    return max(each)
 
 
 def _obstacles(scene, method):
     """Why a method cannot represent a scene"""
     out = []
-    if scene.several and method is not METHODS["panel"]:
+    unknown = [body.shape for body in scene.bodies if body.shape not in method.shapes]
+    if scene.several and method not in (METHODS["panel"], METHODS["contour"]):
         out.append("knows one body alone")
-    elif scene.body.shape not in method.shapes:
-        out.append(f"cannot represent a body of shape {scene.body.shape!r}")
+    elif unknown:
+        out.append(f"cannot represent a body of shape {unknown[0]!r}")
     elif math.isfinite(method.highest_gap):
         if math.isinf(scene.water.depth):
             out.append("needs a finite water depth")

@@ -36,12 +36,12 @@ def check_modes(scene):
         )
     for number, mode in enumerate(scene.modes):
         _check(f"modes[{number}]", mode, scene)
-    names = [(owner(scene, mode), name) for mode in scene.modes for name in names_of(mode)]
+    names = [(mode.body or "", name) for mode in scene.modes for name in names_of(mode)]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise SceneError(f"modes has {twice[1]!r} twice; allowed: each kind of beam once per body, and each name once")
-    for body in {owner(scene, mode) for mode in scene.modes}:
-        if len({mode.kind == "file" for mode in scene.modes if owner(scene, mode) == body}) > 1:
+    for body in range(len(scene.bodies)):
+        if len({mode.kind == "file" for mode in scene.modes if body in owners(scene, mode)}) > 1:
             raise SceneError("modes of one body come from a beam and from files; allowed: only one of the two")
 
 
@@ -53,8 +53,22 @@ def names_of(mode):
 
 
 def owner(scene, mode):
-    """Number of the body of a `tables.ModeTable`"""
-    return [body.name for body in scene.bodies].index(mode.body) if scene.several else 0
+    """Number of the body of a `tables.ModeTable`, the first that moves of one between several"""
+    return owners(scene, mode)[0]
+
+
+def owners(scene, mode):
+    """Numbers of the bodies of a `tables.ModeTable`: all that move where it names none of several"""
+    if not scene.several:
+        return [0]
+    if mode.body is None:
+        return [i for i, body in enumerate(scene.bodies) if not body.fixed]
+    return [[body.name for body in scene.bodies].index(mode.body)]
+
+
+def between(scene, mode):
+    """Whether a `tables.ModeTable` is of several bodies at once"""
+    return scene.several and mode.body is None
 
 
 def _check(key, mode, scene):
@@ -85,6 +99,12 @@ def _check_body(key, mode, scene):
     known = [body.name for body in scene.bodies]
     if not scene.several and mode.body not in (None, known[0]):
         raise SceneError(f"{key}.body is {mode.body!r}, but there is one body; leave it out")
+    if between(scene, mode):
+        if mode.kind != "file":
+            raise SceneError(
+                f"{key}.body is missing; allowed: {', '.join(map(str, known))}; a shape of all is of a file"
+            )
+        return
     if scene.several and mode.body not in known:
         raise SceneError(f"{key}.body is {mode.body!r}; allowed: {', '.join(map(str, known))}")
     if scene.bodies[owner(scene, mode)].fixed:

@@ -108,7 +108,7 @@ class ModeTable(SceneTable):
     """Shapes in which a body bends or twists: the lowest of a free beam along x, or one from a file
 
     kind : "vertical bending", "horizontal bending", "torsion" or "file"
-    body : name of one of several bodies
+    body : name of one of several bodies; by default a shape in a file belongs to all that move
     count : number of shapes of a beam, the lowest first
     EI : N m², of bending
     GJ : N m², of torsion
@@ -117,7 +117,7 @@ class ModeTable(SceneTable):
     inertia_per_length : kg m, of torsion, left out: mass times kxx² over length
     axis_height : m, z of the neutral axis, or for torsion of the shear centre
     damping : ratio to critical damping, of each shape in air
-    file : rows x, y, z (m, of the body), ux, uy, uz of a unit of the shape, and mass (kg) where it is known
+    file : rows x, y, z (m, of the body, or of the scene), ux, uy, uz of a unit of the shape, and mass (kg) where known
     name : of the shape in a file
     stiffness : N/m, of the shape in a file
     mass : kg, mass of the shape in a file without masses

@@ -7,6 +7,8 @@ import io
 from pathlib import Path
 from typing import Annotated
 
+from cyclopts import Parameter
+
 from hakobune.meshing.seals import write_sealed
 
 from ..common.bounds import check_count
@@ -16,6 +18,8 @@ SUFFIXES = (".csv", ".h5")
 
 
 def sections(
+    study: Annotated[Path | None, Parameter(help="sections side by side, free or hinged (TOML)")] = None,
+    /,
     *,
     beam_draft: Annotated[str | None, _flag("B/d: a,b,c or start:stop:count [5,10,15,20]")] = None,
     depth_draft: Annotated[str | None, _flag("H/d, above 1; inf for deep water [1.2,1.4,2,3,10]")] = None,
@@ -25,12 +29,17 @@ def sections(
 ):
     """Compute added mass, damping and excitation of rectangular sections (SR179 report, Tables 2.1.3.1 to 20).
 
-    Without flags it takes the report's twenty shapes and ten frequencies.
+    Without flags it takes the report's twenty shapes and ten frequencies; with a study, sections side by side in beam
+    waves, free or held together by hinges.
+
+    hakobune new sections
     """
     from ..common.outputs import check_output
     from ..printing.console import document
     from .result import sections
 
+    if study is not None:
+        return _side_by_side(study, output, {"--beam-draft": beam_draft, "--depth-draft": depth_draft, "--xi": xi})
     flags = {"beam_draft": beam_draft, "depth_draft": depth_draft, "xi": xi}
     check_output(output, "a table of sections", is_table, SUFFIXES)
     grid = {name: _listed(f"--{name.replace('_', '-')}", text) for name, text in flags.items() if text is not None}
@@ -46,6 +55,25 @@ def sections(
     sizes = dict(zip(result.labels, result["M_H"].shape, strict=True))
     print(f"{output}: {', '.join(f'{size} {name}' for name, size in sizes.items())}")
     return 0
+
+
+def _side_by_side(study, output, flags):
+    """The result of a study, printed and written; returns the exit status"""
+    from ..results.output import check_result, write_result
+    from ..results.tables import printed
+    from .result import sections
+
+    given = [flag for flag, text in flags.items() if text is not None]
+    if given:
+        raise ValueError(f"{given[0]} is given and {study}; allowed: {given[0]} without a study")
+    if output is not None:
+        check_result(output, "sections", [study])
+    result = sections(study)
+    status = printed(result)
+    if output is not None:
+        write_result(result, output)
+        print(output)
+    return status
 
 
 def _listed(flag, text):

@@ -11,9 +11,11 @@ import numpy as np
 from hakobune.bem.sections.tables import BEAM_DRAFT, COLUMNS, DEPTH_DRAFT, FIXED, SHAPE_COLUMNS, XI, tables
 
 from ..common.bounds import Pace, check_memory
+from ..results.given import File, Tables
 from ..results.provenance import provenance
 from ..results.quantity import quantities
 from ..results.result import Result, labels
+from .study import SectionsStudy
 
 NOTES = (
     "Rectangle of beam B and draft d in water of depth H, two-dimensional, ideal fluid; matched eigenfunctions",
@@ -41,18 +43,27 @@ MOTIONS = {"H": "heave", "S": "sway", "R": "roll", "SR": "sway and roll"}
 
 
 def sections(
+    study: File | Tables | SectionsStudy | None = None,
+    /,
     *,
     beam_draft: Sequence[float] = BEAM_DRAFT,
     depth_draft: Sequence[float] = DEPTH_DRAFT,
     xi: Sequence[float] = XI,
     tolerance: float = 1e-6,
 ) -> Result:
-    """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20.
+    """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20; or sections
+    side by side in beam waves, free or held together by hinges.
 
+    study : path of a study of sections side by side, its tables as a dictionary, or a `study.SectionsStudy`; without it
+    a table of rectangles:
     beam_draft : B/d; depth_draft : H/d, above 1, or inf; xi : ξ_B = ω²B/2g; tolerance : relative error
     returns : Result, without units as the report has them; its `detail` has the rows of `bem.sections.tables.tables`
     raises : ValueError, one line
     """
+    if study is not None:
+        from .side_by_side import side_by_side
+
+        return side_by_side(study)
     grid = {"beam_draft": beam_draft, "depth_draft": depth_draft, "xi": xi}
     for name, values in grid.items():
         low, largest, allowed = ALLOWED[name]

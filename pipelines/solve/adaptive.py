@@ -97,7 +97,7 @@ def _next(scene, known, places, error):
 
 def _unseen(scene, db, error):
     """The first resonance to be solved for, rad/s, none or one: sharp, unsure beyond the tolerance, or in drift so"""
-    for one in resonances(db.reader) if "rao" in db.names else ():
+    for one in resonances(db.bodies_reader) if "rao" in db.names else ():
         apart = np.abs(db.omega / one.omega - 1).min()
         drifts = "drift_force" in db.names and apart > one.damping / 2 and error > 2 * one.damping * scene.accuracy
         if apart > NEAR and (one.damping < SHARP or one.error > scene.accuracy * one.peak or drifts):

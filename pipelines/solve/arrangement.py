@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from hakobune.bem.modes import Body
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.panels import assembled, with_symmetry
 from hakobune.meshing.quality.overlap import winding
@@ -16,16 +15,6 @@ from .gaps.resonant_water import resonant_water
 
 TOUCHING = 1e-6  # distance at which bodies touch, over the size of the whole
 NEAR = 8  # panels of another body that are looked at from a corner
-
-
-def bodies_of(scene):
-    """`bem.modes.Body` of each of several bodies, empty for one"""
-    if not scene.several:
-        return ()
-    return tuple(
-        Body(body.name, _center(body), math.radians(body.place[2]), body.fixed, tuple(map(float, body.place[:2])))
-        for body in scene.bodies
-    )
 
 
 def arranged(scene, hulls):
@@ -50,19 +39,14 @@ def own_hulls_of_modes(scene, mesh):
     return own_hulls(scene, mesh) if scene.several else [mesh]
 
 
-def in_scene(body, point):
-    """(3,) m in coordinates of the scene of a point in those of a body"""
-    x, y, angle = body.place[0], body.place[1], math.radians(body.place[2])
-    turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
-    return turn @ np.asarray(point, float) + (x, y, 0.0)
-
-
-def check_apart(scene, mesh):
+def check_apart(scene, mesh, panels_matter=True):
     """Raise SceneError for two bodies that lie in each other or touch.
 
+    panels_matter : whether the bodies are solved on these panels
     returns : lines on those closer than their panels allow, and on the water between those that are close
     """
     said, gaps = [], []
+    _check_wall(scene, mesh)
     hulls = [mesh.of_body(i).whole() for i in range(mesh.bodies)]
     reach = TOUCHING * float(np.ptp(mesh.whole().points, axis=0).max())
     for i, one in enumerate(hulls):
@@ -75,12 +59,26 @@ def check_apart(scene, mesh):
                 raise SceneError(f"{names} touch; allowed: water between them (place), or one mesh of both")
             widths = [min(np.ptp(hull.points[:, :2], axis=0)) for hull in (one, hulls[j])]
             gaps.append((names, gap, min(one.draft, hulls[j].draft), sum(widths) + gap))
-            if gap < size / 2:
+            if gap < size / 2 and panels_matter:
                 said.append(
                     f"{names} are {gap:.3g} m apart, but their panels are up to {size:.3g} m long; good: at most "
                     "twice the gap; give more panels"
                 )
     return (*said, *resonant_water(scene, mesh, gaps))
+
+
+def _check_wall(scene, mesh):
+    """Raise SceneError for a body in the wall of a scene or behind it, seen from the first"""
+    if scene.wall is None:
+        return
+    sides = [mesh.of_body(i).whole().points[:, 1] - scene.wall for i in range(mesh.bodies)]
+    side = np.sign(sides[0].mean())
+    for body, y in zip(scene.bodies, sides, strict=True):
+        if np.min(side * y) <= 0:
+            raise SceneError(
+                f"{body.name} is from {scene.wall + y.min():.6g} to {scene.wall + y.max():.6g} m, the wall at y = "
+                f"{scene.wall:g}; allowed: all bodies on one side of it"
+            )
 
 
 def _overlap(one, other):
@@ -115,10 +113,6 @@ def _distance(point, corners, normal):
     share = np.clip(np.einsum("...i,...i", ahead, side) / np.where(length > 0, length, 1.0), 0, 1)
     to_sides = np.linalg.norm(ahead - share[..., None] * side, axis=-1).min(axis=-1)
     return np.where(above, np.abs(np.einsum("...i,...i", ahead[..., 0, :], normal)), to_sides)
-
-
-def _center(body):
-    return tuple(float(x) for x in in_scene(body, body.rotation_center or (0.0, 0.0, 0.0)))
 
 
 def _at_place(hull, place):

@@ -12,9 +12,10 @@ from hakobune.bem.modes import moving
 from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 
 from ..scene.identity import MESH_FILE, contents, fixed_part, scene_hash
+from ..scene.places import bodies_of, in_scene
 from ..scene.scene import SceneError
 from ..scene.text import to_toml
-from .arrangement import bodies_of, in_scene, own_hulls, own_hulls_of_modes
+from .arrangement import own_hulls, own_hulls_of_modes
 from .bending.modes import modes_of, with_modes
 
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more

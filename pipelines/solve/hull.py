@@ -25,6 +25,7 @@ from .gaps.damping_lids import damping_lids_of, with_planes_of
 from .gaps.resonant_water import resonant_water
 from .large import shared_band
 from .panel_counts import FEWEST, coarse_counts, fine_counts, finer_counts, meshed
+from .panel_counts import sizes as lengths_of
 
 MOST_PANELS = 20_000
 MOST_GIVEN = 100_000  # panels of a mesh file, or by --panels
@@ -49,13 +50,22 @@ def make_hull(scene):
     """
     if not panels_matter(scene):
         _check_waves_along(scene)
-        return MeshedHull(_meshed(scene.body, FOR_SHOW), None)
+        return _for_show(scene)
     hulls = [_hull(scene, body) for body in scene.bodies]
     _check_count(scene, sum(hull.total for hull in hulls))
     mesh = _in_place(scene, hulls)
     found = _usable(scene, mesh)  # a lid needs a waterline that closes
     made = make_lid(scene, mesh)
     return MeshedHull(mesh, made, (*found, *_without_errors(scene, lid_findings(mesh, made))))
+
+
+def _for_show(scene):
+    """Panels that are only drawn, for bodies that lie apart"""
+    hulls = [_meshed(body, FOR_SHOW) for body in scene.bodies]
+    if not scene.several:
+        return MeshedHull(hulls[0], None)
+    mesh = arranged(scene, hulls)
+    return MeshedHull(mesh, None, check_apart(scene, mesh, panels_matter=False))
 
 
 def _hull(scene, body):
@@ -108,15 +118,17 @@ def stored_hull(scene, header):
 
 def _check_waves_along(scene):
     """Methods without panels resolve so many waves along a body: more take patience and memory"""
-    sizes, water = tuple(scene.dimensions.values()), scene.water
+    water = scene.water
     k = float(wavenumber(scene.omegas()[-1], water.depth, water.gravity))
-    if too_many(sizes, k):
-        wave = 2 * math.pi / k
-        across = waves_along(sizes, k) * wave
-        raise SceneError(
-            f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
-            f"{across / MOST_WAVES[scene.body.shape]:.3g} m; leave out the highest frequencies"
-        )
+    for body in scene.bodies:
+        sizes = lengths_of(body)
+        if too_many(sizes, k):
+            wave = 2 * math.pi / k
+            across = waves_along(sizes, k) * wave
+            raise SceneError(
+                f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
+                f"{across / MOST_WAVES[body.shape]:.3g} m; leave out the highest frequencies"
+            )
 
 
 def panels_matter(scene):

@@ -82,17 +82,23 @@ def announced(problem, limits, console, processes=1, omegas=()):
 
 def _announce_contour(problem, omegas, console, processes):
     """Say what the contour method will take where it is long; raises SceneError."""
-    from hakobune.bem.contour.cost import cost
+    if problem.shapes:
+        from hakobune.bem.contour.several.cost import cost
+    else:
+        from hakobune.bem.contour.cost import cost
 
     needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), problem.depth, problem.gravity)))
     across = problem.sizes[:2] if problem.shape == "box" else problem.sizes[:1]
-    body = f"{problem.shape} of {' by '.join(f'{size:g} m' for size in across)}"
+    body = f"{problem.shape} of {' by '.join(f'{size:g} m' for size in across)}: its contour"
     way_out = "give a less slender body, longer waves, or another method (--method panel, strip)"
-    check_memory(f"{body}: its contour needs", processes * needed.memory, way_out, SceneError)
+    if problem.shapes:
+        body, way_out = f"{len(problem.shapes)} bodies: their contours", "give longer waves or --method panel"
+    verbs = ("need", "take") if problem.shapes else ("needs", "takes")
+    check_memory(f"{body} {verbs[0]}", processes * needed.memory, way_out, SceneError)
     seconds = needed.table + len(omegas) * needed.each / processes
-    check_seconds(f"{body}: its contour takes", seconds, way_out, SceneError)
+    check_seconds(f"{body} {verbs[1]}", seconds, way_out, SceneError)
     if console:
-        told(f"{body}: its contour takes", seconds, partial(console.print, highlight=False, soft_wrap=True))
+        told(f"{body} {verbs[1]}", seconds, partial(console.print, highlight=False, soft_wrap=True))
 
 
 def check_database(header, frequencies, headings, names):

@@ -10,12 +10,14 @@ from hakobune.bem.modes import moving, names_of
 from hakobune.bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
+from ..scene.places import bodies_of
 from ..scene.viscous_table import viscous_of
-from .arrangement import bodies_of, own_hulls_of_modes
+from .arrangement import own_hulls_of_modes
 from .bending.modes import modes_of
 from .gaps.damping_lids import damping_lids_of
 from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band
+from .panel_counts import sizes
 
 
 def problem_of(header, scene):
@@ -36,10 +38,11 @@ def problem_of(header, scene):
         body |= _with_modes(header, scene, body)
     if METHODS[method].panels:
         return _panel_problem(header, scene, body)
-    lengths = tuple(scene.dimensions.values())
     panels = _panel_problem(header, scene, body) if "pressure" in scene.names() else None
     omegas = scene.omegas() if scene.waves.band is None else ()
-    return ShapeProblem(method=method, shape=scene.body.shape, sizes=lengths, panels=panels, omegas=omegas, **body)
+    shapes = [(one.shape, sizes(one)) for one in scene.bodies]
+    known = {"shapes": tuple(shapes)} if scene.several else dict(zip(("shape", "sizes"), shapes[0], strict=True))
+    return ShapeProblem(method=method, panels=panels, omegas=omegas, **known, **body)
 
 
 def _with_modes(header, scene, body):

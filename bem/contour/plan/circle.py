@@ -27,9 +27,10 @@ LOWEST = 3  # highest order of the rigid motions' velocities in the gap, and one
 
 @dataclass(frozen=True)
 class Circle:
-    """radius : m"""
+    """radius : m; lowest : order that functions on it reach at least"""
 
     radius: float
+    lowest: int = LOWEST
 
     @property
     def scale(self):
@@ -57,7 +58,7 @@ class Circle:
 
     def degree(self, waves, tolerance):
         """Highest order that velocities in the gap need; waves : rad/m, the largest wavenumber under the keel"""
-        return max(LOWEST, _last_order(waves * self.radius, tolerance))
+        return max(self.lowest, _last_order(waves * self.radius, tolerance))
 
     def table_wavenumber(self, waves):
         """Wavenumber, rad/m, at least `waves`, that a shared table resolves"""

@@ -20,7 +20,8 @@ class Clusters:
 
     Of c clusters, parents before their children.  The lid has a root of its own, and so have the panels of the hull
     that look along ±x, ±y, ±z: clusters that reach round an edge see part of each other edge on, which cross
-    approximation does not find.
+    approximation does not find.  So do those that reach from a body to the next: with one root for all bodies two
+    boxes of 1 000 panels were 1 % off.
     """
 
     order: np.ndarray  # (panels,) number in the mesh, by place in the tree
@@ -33,13 +34,15 @@ class Clusters:
     roots: tuple
 
     @classmethod
-    def of(cls, corners, normals, sizes, hull):
+    def of(cls, corners, normals, sizes, hull, body=None):
         """corners : (panels, 4, 3) m; normals : (panels, 3); sizes : (panels,) m; hull : number of panels of the hull,
-        which come first
+        which come first; body : (hull,) number of the body of each, None of one
         """
         middles, rows, roots, low = corners.mean(axis=1), [], [], 0
         axis = np.abs(normals).argmax(axis=1)
         kind = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
+        if body is not None:
+            kind[:hull] += 7 * body
         kind[hull:] = 6
         order = np.argsort(kind, kind="stable")
         for count in np.unique(kind, return_counts=True)[1]:

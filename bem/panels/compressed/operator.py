@@ -32,7 +32,8 @@ class Tree:
     def __init__(self, geometry):
         g = self.geometry = geometry
         per_panel = g.elements.inverse.shape[2]
-        self.clusters = Clusters.of(g.panels.flat_vertices, g.panels.normals, g.panels.sizes, g.hull // per_panel)
+        panels, hull = g.panels, g.hull // per_panel
+        self.clusters = Clusters.of(panels.flat_vertices, panels.normals, panels.sizes, hull, g.mesh.body)
         order = self.clusters.order
         self.nodes = (order[:, None] * per_panel + np.arange(per_panel)).ravel()  # number in the mesh
         self.elements = Elements(*(a[order if len(a) == len(order) else self.nodes] for a in g.elements))

@@ -62,17 +62,18 @@ class Surface(Points):
         self.nodes = geometry.elements.nodes[: geometry.hull] * self.mirrors[:, None]
         self.sharp = np.isfinite(flow.edge[:, 0])
 
-    def value(self, run, phi, waves, motion, headings):
+    def value(self, run, phi, waves, motion, headings, bent=None):
         """(f, p) potential and (f, p, 3) its gradient along the surface, of f flows.
 
         phi : (f, images, nodes) disturbance; waves : (f,) amplitude of the incident wave; motion : (f, 6) about the
         origin; headings : (f,) rad; run : of the frequency
+        bent : function of points (…, 3) that gives (f, …, 3) m that a body that bends moves by beside these, or None
         """
         f, flow, count = len(phi), self.flow, len(self.flow.weights)
         shape = f, self.copies, count
         known = self.points, self.normals
         wave, velocity = _incident(run, known[0], waves, headings)
-        uniform = self._at_edge(run, waves, motion, headings)
+        uniform = self._at_edge(run, waves, motion, headings, bent)
         remainder = np.empty((self.copies, count, flow.nodes.shape[1], f), complex)
         for image in range(self.copies):
             through = image ^ flow.images, flow.nodes
@@ -89,12 +90,14 @@ class Surface(Points):
         value = at.reshape(*shape[:1], -1) + wave - np.sum(uniform * known[0], axis=-1)
         return value, slope.reshape(f, -1, 3) + rest
 
-    def _at_edge(self, run, waves, motion, headings):
+    def _at_edge(self, run, waves, motion, headings, bent):
         """(f, images, n, 3) m/s, velocity of the incident waves relative to the edge, 0 on panels without edge"""
         edge = self.flow.edge[self.sharp] * self.mirrors[:, None]
         out = np.zeros((len(waves), self.copies, len(self.sharp), 3), complex)
         relative = _incident(run, edge, waves, headings)[1]
         relative += 1j * run.omega * (motion[:, None, None, :3] + np.cross(motion[:, None, None, 3:], edge))
+        if bent is not None:
+            relative += 1j * run.omega * bent(edge)
         out[:, :, self.sharp] = relative
         return out
 
@@ -195,10 +198,13 @@ def wave_flow(run, surfaces, motions):
     return disturbed_flow(run, surfaces, motions, motions)
 
 
-def disturbed_flow(run, surfaces, motions, own):
-    """As `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all; own : (m, 6) of this one"""
+def disturbed_flow(run, surfaces, motions, own, bent=None):
+    """As `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all; own : (m, 6) of this one
+
+    bent : as of `Surface.value`
+    """
     phi = [_on_images(run, run.disturbance(j, motion)) for j, motion in enumerate(motions)]
-    return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), own, run.headings)
+    return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), own, run.headings, bent)
 
 
 def radiated_flow(run, surfaces):
@@ -211,11 +217,14 @@ def radiated_flow(run, surfaces):
     return _flow(run, surfaces, phi, np.zeros(6), np.eye(6) / (-1j * run.omega), np.zeros(6))
 
 
-def _flow(run, surfaces, phi, waves, motions, headings):
+def _flow(run, surfaces, phi, waves, motions, headings, bent=None):
     hull = surfaces.hull
-    on_hull, gradient = hull.value(run, phi, waves, motions, headings)
+    on_hull, gradient = hull.value(run, phi, waves, motions, headings, bent)
     gradient += (-1j * run.omega * motions @ surfaces.hull_modes.T)[..., None] * hull.normals
-    potential = surfaces.waterline.value(run, phi, waves, motions, headings)[0]
+    if bent is not None:
+        speed = -1j * run.omega * np.sum(bent(hull.points) * hull.normals, axis=-1)
+        gradient += speed[..., None] * hull.normals
+    potential = surfaces.waterline.value(run, phi, waves, motions, headings, bent)[0]
     return HullFlow(np.full(len(phi), run.omega), np.asarray(motions, complex), gradient, potential, on_hull, hull)
 
 

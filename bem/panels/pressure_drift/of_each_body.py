@@ -2,6 +2,11 @@
 
 As `bem.methods.near_field`, body by body: the far field knows of all bodies together alone.  What each of them pushes
 off from another, the sum does not see; that it equals the far field is a check of both.
+
+Of a body that bends, X = u(x), the area vector of a piece of the hull changes too, by n ∇·u − (∇u)ᵀn, which is α × n
+where it only turns.  With the dynamic pressure p = −ρφ_t alone, whose hydrostatic remainder is vertical,
+
+    F = −½ρg ∮ (ζ² − 2ζ u_z) n dl + ½ρ ∬ |∇φ|² n dS − ∬ (u·∇p) n + p {n ∇·u − (∇u)ᵀn} dS,        M alike and −u × pn
 """
 
 from __future__ import annotations
@@ -10,6 +15,7 @@ from copy import copy
 
 import numpy as np
 
+from ...flexible.coupling import gradients
 from ...modes import axes_of
 from .hull_flow import HullSurfaces, disturbed_flow, hull_surfaces
 from .mean_drift import check_panels, pressure_pairs
@@ -29,15 +35,48 @@ def drift_of_each(run, moving):
     if moving:
         own[:, run.problem.moving] = run.rao
     load, out = _first_order_loads(run, own), np.zeros((waves, len(bodies), 3))
+    motions = own @ run.problem.transform
     for i, body in enumerate(bodies):
         six, T = slice(6 * i, 6 * i + 6), axes_of((body,))
         surface = HullSurfaces(*(_of_body(part, run.geometry.mesh.body, i) for part in _parts(surfaces)))
-        flow = disturbed_flow(run, surface, own @ run.problem.transform, own[:, six] @ T)
+        if run.problem.modes:
+            out[:, i] = (_bent_load(run, surface, motions, own[:, six] @ T, i) @ T.T)[:, MEAN]
+            continue
+        flow = disturbed_flow(run, surface, motions, own[:, six] @ T)
         each = np.arange(waves)
         pressure = pressure_pairs(surface, flow, run.problem)[each, each] @ T.T
         turned = rotated_pairs(load[:, six], own[:, six])[each, each]
         out[:, i] = (pressure + turned)[:, MEAN].real
     return out
+
+
+def _bent_load(run, surface, motions, own, number):
+    """(m, 6) mean load on a body that may bend, about the origin; motions : (m, n) of all; own : (m, 6) of this one"""
+    rigid, problem, line = 6 * len(run.problem.bodies), run.problem, surface.waterline
+    shapes = [(mode, motions[:, d]) for d, mode in enumerate(problem.modes, rigid) if number in mode.moves]
+
+    def bent(points):
+        out = np.zeros((len(motions), *points.shape), complex)
+        for mode, motion in shapes:
+            out += np.multiply.outer(motion, mode.displacement(points))
+        return out
+
+    def displaced(points):
+        return bent(points) + own[:, None, :3] + np.cross(own[:, None, 3:], points)
+
+    flow, x, n = disturbed_flow(run, surface, motions, own, bent), surface.hull.points, surface.hull.normals
+    u, weights, scale = displaced(x), surface.hull.weights, 1j * problem.density * run.omega
+    slope = gradients(displaced, x, float(np.ptp(x, axis=0).max()))
+    p, up = scale * flow.on_hull, scale * flow.velocity
+    square = 0.25 * problem.density * np.sum(np.abs(flow.velocity) ** 2, axis=-1)
+    along = square - 0.5 * np.sum(u.conj() * up, axis=-1).real
+    turned = np.einsum("fpaa->fp", slope)[..., None] * n - np.einsum("fpba,pb->fpa", slope, n)
+    force = along[..., None] * n - 0.5 * (p[..., None] * turned.conj()).real
+    moment = np.cross(x, force) - 0.5 * (p[..., None] * np.cross(u, n).conj()).real
+    rise, lifted = 1j * run.omega / problem.gravity * flow.potential, displaced(line.points)[..., 2]
+    crest = 0.25 * problem.density * problem.gravity * (np.abs(rise) ** 2 - 2 * (rise * lifted.conj()).real)
+    at_line = -(crest * line.weights) @ surface.waterline_modes
+    return np.concatenate([weights @ force, weights @ moment], axis=-1) + at_line
 
 
 def _first_order_loads(run, motions):

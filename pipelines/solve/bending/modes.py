@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from hakobune.bem.flexible.beams import Beam, second
@@ -11,7 +13,8 @@ from hakobune.bem.modes import Mode, moving
 from hakobune.bem.panels.elements import elements
 from hakobune.meshing.panels import with_symmetry
 
-from ...scene.modes import names_of, owner, points_of
+from ...scene.modes import between, names_of, owner, owners, points_of
+from ...scene.places import bodies_of
 from ...scene.scene import SceneError
 
 ALONG = np.polynomial.legendre.leggauss(200)  # places of mass along a beam
@@ -22,12 +25,11 @@ def modes_of(scene, hulls):
     """(`bem.modes.Mode`, …) of a scene; hulls : PanelMesh of each body, in coordinates of its own"""
     out = []
     for number, table in enumerate(scene.modes or ()):
-        i = owner(scene, table)
-        where = (
-            (tuple(map(float, scene.bodies[i].place[:2])), np.radians(scene.bodies[i].place[2]))
-            if scene.several
-            else ()
-        )
+        i, where = owner(scene, table), ()
+        if between(scene, table):
+            where = (0.0, 0.0), 0.0, tuple(owners(scene, table))
+        elif scene.several:
+            where = tuple(map(float, scene.bodies[i].place[:2])), np.radians(scene.bodies[i].place[2])
         for name, shape in zip(names_of(table), _shapes(f"modes[{number}]", scene, table, hulls[i]), strict=True):
             out.append(Mode(name, shape.turns, shape, i, *where))
     return tuple(out)
@@ -36,7 +38,7 @@ def modes_of(scene, hulls):
 def with_planes_of_modes(scene, mesh, hulls):
     """The mesh with the mirror planes alone that the shapes of its bodies have too; hulls : as of `modes_of`"""
     modes = modes_of(scene, hulls)
-    signs = [mode.parity(_of_body(mesh, mode.body).centroids) for mode in modes]
+    signs = [mode.parity(np.concatenate([_of_body(mesh, i).centroids for i in mode.moves])) for mode in modes]
     kept = "".join(axis for axis, own in zip("xy", np.array(signs).reshape(-1, 2).T, strict=True)
                    if axis in mesh.symmetry and np.all(own != 0))  # fmt: skip
     return with_symmetry(mesh, kept) if modes else mesh
@@ -56,14 +58,15 @@ def with_modes(known, scene, hulls):
     for name, whole in (("hydrostatic_stiffness", water), ("inertia_matrix", mass)):
         if name in known:
             whole[np.ix_(range(rigid), moving(bodies))] = known[name]
-    for i, hull in enumerate(hulls):
-        of = [j for j, mode in enumerate(modes) if mode.body == i]
+    for i in range(len(hulls)):
+        of = [j for j, mode in enumerate(modes) if i in mode.moves]
         if of:
             place = [*range(6 * i, 6 * i + 6), *(rigid + j for j in of)]
-            restoring, weight = _matrices(scene, i, hull, [modes[j] for j in of])
-            for whole, part in ((water, restoring), (mass, weight)):
-                part[:6, :6] = whole[np.ix_(place[:6], place[:6])]
-                whole[np.ix_(place, place)] = part
+            for whole, part in zip((water, mass), _matrices(scene, i, hulls, [modes[j] for j in of]), strict=True):
+                part[:6, :6] = 0  # of rigid motions, which are known
+                whole[np.ix_(place, place)] += part
+    _check_strained(scene, modes, hulls)
+    _with_own_mass(scene, modes, mass, rigid)
     for j, (mode, table) in enumerate(zip(modes, _tables(scene), strict=True), rigid):
         modal = mode.shape.mass if isinstance(mode.shape, Beam) else mass[j, j]
         held[j, j] = mode.shape.stiffness if isinstance(mode.shape, Beam) else table.stiffness
@@ -78,8 +81,9 @@ def mode_remarks(scene, hulls):
     """Lines on how well shapes from files are known on the hull"""
     for mode, table in zip(modes_of(scene, hulls), _tables(scene), strict=True):
         if isinstance(mode.shape, Table):
-            shape, hull = mode.shape, hulls[mode.body].whole()
-            error = 100 * shape.error(hull.centroids)
+            shape = mode.shape
+            points = [_in_shape(scene, mode, i, hulls[i].whole().centroids) for i in mode.moves]
+            error = 100 * shape.error(np.concatenate(points))
             yield f"{mode.name}: is known on the hull within {error:.2g} % of its largest displacement, by two splines"
             if shape.dimensions < 3:
                 where = "in a plane" if shape.dimensions == 2 else "on a line"
@@ -115,11 +119,11 @@ def _shapes(key, scene, table, hull):
     return [Beam(table.kind, n, *ends, table.axis_height, rigidity, per_length) for n in range(1, table.count + 1)]
 
 
-def _matrices(scene, number, hull, modes):
+def _matrices(scene, number, hulls, modes):
     """(6 + m, 6 + m) restoring of water and weight, and mass, of one body in its own coordinates"""
-    body, water = scene.bodies[number], scene.water
-    center = np.asarray((body.rotation_center if scene.several else scene.rotation_center) or (0.0, 0.0, 0.0))
-    motions = [_rigid(d, center) for d in range(6)] + [mode.shape.displacement for mode in modes]
+    hull, water = hulls[number], scene.water
+    motions = [_rigid(d, _center(scene, number)) for d in range(6)]
+    motions += [partial(mode.in_body, _body(scene, number)) for mode in modes]
     e = elements(hull.whole())
     size = float(np.ptp(e.nodes, axis=0).max())
 
@@ -130,16 +134,9 @@ def _matrices(scene, number, hull, modes):
 
     (u, slopes, pairs), areas = at(e.nodes), e.weights[:, None] * e.normals
     restoring = of_water(u, slopes, e.nodes[:, 2], areas, water.density, water.gravity, 6, pairs)
-    _check_strained(scene, modes, u)
-    points, masses = _masses(scene, number, hull, modes)
+    points, masses = _masses(scene, number, hulls, modes)
     if masses is None:
-        own = [table.mass for table in scene.modes if owner(scene, table) == number]
-        if scene.motions_known and None in own:
-            name = modes[own.index(None)].name
-            raise SceneError(
-                f"{name} has no mass; give a seventh column of masses in its file, or mass under [[modes]]"
-            )
-        return restoring, np.diag([0.0] * 6 + [mass or 0.0 for mass in own])
+        return restoring, np.zeros_like(restoring)
     u, slopes, pairs = at(points)
     mass = inertia(u, masses)
     for i, mode in enumerate(modes, 6):
@@ -148,11 +145,33 @@ def _matrices(scene, number, hull, modes):
     return restoring + of_weight(u, slopes, masses, water.gravity, 6, pairs), mass
 
 
-def _masses(scene, number, hull, modes):
-    """(p, 3) m and (p,) kg, of the body: along a beam, or those of the file"""
-    body, first = scene.bodies[number], modes[0].shape
-    if isinstance(first, Table):
+def _with_own_mass(scene, modes, mass, rigid):
+    """Put the mass of shapes without masses on the diagonal of `mass`.  Raises SceneError where there is none."""
+    for j, (mode, table) in enumerate(zip(modes, _tables(scene), strict=True), rigid):
+        first = next(one for one in modes if set(one.moves) & set(mode.moves))  # whose masses are those of the body
+        if isinstance(mode.shape, Table) and first.shape.masses is None:
+            if scene.motions_known and table.mass is None:
+                raise SceneError(
+                    f"{mode.name} has no mass; give a seventh column of masses in its file, or mass under [[modes]]"
+                )
+            mass[j, j] += table.mass or 0.0
+
+
+def _masses(scene, number, hulls, modes):
+    """(p, 3) m and (p,) kg, of the body: along a beam, or those of the file, of several bodies the nearest to it"""
+    body, first, hull = scene.bodies[number], modes[0].shape, hulls[number]
+    if isinstance(first, Table) and (first.masses is None or not modes[0].on):
         return first.points, first.masses
+    if isinstance(first, Table):
+        from scipy.spatial import KDTree
+
+        reach = [
+            KDTree(_in_shape(scene, modes[0], i, hulls[i].whole().centroids)).query(first.points)[0]
+            for i in modes[0].moves
+        ]
+        own = np.argmin(reach, axis=0) == modes[0].moves.index(number)
+        there = _body(scene, number)
+        return (first.points[own] - (*there.place, 0.0)) @ there.axes, first.masses[own]
     x, weights = 0.5 * first.length * ALONG[0], 0.5 * first.length * ALONG[1]
     _, y, z = body.center_of_gravity
     per_length = next((mode.shape.per_length for mode in modes if not mode.turns), None)
@@ -161,15 +180,33 @@ def _masses(scene, number, hull, modes):
     return line, per_length * weights
 
 
-def _check_strained(scene, modes, u):
-    """Raise SceneError where a shape is a rigid motion, and motions are wanted"""
-    rigid = u[:6].reshape(6, -1).T
-    for mode, shape in zip(modes, u[6:].reshape(len(modes), -1), strict=True):
-        left = shape - rigid @ np.linalg.lstsq(rigid, shape, rcond=None)[0]
-        if scene.motions_known and np.abs(left).max() <= RIGID * np.abs(shape).max():
-            raise SceneError(
-                f"{mode.name} has no strain: it is a rigid motion, which the body already has; leave it out"
-            )
+def _check_strained(scene, modes, hulls):
+    """Raise SceneError where a shape is a rigid motion of each body that it moves, and motions are wanted"""
+    for mode in modes if scene.motions_known else ():
+        left, size = 0.0, 0.0
+        for i in mode.moves:
+            points = elements(hulls[i].whole()).nodes
+            rigid = np.array([_rigid(d, _center(scene, i))(points) for d in range(6)]).reshape(6, -1).T
+            shape = mode.in_body(_body(scene, i), points).ravel()
+            rest = shape - rigid @ np.linalg.lstsq(rigid, shape, rcond=None)[0]
+            left, size = max(left, np.abs(rest).max()), max(size, np.abs(shape).max())
+        if left <= RIGID * size:
+            has, way = ("each body has", ", or join bodies by [[hinges]] of a study") if mode.on else ("the body has", "")
+            raise SceneError(f"{mode.name} has no strain: it is a rigid motion, which {has} already; leave it out{way}")
+
+
+def _body(scene, number):
+    return bodies_of(scene)[number] if scene.several else None
+
+
+def _in_shape(scene, mode, number, points):
+    """Points (n, 3) m of a body in the coordinates of a shape: of its own, or of the scene"""
+    return _body(scene, number).in_scene(points) if mode.on else points
+
+
+def _center(scene, number):
+    body = scene.bodies[number]
+    return np.asarray((body.rotation_center if scene.several else scene.rotation_center) or (0.0, 0.0, 0.0))
 
 
 def _rigid(d, center):

@@ -70,6 +70,18 @@ def test_trees_hold_every_panel_once_in_leaves_of_sixteen_and_have_roots_by_what
     assert np.all(count == 1)
 
 
+def test_no_cluster_holds_panels_of_two_bodies():
+    """Two plates that both look down, 1 m apart in height: seen edge on by one of them, not by the other"""
+    corners = np.concatenate([plate(24, 0.0, -5.0, 1.0), plate(24, 0.0, -4.0, 1.0), plate(8, 0.0, 0.0, 1.0)])
+    normals = np.tile([0, 0, -1.0], (56, 1))
+    body = np.repeat([0, 1], 24)
+    made = Clusters.of(corners, normals, np.ones(56), 48, body)
+    assert sorted(made.end[r] - made.first[r] for r in made.roots) == [8, 24, 24]
+    for first, end in zip(made.first, made.end, strict=True):
+        own = made.order[first:end]
+        assert len(set(np.append(body, [2] * 8)[own])) == 1
+
+
 class OfMatrix(NamedTuple):
     values: np.ndarray
     signs: np.ndarray

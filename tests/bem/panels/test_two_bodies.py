@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from hakobune.bem.drift import sum_about_origin
+from hakobune.bem.flexible.beams import Beam
 from hakobune.bem.frequency import solve_frequency
 from hakobune.bem.methods.panel_problem import PanelProblem
-from hakobune.bem.modes import Body
+from hakobune.bem.modes import Body, Mode
 from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 from hakobune.meshing.lid import lid
 from hakobune.meshing.panels import assembled, with_symmetry
@@ -105,6 +106,26 @@ def test_two_equal_bodies_and_their_mirror(barge):
         assert one[name] == pytest.approx(symmetric, rel=1e-7, abs=1e-7 * np.abs(symmetric).max())
 
 
+def test_two_bodies_beside_a_wall_are_half_of_four(barge):
+    """Before a wall at y = −1.5: with the images of both, moving as images, in waves and their reflection"""
+    wall, tug = -1.5, barge.scaled(0.5).rotated(0.4)
+    hulls, places = [barge.moved(dy=1.5), tug.moved(dx=1.0, dy=6.0)], [(0.0, 1.5, 0.0), (1.0, 6.0, 0.0)]
+    bodies = [Body(name, place) for name, place in zip("ab", places, strict=True)]
+    images = [replace(h, points=h.points * [1, -1, 1] + [0, 2 * wall, 0]).flipped() for h in hulls]
+    behind = [Body(f"{b.name}_image", (b.rotation_center[0], 2 * wall - b.rotation_center[1], 0.0)) for b in bodies]
+    four = solved([*hulls, *images], [*bodies, *behind], headings=(0.7, -0.7))
+    two = solved(hulls, bodies, headings=(0.7,), wall=wall)
+    for name in ("added_mass", "radiation_damping"):
+        whole = four[name][:12, :12] + four[name][:12, 12:] * np.tile(MIRRORED, 2)
+        assert two[name] == pytest.approx(whole, abs=1e-6 * np.abs(whole).max())
+    from hakobune.bem.waves import wavenumber
+
+    k = float(wavenumber(1.1, 9.0, 9.80665))
+    reflected = four["excitation_force"][1] * np.exp(2j * k * np.sin(0.7) * wall)  # the crest at the wall at once
+    whole = (four["excitation_force"][0] + reflected)[:12]
+    assert two["excitation_force"][0] == pytest.approx(whole, abs=1e-6 * np.abs(whole).max())
+
+
 def test_what_is_fixed_scatters_and_does_not_move(pair, barge):
     """Forces, and those of the motions of the other body, are the same; the other moves as if the matrices of the
     fixed one were not there"""
@@ -151,6 +172,32 @@ def test_a_list_of_one_has_the_drift_by_pressure_of_one(barge):
     one = near_field_drift(alone.prepared().run(1.3, [0.4], {"drift_force"}, None, None), True)
     found = solved([barge], [Body("it", (0.5, 0, 0))], {"body_drift_force"}, omega=1.3, headings=[0.4], **matrices)
     assert found["body_drift_force"][0] == pytest.approx(one, rel=1e-9)
+
+
+def test_drift_of_each_of_two_bodies_of_which_one_bends():
+    """Together that of the far field, which knows nothing of the hulls; too stiff to bend, that of the rigid body"""
+    long, held = box(20.0, 4.0, 1.5, panels=140).whole(), box(8.0, 4.0, 2.0, panels=80).whole()
+    hulls = [long.moved(dy=4.0), held.moved(dy=-4.0)]
+    bodies = (Body("long", (0.0, 4.0, 0.0)), Body("held", (0.0, -4.0, 0.0), 0.0, True, (0.0, -4.0)))
+    still = hydrostatics(long, (0, 0, 0.0))
+    M, C = np.zeros((2, 13, 13))
+    M[:6, :6], C[:6, :6] = inertia_matrix(still.mass, (0, 0, 0.0), (1.4, 6.0, 6.0), (0, 0, 0.0)), still.stiffness
+
+    def drift(EI):
+        beam = Beam("vertical bending", 1, -10.0, 10.0, 0.0, EI, still.mass / 20)
+        M[12, 12], C[12, 12] = beam.mass, beam.stiffness + 1025 * 9.80665 * 20.0
+        own = [*range(6), 12]
+        matrices = {"inertia_matrix": M[:, own], "hydrostatic_stiffness": C[:, own]}
+        return solved(hulls, bodies, {"drift_force", "body_drift_force", "rao"}, 1.4, [0.4],
+                      modes=(Mode("bending", False, beam, 0, (0.0, 4.0)),), **matrices)  # fmt: skip
+
+    soft, stiff = drift(3e6), drift(1e18)
+    whole, each = soft["drift_force"][0], sum_about_origin(soft["body_drift_force"][0], bodies)
+    assert abs(soft["rao"][0, 6]) > 0.3 and np.abs(whole - stiff["drift_force"][0]).max() > 0.2 * np.abs(whole).max()
+    assert each == pytest.approx(whole, abs=0.03 * np.abs(whole).max())
+    matrices = {"inertia_matrix": M[:12, :6], "hydrostatic_stiffness": C[:12, :6]}
+    rigid = solved(hulls, bodies, {"body_drift_force"}, 1.4, [0.4], **matrices)["body_drift_force"]
+    assert stiff["body_drift_force"] == pytest.approx(rigid, abs=5e-3 * np.abs(rigid).max())
 
 
 def test_both_limits_of_the_frequency_over_all_motions(pair):

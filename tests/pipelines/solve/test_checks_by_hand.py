@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.pipelines.scene.places import in_scene
 from hakobune.pipelines.solve import adaptive, checking, report
-from hakobune.pipelines.solve.arrangement import in_scene
 
 OMEGA = np.array([0.4, 0.5, 0.6])
 

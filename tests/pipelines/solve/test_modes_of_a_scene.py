@@ -134,11 +134,11 @@ def test_two_bodies_of_which_the_turned_one_bends(tmp_path):
              "fixed": True}  # fmt: skip
     given = tables({**BENDING, "body": "barge"})
     given["bodies"] = [{**HULL, "name": "barge", "place": [5, 0, 90]}, other]
-    given["waves"], given["panels"] = {"omegas": [1.6]}, 200
+    given["waves"], given["panels"] = {"omegas": [1.1]}, 200
     assert solve(make_scene(given), tmp_path / "two.h5").exit_status == 0
     db = open_database(tmp_path / "two.h5")
     assert list(db["radiating_dof"][6:]) == ["barge__vertical_bending_1", "barge__vertical_bending_2"]
-    assert db["added_mass"].shape == (1, 14, 8) and "body_drift_force" not in db.names
+    assert db["added_mass"].shape == (1, 14, 8) and db["body_drift_force"].shape == (1, 1, 2, 3)
     assert not broken_laws(db, 0.03)
     assert abs(axis_rise(db, 0, np.zeros(1))).max() > 0
 
@@ -185,3 +185,58 @@ def test_a_shape_that_strains_nothing_is_named(tmp_path):
     file = {"kind": "file", "name": "turn", "file": str(tmp_path / "pitch.txt"), "stiffness": 0.0, "mass": 1.0}
     with pytest.raises(SceneError, match="turn strains nothing"):
         solve(make_scene(tables(file)), tmp_path / "x.h5")
+
+
+SAGS = [{**HULL, "name": "fore", "place": [14.0, 0.0, 0.0]}, {**HULL, "name": "aft", "place": [-14.0, 1.0, 180.0]}]
+
+
+def rows_of(shape, masses=None):
+    """A file's rows: points on and above both hulls, in coordinates of the scene"""
+    x, y, z = (a.ravel() for a in np.meshgrid(np.linspace(-26, 26, 52), [-4, 0, 4], [-1.2, 0.3], indexing="ij"))
+    points = np.stack([x, y, z], axis=1)
+    rows = np.hstack([points, shape(points)])
+    return rows if masses is None else np.hstack([rows, np.full((len(x), 1), masses / len(x))])
+
+
+def sag(points):
+    """Both ends of 52 m up, the middle down"""
+    x = points[:, 0]
+    return np.stack([0 * x, 0 * x, x**2 / 600 - 0.4], axis=1)
+
+
+def test_a_shape_of_two_bodies_is_the_sum_of_what_each_does(tmp_path):
+    np.savetxt(tmp_path / "sag.csv", rows_of(sag, 2 * RHO * 24 * 6 * 1.2), delimiter=",")
+    whole = {"kind": "file", "name": "sag", "file": str(tmp_path / "sag.csv"), "stiffness": 1e6}
+    given = tables(whole, bodies=SAGS, waves={"omegas": [1.6], "headings_deg": [20.0]}, panels=160)
+    assert solve(make_scene(given), tmp_path / "both.h5").exit_status == 0
+    db = open_database(tmp_path / "both.h5")
+    assert list(db["radiating_dof"][12:]) == ["sag"] and db["added_mass"].shape == (1, 13, 13)
+    A, M, C = db["added_mass"][0], db.inertia_matrix, db.hydrostatic_stiffness
+    assert A[12, :12] == pytest.approx(A[:12, 12], abs=0.02 * np.abs(A[12, 12]))
+    assert max(db.checks()["Haskind"]) < 0.02 and max(db.checks()["energy"]) < 0.02
+    mean = np.mean((np.linspace(-26, 26, 52)) ** 2 / 600 - 0.4)
+    assert M[2, 12] + M[8, 12] == pytest.approx(2 * RHO * 24 * 6 * 1.2 * mean, rel=1e-3)  # of all masses
+    assert M[2, 12] == pytest.approx(M[8, 12], rel=0.03) and M[4, 12] == pytest.approx(M[10, 12], rel=0.05)
+    over = [np.mean((x0 + np.linspace(-12, 12, 2001)) ** 2 / 600 - 0.4) for x0 in (14.0, -14.0)]
+    assert [C[12, 2], C[12, 8]] == pytest.approx([RHO * G * 144 * one for one in over], abs=5e-4 * RHO * G * 144)
+    point = transfer_functions(db.bodies_reader.floating(), db.omega, db.wave_direction,
+                               (Point("end", (12.0, 0.0, 0.3), body="aft"),), water=False)  # fmt: skip
+    at = {name: point.value[0, 0, i] for i, name in enumerate(point.names)}
+    X, (up,) = db["rao"][0, 0], sag(np.array([[-26.0, 1.0, 0.3]]))
+    rise = X[8] - 12 * X[10] + X[12] * up[2]
+    assert at["end displacement z"] == pytest.approx(rise, rel=1e-3)
+
+
+def test_a_hinge_is_no_shape_and_a_beam_not_of_two_bodies(tmp_path):
+    np.savetxt(tmp_path / "hinge.csv", rows_of(lambda p: np.stack([0 * p[:, 0], 0 * p[:, 0], p[:, 0]], axis=1)))
+    rigid = {"kind": "file", "name": "turn", "file": str(tmp_path / "hinge.csv"), "stiffness": 1e6, "mass": 1e3}
+    given = tables(rigid, bodies=SAGS, waves={"omegas": [1.6]}, panels=160)
+    with pytest.raises(
+        SceneError, match=r"modes\[0\].body is missing; allowed: fore, aft; a shape of all is of a file"
+    ):
+        make_scene(tables(BENDING, bodies=SAGS, waves={"omegas": [1.6]}))
+    given["modes"][0]["file"] = str(tmp_path / "whole.csv")
+    turn = rows_of(lambda p: np.stack([p[:, 2], 0 * p[:, 0], -p[:, 0]], axis=1))
+    np.savetxt(tmp_path / "whole.csv", turn)
+    with pytest.raises(SceneError, match=r"turn strains nothing: .* \[\[hinges\]\] of a study hold bodies together"):
+        solve(make_scene(given), tmp_path / "none.h5")

@@ -10,6 +10,7 @@ from hakobune.bem.bodies.one_of_several import body_named, each_body
 from hakobune.bem.database import DatabaseError, open_database
 from hakobune.bem.formats import capytaine, wamit
 from hakobune.bem.formats.values import values_of
+from hakobune.bem.frequency import solve_frequency
 from hakobune.bem.modes import Body
 from hakobune.bem.viscous_table import viscous_of_text
 from hakobune.meshing.files import read_mesh
@@ -33,7 +34,8 @@ PIER = {"name": "pier", "shape": "box", "length": 6.0, "beam": 2.0, "draft": 4.0
 
 def tables(*bodies, **more):
     waves = {"omegas": [1.0, 1.4], "headings_deg": [0.0, 60.0]}
-    return {"water": {"depth": 9.0}, "bodies": list(bodies or (BARGE, PIER)), "waves": waves, "panels": 120, **more}
+    whole = {"water": {"depth": 9.0}, "bodies": list(bodies or (BARGE, PIER)), "waves": waves, "panels": 120, **more}
+    return {key: value for key, value in whole.items() if value is not None}
 
 
 @pytest.fixture(scope="module")
@@ -222,17 +224,51 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
 
 @pytest.mark.parametrize(
     ("more", "said"),
-    [({"wall": 20.0}, "a wall stands beside one body only"), ({"method": "contour"}, "knows one body alone"),
+    [({"method": "strip", "panels": None}, "knows one body alone"),
+     ({"method": "contour", "panels": None, "damping_lids": [{"damping": 0.05}]}, "knows no damping lids"),
+     ({"method": "contour"}, "has no panels"),
+     ({"want": ["body_drift_force"], "wall": 20.0}, "which is not computed beside a wall"),
+     ({"want": ["body_drift_force"], "method": "contour", "panels": None}, "which method contour does not give"),
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
-     ({"waves": {"band": {"from": 0.5, "to": 1.0}}}, "places frequencies for one body"),
-     ({"viscous": {"wave_height": 1.0}}, "viscous has a wave height, but no body has a law; give"),
+     ({"viscous": {"wave_height": 1.0}}, "no body has a law"),
      ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "give it under [bodies.viscous] of each")],
 )  # fmt: skip
 def test_what_several_bodies_do_not_have_is_refused(more, said):
     with pytest.raises(SceneError) as error:
         make_scene(tables(**more))
     assert said in str(error.value)
+
+
+def test_bodies_on_both_sides_of_a_wall_are_named():
+    """The barge is from y = 1.5 to 6.5, the pier from −7 to −1, its 6 m along y"""
+    with pytest.raises(SceneError, match=r"pier is from -7 to -1 m, the wall at y = 0; allowed: all"):
+        make_hull(make_scene(tables(wall=0.0)))
+    with pytest.raises(SceneError, match=r"barge is from 1.5 to 6.5 m, the wall at y = 6"):
+        make_hull(make_scene(tables(wall=6.0)))
+
+
+def test_a_scene_beside_a_wall_has_no_far_field(tmp_path):
+    path = tmp_path / "wall.h5"
+    assert solve(make_scene(tables(wall=-9.0, panels=60)), path).exit_status == 0
+    names = open_database(path).names
+    assert "excitation_force" in names and not {"drift_force", "body_drift_force", "kochin_radiation"} & set(names)
+
+
+def test_a_band_of_two_boxes_by_contours_is_within_its_tolerance(tmp_path):
+    """Frequencies that the program places; between them at 1.27 rad/s what is solved there"""
+    path, raw = tmp_path / "band.h5", tables(method="contour", panels=None, want=["radiation", "diffraction"])
+    raw["waves"] = {"band": {"from": 1.1, "to": 1.4}, "headings_deg": [0.0, 60.0]}
+    assert solve(make_scene(raw), path).exit_status == 0
+    raw["waves"] = {"omegas": [1.27], "headings_deg": [0.0, 60.0]}
+    there = planned(make_scene(raw)).problem
+    known = solve_frequency(there.prepared(), 1.27, np.radians([0.0, 60.0]), {"added_mass", "excitation_force"})
+    reader = open_database(path).bodies_reader
+    added, force = (reader.at([1.27], name)[0][0] for name in ("added_mass", "excitation_force"))
+    whole = known["added_mass"][:6]
+    assert added == pytest.approx(whole, abs=0.01 * np.abs(whole).max())
+    assert force == pytest.approx(known["excitation_force"][:, :6], abs=0.01 * np.abs(known["excitation_force"]).max())
+    assert len(open_database(path).omega) < 25
 
 
 @pytest.mark.parametrize(

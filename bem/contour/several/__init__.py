@@ -1,0 +1,1 @@
+"""Several vertical-sided bodies: one plane problem around all plans for each depth mode."""

@@ -1,0 +1,332 @@
+"""Boxes and vertical cylinders side by side by domain decomposition: each body's own gap, one plane problem around all.
+
+Under each body and in its gap nothing differs from `solver.ContourBody`.  The maps outside become those of all plans
+together (`exterior`), and the functions ψ, the nodes and the table in κ are as fine as the water between the bodies
+asks for.  Errors are those beside finer bodies, as of one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+
+from ...kernels.threads import blas_threads
+from ...modes import reference_change, turned, with_net_flux
+from ...waves import wavenumber
+from ..modal_sums import ChebyshevNodes, contracted
+from ..one_frequency import degrees
+from ..plan.circle import Circle
+from ..plan.maps import CLASSES, area_moment
+from ..solver import SMALL, memoised, prepare_box, prepare_cylinder
+from .exterior import REACH, Exterior
+from .fixed import Fixed
+from .one_frequency import SeveralFrequency
+from .senders import Kernel, sender
+
+NARROWEST = 0.005  # of half the width of a body, a gap: with a hundredth a frequency takes minutes
+
+
+def prepare_several(shapes, places, depth, tolerance=1e-3):
+    """`SeveralBodies`.
+
+    shapes : [("box", (length, beam, draft)) or ("buoy", (radius, draft))], m
+    places : [`exterior.Place`] of the middle of each; depth : m, finite
+    Raises ValueError as `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`.
+    """
+    makers = {"box": prepare_box, "buoy": prepare_cylinder}
+    bodies = [makers[shape](*sizes, depth, tolerance) for shape, sizes in shapes]
+    _check_apart([body.plan for body in bodies], places)
+    gaps = nearest([body.plan for body in bodies], places)
+    for number, (body, gap) in enumerate(zip(bodies, gaps, strict=True), 1):
+        least = NARROWEST * body.plan.scale
+        if gap < least:
+            raise ValueError(
+                f"body {number} is {gap:.3g} m from the next; allowed by contours: from {least:.3g} m, {NARROWEST:g} "
+                "of half its width; take the panel method"
+            )
+    bodies = [replace(body, plan=near(body, gap)) for body, gap in zip(bodies, gaps, strict=True)]
+    return SeveralBodies(tuple(bodies), tuple(places), tuple(gaps))
+
+
+def near(body, gap):
+    """The plan of a body with functions for flows as long as the gap (m) to the next one
+
+    On a circle the orders of what lies at that distance fall like those of the circle's image in it; a side of a
+    rectangle takes as many polynomials more at its ends as the gap is shorter than the plan is wide.
+    """
+    plan, digits = body.plan, body.accuracy.digits
+    if isinstance(plan, Circle):
+        orders = int(np.ceil(digits * np.log(10) / np.arccosh(1 + gap / (2 * plan.radius))))
+        return replace(plan, lowest=max(plan.lowest, orders))
+    shorter = np.sqrt(max(1.0, plan.scale / gap))
+    return replace(plan, extra=int(np.ceil(plan.extra * shorter)))
+
+
+def nearest(plans, places):
+    """[m] from each plan to the nearest other one"""
+    outlines = [place.in_scene(_outline(plan)) for plan, place in zip(plans, places, strict=True)]
+    out = []
+    for a, one in enumerate(outlines):
+        out.append(min(_distance(one, other) for b, other in enumerate(outlines) if b != a))
+    return out
+
+
+def _check_apart(plans, places):
+    """Raise ValueError for two plans that meet"""
+    outlines = [place.in_scene(_outline(plan, 50)) for plan, place in zip(plans, places, strict=True)]
+    for (a, plan), (b, outline) in product(enumerate(plans), enumerate(outlines)):
+        if a == b:
+            continue
+        seen = places[a].own(outline)
+        if isinstance(plan, Circle):
+            inside = np.abs(seen) <= plan.radius
+        else:
+            inside = (np.abs(seen.real) <= plan.length / 2) & (np.abs(seen.imag) <= plan.beam / 2)
+        if np.any(inside):
+            raise ValueError(f"bodies {a + 1} and {b + 1} lie in each other or touch; allowed: water between them")
+
+
+def _outline(plan, pieces=1):
+    """(p,) complex m, points of a circle or the corners of a rectangle, with its sides in so many pieces"""
+    if isinstance(plan, Circle):
+        return plan.radius * np.exp(2j * np.pi * np.arange(180) / 180)
+    corner = (plan.length + 1j * plan.beam) / 2
+    corners = np.array([corner, -corner.conjugate(), -corner, corner.conjugate()])
+    along = np.roll(corners, -1) - corners
+    return (corners[:, None] + along[:, None] * np.arange(pieces) / pieces).ravel()
+
+
+def _distance(one, other):
+    """m, of two closed polygons (p,) and (q,) complex that do not meet"""
+
+    def to_sides(points, polygon):
+        along = np.roll(polygon, -1) - polygon
+        ahead = points[:, None] - polygon
+        share = np.clip((ahead * along.conj()).real / np.abs(along) ** 2, 0, 1)
+        return np.abs(ahead - share * along).min()
+
+    return float(min(to_sides(one, other), to_sides(other, one)))
+
+
+@dataclass(frozen=True, eq=False)
+class SeveralBodies:
+    """Several `solver.ContourBody` in one water.
+
+    places : `exterior.Place` of the middle of each; gaps : m, from each to the nearest other one
+    """
+
+    bodies: tuple
+    places: tuple
+    gaps: tuple
+    cache: dict = field(default_factory=dict, repr=False)
+
+    @property
+    def depth(self):
+        """m"""
+        return self.bodies[0].depth
+
+    @property
+    def tolerance(self):
+        """Relative error of the parts"""
+        return max(body.tolerance for body in self.bodies)
+
+    @property
+    def digits(self):
+        """Of the parts"""
+        return max(body.accuracy.digits for body in self.bodies)
+
+    def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
+        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; as `ContourBody.first_order`
+
+        dofs : all are found
+        """
+        if not 0 < omega < np.inf:
+            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
+        with blas_threads(SMALL):
+            return SeveralFrequency(self, omega, headings, theta, density, gravity).result()
+
+    def froude_krylov(self, omega, headings, dofs=None, density=1025.0, gravity=9.80665):
+        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : all are found"""
+        k, beta = float(wavenumber(omega, self.depth, gravity)), np.atleast_1d(np.asarray(headings, float))
+        each = []
+        for body, place in zip(self.bodies, self.places, strict=True):
+            phase = np.exp(1j * k * (place.x * np.cos(beta) + place.y * np.sin(beta)))
+            own = body.froude_krylov(omega, beta - place.heading, range(6), density, gravity)
+            each.append(phase[:, None] * own)
+        return np.hstack(each) @ self.to_scene.T
+
+    def added_mass_limit(self, which, density=1025.0):
+        """(6N, 6N) added mass for `which` "zero" or "infinity" of the frequency, about the origin
+
+        At zero infinite between motions with a net flux, as `frequency_limits`.
+        """
+        finite, flux = self.limit(which)
+        return with_net_flux(density * finite, flux, np.abs(flux).max() or 1.0)
+
+    def limit(self, which):
+        """(6N, 6N) of unit density, and (6N,) m² the flux of each motion, a source in plan; both about the origin
+
+        What is infinite between two of these is left out.
+        """
+        if which not in ("zero", "infinity"):
+            raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
+        area = [area_moment(body.plan.polynomial_contour(body.plan.degree(0.0, 1.0)), 0, 0) for body in self.bodies]
+        flux = np.kron(area, [0, 0, which == "zero", 0, 0, 0]).astype(float)
+        with blas_threads(SMALL):
+            return self._limit(which == "zero"), self.to_scene @ flux
+
+    def _limit(self, zero):
+        """Modes as of `frequency_limits`"""
+        degrees_, tops = self.degrees(0.0)
+        shift = 0.0 if zero else -0.5
+        k = (np.arange(1, self.mode_count(0.0) + 1) + shift) * np.pi / self.depth
+        fixed, exterior = Fixed(self, degrees_, tops), self._exterior(0.0, degrees_)
+        rows = [body.profiles.gap.outer_rows(k) for body in self._first_of_kinds]
+        weights = self._weights(rows, k, np.full(len(k), self.depth / 2), tops)
+        single, one = np.zeros((exterior.basis.shape[1],) * 2), []
+        if zero:
+            single = exterior.map(Kernel("laplace")) / self.depth
+        for body, _ in self.of_kinds:
+            whole = np.concatenate([body.profiles.gap.mean, [body.draft, -(body.draft**2) / 2]])
+            one.append(body.profiles.combinations @ (whole if zero else 0 * whole))
+        outside, none = fixed.outside(weights, self.outer_maps(degrees_, tops), one, single), np.zeros((fixed.size, 0))
+        found = -fixed.loads(outside, *fixed.solved(outside, none)[:2], none)
+        return self.to_scene @ found @ self.to_scene.T
+
+    @cached_property
+    def finer(self):
+        """The same bodies with a digit more, from which the error of these is estimated"""
+        return self._by(lambda body: body.finer)
+
+    @cached_property
+    def sharper(self):
+        """The same bodies for a tenth of the tolerance; None at the last"""
+        return None if any(body.sharper is None for body in self.bodies) else self._by(lambda body: body.sharper)
+
+    def _by(self, better):
+        made = [better(body) for body in self.bodies]
+        made = [replace(body, plan=near(body, gap)) for body, gap in zip(made, self.gaps, strict=True)]
+        return replace(self, bodies=tuple(made), cache={})
+
+    @cached_property
+    def to_scene(self):
+        """(6N, 6N) from forces about the middles in own axes to forces about the origin in those of the scene"""
+        from scipy.linalg import block_diag
+
+        parts = [turned(p.heading) @ reference_change((p.x, p.y, 0.0)) for p in self.places]
+        return np.linalg.inv(block_diag(*parts))
+
+    @cached_property
+    def of_kinds(self):
+        """[(body, number of its kind)]: bodies of one kind share draft and functions of the gap"""
+        kinds, out = [], []
+        for body in self.bodies:
+            kind = body.draft, body.accuracy.terms, body.profiles.smallest
+            if kind not in kinds:
+                kinds.append(kind)
+            out.append((body, kinds.index(kind)))
+        return out
+
+    @cached_property
+    def _first_of_kinds(self):
+        kinds = [kind for _, kind in self.of_kinds]
+        return [self.bodies[kinds.index(one)] for one in range(max(kinds) + 1)]
+
+    def mode_count(self, k):
+        """Evanescent modes outside, k = ω²/g"""
+        return max(
+            max(body.mode_count(k), body.profiles.gap.mode_count(k, body.accuracy.modes, gap))
+            for body, gap in zip(self.bodies, self.gaps, strict=True)
+        )
+
+    def outer_modes(self, omega, gravity):
+        """[`OuterModes`] of every kind, all of equally many modes"""
+        count = self.mode_count(omega**2 / gravity)
+        return [body.profiles.gap.outer_modes(omega, count, gravity) for body in self._first_of_kinds]
+
+    def resolution(self, omega, gravity=9.80665):
+        """As of `solver.ContourBody`"""
+        k = float(wavenumber(omega, self.depth, gravity))
+        return (*self.degrees(k), self.exterior(k, self.degrees(k)[0]).size)
+
+    def degrees(self, k):
+        """Degrees of the functions on each plan, and of its tables"""
+        return tuple(zip(*(degrees(body, k) for body in self.bodies), strict=True))
+
+    def exterior(self, k, degrees_):
+        """`Exterior` that resolves waves of k rad/m; the same for all k between two powers of 1.2"""
+        longest = max(body.plan.reach for body in self.bodies)
+        step = 1.2 ** np.ceil(np.log(max(k * longest, 1.0)) / np.log(1.2))
+        return self._exterior(float(step / longest) if k else 0.0, degrees_)
+
+    @memoised
+    def _exterior(self, k, degrees_):
+        digits = self.digits + 1
+        shortest = min(1 / k if k else np.inf, min(self.gaps) / REACH)
+        made = [sender(body.plan, degree, k, gap, digits, shortest)
+                for body, degree, gap in zip(self.bodies, degrees_, self.gaps, strict=True)]  # fmt: skip
+        return Exterior(made, self.places)
+
+    @memoised
+    def nodes(self, tops):
+        """`ChebyshevNodes` of κ for all bodies, as `ContourBody.nodes`"""
+        each = [body.nodes(top) for body, top in zip(self.bodies, tops, strict=True)]
+        first, last = min(one.first for one in each), max(one.last for one in each)
+        dense = max((one.count - 2) / np.log(one.last / one.first) for one in each)
+        return ChebyshevNodes(first, last, int(np.ceil(dense * np.log(last / first))) + 2)
+
+    def coupled(self, tops):
+        """At how many κ of the table the plans see each other"""
+        return int(np.sum(self.nodes(tops).kappa * min(self.gaps) <= REACH))
+
+    @memoised
+    def maps(self, tops):
+        """(c + 1, n, n) κN outside at the nodes, its limit −1 at the end; and N for κ = 0"""
+        nodes, exterior = self.nodes(tops), self._exterior(0.0, tops)
+        apart = nodes.kappa * min(self.gaps) > REACH
+        size = exterior.basis.shape[1]
+        out = np.zeros((len(nodes.kappa) + 1, size, size))
+        for c, kappa in enumerate(nodes.kappa[~apart]):
+            out[c] = kappa * exterior.map(Kernel("decaying", kappa))
+        first = 0
+        for body, top in zip(self.bodies, tops, strict=True) if np.any(apart) else ():
+            maps = body.plan.maps(top, nodes.kappa[apart])
+            for cls in CLASSES:
+                at = slice(first, first + maps[cls][0].shape[-1])
+                out[len(nodes.kappa) - len(maps[cls][0]) : -1, at, at] = maps[cls][0]
+                first = at.stop
+        out[-1] = -np.eye(size)
+        return out
+
+    @memoised
+    def outer_maps(self, degrees_, tops):
+        """(c + 1, n, n) κN of functions up to degrees among those up to `tops`"""
+        own = self._chosen(degrees_, tops)
+        return np.ascontiguousarray(self.maps(tops)[:, own[:, None], own])
+
+    def _chosen(self, degrees_, tops):
+        chosen, first = [], 0
+        for body, degree, top in zip(self.bodies, degrees_, tops, strict=True):
+            for cls in CLASSES:
+                chosen.append(first + body.plan.subset(cls, degree, top))
+                first += len(body.plan.subset(cls, top, top))
+        return np.concatenate(chosen)
+
+    def weights(self, kinds, tops):
+        """{(a, b): (r_a, r_b, c + 1)} weight of each node of the table in sums over the `OuterModes` of all kinds"""
+        return self._weights([one.rows for one in kinds], kinds[0].wavenumbers, kinds[0].norms, tops)
+
+    def _weights(self, rows, k, norms, tops):
+        decays, rows = [body.profiles.gap.outer_decays for body in self._first_of_kinds], np.vstack(rows)
+        sums = contracted(rows, np.concatenate(decays), 1 / (norms * k), self.nodes(tops).weights(k))
+        ends = np.cumsum([0, *map(len, decays)])
+        known = {}
+        for i, j in product(range(len(decays)), repeat=2):
+            left, right = (self._first_of_kinds[one].profiles.combinations for one in (i, j))
+            part = sums[ends[i] : ends[i + 1], ends[j] : ends[j + 1]]
+            known[i, j] = np.tensordot(left, np.tensordot(part, right, (1, 1)), (1, 0)).transpose(0, 2, 1)
+        each = [kind for _, kind in self.of_kinds]
+        return {(a, b): known[i, j] for (a, i), (b, j) in product(enumerate(each), repeat=2)}

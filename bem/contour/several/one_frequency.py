@@ -1,0 +1,118 @@
+"""One frequency of several vertical-sided bodies: the equations of `matching`, of all bodies and classes at once.
+
+Unknown are the velocities in all gaps, body by body, the e profiles of one times its n functions, and a constant for
+each body.  What follows is in coordinates of the scene, motions about its origin, body by body.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from ...first_order import FirstOrder
+from ...waves import group_factor
+from ..plan.maps import CLASSES
+from ..plan.plane_waves import far_field
+from .fixed import Fixed
+
+
+class SeveralFrequency:
+    """Intermediate quantities of one frequency of `bodies.SeveralBodies`."""
+
+    def __init__(self, bodies, omega, headings, theta, density, gravity):
+        self.bodies, self.omega, self.density, self.gravity = bodies, float(omega), density, gravity
+        self.headings, self.theta = (np.atleast_1d(np.asarray(a, float)) for a in (headings, theta))
+        self.kinds = bodies.outer_modes(self.omega, gravity)
+        self.k = self.kinds[0].k
+        self.degrees, self.tops = bodies.degrees(self.k)
+        self.exterior = bodies.exterior(self.k, self.degrees)
+        self.fixed = Fixed(bodies, self.degrees, self.tops)
+
+    @property
+    def amplitude(self):
+        """−ig/ω, potential of a wave of unit amplitude at z = 0, m²/s per m"""
+        return -1j * self.gravity / self.omega
+
+    @cached_property
+    def wave_rows(self):
+        """[(r,)] of each body, ⟨·, Z₀⟩ of the profiles and of 1 and z on the side"""
+        return [body.profiles.combinations @ self.kinds[kind].wave_rows for body, kind in self.bodies.of_kinds]
+
+    @cached_property
+    def plane(self):
+        """N ψ of the wave at the nodes, and walls in the waves, as of `exterior.Exterior.waves`"""
+        return self.exterior.waves(self.k, self.headings)
+
+    @cached_property
+    def outside(self):
+        """(gaps + sides,) squared: potentials tested with everything"""
+        weights = self.bodies.weights(self.kinds, self.tops)
+        single = self.exterior.weak @ self.plane[0] / self.kinds[0].wave_norm
+        return self.fixed.outside(weights, self.bodies.outer_maps(self.degrees, self.tops), self.wave_rows, single)
+
+    @cached_property
+    def incident(self):
+        """(gaps + sides, b) walls in the waves tested with everything"""
+        wall = self.amplitude * self.exterior.weak @ self.plane[1]
+        out = np.empty((self.fixed.size, wall.shape[1]), complex)
+        for rows, own, gap, side in zip(self.wave_rows, self.fixed.functions, *self.fixed.layout, strict=True):
+            whole = np.multiply.outer(rows, wall[own])
+            out[gap] = whole[:-2].reshape(-1, wall.shape[1])
+            out[side] = whole[-2:].reshape(-1, wall.shape[1])
+        return out
+
+    @cached_property
+    def flow(self):
+        """Velocities in the gaps (gaps, d + b), constants (bodies, d + b) and the residual of the equations"""
+        return self.fixed.solved(self.outside, self.incident)
+
+    @cached_property
+    def on_contours(self):
+        """(n, d + b) ⟨u + v, Z₀⟩ of motions and waves on all plans"""
+        velocity, out = self.flow[0], []
+        d = self.fixed.side.shape[0]
+        for rows, gap, side in zip(self.wave_rows, *self.fixed.layout, strict=True):
+            one = np.tensordot(rows[:-2], velocity[gap].reshape(len(rows) - 2, -1, velocity.shape[1]), 1)
+            first = side.start - self.fixed.gaps
+            own = self.fixed.side[:, first : first + side.stop - side.start].reshape(d, 2, -1)
+            one[:, :d] += np.tensordot(rows[-2:], own, (0, 1)).T
+            out.append(one)
+        return np.vstack(out)
+
+    def result(self):
+        """`FirstOrder`"""
+        loads = self.fixed.loads(self.outside, *self.flow[:2], self.incident)
+        residual, d, T = self.flow[2], self.fixed.side.shape[0], self.bodies.to_scene
+        if not residual < 1e-6:  # NaN too
+            raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the equations of the gaps left {residual:.1e}")
+        radiation = -self.density * T @ loads[:, :d] @ T.T
+        excitation = -1j * self.density * self.omega * (T @ loads[:, d:]).T
+        wall = self.amplitude * self.exterior.weak @ self.plane[1]
+        haskind = -1j * self.density * self.omega * (T @ (self.on_contours[:, :d].T @ wall)).T
+        known = self.bodies.froude_krylov(self.omega, self.headings, None, self.density, self.gravity)
+        far = self.far_field()
+        kochin = -1j * self.omega * np.einsum("ij,pjt->pit", T, far[:, :d])
+        return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
+
+    def far_field(self):
+        """Kochin functions per unit velocity of a motion, then per unit amplitude of the waves, (2, d + b, t)"""
+        d, k, exterior = self.fixed.side.shape[0], self.k, self.exterior
+        total = np.zeros((2, self.on_contours.shape[1], len(self.theta)), complex)
+        if not len(self.theta):
+            return total
+        velocity = self.on_contours / self.kinds[0].wave_norm
+        potential, moving = self.plane[0] @ velocity, exterior.basis @ velocity
+        potential[:, d:] += self.amplitude * self.plane[1]
+        for one, place, own in zip(exterior.senders, exterior.places, exterior.own, strict=True):
+            m = len(one.contour.x)
+            parts = [slice(own.start + c * m, own.start + (c + 1) * m) for c in range(4)]
+            turned = self.theta - place.heading
+            H, slope = sum(far_field(cls, one.contour, k, turned, potential[at], moving[at])
+                           for cls, at in zip(CLASSES, parts, strict=True))  # fmt: skip
+            c, s = np.cos(self.theta), np.sin(self.theta)
+            phase = np.exp(-1j * k * (place.x * c + place.y * s))
+            total[0] += H * phase
+            total[1] += (slope + 1j * k * (place.x * s - place.y * c) * H) * phase
+        n = group_factor(k, self.bodies.depth)
+        return -(k**2) / (4 * n * self.omega) * self.kinds[0].wave_norm * total

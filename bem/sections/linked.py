@@ -1,0 +1,154 @@
+"""Sections side by side that float, in beam waves, free or held together by hinges.
+
+    {−ω²[M + A] − iωB + C} ξ = F + Gᵀμ,    G ξ = 0
+
+over sway, heave and roll of each, about its centre of gravity, per metre of length.  A row of G says that the point
+of a hinge on one section moves as that on the other, or, where it is rigid, that both turn alike; μ is what it holds
+(of three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .any_section import TOLERANCE
+from .outline import Wetted
+from .side_by_side import flow_of, in_gaps, taken_of
+
+KINDS = ("hinge", "rigid")
+
+
+class Floating(NamedTuple):
+    """A section at y, m.
+
+    mass : kg/m, None for that of the water; center : z of its centre of gravity, m; gyration : about that, m
+    fixed : whether it does not move
+    """
+
+    wetted: Wetted
+    y: float
+    mass: float | None = None
+    center: float = 0.0
+    gyration: float = 0.0
+    fixed: bool = False
+
+
+class Hinge(NamedTuple):
+    """Between two sections, by their numbers, at (y, z) m; kind : one of KINDS"""
+
+    sections: tuple[int, int]
+    y: float
+    z: float
+    kind: str = "hinge"
+
+
+class LinkedSections(NamedTuple):
+    """Of one frequency in a wave of 1 m towards +y.
+
+    motions : (n, 3) complex m, m, rad of sway, heave and roll about each centre of gravity; 0 of what is fixed
+    held : (hinges, 3) complex N/m, N/m, N of sway, heave and roll, by which the first holds the second
+    gains : (gaps,) amplitude of the mean rise of the water over that of the wave
+    reflection, transmission : complex, both referred to y = 0; taken : of the wave's energy, by the gaps
+    """
+
+    omega: float
+    motions: np.ndarray
+    held: np.ndarray
+    gains: np.ndarray
+    reflection: complex
+    transmission: complex
+    taken: float
+
+
+def linked_sections(
+    sections, depth, omega, hinges=(), damping=0.0, *, density=1025.0, gravity=9.80665, tolerance=TOLERANCE
+):
+    """`LinkedSections` of one frequency.
+
+    sections : [`Floating`] from left to right; depth : m; omega : rad/s; hinges : [`Hinge`]; damping : ε of all gaps
+    raises : ValueError as `side_by_side.side_by_side`, for hinges of a section with itself, and for motions that no
+        stiffness nor inertia holds
+    """
+    made = [(one.wetted, one.y) for one in sections]
+    points = [one.y + one.wetted.center.real + 1j * one.center for one in sections]
+
+    def velocities(p, n, owner):
+        arms = [p - q for q in points]
+        each = [np.stack([n.real, n.imag, a.real * n.imag - a.imag * n.real], axis=1) for a in arms]
+        return np.hstack([part * (owner == i)[:, None] for i, part in enumerate(each)])
+
+    flow = flow_of(made, depth, omega, damping, gravity, tolerance, velocities)
+    size = 3 * len(sections)
+    water = -density * flow.forces(flow.potentials[:, :size])
+    force = -1j * density * omega * (flow.forces(flow.potentials[:, size]) + flow.incident_forces)
+    inertia, stiffness = (np.zeros((size, size)) for _ in range(2))
+    for i, one in enumerate(sections):
+        own = slice(3 * i, 3 * i + 3)
+        inertia[own, own], stiffness[own, own] = _at_rest(one, density, gravity)
+    dynamic = -(omega**2) * (inertia + water) + stiffness
+    rows = np.vstack([np.zeros((0, size)), *(_rows(one, points) for one in hinges)])
+    fixed = [d for i, one in enumerate(sections) if one.fixed for d in range(3 * i, 3 * i + 3)]
+    free = np.delete(np.arange(size), fixed)
+    xi = np.zeros(size, complex)
+    basis = _null_space(rows[:, free])
+    held = basis.T @ dynamic[np.ix_(free, free)] @ basis
+    if basis.shape[1] and np.linalg.cond(held / _scale(held)) > 1e12:
+        raise ValueError(f"motions at omega {omega:g} rad/s have neither inertia nor stiffness; give mass and gyration")
+    xi[free] = basis @ np.linalg.solve(held, basis.T @ force[free]) if basis.shape[1] else 0.0
+    left = (dynamic @ xi - force)[free]
+    forces = np.linalg.lstsq(rows[:, free].T, left, rcond=None)[0] if len(rows) else np.zeros(0)
+    back, on = -1j * omega * (flow.waves[:, :size] @ xi) / (-1j * gravity / omega)
+    R, T = flow.scattered(+1)
+    rise = in_gaps(flow, -1j * omega * xi)
+    return LinkedSections(
+        omega, xi.reshape(-1, 3), _each(hinges, forces), np.abs([mean for mean, _ in rise]), complex(R + back),
+        complex(T + on), taken_of(flow, depth, damping, rise),
+    )  # fmt: skip
+
+
+def _at_rest(one, density, gravity):
+    """Inertia and stiffness (3, 3) of a section about its centre of gravity, per metre"""
+    wetted = one.wetted
+    weight = density * wetted.area
+    mass = weight if one.mass is None else one.mass
+    inertia = np.diag([mass, mass, mass * one.gyration**2])
+    middle, arm = 0.5 * (wetted.left + wetted.right), wetted.waterline
+    off = middle - wetted.center.real  # of the waterplane from the centre of gravity
+    roll = gravity * (density * (arm**3 / 12 + arm * off**2) + weight * (wetted.center.imag - one.center))
+    return inertia, np.array([[0, 0, 0], [0, density * gravity * arm, density * gravity * arm * off],
+                              [0, density * gravity * arm * off, roll]])  # fmt: skip
+
+
+def _rows(hinge, points):
+    """(2 or 3, 3n) of how far the second section moves from the first at a hinge"""
+    a, b = hinge.sections
+    if a == b or not (0 <= a < len(points) and 0 <= b < len(points)):
+        raise ValueError(f"a hinge holds sections {a} and {b}; allowed: two of 0 to {len(points) - 1}")
+    out = np.zeros((3, 3 * len(points)))
+    for i, sign in ((a, -1.0), (b, 1.0)):
+        arm = hinge.y + 1j * hinge.z - points[i]
+        out[:, 3 * i : 3 * i + 3] = sign * np.array([[1, 0, -arm.imag], [0, 1, arm.real], [0, 0, 1]])
+    return out if hinge.kind == "rigid" else out[:2]
+
+
+def _null_space(rows):
+    """(n, m) of what rows leave free"""
+    _, sizes, axes = np.linalg.svd(rows)
+    return axes[int(np.sum(sizes > 1e-9 * max(sizes, default=1.0))) :].T
+
+
+def _scale(matrix):
+    size = np.sqrt(np.abs(np.diag(matrix))) + 1e-300
+    return np.outer(size, size)
+
+
+def _each(hinges, forces):
+    """(hinges, 3) of the multipliers of all"""
+    out, first = np.zeros((len(hinges), 3), complex), 0
+    for i, hinge in enumerate(hinges):
+        count = 3 if hinge.kind == "rigid" else 2
+        out[i, :count] = -forces[first : first + count]
+        first += count
+    return out

@@ -1,0 +1,30 @@
+"""Where the bodies of a scene lie: its own coordinates and those of each."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hakobune.bem.modes import Body
+
+
+def bodies_of(scene):
+    """`bem.modes.Body` of each of several bodies, empty for one"""
+    if not scene.several:
+        return ()
+    return tuple(
+        Body(body.name, _center(body), math.radians(body.place[2]), body.fixed, tuple(map(float, body.place[:2])))
+        for body in scene.bodies
+    )
+
+
+def in_scene(body, point):
+    """(3,) m in coordinates of the scene of a point in those of a body"""
+    x, y, angle = body.place[0], body.place[1], math.radians(body.place[2])
+    turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
+    return turn @ np.asarray(point, float) + (x, y, 0.0)
+
+
+def _center(body):
+    return tuple(float(x) for x in in_scene(body, body.rotation_center or (0.0, 0.0, 0.0)))
