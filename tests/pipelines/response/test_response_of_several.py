@@ -112,3 +112,15 @@ def test_what_a_mooring_of_several_cannot_be_asked(database, name):
     with pytest.raises(ValueError) as error:
         hakobune.moor({**CHAIN, "hulls": {} if "hull" in more else {"barge": {"freeboard": 1.0}}, **more}, database)
     assert words in str(error.value)
+
+
+def test_a_resonance_that_nothing_but_waves_damps_is_a_warning_and_else_a_note(database):
+    """Waves damp roll by less than a tenth of critical; a tenth that is given is what lowers the peak"""
+
+    def told(**more):
+        found = hakobune.response({"sea": SEA, **more}, database)
+        return ["resonance of barge roll" in " ".join(lines) for lines in (found.findings, found.notes)]
+
+    assert told() == [True, False]
+    damped = {f"barge {mode}": 0.1 for mode in ("heave", "roll", "pitch")}
+    assert told(body={"damping_ratio": damped}) == [False, True]
