@@ -1,4 +1,4 @@
-"""Blocks of low rank of a kernel that is made up, 1/r of points far apart: as plain Python, with nothing else around."""
+"""Blocks of low rank of a kernel that is made up, 1/r of points far apart, as plain Python."""
 
 from types import SimpleNamespace
 
@@ -36,7 +36,7 @@ EXACT = 1 / np.linalg.norm(POINTS[:TARGETS, None] - POINTS[TARGETS:] - APART, ax
 
 @pytest.mark.parametrize("factor", [1.0, 1e-4, 1e4, 1e-4j, 1e4j, 3 - 4j])
 def test_terms_are_as_many_as_the_error_asks_whatever_the_unit_and_phase(block, factor):
-    """Root mean square within the tolerance, by at most three terms more than singular values need (Eckart and Young)"""
+    """Root mean square within the tolerance, by at most three terms more than singular values need (Eckart, Young)"""
     for share in (1e-3, 1e-6):
         found, rank = block(factor, share * abs(factor))
         error = np.sqrt(np.mean(np.abs(found - factor * EXACT) ** 2))

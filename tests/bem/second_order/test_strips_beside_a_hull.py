@@ -40,7 +40,7 @@ def test_a_hull_elsewhere_has_the_same_strips_there():
 
 def test_a_side_has_two_points_and_one_for_each_radian_of_the_wave_along_it():
     """2 + kl rounded up, l the side or the arc of the circle behind it, from 3 to 9"""
-    panels, sides = _sides(HULL)
+    _, sides = _sides(HULL)
     circle = circle_about(HULL)
     length = np.hypot(*(sides[:, 1] - sides[:, 0]).T)
     start, end = (np.arctan2(*sides[:, i, ::-1].T) for i in range(2))
