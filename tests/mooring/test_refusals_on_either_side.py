@@ -121,10 +121,11 @@ LIMITS = {
     "stiffness of a segment": (lambda v: segment(axial_stiffness=v), 0.1, 0.0,
      "axial_stiffness is 0 N; allowed: above"),
     "table of a segment": (
-        lambda v: segment(axial_stiffness=v), RISING, RISING[1:], "no table of (strain, tension); allowed: at least two",
+        lambda v: segment(axial_stiffness=v), RISING, RISING[1:], "no table of (strain, tension); allowed: at least",
     ),
     "tensions of a table": (
-        lambda T: segment(axial_stiffness=((0.0, 0.0), (0.1, 1e5), (0.2, T))), 1.01e5, 1e5, "no table of (strain, tension)",
+        lambda T: segment(axial_stiffness=((0.0, 0.0), (0.1, 1e5), (0.2, T))), 1.01e5, 1e5,
+        "no table of (strain, tension)",
     ),
     "weight of a load": (lambda w: PointLoad(1.0, w, name="b"), -5.0, math.nan,
      "point load b: weight is nan N; allowed"),
@@ -166,7 +167,8 @@ LIMITS = {
     "long period of two peaks": (lambda T: torsethaugen(4.0, peak_period=T), 25.0, 25.1, "peak period of torsethaugen"),
     "steepness of two peaks": (lambda T: torsethaugen(4.0, peak_period=T), 6.0, 3.9, "peak period of torsethaugen"),
     "rule of an earthquake": (
-        lambda rule: seismic_coefficient(rule, regional=0.1, ground=1.0, importance=1.0), "F", "B", "rule is 'B'; allowed",
+        lambda rule: seismic_coefficient(rule, regional=0.1, ground=1.0, importance=1.0), "F", "B",
+        "rule is 'B'; allowed",
     ),
     "factors of an earthquake": (
         lambda names: seismic_coefficient("F", **dict.fromkeys(names, 1.0)), ("regional", "ground", "importance"),
