@@ -7,19 +7,23 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.environment.spectra import LARGEST_GAMMA
+from hakobune.mooring.lines.system.parts import LineType, UniformLine
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.quay_tables import HingeTable
 from hakobune.pipelines.common.typed import read_toml
 from hakobune.pipelines.common.weather import streams
 from hakobune.pipelines.downtime.study import _streams, _system
 from hakobune.pipelines.downtime.tables import WavesColumns
+from hakobune.pipelines.moor.anchors import AnchorTable, anchors_of
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.response.places import keel_points, places_of
+from hakobune.pipelines.results.given import given
 from hakobune.pipelines.scene.modes import points_of
 from hakobune.pipelines.scene.tables import SceneError
 from hakobune.pipelines.sea.flags import SpectrumFlags
-from hakobune.pipelines.sea.result import _by_fetch
+from hakobune.pipelines.sea.result import _by_fetch, _flags
 from hakobune.pipelines.single_point.running import _buoy_and_rope
+from hakobune.pipelines.single_point.study import _headings, _pretension
 from hakobune.pipelines.site import link
 from hakobune.pipelines.solve.hull import _check_count
 from hakobune.pipelines.validation.beside import chosen
@@ -236,3 +240,69 @@ def test_coefficients_of_a_site_are_those_it_has(monkeypatch, tmp_path):
             link._laid, path, "a study", taken)  # fmt: skip
     path.write_text('[site]\nfile = "bay.toml"\nlevel = "high"\n')
     refused("site.level is 'high'; a study takes no water of a site", link._laid, path, "a study", taken)
+
+
+def test_anchors_are_of_lines_that_end_at_one_each_in_one_table():
+    def anchors(*lines):
+        tables = [AnchorTable(kind="sinker", friction=0.5, weight_kN=100.0, lines=list(one)) for one in lines]
+        return [one is not None for one in anchors_of(tables, ["A", "B", "C"], bollards=["C"])]
+
+    assert anchors(["A"]) == [True, False, False]
+    assert anchors(["A"], []) == [True, True, False]  # the others, but not what ends at a bollard
+    refused("anchors[1].lines: 'A' is in two tables; allowed: B", anchors, ["A"], ["A"])
+    refused("anchors[0].lines: 'C' is on no anchor; allowed: A, B", anchors, ["C"])
+    refused("anchors[0].lines: 'D' is unknown; allowed: A, B", anchors, ["D"])
+    refused("anchors[1].lines: 'D' is unknown; allowed: none is left", anchors, ["A", "B"], ["D"])
+    refused("anchors[0] and anchors[1] have no lines; allowed: one, for all others", anchors, [], [])
+
+
+def test_a_study_is_a_path_a_dictionary_or_itself():
+    class Study:
+        pass
+
+    one = Study()
+    for read, allowed in (
+        (lambda path: (one, "text"), "a path, a dictionary or Study"),
+        (None, "a dictionary or Study"),
+    ):
+        with pytest.raises(TypeError) as error:
+            given(3, Study, read, lambda raw: one)
+        assert str(error.value) == f"a study is int; allowed: {allowed}"
+    assert given("a.toml", Study, lambda path: (one, path), None) == (one, "a.toml")
+    assert given({"a": 1}, Study, None, lambda raw: raw) == ({"a": 1}, "a = 1\n")
+
+
+def test_flags_of_a_sea_are_called_by_their_names():
+    assert _flags(SpectrumFlags, {"height": 2.0, "gamma": None}).height == 2.0
+    refused("sea has no 'hight'; allowed: spectrum, height", _flags, SpectrumFlags, {"hight": 2.0})
+
+
+@pytest.mark.parametrize("headings, count, says", [
+    (None, 6, None), (None, 1, None), (None, 0, "mooring.count is 0; allowed: 1 to "), ([0.0], None, None),
+    ([], None, "mooring.headings_deg has 0 values; allowed: 1 to "), ([0.0], 6, "allowed: one of headings_deg, count"),
+    (None, None, "mooring: allowed: one of headings_deg, count"),
+])  # fmt: skip
+def test_lines_of_a_buoy_are_all_round_or_where_they_are_said_to_be(headings, count, says):
+    """Six lines from 30° on are 60° apart"""
+    table = SimpleNamespace(headings_deg=headings, count=count, first_deg=30.0)
+    if says:
+        refused(says, _headings, table)
+    elif count == 6:
+        assert np.degrees(_headings(table)) == pytest.approx([30, 90, 150, 210, 270, 330])
+
+
+def test_a_pretension_is_along_the_water_or_at_the_top():
+    """H = T − w h of an inextensible line that lies on the bed: 500 kN at 30 m of 1 kN/m are 470"""
+    line = UniformLine("one", LineType("chain", 1000.0), 200.0, "", "")
+
+    def force(**more):
+        keys = dict.fromkeys(f"{name}_{unit}" for name in ("pretension", "top_tension") for unit in ("kN", "tonf"))
+        return _pretension(SimpleNamespace(**keys | more), line, 30.0)
+
+    assert force(pretension_kN=470.0) == 470e3 and force(top_tension_kN=500.0) == pytest.approx(470e3)
+    says = "mooring: allowed: one of pretension (horizontal) and top_tension, in tonf or kN"
+    refused(says, force)
+    refused(says, force, pretension_kN=470.0, top_tension_kN=500.0)
+    refused("mooring.top_tension is ", force, top_tension_kN=29.0)
+    line = None  # of segments
+    refused("of a uniform line; give a line of segments its pretension", force, top_tension_kN=500.0)
