@@ -5,7 +5,7 @@
 A fault (mutant) is a changed source file in a clone of the last commit, in a temporary folder with compiled kernels of
 its own; the checkout is not touched.  Tests nearest to the file run first (`tests/near.py`), up to the first that
 fails; none begins after --timeout seconds (more where others use the machine), and what has not ended after three
-times as long of processor time is tried again for ten times as long, and counts as noticed, as one that hangs, where
+times as long of processor time is tried again for five times as long, and counts as noticed, as one that hangs, where
 it ends without the fault.  Tests that failed are run once without any fault, so that none counts that fails anyway.
 What lives through the near ones is tried again with --wider seconds.
 
@@ -73,7 +73,7 @@ SYMMETRIC = ("hypot", "max", "min", "maximum", "minimum", "isclose", "gcd")
 FLIPPED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.GtE, ast.GtE: ast.LtE, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
 SIGN = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 BUSIEST = 4.0  # times as long, on a machine that others use
-HANGS = 10  # times as long, to tell what hangs from what is slow
+HANGS = 5  # times as long, to tell what hangs from what is slow
 MIRRORS = 2  # files of tests that are nearest to a kernel, of which coverage sees the calls alone
 NEAR, WIDER = 12, 60  # files of tests, all of which are collected before any runs: 150 take 20 s
 ROUNDING = 1e-5  # constants below are tolerances on rounding, of which a tenth more changes nothing
@@ -277,8 +277,8 @@ class Clone:
 
         They run in a fork of this process, which has the libraries in memory: to load them takes as long as most tests.
         """
+        limit = round(limit or 3 * seconds + 60)  # of the processor, however busy the machine is
         seconds *= min(BUSIEST, max(1.0, os.getloadavg()[0] / os.cpu_count()))
-        limit = round(limit or 3 * seconds + 60)
         words = ["-x", "-v", "--tb=no", "-rfE", "--seconds", f"{seconds:g}", *map(str, files)]
         for name in LIBRARIES.split():
             import_module(name)
