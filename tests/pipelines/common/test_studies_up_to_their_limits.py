@@ -25,6 +25,7 @@ SCENES = Path(__file__).parents[3] / "pipelines" / "scenes"
 LINES = {"angle_deg": 44.0, "attachment": 5.0}
 RANGES = {"draft": [4.0, 6.0], "samples": 8, "limits": 1}
 ARC = [[-3.0, 0.0], [-3.0, -2.0, 0.1], [3.0, -2.0], [3.0, 0.0]]
+SEA = {"spectrum": "bretschneider", "height": 1.0, "significant_period": 6.0}
 OUTLINE = {"shape": "outline", "points": ARC, "draft": 2.0}
 BOX = {"shape": "box", "length": 40.0, "beam": 12.0, "draft": 2.0, "gyration": [4.0, 11.0, 11.0]}
 BENT = {"kind": "vertical bending", "EI": 1e12, "count": 1}
@@ -78,6 +79,24 @@ ROWS = [
     ("breakwater", "optimisation", RANGES, {**RANGES, "limits": 0}, "optimisation.limits is 0; allowed: 1 to 100"),
     ("breakwater", "optimisation", {**RANGES, "samples": 4096}, {**RANGES, "samples": 8192}, "from 4 to 4096"),
     ("breakwater", "optimisation", {**RANGES, "samples": 4}, {**RANGES, "samples": 6}, "a power of two from 4"),
+    ("breakwater", "sea", {**SEA, "spreading": "cosine:4"}, {**SEA, "spreading": "cos:4"}, "sea.spreading is 'cos:4'"),
+    ("breakwater", "sea", {**SEA, "spectrum": "jonswap"}, {**SEA, "spectrum": "jonswp"}, "sea.spectrum is 'jonswp'"),
+    ("breakwater", "sea", {**SEA, "duration_hours": 1e-3}, {**SEA, "duration_hours": 0.0}, "sea.duration_hours is 0"),
+    ("breakwater", "sea", SEA, {**SEA, "mean_period": 5.0}, "sea"),
+    ("breakwater", "waves.height", 1e-3, 0.0, "waves.height is 0"),
+    ("breakwater", "waves.obliquity_deg", 85.0, 85.1, "waves.obliquity_deg is 85.1; allowed: -85 to 85"),
+    ("breakwater", "sea", {**SEA, "obliquity_deg": -85.0}, {**SEA, "obliquity_deg": -85.1}, "sea.obliquity_deg is -85.1"),
+    ("breakwater", "water.tide", 9.9, 10.0, "water.tide is 10 m; allowed: 0 to below the depth of 10 m"),
+    ("breakwater", "lines.angle_deg", 179.0, 180.0, "lines.angle_deg is 180; allowed: above 0 and below 180"),
+    ("breakwater", "lines.attachment_height", 0.0, -0.1, "lines.attachment_height is -0.1; allowed: 0 or more, finite"),
+    ("breakwater", "waves.periods", [0.05, 1000.0], [0.04], "waves.periods has 0.04 s; allowed: 0.05 to 1000"),
+    ("breakwater", "waves.periods", [1.0] * 1000, [1.0] * 1001, "waves.periods has 1001 numbers; allowed: 1 to 1000"),
+    ("breakwater", "design.holding", "elastic", "loose", "design.holding is 'loose'; allowed: fixed, free, taut"),
+    ("breakwater", "holdings", ["taut", "free"], ["taut", "taut"], "holdings has 'taut'; allowed: each of fixed"),
+    ("breakwater", "loss", {"coefficient": 1e4}, {"coefficient": 1.01e4}, "loss.coefficient is 10100; allowed: 0 to"),
+    ("breakwater", "map", {"period": 6.0, "units": 1}, {"period": 6.0, "units": 1, "gap": 1.0}, "map.gap is 1 m"),
+    ("breakwater", "map", {"units": 30, "gap": 0.1}, {"units": 31, "gap": 0.1}, "map.units has 31 numbers; allowed: 1 to"),
+    ("breakwater", "map", {"x": [-1.0, 1.0]}, {"x": [1.0, 1.0]}, "map.x is from 1 to 1 m; allowed: rising, finite"),
     ("passage", "panels", 12, 11, "panels is 11; allowed: 12 to 2000, on each hull"),
     ("passage", "panels", 2000, 2001, "panels is 2001; allowed: 12 to 2000, on each hull"),
     ("passage", "track.lengths", 0.5, 0.49, "track.lengths is 0.49; allowed: 0.5 to 20"),
