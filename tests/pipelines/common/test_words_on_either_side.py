@@ -78,7 +78,12 @@ def test_frequencies_of_a_band_are_counted_with_both_its_ends():
     said = adaptive._text(scene, db, math.nan)
     assert said == "3 frequencies from 0.5 to 1.5 rad/s: too few to estimate the error between them"
     said = adaptive._text(scene, db, 0.013)
-    assert "between them 1.3 % (tolerance 2 %), of motions more" in said and "drift" not in said
+    assert "error of coefficients between them 1.3 % (tolerance 2 %), of motions more" in said and "drift" not in said
+    db.names = {"added_mass", "excitation_force", "rao", "drift_force"}
+    assert "error of coefficients and forces between them 1.3 %" in adaptive._text(scene, db, 0.013)
+    assert adaptive._text(scene, db, 0.013).endswith("of motions and drift more")
+    db.names = {"added_mass", "Froude_Krylov_force"}  # which are exact
+    assert adaptive._text(scene, db, 0.013).endswith("error of coefficients between them 1.3 % (tolerance 2 %)")
 
 
 def test_a_database_takes_its_numbers_twice_where_errors_are_stored_too(monkeypatch):
