@@ -16,6 +16,7 @@ from hakobune.pipelines.line_dynamics import effort as of_line
 from hakobune.pipelines.passing.result import _findings as of_passage
 from hakobune.pipelines.passing.result import _notes as of_hulls
 from hakobune.pipelines.response import effort as of_responses
+from hakobune.pipelines.single_point.quantities import cycle_of
 from hakobune.pipelines.solve import adaptive, large, remarks
 from hakobune.pipelines.solve import report as of_solve
 from hakobune.pipelines.sweep.command import _findings as of_cases
@@ -283,3 +284,34 @@ def test_changes_of_a_study_are_of_what_it_has():
         [35.0, 55.0], [35.0, 45.0, 55.0], [35.0, 41.67, 48.33, 55.0],
     ]  # fmt: skip
     assert corner["number"][1].words == "3 lines at each corner"
+
+
+def test_what_large_problems_take_is_told_by_their_phases():
+    """Before the first frequency as long as one band takes, and again for each limit of the frequency"""
+    assert large._times(SimpleNamespace(seconds=90.0), 0) == ", about 1 min 30 s before the first frequency"
+    both = large._times(SimpleNamespace(seconds=90.0), 2)
+    assert both == ", about 1 min 30 s before the first frequency, about 3 min 00 s for added mass at the limits"
+
+
+@pytest.mark.parametrize(
+    "processes, words", [(1, "panels (--panels)"), (2, "panels (--panels) or fewer processes (--ex")]
+)
+def test_panels_that_do_not_fit_are_refused_with_the_ways_out(processes, words, monkeypatch):
+    asked = []
+    monkeypatch.setattr(large, "check_memory", lambda *given: asked.append(given))
+    large._check_memory(5000, 7e9, processes)
+    ((what, memory, way_out, _),) = asked
+    assert (what, memory) == ("5000 panels need", 7e9) and way_out.startswith(f"give fewer {words}")
+
+
+def test_a_cycle_is_told_by_its_pulls_and_its_largest_line():
+    """Two hawsers that pull 3 and 4 kN together 5 kN, least where they pull 0.6 and 0.8"""
+    pulls, lines = np.array([[3e3, 4e3], [600.0, 800.0]]), np.array([[1e4, 2e4], [5e4, 1e3]])
+    cycle = SimpleNamespace(amplitude=0.3, middle=math.pi, period=900.0, hawser=pulls, lines=lines, 
+                            states=np.zeros((2, 6)),
+                            time=np.zeros(2), places=np.zeros((2, 2)))  # fmt: skip
+    made, _ = cycle_of(SimpleNamespace(cycle=cycle))
+    numbers = {name.split(".")[1]: float(one.values) for name, one in made.items() if one.values.ndim == 0}
+    assert numbers["amplitude"] == 0.3 and numbers["period"] == 900.0
+    assert (numbers["least_pull"], numbers["largest_pull"], numbers["largest_line"]) == pytest.approx((1e3, 5e3, 5e4))
+    assert cycle_of(SimpleNamespace(cycle=None)) == ({}, {})
