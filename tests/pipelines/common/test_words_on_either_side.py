@@ -307,7 +307,7 @@ def test_panels_that_do_not_fit_are_refused_with_the_ways_out(processes, words, 
 def test_a_cycle_is_told_by_its_pulls_and_its_largest_line():
     """Two hawsers that pull 3 and 4 kN together 5 kN, least where they pull 0.6 and 0.8"""
     pulls, lines = np.array([[3e3, 4e3], [600.0, 800.0]]), np.array([[1e4, 2e4], [5e4, 1e3]])
-    cycle = SimpleNamespace(amplitude=0.3, middle=math.pi, period=900.0, hawser=pulls, lines=lines, 
+    cycle = SimpleNamespace(amplitude=0.3, middle=math.pi, period=900.0, hawser=pulls, lines=lines,
                             states=np.zeros((2, 6)),
                             time=np.zeros(2), places=np.zeros((2, 2)))  # fmt: skip
     made, _ = cycle_of(SimpleNamespace(cycle=cycle))
