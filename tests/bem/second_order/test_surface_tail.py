@@ -106,7 +106,7 @@ def test_each_direction_of_a_ring_is_an_image_of_one_in_the_meshed_part(planes):
 
 
 def test_beyond_the_rings_each_interval_is_wider_by_the_same_share_until_all_orders_are_small():
-    """To kr of 1.2 times the largest order sent and 4 more, kR + 4 (kR)^(1/3) + 1; from the width of the last ring on"""
+    """To kr of 1.2 times the largest order sent and 4 more, kR + 4 (kR)^(1/3) + 1, from the width of the last ring"""
     k, R, edges = np.array([0.02, 0.3]), 40.0, [50.0, 56.0, 60.0]
     waves = [SimpleNamespace(k=one, local=np.zeros(2)) for one in k]
     made, ends = _intervals(

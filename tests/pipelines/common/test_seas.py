@@ -144,7 +144,8 @@ def test_deep_water_is_any_of_half_a_length():
 PLANE = TabulatedSpreading(np.array([0.5, 1.0]), np.array([0.0, np.pi, 2 * np.pi]), np.full((2, 3), 0.5 / np.pi))
 
 
-@pytest.mark.parametrize("more, towards", [({}, None), ({"direction_deg": 60.0}, 60.0), ({"incidence_deg": 30.0}, 210.0),
+@pytest.mark.parametrize("more, towards", [({}, None), ({"direction_deg": 60.0}, 60.0),
+                                           ({"incidence_deg": 30.0}, 210.0),
                                            ({"spreading": "cosine:4"}, None)])  # fmt: skip
 def test_what_the_study_says_of_directions_goes_before_what_a_file_says_but_not_before_a_plane(
     more, towards, monkeypatch
