@@ -38,6 +38,7 @@ LIMITS = {
     "mirror planes": (lambda s: drawing(symmetry=s), "xy", "yx", "symmetry is 'yx'; allowed: x, y, xy"),
     "parts": (lambda n: drawing(parts=[BLOCK] * n), 1, 0, "there are no parts; allowed: size"),
     "key of a drawing": (lambda key: drawing(**{key: 24}), "around", "round", "round is unknown; allowed: size"),
+    "the first of two keys": (lambda key: drawing(**{key: 24, "zoom": 1}) if key else drawing(), "", "ground", "ground is"),
     "place": (lambda p: part(center=p), [0.0, 0.0, -1.0], [0.0, math.inf, -1.0], "parts[0].center is [0.0, inf, -1.0]"),
     "numbers of a place": (lambda p: part(center=p), [0.0, 0.0, 0.0], [0.0, 0.0], "allowed: three finite numbers, m"),
     "size": (lambda s: part(size=[4.0, s, 2.0]), 1e-3, 0.0, "parts[0] has no size; allowed: lengths above 0"),
