@@ -13,6 +13,7 @@ from hakobune.meshing.shapes import box
 
 BLOCK = {"shape": "box", "center": [0.0, 0.0, -1.0], "size": [4.0, 2.0, 2.0]}
 TUBE = {"shape": "cylinder", "from": [0.0, 0.0, -3.0], "to": [0.0, 0.0, 1.0], "radius": 1.0}
+SHEER = {"shape": "outline", "points": [[-2.0, 0.0], [0.0, -2.0], [2.0, 0.0]], "breadth": 3.0}
 BOX = box(10.0, 5.0, 2.0, panels=40)
 
 
@@ -46,6 +47,19 @@ LIMITS = {
     "length of a tube": (lambda z: tube(to=[0.0, 0.0, z]), -2.9, -3.0,
      "parts[0] has no size; allowed: lengths above 0"),
     "radius": (lambda r: tube(radius=r), 0.1, 0.0, "parts[0]"),
+    "second size of a box": (lambda keys: drawing(parts=[{key: BLOCK[key] for key in keys}]), BLOCK, ("shape", "center"),
+        "parts[0].size is missing; a box has center, size"),
+    "first size of a box": (lambda keys: drawing(parts=[{key: BLOCK[key] for key in keys}]), BLOCK, ("shape", "size"),
+        "parts[0].center is missing; a box has center, size"),
+    "radius of a tube": (lambda keys: drawing(parts=[{key: TUBE[key] for key in keys}]), TUBE, ("shape", "from", "to"),
+        "parts[0].radius is missing; a cylinder has from, to, radius"),
+    "radius of an end": (lambda r: tube(end_radius=r), 0.1, -0.1, "parts[0]: end_radius is -0.1; allowed: m, above 0"),
+    "breadth of an outline": (lambda b: drawing(parts=[SHEER | {"breadth": b}]), 0.1, 0.0, "parts[0]: breadth is 0.0"),
+    "points of an outline": (lambda p: drawing(parts=[SHEER | {"points": p}]), SHEER["points"], [[0.0], [1.0], [2.0]],
+        "parts[0].points is no list of [x, z]; allowed: three or more, m"),
+    "end of a tube": (lambda z: tube(to=[0.0, 0.0, z]), 2.0, math.inf,
+        "parts[0].to is [0.0, 0.0, inf]; allowed: three"),
+    "numbers of a size": (lambda s: part(size=s), [1.0, 1.0, 1.0], [1.0, 1.0], "parts[0].size is [1.0, 1.0]; allowed"),
     "turns": (lambda n: part(turns=n), 24, 25, "parts[0].turns is 25; allowed: 1 to 24"),
     "no turn": (lambda n: part(turns=n), 1, 0, "parts[0].turns is 0; allowed: 1 to 24"),
     "shape": (lambda s: part(shape=s), "box", "bax", "parts[0].shape is 'bax'; allowed: "),
