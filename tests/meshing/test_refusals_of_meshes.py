@@ -47,7 +47,8 @@ LIMITS = {
     "length of a tube": (lambda z: tube(to=[0.0, 0.0, z]), -2.9, -3.0,
      "parts[0] has no size; allowed: lengths above 0"),
     "radius": (lambda r: tube(radius=r), 0.1, 0.0, "parts[0]"),
-    "second size of a box": (lambda keys: drawing(parts=[{key: BLOCK[key] for key in keys}]), BLOCK, ("shape", "center"),
+    "second size of a box": (
+        lambda keys: drawing(parts=[{key: BLOCK[key] for key in keys}]), BLOCK, ("shape", "center"),
         "parts[0].size is missing; a box has center, size"),
     "first size of a box": (lambda keys: drawing(parts=[{key: BLOCK[key] for key in keys}]), BLOCK, ("shape", "size"),
         "parts[0].center is missing; a box has center, size"),
