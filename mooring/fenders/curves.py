@@ -59,17 +59,6 @@ class Curve:
         """The curve with deflections times `along` and forces times `up`"""
         return Curve(self.knots * along, self.coefficients * up / along ** np.arange(4.0))
 
-    def refined(self, knots):
-        """The same curve on knots that hold its own and may go beyond it"""
-        start = knots[:-1]
-        piece, t, _ = self._piece(start)
-        a, b, c, d = np.moveaxis(self.coefficients[piece], -1, 0)
-        made = np.stack([a + t * (b + t * (c + t * d)), b + t * (2 * c + 3 * t * d), c + 3 * t * d, d], axis=1)
-        out = start >= self.end
-        made[out] = 0.0
-        made[out, 0], made[out, 1] = self(start[out]), self.slope(self.end)
-        return Curve(np.asarray(knots, float), made)
-
     def minus(self, other):
         """The difference of two curves on the same knots"""
         return Curve(self.knots, self.coefficients - other.coefficients)

@@ -36,18 +36,3 @@ def significant(value, digits=DIGITS):
         return NOTHING
     whole = 10**digits - 0.5 <= abs(value) < 1e15  # where a power of ten would stand
     return f"{value + 0.0:.0f}" if whole else f"{value + 0.0:.{digits}g}"
-
-
-def values_table(title, rows):
-    """A table of quantities in rows: name, value, unit, note
-
-    rows : [(name, number or text, unit, note)]
-    """
-    from rich.table import Table
-
-    table = Table(title=title, title_justify="left")
-    for name in ("quantity", "value", "unit", "note"):
-        table.add_column(name, justify="right" if name == "value" else "left")
-    for name, value, unit, note in rows:
-        table.add_row(name, value if isinstance(value, str) else number(value), unit, note)
-    return table

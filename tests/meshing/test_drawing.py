@@ -47,6 +47,13 @@ def test_a_column_that_the_mirror_plane_cuts_holds_what_the_whole_ones_do():
     assert np.abs(center[:2]).max() < 1e-3 * 82.0
 
 
+def test_where_panels_of_one_seam_are_off_another_is_taken():
+    """Columns of eight panels about, seams abeam: the centre is 0.69 m off; with seams ahead and astern 6 mm"""
+    column = COLUMN | {"from": [29.0, 0.0, -14.0], "to": [29.0, 0.0, 10.0], "radius": 6.0}
+    drawn = drawing_of({"size": 6.0, "symmetry": "y", "around": 8, "parts": [column]})
+    assert np.abs(hydrostatics(meshed(drawn)).center_of_buoyancy[:2]).max() < 1e-3 * 70.0
+
+
 @pytest.mark.parametrize(
     "change, words",
     [

@@ -171,6 +171,11 @@ def test_no_panels_are_no_round_hull():
     assert not PanelMesh(np.zeros((0, 3)), np.zeros((0, 4), int)).is_round
 
 
+def test_points_on_the_axis_alone_are_no_round_hull():
+    """Nor a warning: there is no radius to divide by"""
+    assert not PanelMesh(np.outer([0.0, 1.0, 2.0], [0.0, 0.0, -1.0]), [[0, 1, 2, 2]]).is_round
+
+
 def test_numbers_of_bodies_may_be_a_list_one_for_each_panel():
     corners = [[0, 1, 2, 2], [0, 2, 3, 3]]
     mesh = PanelMesh(np.eye(4, 3), corners, body=[0, 1])

@@ -9,7 +9,7 @@ from hakobune.meshing.files import read_mesh, write_mesh
 from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.panels import PanelMesh, joined, structured
 from hakobune.meshing.quality import findings
-from hakobune.meshing.quality.seams import rings
+from hakobune.meshing.quality.seams import _pairs, _Ring, rings
 from hakobune.meshing.shapes import box, buoy
 
 
@@ -172,3 +172,26 @@ def test_an_inward_hull_of_plates_beside_an_outward_one_is_found():
     one = five_faces(COUNTS)
     said = [str(finding) for finding in findings(joined([one, one.moved(dy=30.0).flipped()]))]
     assert said[0].startswith("error: the normals of 72 of 144 panels point into the body (volume -800 m³)")
+
+
+def test_rims_that_close_each_other_are_found_among_all_that_are_open():
+    """Two squares, two others a tenth above them that run the other way round, and one far away"""
+    square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+
+    def rim(x, z, up):
+        return _Ring(
+            [], 1.0, (square if up else square[::-1]) + [x, 0.0, z], np.array([0, 0, 1.0 if up else -1.0]), 4.0
+        )
+
+    found = [rim(0.0, 0.0, True), rim(5.0, 0.0, True), rim(0.0, 0.1, False), rim(5.0, 0.1, False), rim(9.0, 0.0, False)]
+    assert list(_pairs(found, np.arange(5))) == [(0, 2), (1, 3)]
+    assert list(_pairs(found, np.array([1, 2, 4]))) == []
+    assert list(_pairs([rim(0.0, 0.0, True), rim(0.0, 0.1, True)], np.arange(2))) == []  # both the same way round
+
+
+@pytest.mark.parametrize("apart, close", [(0.49, True), (0.51, False)])
+def test_rims_half_a_side_apart_may_close_each_other(apart, close):
+    square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    one = _Ring([], 1.0, square, np.array([0, 0, 1.0]), 4.0)
+    other = _Ring([], 1.0, square[::-1] + [0.0, 0.0, apart], np.array([0, 0, -1.0]), 4.0)
+    assert (list(_pairs([one, other], np.arange(2))) == [(0, 1)]) is close

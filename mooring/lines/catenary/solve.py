@@ -114,10 +114,11 @@ def span_at_tension(
     H = np.asarray(horizontal_tension, float)
     falls = np.asarray(bed_slope, float) < 0  # then the bed is below any fairlead, far enough from the anchor
     over = bool(np.all(falls)) or np.where(falls, np.inf, z).min() >= 0
-    lines, shape = _lines(0.0 * H, z, length, weight, axial_stiffness, bed_friction, bed_slope, not over)
+    lines, shape = _lines(np.zeros_like(H), z, length, weight, axial_stiffness, bed_friction, bed_slope, not over)
     H = np.broadcast_to(H, shape).flatten()
-    if not np.all((H > 0) & np.isfinite(H)):
-        raise ValueError(f"horizontal_tension is {H.min():g} N; allowed: finite values above 0")
+    bad = ~((H > 0) & np.isfinite(H))
+    if bad.any():
+        raise ValueError(f"horizontal_tension is {H[bad][0]:g} N; allowed: finite values above 0")
     x, lying = spans_at_tension(lines, H).T
     for wrong, error, what in (
         (np.isnan(lying), LineError, "would be below the upper end of the bed under the line; give less tension"),

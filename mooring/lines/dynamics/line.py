@@ -286,9 +286,9 @@ class DynamicLine:
         return any(s.bending_stiffness > 0 for s in self.segments)
 
     def _flexure(self):
-        """(N + 1,) N m, of the nodes between two elements with bending stiffness; None where there is none"""
+        """(N + 1,) N m, of the nodes between two elements with bending stiffness; (0,) where there is none"""
         if not self.bends:
-            return None
+            return np.zeros(0)
         EI = self._each(lambda s: s.bending_stiffness)
         soft = 0.5 * np.divide(self._each(lambda s: s.size), EI, out=np.full(len(EI), np.inf), where=EI > 0)
         return np.concatenate([[0.0], 1 / (soft[:-1] + soft[1:]), [0.0]])

@@ -12,7 +12,6 @@ import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
 
-from ...lines.dynamics.lumped.bending import part
 from ...lines.dynamics.lumped.system import System, Water
 from ...lines.dynamics.run import control_of
 from ...lines.dynamics.start import start
@@ -134,11 +133,11 @@ def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
 
 
 def _flexure(parts, systems):
-    """(n,) of all nodes, 0 in lines without bending stiffness; None where no line has any"""
-    if all(one is None for one in parts):
-        return None
+    """(n,) of all nodes, 0 in lines without bending stiffness; (0,) where no line has any"""
+    if not any(one.size for one in parts):
+        return np.zeros(0)
     pairs = zip(parts, systems, strict=True)
-    return np.concatenate([np.zeros(len(system.mass)) if one is None else one for one, system in pairs])
+    return np.concatenate([one if one.size else np.zeros(len(system.mass)) for one, system in pairs])
 
 
 @kernel()
@@ -163,7 +162,7 @@ def line_system(moving, i):
         s.buoyancy[e:f],
         s.waterline[e:f],
         s.weight[n:m],
-        part(s.flexure, n, m),
+        s.flexure[n:m],
         s.mass[n:m],
         s.inertia[n:m],
         s.body_nodes[moving.bodies[i] : moving.bodies[i + 1]],

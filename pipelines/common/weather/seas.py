@@ -165,7 +165,7 @@ def files_of(table):
 
 
 def _of_file(where, table):
-    """The Sea of a file of `spectra_files`; a direction of the study goes before its own"""
+    """The Sea of a file of `spectra_files`; a direction and a spreading of the study go before its own"""
     from hakobune.mooring.environment.sea import Sea
     from hakobune.mooring.seas.spectra_files import TabulatedSpreading, read_sea
 
@@ -174,10 +174,11 @@ def _of_file(where, table):
     given = table.direction_deg is not None or table.incidence_deg is not None
     if isinstance(sea.spreading, TabulatedSpreading) and (given or table.spreading is not None):
         raise StudyError(f"{where}: {path.name} contains directions; leave out direction and spreading")
-    if isinstance(sea.spreading, TabulatedSpreading) or (sea.spreading is not None and not given):
+    if isinstance(sea.spreading, TabulatedSpreading):
         return sea
+    towards = direction(where, table) if given or sea.spreading is None else sea.direction
     spread = spreading_of(where, table, sea.spectrum) if table.spreading is not None else sea.spreading
-    return Sea(sea.spectrum, direction(where, table), spread)
+    return Sea(sea.spectrum, towards, spread)
 
 
 def family_of(where, table, depth):

@@ -191,7 +191,9 @@ def _check_strained(scene, modes, hulls):
             rest = shape - rigid @ np.linalg.lstsq(rigid, shape, rcond=None)[0]
             left, size = max(left, np.abs(rest).max()), max(size, np.abs(shape).max())
         if left <= RIGID * size:
-            has, way = ("each body has", ", or join bodies by [[hinges]] of a study") if mode.on else ("the body has", "")
+            has, way = "the body has", ""
+            if mode.on:
+                has, way = "each body has", ", or join bodies by [[hinges]] of a study"
             raise SceneError(f"{mode.name} has no strain: it is a rigid motion, which {has} already; leave it out{way}")
 
 

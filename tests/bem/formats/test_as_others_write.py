@@ -335,3 +335,13 @@ def test_a_stiffness_without_the_weight_is_known_by_its_roll_and_pitch(values):
 def test_a_quote_in_the_name_of_a_vessel_is_doubled_between_quotes():
     """YAML 1.1, 5.7.3: '' in a text between single quotes"""
     assert orcaflex._quoted("O'Brien's") == "'O''Brien''s'"
+
+
+@pytest.mark.parametrize("lacks, told", [((), True), (("mass",), False), (("inertia_matrix",), False)])
+def test_orcaflex_is_told_a_mass_with_its_inertia_or_neither(values, tmp_path, lacks, told):
+    """Its Mass stands beside MomentOfInertiaTensor and CentreOfMass in a draught"""
+    body = {name: one for name, one in values.body.items() if name not in lacks}
+    orcaflex.write(replace(values, body=body), tmp_path / "one.yml")
+    lines = [line.strip() for line in (tmp_path / "one.yml").read_text().splitlines()]
+    assert any(line.startswith("Mass: ") for line in lines) is told
+    assert any(line.startswith(orcaflex.INERTIA_COLUMNS) for line in lines) is told

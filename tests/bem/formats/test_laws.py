@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from hakobune.bem.formats.judging import laws
 from hakobune.bem.formats.judging.laws import doubts, haskind_ratios
 from hakobune.bem.formats.values import Values
 from hakobune.bem.waves import group_factor, wavenumber
@@ -159,3 +160,14 @@ def test_modes_that_agree_rule_out_a_wrong_unit():
     heave = np.where(np.arange(6) == 2, 2.0, 1.0)[None, :, None] * np.ones((1, 6, 6))
     line = said(replace(changed(round_, radiation_damping=lambda B: B * heave), others=1))
     assert "B_11, B_22 agrees, so that units do: panels are too few for mode 3" in line
+
+
+@pytest.mark.parametrize("factor, words", [
+    (1e-3, "forces are in kN"), (1e3, "stiffness is in kN"), (2.0, "forces are for each metre of wave height"),
+    (0.5, "forces are halved"), (1 / 9.80665, "forces lack g"),
+])  # fmt: skip
+def test_a_factor_of_forces_is_named_within_a_fifth_of_it(factor, words):
+    """ln within 0.2 either way, e^0.2 = 1.2214, of the heave force of long waves over what restoring makes of it"""
+    for share, named in ((1.215, True), (1 / 1.215, True), (1.235, False), (1 / 1.235, False)):
+        line = laws._factor_of_force(factor * share)
+        assert line == (words if named else "units, lengths, or water differ between the two")

@@ -39,6 +39,16 @@ def test_far_away_the_source_integral_is_area_over_distance():
     assert S[0] * np.linalg.norm([3e4, 1e4, 2e4]) == pytest.approx(area, rel=4e-5)  # size over distance
 
 
+@pytest.mark.parametrize("point, sides", [((0.0, 0.0), [(1.0, 1.0)]), ((0.5, 0.0), [(0.5, 1.0)] * 2),
+                                          ((0.0, 0.25), [(1.0, 0.25), (1.0, 0.75)])])  # fmt: skip
+@pytest.mark.parametrize("size", [1.0, 1e3, 1e-3])
+def test_on_a_corner_and_on_an_edge_the_source_integral_is_that_of_the_rectangles_beside_it(point, sides, size):
+    """∬ 1/r over a × b from a corner: a asinh(b/a) + b asinh(a/b); the solid angle of a point in its plane is 0"""
+    S, D = moments((size * point[0], size * point[1], 0.0), size * np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]]))
+    assert S[0] == pytest.approx(size * sum(a * np.arcsinh(b / a) + b * np.arcsinh(a / b) for a, b in sides), rel=1e-12)
+    assert np.all(np.isfinite(S)) and D[0] == 0.0
+
+
 def cube(n):
     g = np.linspace(-1, 1, n + 1)
     a, b = np.meshgrid(g, g, indexing="ij")

@@ -27,10 +27,13 @@ def test_corners_are_those_of_qhull_in_its_order(points):
     np.testing.assert_allclose(found, np.roll(theirs, -first, axis=0), rtol=0, atol=1e-12 * np.ptp(points))
 
 
-def test_points_that_rounding_keeps_apart_are_one_corner():
+@pytest.mark.parametrize("size", [1.0, 1e-6, 1e6])
+def test_points_that_rounding_keeps_apart_are_one_corner_whatever_the_unit(size):
     square = np.array([[-1.0, -1], [1, -1], [1, 1], [-1, 1]])
     nearly = np.concatenate([square, square * (1 + 1e-15), square * [1, 1 - 1e-15]])
-    assert len(convex_hull(nearly)) == 4
+    assert len(convex_hull(size * nearly)) == 4
+    flat = [[0.5, -1 - 1e-9]]  # which is a corner: a thousand times as far as rounding leaves it
+    assert len(convex_hull(size * np.concatenate([square, flat]))) == 5
 
 
 def test_points_on_one_line_are_refused():

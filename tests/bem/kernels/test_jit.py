@@ -8,13 +8,14 @@ import time
 from pathlib import Path
 
 import forked
-import numba  # noqa: F401 - loaded once: a second for each process that begins without it
+import numba  # loaded once: a second for each process that begins without it
 import pytest
 
 from hakobune import bem
 from hakobune.bem.kernels.sources import Sources, imported
 
 ROOT = Path(bem.__file__).parents[1]
+COMPILED = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="as plain Python no kernel is compiled and kept")
 
 
 def ended(script, cache, path, *words, before=""):
@@ -92,6 +93,7 @@ resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))  # every write fails, as on a 
 """
 
 
+@COMPILED
 @pytest.mark.parametrize(("place", "before"), [("file/cache", ""), ("cache", FULL)], ids=["unwritable", "full"])
 def test_kernels_that_cannot_be_kept_are_used_and_left_nowhere_else(tmp_path, place, before):
     (tmp_path / "file").write_text("")
@@ -145,6 +147,7 @@ print(*((outer(a), inner(a)) if sys.argv[2] == "outer" else (inner(a), outer(a))
 """
 
 
+@COMPILED
 def test_a_kernel_called_by_python_and_by_another_has_a_version_for_each_in_any_order(tmp_path):
     (tmp_path / "two.py").write_text(TWO_CALLERS)
 
@@ -188,6 +191,7 @@ from numba.core.runtime import rtsys
 """  # as another process finds it that begins at the same time
 
 
+@COMPILED
 def test_a_long_kernel_is_kept_once_and_its_caller_always_fits_it(tmp_path):
     more = "".join(f"    total += np.sqrt(x[{i}]) / x[{i + 1}] * x[{i + 2}]\n" for i in range(24))
     (tmp_path / "long.py").write_text("import numpy as np\n" + LONG.format(more=more))

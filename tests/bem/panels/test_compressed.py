@@ -27,6 +27,7 @@ BODIES = {
     "deep water": (BOX, 1.2, {"depth": np.inf, "lid": lid(BOX)}),
     "wall": (BOX, 0.5, {"depth": 20.0, "wall": -40.0}),
     "no mirror plane": (SKEW, 0.7, {"depth": 25.0, "lid": lid(SKEW)}),
+    "no far blocks": (box(10, 10, 5, panels=20), 1.0, {"depth": 20.0}),
     "short waves": (BOX, 2.2, {"depth": 20.0, "lid": lid(BOX)}),
 }
 

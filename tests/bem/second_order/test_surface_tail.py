@@ -8,7 +8,7 @@ from scipy.special import h1vp, hankel1, jv, jve, jvp
 
 from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
 from hakobune.bem.second_order.surface_far import bessel_orders
-from hakobune.bem.second_order.surface_forces import PairsOfOne, Products, integrated
+from hakobune.bem.second_order.surface_forces import PairsOfOne, Products, _intervals, integrated
 from hakobune.bem.second_order.surface_tail import Tails
 from hakobune.bem.second_order.surface_waves import Field, SurfaceWaves, Wave
 from hakobune.bem.waves import wavenumber
@@ -103,3 +103,17 @@ def test_each_direction_of_a_ring_is_an_image_of_one_in_the_meshed_part(planes):
     assert points.reshape(2, -1, 2)[1] == pytest.approx(rings.centre + 5.0 * own)
     assert own[place] * images[image] == pytest.approx(ray)
     assert np.bincount(image, minlength=len(images)).tolist() == [8 // len(images)] * len(images)
+
+
+def test_beyond_the_rings_each_interval_is_wider_by_the_same_share_until_all_orders_are_small():
+    """To kr of 1.2 times the largest order sent and 4 more, kR + 4 (kR)^(1/3) + 1, from the width of the last ring"""
+    k, R, edges = np.array([0.02, 0.3]), 40.0, [50.0, 56.0, 60.0]
+    waves = [SimpleNamespace(k=one, local=np.zeros(2)) for one in k]
+    made, ends = _intervals(
+        SimpleNamespace(waves=waves, rings=SimpleNamespace(edges=edges), circle=SimpleNamespace(radius=R))
+    )
+    needed = (1.2 * np.floor(k * R + 4 * np.cbrt(k * R) + 1) + 4) / k
+    widths = np.diff(made)
+    assert made[:3].tolist() == edges and made[-2] < needed.max() <= made[-1]
+    assert widths[2:] == pytest.approx(4.0 * 1.6 ** np.arange(1, len(widths) - 1))
+    assert [made[end - 1] < need <= made[end] for end, need in zip(ends, needed, strict=True)] == [True, True]

@@ -132,6 +132,8 @@ def test_more_frequencies_go_where_radiation_changes_by_more_than_a_seventh_of_i
         {"added_mass": np.zeros((6, 6)), "radiation_damping": np.diag([b] * 5 + [0.0])} for b in (1, 0.86, 0.7, 0.4)
     ]
     assert module._between(omega, rows) == pytest.approx([0.65])  # 0.16; 0.14 is less, and the last is close enough
+    for last, asked in ((0.50012, [0.50006]), (0.50009, [])):  # close enough is 2e-4 of the frequency, 1e-4 rad/s here
+        assert module._between(np.array([0.5, last]), rows[::3]) == pytest.approx(asked)
     mass = [{"added_mass": np.diag([a] * 6), "radiation_damping": np.zeros((6, 6))} for a in (2.0, 1.0, 1.0, 1.0)]
     assert module._between(omega, mass) == pytest.approx([0.55])
 

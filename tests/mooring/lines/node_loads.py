@@ -63,7 +63,7 @@ def _fill(system, rows, cq, cv, r, D, B, power, bending, energy):
 
 @kernel()
 def _keep(out, bending):
-    if bending is not None:
+    if bending.shape[1] == out.shape[1]:
         for j in range(out.shape[1]):
             for i in range(out.shape[0]):
                 out[i, j] = bending[i, j]

@@ -141,5 +141,5 @@ def test_little_stiffness_changes_little_and_none_nothing():
         return np.linalg.norm(residual(line, start(line, END, STILL).position)[0][-1])
 
     none, less, more = pull(0.0), pull(1e2), pull(1e3)
-    assert beam(20, 0.0).system.flexure is None
+    assert beam(20, 0.0).system.flexure.size == 0
     assert (more - none) == pytest.approx(10 * (less - none), rel=0.1)

@@ -7,7 +7,7 @@ import pytest
 from kinks import assert_slope_is_continuous
 
 from hakobune.mooring.loads.box_current import box_table, current_force
-from hakobune.mooring.loads.box_drag import about, drag_table
+from hakobune.mooring.loads.box_drag import about, drag_table, stream_pressure
 from hakobune.mooring.loads.box_wind import BOX as WIND
 from hakobune.mooring.loads.box_wind import wind_force
 
@@ -206,3 +206,11 @@ def test_speeds_that_cannot_be_are_refused(speed):
     for force in (wind, current):
         with pytest.raises(ValueError, match=f"speed is {speed:g} m/s; allowed: at least 0"):
             force(0, speed=speed)
+
+
+@pytest.mark.parametrize("density", [-1.0, 0.0, np.nan, np.inf])
+def test_a_fluid_without_a_density_presses_nothing(density):
+    """½ρU² asks for ρ above 0"""
+    with pytest.raises(ValueError, match=f"density is {density:g}; allowed: above 0"):
+        stream_pressure("wind", 10.0, density)
+    assert stream_pressure("wind", 10.0, 1.2) == pytest.approx(60.0)

@@ -3,15 +3,18 @@
 import csv
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import numpy as np
 import pytest
 from bench.single_point import difference_in_time, missed
 from boxes import TONF, buoy, floater_A
 
+from hakobune.mooring.single_point import equilibria as room
 from hakobune.mooring.single_point.body import SinglePoint, SinglePointError
 from hakobune.mooring.single_point.criterion import roots
-from hakobune.mooring.single_point.equilibria import equilibria
+from hakobune.mooring.single_point.equilibria import Equilibrium, equilibria
 from hakobune.mooring.single_point.loads import Loads
 from hakobune.mooring.single_point.rings import zeros
 from hakobune.mooring.single_point.slewing import at_rest_state, rates
@@ -130,3 +133,21 @@ def test_hawsers_that_do_not_meet_are_refused():
     point = floater_A()
     with pytest.raises(SinglePointError, match="do not meet"):
         SinglePoint(point.loads, point.mass, [(50, 20), (50, -20)], [10, 10], point.system)
+
+
+def test_the_line_yields_across_the_body_as_far_as_its_buoy_gives_way_there():
+    """F over the stiffness of the buoy along (−sin ψ, cos ψ), beside the hawser: 25 + 1e5/k with k of a buoy that is
+    stiff along x + y and soft across, 1/k = n·C⁻¹n"""
+    along, across = 4e5, 1e5
+    turn = np.array([[1.0, -1.0], [1.0, 1.0]]) / np.sqrt(2)
+    stiffness = turn @ np.diag([along, across]) @ turn.T
+    for heading, yields in ((np.pi / 4, 1 / across), (-np.pi / 4, 1 / along), (0.0, 0.5 / along + 0.5 / across)):
+        point = SimpleNamespace(mass=np.diag([1e7, 1.5e7, 1e10]), apex=np.array([40.0, 0.0]), lengths=[25.0], ends=[0],
+                                pull=lambda _: SimpleNamespace(stiffness=stiffness))  # fmt: skip
+        one = SimpleNamespace(point=point, force=(-1e5, 0.0, 0.0), pull=1e5, heading=heading, buoy=None)
+        with mock.patch.object(room, "_derivatives", lambda *_: [0.0] * 6):
+            made = Equilibrium.lateral.func(one)
+        assert made.length == pytest.approx(25.0 + 1e5 * yields)
+        assert (made.mass, made.inertia, made.pull, made.arm) == (1.5e7, 1e10, 1e5, 40.0)
+        for force in ((1e5, 0.0, 0.0), (-1e5, 2e3, 0.0), (-1e5, 0.0, 2e5)):  # from behind, or not straight ahead
+            assert Equilibrium.lateral.func(SimpleNamespace(**{**vars(one), "force": force})) is None

@@ -6,6 +6,11 @@ import numpy as np
 import pytest
 from scipy.special import gamma
 
+from hakobune.mooring.environment.sea import Sea
+from hakobune.mooring.environment.spectra import jonswap
+from hakobune.mooring.environment.spreading import CosinePower
+from hakobune.mooring.seas import spectra_files
+from hakobune.mooring.seas.planes import TabulatedSpreading
 from hakobune.mooring.seas.systems import Systems
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.typed import typed
@@ -138,3 +143,29 @@ def test_deep_water_is_any_of_half_a_length():
         check_solved_depth(12.4, np.inf, "box.h5", 4.0)
     with pytest.raises(StudyError, match=r"water.depth is 12.5 m, box.h5 is for 20 m"):
         check_solved_depth(12.5, 20.0, "box.h5")
+
+
+PLANE = TabulatedSpreading(np.array([0.5, 1.0]), np.array([0.0, np.pi, 2 * np.pi]), np.full((2, 3), 0.5 / np.pi))
+
+
+@pytest.mark.parametrize("more, towards", [({}, None), ({"direction_deg": 60.0}, 60.0),
+                                           ({"incidence_deg": 30.0}, 210.0),
+                                           ({"spreading": "cosine:4"}, None)])  # fmt: skip
+def test_what_the_study_says_of_directions_goes_before_what_a_file_says_but_not_before_a_plane(
+    more, towards, monkeypatch
+):
+    """Incidence χ is β = χ + 180°; a spectrum over directions has all of its own"""
+    spectrum = jonswap(2.0, peak_period=9.0)
+    table = typed({"file": "sea.spec", **more}, SeaTable, StudyError)
+    monkeypatch.setattr(spectra_files, "read_sea", lambda *_: Sea(spectrum, 0.5, CosinePower(2)))
+    sea = table.sea("waves", 20.0)
+    assert np.degrees(sea.direction) % 360 == pytest.approx(np.degrees(0.5) if towards is None else towards)
+    assert sea.spreading == CosinePower(4 if "spreading" in more else 2)
+    monkeypatch.setattr(spectra_files, "read_sea", lambda *_: Sea(spectrum, 0.5, PLANE))
+    if more:
+        with pytest.raises(
+            StudyError, match=r"waves: sea\.spec has directions of its own; leave direction and spreading"
+        ):
+            table.sea("waves", 20.0)
+    else:
+        assert table.sea("waves", 20.0).spreading is PLANE

@@ -157,6 +157,8 @@ def storm(*path):
 
 LIMIT = {"quantity": "surge", "at_most": 1.0, "source": "owner"}
 ANCHOR = {"quantity": "holding capacity / horizontal force", "at_least": 1.0, "source": "owner"}
+WORN = "tension / breaking load, worn"
+UNTIMED = [(project("project", key), ...) for key in ("service_life", "probability")]
 # kind of the project, changes, words that the line must have: the thing and what is allowed
 FAULTS = {
     "line type": ("lines", [(study("lines", 0, "type"), "chian")], ("lines[0].type is 'chian'", "allowed: chain")),
@@ -288,7 +290,41 @@ FAULTS = {
         ("wear of type 'chain'", "at least half of the diameter"),
     ),
     "service life": ("lines", [(project("project", "service_life"), -1.0)], ("service_life is -1", "above 0")),
-    "probability": ("lines", [(project("project", "probability"), 2.0)], ("probability is 2", "below 1")),
+    "probability": ("lines", [(project("project", "probability"), 1.0)], ("probability is 1", "above 0, below 1")),
+    "probability of nothing": (
+        "lines", [(project("project", "probability"), 0.0)], ("probability is 0", "above 0, below 1"),
+    ),
+    "level without end": (
+        "lines", [(project("levels", "high"), float("inf"))], ("levels.high is inf m", "allowed: finite"),
+    ),
+    "years of wear": (
+        "lines", [(project("wear"), {"mm_per_year": 0.1}), *UNTIMED],
+        ("wear: for how many years is not said", "give wear.years or project.service_life"),
+    ),
+    "wear below nothing": (
+        "lines", [(project("wear"), {"mm_per_year": -0.1})], ("wear.mm_per_year is -0.1", "at least 0"),
+    ),
+    "wear twice": (
+        "lines", [(project("wear"), {"mm_per_year": 0.1}), (study("types", "chain", "corrosion_mm"), 1.0)],
+        ("[wear] is given, and types.chain.corrosion_mm", "one of them"),
+    ),
+    "diameter that wears": (
+        "lines",
+        [(project("wear"), {"mm_per_year": 0.1}),
+         (study("types", "chain"), {"weight_kg_per_m": 100.0, "breaking_load_tonf": 500.0})],
+        ("wear of type 'chain' needs its diameter", "by catalogue"),
+    ),
+    "diameter that tires": (
+        "lines",
+        [(project("fatigue"), {"curve": "DNV studless chain"}), (storm("share"), 0.1),
+         (study("types", "chain"), {"weight_kg_per_m": 100.0, "breaking_load_tonf": 500.0})],
+        ("fatigue of type 'chain' needs its diameter", "by catalogue"),
+    ),
+    "share of the time": ("lines", [(storm("share"), 1.01)], ("shares of the time are [1.01, 0.0]", "at most 1")),
+    "factor of fatigue": (
+        "lines", [(project("fatigue"), {"curve": "DNV studless chain", "factor": 0.99}), (storm("share"), 0.1)],
+        ("fatigue.factor is 0.99", "at least 1"),
+    ),
     "curve of fatigue": ("lines", [(project("fatigue"), {"curve": "x"})], ("fatigue.curve is 'x'", "DNV studless")),
     "line that does not reach": (
         "lines", [(study("lines", 0, "length"), 90.0)], ("line fore port is 90 m long", "limit 50 %", "longer line"),
@@ -417,6 +453,25 @@ def test_a_fault_is_one_line_before_anything_is_solved(fault, designed, tmp_path
     assert said.err.startswith("hakobune design: ") and said.err.count("\n") == 1, said.err
     assert all(word in said.err for word in words), said.err
     assert sorted(path.name for path in tmp_path.iterdir()) == ["box.h5", "project.toml", "scene.toml", "study.toml"]
+
+
+FULL = {"curve": "DNV studless chain", "factor": 1.0}
+AT_THE_LIMIT = {
+    "shares of all time": [(storm("share"), 0.4), (project("states", 1, "share"), 0.6)],
+    "probability": [(project("project", "probability"), 0.999)],
+    "wear of its own years": [
+        (project("wear"), {"mm_per_year": 0.0, "years": 9.0}), (project("limits"), [{**LIMIT, "quantity": WORN}]),
+        *UNTIMED,
+    ],
+    "fatigue of a share": [(project("fatigue"), FULL), (storm("share"), 0.1)],
+    "a line that reaches": [(study("lines", 0, "length"), 254.0)],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", AT_THE_LIMIT)
+def test_up_to_its_limits_a_project_is_worked_on(name, designed):
+    with pytest.raises(Reached):
+        designed("lines", AT_THE_LIMIT[name])
 
 
 def test_a_file_of_a_simulation_lies_beside_the_project(designed, tmp_path):

@@ -10,9 +10,10 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from hakobune.pipelines import cli
+from hakobune.pipelines.keys import shown
 from hakobune.pipelines.keys.beginning import commented
 from hakobune.pipelines.keys.kinds import KINDS, SCENES, _collect, struct_of
-from hakobune.pipelines.keys.reference import entries, reference, summary, tables_of
+from hakobune.pipelines.keys.reference import Key, KeyTable, entries, reference, summary, tables_of
 from hakobune.pipelines.keys.schema import schema
 from hakobune.pipelines.keys.search import search
 from hakobune.pipelines.keys.words import COMMON, ENDINGS
@@ -241,3 +242,27 @@ def test_values_of_keys_are_those_given_first_in_each_of_several_tables():
     found = {path: value for path, value in values.items() if not isinstance(value, dict | list)}
     wanted = {".size": 2.0, "part.a": 1, "part.b.c": 3, "part.d": 4, "kind.NAME.e": 5, "kind.NAME.f": 6}
     assert wanted.items() <= found.items()
+
+
+def key(name, unit="m", kind="number", needed=False, default=2.5, meaning="how deep", example=""):
+    return Key("[water]", name, unit, kind, needed, default, meaning, example)
+
+
+def test_the_reference_as_a_page_has_a_table_for_each_place_with_units_defaults_and_meanings():
+    several = key("list", "s", "list of numbers", example="[1]")
+    first = KeyTable(("",), "What comes first", (key("name", "", "text", True, None, "of the | study"),))
+    tables = first, KeyTable(("[water]", "[sea]"), "Water of the place", (key("depth"), several))
+    page = shown.as_markdown(tables).splitlines()
+    assert page[0] == "### Before any table" and page[2] == "What comes first."
+    assert page[6] == "| `name` |  | needed | of the \\| study |"
+    assert page[8] == "### `[water]`, `[sea]`"
+    assert page[14:] == ["| `depth` | m | 2.5 | how deep |",
+                         "| `list` | s | 2.5 | how deep (list of numbers); e.g. [1] |"]  # fmt: skip
+
+
+def test_the_reference_on_a_terminal_says_where_keys_stand_before_any_table():
+    text = shown.as_text(
+        (KeyTable(("",), "What comes first", (key("name"),)), KeyTable(("[sea]",), "Sea", (key("H"),)))
+    )
+    assert text.splitlines()[0] == "before any table  What comes first" and "[sea]  Sea" in text
+    assert json.loads(shown.as_json((KeyTable(("[sea]",), "Sea", (key("H"),)),)))[0]["places"] == ["[sea]"]

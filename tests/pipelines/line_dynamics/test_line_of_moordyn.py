@@ -1,5 +1,7 @@
 """A line of a MoorDyn file in motion: what the file says of it, and at rest the file's own equilibrium."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -7,8 +9,10 @@ from hakobune.mooring.formats.moordyn_system import read_moordyn_system
 from hakobune.mooring.lines.dynamics.start import start
 from hakobune.mooring.lines.dynamics.surroundings import water_arrays
 from hakobune.mooring.lines.system.equilibrium import rest
+from hakobune.mooring.lines.system.parts import LineDynamics, LineType, UniformLine
 from hakobune.pipelines.cli import main
-from hakobune.pipelines.line_dynamics.moordyn import with_moordyn
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.line_dynamics.moordyn import _type, with_moordyn
 from hakobune.pipelines.line_dynamics.parts import line_of
 from hakobune.pipelines.line_dynamics.study import read_line_dynamics
 
@@ -113,3 +117,22 @@ def test_a_rope_with_a_table_is_not_moved_as_if_it_had_none(study, capsys):
     (study.parent / "rope.txt").write_text("rope\nstrain tension\n(-) (N)\n0 0\n0.01 4e5\n0.02 1e6\n")
     assert main(["line-dynamics", str(study)]) == 2
     assert "EA of line 2 is a table or a Syrope rope; allowed in motion: a number" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("load, kilonewtons", [(2.5e6, 2500.0), (np.inf, None)])
+def test_a_type_of_a_file_is_a_table_of_a_study_in_kilonewtons(load, kilonewtons):
+    """EA 4e8 N, EI 3e4 N m²; damping of −0.6 is 0.6 of critical, BA of 2e5 N s that over ℓ √(EA m), ℓ = 10 m"""
+    own = LineDynamics(1.1, 0.2, 0.9, 0.1, -0.6, 3e4)
+    kind = LineType("chain", 1500.0, 4e8, 190.0, 0.18, load, dynamics=own)
+    made = _type(UniformLine("one", kind, 200.0, "a", "b", elements=20), "lines.txt")
+    assert (made.axial_stiffness_kN, made.bending_stiffness_kN_m2, made.breaking_load_kN) == (4e5, 30.0, kilonewtons)
+    assert (made.weight_N_per_m, made.mass_kg_per_m, made.diameter, made.damping_ratio) == (1500.0, 190.0, 0.18, 0.6)
+    assert (made.drag_normal, made.drag_tangential, made.added_normal, made.added_tangential) == (1.1, 0.2, 0.9, 0.1)
+    damped = replace(kind, dynamics=replace(own, damping=2e5))
+    made = _type(UniformLine("one", damped, 200.0, "a", "b", elements=20), "lines.txt")
+    assert made.damping_ratio == pytest.approx(2e5 / (10 * np.sqrt(4e8 * 190)))
+    for more, says in (({"mass": 0.0}, "mass of line type chain is 0"),
+                       ({"axial_stiffness": np.inf}, "EA of line type"),
+                       ({"weight": -1.0}, "weighs -1 N/m in water; allowed: above 0")):  # fmt: skip
+        with pytest.raises(StudyError, match=says):
+            _type(UniformLine("one", replace(kind, **more), 200.0, "a", "b"), "lines.txt")

@@ -8,9 +8,10 @@ import pytest
 
 from hakobune.bem import DOFS
 from hakobune.mooring.response.points import KeelPoint, Point, keel_name, relative_name
+from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.resonances import resonance_lines, underdamped
 from hakobune.pipelines.response.findings import failures, notes, sea_in_words, system_in_words, turned
-from hakobune.pipelines.response.result import of_climate, of_moored, without_rounding
+from hakobune.pipelines.response.result import of_climate, of_moored, response, without_rounding
 from hakobune.pipelines.results.quantity import Quantity
 
 YEAR = 365.25 * 86400
@@ -185,3 +186,17 @@ def test_drift_that_symmetry_makes_zero_is_zero_and_a_moment_is_held_against_for
     assert without_rounding(np.array([1e4, 1.0, 1.0]), 50.0).tolist() == [1e4, 1.0, 1.0]
     among = np.array([[1e4, 0.0, 0.0], [np.nan] * 3])
     assert without_rounding(np.array([0.0, 1e-9, 0.0]), 50.0, among).tolist() == [0.0, 0.0, 0.0]
+
+
+CLIMATE = {"scatter": "table.csv", "directions": [{"direction_deg": 0.0, "share": 1.0}]}
+
+
+@pytest.mark.parametrize("study, moored, told", [
+    ({"climate": CLIMATE, "current": {"speed": 1.0, "direction_deg": 0.0}}, None, "[current] is given with [climate]"),
+    ({"climate": CLIMATE}, "moor.toml", "--moored is given with [climate]"),
+])  # fmt: skip
+def test_a_climate_is_without_a_current_and_without_lines_before_any_file_is_opened(study, moored, told):
+    """Each sea of a climate would have a drift and a pose of its own"""
+    with pytest.raises(StudyError) as error:
+        response(study, "not_there.h5", moored)
+    assert str(error.value) == f"{told}; allowed: with [sea]"

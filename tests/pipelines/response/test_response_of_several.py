@@ -35,7 +35,8 @@ def test_absolute_and_relative_motion_and_drift_of_each(database):
     for hose, deck in zip("xyz", "yxz", strict=True):
         assert sigma[f"hose relative displacement {hose}"] == pytest.approx(sigma[f"deck displacement {deck}"])
     assert list(found.labels["body"].values) == ["barge", "pier"] and np.all(found["drift.of_each.surge"] != 0)
-    assert len(found["keel.left"]) == 4 and found.labels["keel_point"].values[0].startswith("barge keel")
+    corners = {f"barge keel x {x:g} y {y:g}" for x in (6, -6) for y in (2.5, -2.5)}  # in axes of the barge
+    assert set(found.labels["keel_point"].values) == corners and len(found["keel.left"]) == 4
 
 
 FAULTS = {
@@ -112,3 +113,15 @@ def test_what_a_mooring_of_several_cannot_be_asked(database, name):
     with pytest.raises(ValueError) as error:
         hakobune.moor({**CHAIN, "hulls": {} if "hull" in more else {"barge": {"freeboard": 1.0}}, **more}, database)
     assert words in str(error.value)
+
+
+def test_a_resonance_that_nothing_but_waves_damps_is_a_warning_and_else_a_note(database):
+    """Waves damp roll by less than a tenth of critical; a tenth that is given is what lowers the peak"""
+
+    def told(**more):
+        found = hakobune.response({"sea": SEA, **more}, database)
+        return ["resonance of barge roll" in " ".join(lines) for lines in (found.findings, found.notes)]
+
+    assert told() == [True, False]
+    damped = {f"barge {mode}": 0.1 for mode in ("heave", "roll", "pitch")}
+    assert told(body={"damping_ratio": damped}) == [False, True]

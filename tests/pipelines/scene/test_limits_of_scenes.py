@@ -24,6 +24,8 @@ LIMITS = [  # old, good, bad, what is said
     ("headings_deg = [0, 90]", "headings_deg = [-360, 359]", "headings_deg = [-361]", "headings_deg has -361"),
     ("headings_deg = [0, 90]", "headings_deg = [359, 1]", "headings_deg = [360, 0]",
      "headings_deg has 0 twice, once as 360"),
+    ("headings_deg = [0, 90]", "headings_deg = [5, 359.99999999999]", "headings_deg = [0, 359.99999999999]",
+     "headings_deg has 0 twice"),
     ("omegas = [0.5, 1.0]", "omegas = [0.5, 0.50000001]", "omegas = [0.5, 0.5]", "waves.omegas has 0.5 twice"),
     ("omegas = [0.5, 1.0]", "periods = [5.0, 8.0]", "periods = [5.0, 8.0, 8.0]", "waves.periods has 8 twice"),
     ("omegas = [0.5, 1.0]", "periods = [5.0, 6.0]", "omegas = [1.0]\nperiods = [5.0]",

@@ -183,7 +183,7 @@ def test_a_shape_that_strains_nothing_is_named(tmp_path):
     rows = np.hstack([points, np.cross([0.0, 1.0, 0.0], points)])
     np.savetxt(tmp_path / "pitch.txt", rows)
     file = {"kind": "file", "name": "turn", "file": str(tmp_path / "pitch.txt"), "stiffness": 0.0, "mass": 1.0}
-    with pytest.raises(SceneError, match="turn strains nothing"):
+    with pytest.raises(SceneError, match="turn has no strain"):
         solve(make_scene(tables(file)), tmp_path / "x.h5")
 
 
@@ -238,5 +238,5 @@ def test_a_hinge_is_no_shape_and_a_beam_not_of_two_bodies(tmp_path):
     given["modes"][0]["file"] = str(tmp_path / "whole.csv")
     turn = rows_of(lambda p: np.stack([p[:, 2], 0 * p[:, 0], -p[:, 0]], axis=1))
     np.savetxt(tmp_path / "whole.csv", turn)
-    with pytest.raises(SceneError, match=r"turn strains nothing: .* \[\[hinges\]\] of a study hold bodies together"):
+    with pytest.raises(SceneError, match=r"turn has no strain: .* join bodies by \[\[hinges\]\] of a study"):
         solve(make_scene(given), tmp_path / "none.h5")

@@ -15,7 +15,7 @@ from __future__ import annotations
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import address
 
-from .bending import NEXT, OVERNEXT
+from .bending import NEXT, OVERNEXT, bends
 from .block_tridiagonal import column, difference, factor, inverse, product, put, substitute
 
 OF_BAND = 36  # numbers of each pivot: A⁻¹, U, L and M
@@ -103,16 +103,16 @@ def substitute_band(pivots, bending, r, x, first, last):
 @kernel(inline=True)
 def factor_line(D, B, bending, pivots, last):
     """Pivots of the inner nodes of a line of `last` elements"""
-    if bending is None:
-        factor(D, B, pivots, 1, last - 1)
-    else:
+    if bends(bending):
         factor_band(D, B, bending, pivots, 1, last - 1)
+    else:
+        factor(D, B, pivots, 1, last - 1)
 
 
 @kernel(inline=True)
 def substitute_line(pivots, bending, r, x, last):
     """x (3, w) of its inner nodes with the right hand r (3, w), which may be x itself"""
-    if bending is None:
-        substitute(pivots, r, x, 1, last - 1)
-    else:
+    if bends(bending):
         substitute_band(pivots, bending, r, x, 1, last - 1)
+    else:
+        substitute(pivots, r, x, 1, last - 1)

@@ -21,21 +21,26 @@ OF_BENDING = 5
 
 @kernel()
 def joints(flexure, length, w):
-    """`Work.bending` of a System, None without bending stiffness: nothing of bending is then compiled."""
-    if flexure is None:
-        bending = None
-    else:
-        bending = np.zeros((OF_BENDING, w))
-        for j in range(1, length.size):
-            bending[FLEXURE, j] = flexure[j]
-            bending[BEFORE, j], bending[AFTER, j] = 1.0 / length[j - 1], 1.0 / length[j]
+    """`Work.bending` of a System, without columns where it has no bending stiffness"""
+    if flexure.size == 0:
+        return np.zeros((OF_BENDING, 0))
+    bending = np.zeros((OF_BENDING, w))
+    for j in range(1, length.size):
+        bending[FLEXURE, j] = flexure[j]
+        bending[BEFORE, j], bending[AFTER, j] = 1.0 / length[j - 1], 1.0 / length[j]
     return bending
+
+
+@kernel(inline=True)
+def bends(bending):
+    """Whether a line has bending stiffness.  One version of its kernels serves both: a second takes twenty seconds"""
+    return bending.shape[1] > 0
 
 
 @kernel()
 def bend(bending, q, r, D, last, cq):
     """Add what bending does to r, and its tangent to D and `bending`, as in `Work`."""
-    if bending is not None:
+    if bends(bending):
         for j in range(last + 1):
             bending[NEXT, j], bending[OVERNEXT, j] = 0.0, 0.0
         for j in range(1, last):
@@ -58,15 +63,9 @@ def bend(bending, q, r, D, last, cq):
 def bending_energy(flexure, length, q):
     """J"""
     total = 0.0
-    if flexure is not None:
+    if flexure.size > 0:
         for j in range(1, length.size):
             for i in range(3):
                 c = (q[i, j + 1] - q[i, j]) / length[j] - (q[i, j] - q[i, j - 1]) / length[j - 1]
                 total += 0.5 * flexure[j] * c * c
     return total
-
-
-@kernel()
-def part(flexure, first, last):
-    """Of nodes `first` … `last` − 1; written so that an array is not one that may be None, which is compiled apart"""
-    return flexure if flexure is None else flexure[first:last]

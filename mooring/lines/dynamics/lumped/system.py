@@ -30,7 +30,7 @@ class System(NamedTuple):
     buoyancy: np.ndarray  # N, by which a whole element weighs more in air; all 0 where a line counts as under water
     waterline: np.ndarray  # m, πD/4, over which a level element leaves the water
     weight: np.ndarray  # N, submerged weight of the line plus dry weight of the body at the node
-    flexure: np.ndarray | None  # N m, against a turn of the elements on both sides, 0 where they are hinged
+    flexure: np.ndarray  # N m, against a turn of the elements on both sides, 0 where they are hinged; () without any
     mass: np.ndarray  # kg, line and body, without water
     inertia: np.ndarray  # kg, with all added mass: scale of the error estimate
     body_nodes: np.ndarray  # (b,) where the bodies are

@@ -15,7 +15,7 @@ from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import WIDTH
 
 from .band import OF_BAND
-from .bending import joints
+from .bending import bends, joints
 
 # rows of Work.element: 1/m, N, N s, 1/soft strain; strain, tension/EA and slope/EA of the material's row; halves, see
 # `System`
@@ -48,7 +48,7 @@ class Work(NamedTuple):
     node: np.ndarray  # (OF_NODE, w)
     power: np.ndarray  # (6,)
     pivots: np.ndarray  # (n, OF_PIVOT) of the last tangent that was factored, or (n, OF_BAND) of a line that bends
-    bending: np.ndarray | None  # (OF_BENDING, w)
+    bending: np.ndarray  # (OF_BENDING, w), (OF_BENDING, 0) of one that does not
     tabled: bool  # whether an element has more than one row of `System.elongation`
     rises: bool  # whether the line may leave the water
 
@@ -131,7 +131,7 @@ def workspace(s):
         element,
         node,
         np.zeros(6),
-        np.zeros((n, OF_PIVOT if bending is None else OF_BAND)),
+        np.zeros((n, OF_BAND if bends(bending) else OF_PIVOT)),
         bending,
         tabled,
         rises,
