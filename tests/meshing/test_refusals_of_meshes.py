@@ -57,7 +57,7 @@ LIMITS = {
     "radius of an end": (lambda r: tube(end_radius=r), 0.1, -0.1, "parts[0]: end_radius is -0.1; allowed: m, above 0"),
     "breadth of an outline": (lambda b: drawing(parts=[SHEER | {"breadth": b}]), 0.1, 0.0, "parts[0]: breadth is 0.0"),
     "points of an outline": (lambda p: drawing(parts=[SHEER | {"points": p}]), SHEER["points"], [[0.0], [1.0], [2.0]],
-        "parts[0].points is no list of [x, z]; allowed: three or more, m"),
+        "parts[0].points is not a list of [x, z]; allowed: three or more, m"),
     "end of a tube": (lambda z: tube(to=[0.0, 0.0, z]), 2.0, math.inf,
         "parts[0].to is [0.0, 0.0, inf]; allowed: three"),
     "numbers of a size": (lambda s: part(size=s), [1.0, 1.0, 1.0], [1.0, 1.0], "parts[0].size is [1.0, 1.0]; allowed"),

@@ -84,7 +84,7 @@ LIMITS = {
     "displacement": (lambda d: equipment_number("NV", d, front=1.0), 1e-9, 0.0, "displacement is 0 t; allowed: above"),
     "endings of times": (lambda ends: _offsets(ends, "f"), ["Z", "+09:00"], ["Z", "9"],
      "different endings, one is '9'"),
-    "record": (lambda a: estimate(a * np.cos(np.arange(64.0)), 1.0, 16.0), 1e-9, 0.0, "m throughout; allowed"),
+    "record": (lambda a: estimate(a * np.cos(np.arange(64.0)), 1.0, 16.0), 1e-9, 0.0, "m throughout; give a record with waves"),
     "overlap": (lambda o: estimate(np.cos(np.arange(64.0)), 1.0, 16.0, overlap=o), 0.99, 1.0, "overlap is 1"),
     "frequency of a spreading": (lambda w: Mitsuyasu(10.0, 0.8).density(0.0, w), 0.8, None, "give omega"),
     "incline": (lambda deg: inclined(FENDER, 2.0, math.radians(deg)), 44.9, 45.1,
@@ -98,7 +98,7 @@ LIMITS = {
     "tension of a span": (span, 1e3, 0.0, "horizontal_tension is 0 N; allowed: finite values above 0"),
     "tension without end": (span, [1e3, 1e4], [1e3, math.inf], "horizontal_tension is inf N; allowed: finite"),
     "strains": (lambda t: dynamic(t).stiffness, RISING, TWICE,
-     "a strain stands twice; allowed: strains that rise from 0"),
+     "a strain occurs twice; allowed: strains that rise from 0"),
     "anchor": (lambda p: line(anchor=p), (1.0, 2.0, 3.0), NAN3, "; allowed: three finite numbers, m"),
     "numbers of an anchor": (lambda p: line(anchor=p), (1.0, 2.0, 3.0), (1.0, 2.0),
      "; allowed: three finite numbers, m"),
@@ -194,7 +194,7 @@ def test_parts_are_taken_up_to_their_limits_and_refused_beyond(name):
 
 
 @pytest.mark.parametrize("row, says", [
-    ("1,2,3", None), ("1,2", "line 3 has 2 columns; allowed: 3, as the first"), ("1,2,x", "line 3"),
+    ("1,2,3", None), ("1,2", "line 3 has 2 columns; allowed: 3, as in the first line"), ("1,2,x", "line 3"),
 ])  # fmt: skip
 def test_rows_of_a_table_have_as_many_numbers_as_the_first(row, says, tmp_path):
     path = tmp_path / "table.csv"

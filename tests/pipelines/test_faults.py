@@ -71,7 +71,7 @@ WAVES = {
     "box --length 100 --beam 50 --draft 1 --depth 200 --omega 0.3 --method contour": ("up to 100 times", "panel"),
     "buoy --radius 10 --draft 10 --depth 20 --omega 1 --method strip": ("'buoy'", "panel or contour"),
     f"{BOX} --depth 20 --omega 1 --method strip --only drift_force_fixed": ("strip does not give", "panel or contour"),
-    f"{BOX} --depth 20 --omega 1 --method strip --only drift": ("gives nothing",),
+    f"{BOX} --depth 20 --omega 1 --method strip --only drift": ("computes here; try another method",),
     f"{BOX} --depth 20 --omega 1 --method pressure --only added_mass_infinity": ("pressure does not give", "panel"),
     f"{BOX} --depth 20 --omega 1 --method contour --wall -40": ("knows no wall", "panel or pressure"),
     f"{BOX} --depth 20 --omega 1 --wall -20": ("wall is -20", "half its beam, 25"),

@@ -30,7 +30,7 @@ def _check_names(what, parts):
     seen = set()
     for part in parts:
         if part.name in seen:
-            raise LineSystemError(f"{what} name {part.name!r} is used twice; give each number once")
+            raise LineSystemError(f"{what} name {part.name!r} is used twice; give each a name of its own")
         seen.add(part.name)
 
 

@@ -44,10 +44,10 @@ def test_a_hinge_has_a_finite_place_and_an_axis():
 
     assert link(kind="slider", damping=2.0).damping == 2000.0  # kN s/m
     for more in ({"position": (0.0, math.inf, 0.0)}, {"axis": (0.0, 0.0, 0.0)}, {"axis": (0.0, math.nan, 1.0)}):
-        refused("; allowed: finite, an axis not 0", link, **more)
+        refused("; allowed: finite, with an axis other than 0", link, **more)
     refused("hinges[0].kind is 'weld'; allowed: ", link, kind="weld")
-    refused("of which one moves", link, bodies=("a", "a"))
-    refused("of which one moves", link, bodies=("b", "space"))
+    refused("of which at least one moves", link, bodies=("a", "a"))
+    refused("of which at least one moves", link, bodies=("b", "space"))
     refused("hinges[0].damping is -1 of a slider; allowed: 0 or more", link, kind="slider", damping=-1.0)
     refused("hinges[0].damping is 1 of a rigid; allowed: 0 or more, of a ", link, kind="rigid", damping=1.0)
 
@@ -99,10 +99,13 @@ def test_a_peak_enhancement_is_of_spectra_that_have_one():
         system("jonswap", gamma)
         system("tma", gamma)
         refused(
-            f"hindcast.waves[0].gamma is {gamma:g} of issc; allowed: 1 to 10 of jonswap, tma", system, "issc", gamma
+            f"hindcast.waves[0].gamma is {gamma:g} for issc; allowed: 1 to 10, for jonswap and tma",
+            system,
+            "issc",
+            gamma,
         )
     for gamma in (0.99, 10.1):
-        refused(f"gamma is {gamma:g} of jonswap; allowed: 1 to 10 of jonswap, tma", system, "jonswap", gamma)
+        refused(f"gamma is {gamma:g} for jonswap; allowed: 1 to 10, for jonswap and tma", system, "jonswap", gamma)
 
 
 def test_a_sea_by_fetch_of_finite_depth_needs_one():
@@ -152,8 +155,8 @@ def test_a_file_of_a_shape_is_rows_of_points_each_once(tmp_path):
     refused("points; allowed: ", read, *rows[:4])
     refused("all finite", read, *rows, "9,9,0,0,0,inf")
     refused("rows of [6, 7] numbers", read, *rows, rows[0] + ",1.0")
-    refused("no displacement that is not 0", read, *[row.rsplit(",", 1)[0] + ",0" for row in rows])
-    refused("masses below 0, or none; allowed: 0 or more, kg", read, *[row + ",0" for row in rows])
+    refused("has only displacements of 0", read, *[row.rsplit(",", 1)[0] + ",0" for row in rows])
+    refused("has negative masses, or all masses are 0; allowed: 0 or more, kg", read, *[row + ",0" for row in rows])
     assert read(*[row + ",0" for row in rows[1:]], rows[0] + ",2.0").shape == (26, 7)
 
 
@@ -198,12 +201,12 @@ TYPES = {"nylon": ROPE, "chain": {"weight_kg_per_m": 60.0, "axial_stiffness_tonf
 @pytest.mark.parametrize("more, says", [
     ({"bollard": [60.0, 6.0, 3.0], "length": 29.0}, None),
     ({"bollard": [60.0, 6.0, 3.0], "pretension_tonf": 4.0}, None),
-    ({"anchor": [60.0, 6.0], "length": 29.0}, "lines[0] (one) is a hawser; allowed: a bollard, with its length or a"),
+    ({"anchor": [60.0, 6.0], "length": 29.0}, "lines[0] (one) is a hawser; give a bollard, with a length or a"),
     ({"type": "chain", "anchor": [100.0, 6.0], "length": 90.0}, None),
     ({"type": "chain", "heading_deg": 0.0, "pretension_tonf": 4.0, "length": 90.0}, None),
-    ({"type": "chain", "length": 90.0}, "allowed: one of anchor, bollard, heading_deg with a pretension"),
-    ({"type": "chain", "heading_deg": 0.0, "length": 90.0}, "allowed: one of anchor, bollard, heading_deg with a"),
-    ({"type": "chain", "anchor": [100.0, 6.0], "heading_deg": 0.0, "length": 90.0}, "allowed: one of anchor, bollard"),
+    ({"type": "chain", "length": 90.0}, "give one of anchor, bollard, or heading_deg with a pretension"),
+    ({"type": "chain", "heading_deg": 0.0, "length": 90.0}, "give one of anchor, bollard, or heading_deg with a"),
+    ({"type": "chain", "anchor": [100.0, 6.0], "heading_deg": 0.0, "length": 90.0}, "give one of anchor, bollard"),
 ])  # fmt: skip
 def test_a_line_ends_at_an_anchor_a_bollard_or_where_its_tension_takes_it(more, says):
     line = {"name": "one", "type": "nylon", "fairlead": [30.0, 6.0, 2.0], **more}
@@ -236,7 +239,7 @@ def test_coefficients_of_a_site_are_those_it_has(monkeypatch, tmp_path):
     monkeypatch.setattr(link, "site_file", lambda _: values)
     assert link._laid(path, "a study", taken)[0]["ground"]["coefficient"] == 0.12
     values.earthquake = {}
-    refused("the site's file has no seismic coefficient; give [earthquake] to hakobune site",
+    refused("the file of the site has no seismic coefficient; give [earthquake] to hakobune site",
             link._laid, path, "a study", taken)  # fmt: skip
     path.write_text('[site]\nfile = "bay.toml"\nlevel = "high"\n')
     refused("site.level is 'high'; a study takes no water of a site", link._laid, path, "a study", taken)
@@ -253,7 +256,7 @@ def test_anchors_are_of_lines_that_end_at_one_each_in_one_table():
     refused("anchors[0].lines: 'C' is on no anchor; allowed: A, B", anchors, ["C"])
     refused("anchors[0].lines: 'D' is unknown; allowed: A, B", anchors, ["D"])
     refused("anchors[1].lines: 'D' is unknown; allowed: none is left", anchors, ["A", "B"], ["D"])
-    refused("anchors[0] and anchors[1] have no lines; allowed: one, for all others", anchors, [], [])
+    refused("anchors[0] and anchors[1] have no lines; allowed: one table without lines", anchors, [], [])
 
 
 def test_a_study_is_a_path_a_dictionary_or_itself():
@@ -279,8 +282,8 @@ def test_flags_of_a_sea_are_called_by_their_names():
 
 @pytest.mark.parametrize("headings, count, says", [
     (None, 6, None), (None, 1, None), (None, 0, "mooring.count is 0; allowed: 1 to "), ([0.0], None, None),
-    ([], None, "mooring.headings_deg has 0 values; allowed: 1 to "), ([0.0], 6, "allowed: one of headings_deg, count"),
-    (None, None, "mooring: allowed: one of headings_deg, count"),
+    ([], None, "mooring.headings_deg has 0 values; allowed: 1 to "), ([0.0], 6, "mooring: give one of headings_deg, count"),
+    (None, None, "mooring: give one of headings_deg, count"),
 ])  # fmt: skip
 def test_lines_of_a_buoy_are_all_round_or_where_they_are_said_to_be(headings, count, says):
     """Six lines from 30° on are 60° apart"""
@@ -300,9 +303,13 @@ def test_a_pretension_is_along_the_water_or_at_the_top():
         return _pretension(SimpleNamespace(**keys | more), line, 30.0)
 
     assert force(pretension_kN=470.0) == 470e3 and force(top_tension_kN=500.0) == pytest.approx(470e3)
-    says = "mooring: allowed: one of pretension (horizontal) and top_tension, in tonf or kN"
+    says = "mooring: give one of pretension (horizontal) and top_tension, in tonf or kN"
     refused(says, force)
     refused(says, force, pretension_kN=470.0, top_tension_kN=500.0)
     refused("mooring.top_tension is ", force, top_tension_kN=29.0)
     line = None  # of segments
-    refused("of a uniform line; give a line of segments its pretension", force, top_tension_kN=500.0)
+    refused(
+        "mooring.top_tension applies to a uniform line; give pretension for a line of segments",
+        force,
+        top_tension_kN=500.0,
+    )

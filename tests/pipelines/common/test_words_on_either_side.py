@@ -27,7 +27,8 @@ def test_water_is_from_fresh_and_warm_to_the_dead_sea(density, told):
     said = list(remarks._density_remarks(density))
     assert (
         said
-        == [f"density {density:g} kg/m³ is not that of water, 900 to 1300 kg/m³; check its unit (--density)"] * told
+        == [f"density {density:g} kg/m³ is not a density of water, 900 to 1300 kg/m³; check its unit (--density)"]
+        * told
     )
 
 
@@ -37,8 +38,8 @@ def test_water_is_from_fresh_and_warm_to_the_dead_sea(density, told):
 ])  # fmt: skip
 def test_gravity_is_that_of_the_earth_and_in_feet_it_is_said_to_be(gravity, told, feet):
     said = " ".join(remarks._gravity_remarks(gravity))
-    assert said.startswith(f"gravity {gravity:g} m/s² is not that of the earth, 9.7 to 9.9 m/s²") == told
-    assert (": that is its value in ft/s²" in said) == feet
+    assert said.startswith(f"gravity {gravity:g} m/s² is not gravity on the earth, 9.7 to 9.9 m/s²") == told
+    assert (": this is gravity in ft/s²" in said) == feet
 
 
 def check(name, largest, limit=0.01, exceeding=0):
@@ -119,7 +120,7 @@ def test_folders_of_older_installations_are_those_with_our_modules(tmp_path, mon
     assert doctor._left_over() == ""
     (tmp_path / "mooring").mkdir()
     (tmp_path / "mooring" / "catenary.py").touch()
-    said = f"mooring in {tmp_path} are left over from an older installation; remove these folders"
+    said = f"mooring in {tmp_path} belong to an older installation; remove these folders"
     assert doctor._left_over() == said
 
 
@@ -151,7 +152,7 @@ def test_four_years_have_no_interval_and_a_record_is_told_with_its_length(years,
     year = time.astype("datetime64[Y]").astype(int)
     said = list(of_record(SimpleNamespace(time=time, hours=3.0, year=year[year < year[0] + years])))
     assert said[0].startswith(f"record: {years * 2922} rows of 3 h, {years} years, 2001-01-01T00 to ")
-    assert (said[1:] == ["fewer than 5 years have no interval"]) is told
+    assert (said[1:] == ["no intervals are given for fewer than 5 years"]) is told
 
 
 class Found(dict):
@@ -238,7 +239,7 @@ def passage(method="wang", left=0.0, draft=10.0, depth=20.0, speed=5.0, shape="s
 ])  # fmt: skip
 def test_slender_ships_leave_out_that_one_blocks_more_than_half_of_the_depth(method, draft, shape, told):
     said, _ = passage(method, draft=draft, shape=shape)
-    words = f"the moored ship blocks {100 * draft / 20:.0f} % of the depth, which slender ships leave out"
+    words = f"the moored ship blocks {100 * draft / 20:.0f} % of the depth, which slender-ship theory does not include"
     assert any(line.startswith(words) for line in said) is told
 
 

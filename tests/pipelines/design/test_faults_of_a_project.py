@@ -299,26 +299,26 @@ FAULTS = {
     ),
     "years of wear": (
         "lines", [(project("wear"), {"mm_per_year": 0.1}), *UNTIMED],
-        ("wear: for how many years is not said", "give wear.years or project.service_life"),
+        ("wear: the number of years is missing; give wear.years or project.service_life", "give wear.years or project.service_life"),
     ),
     "wear below nothing": (
         "lines", [(project("wear"), {"mm_per_year": -0.1})], ("wear.mm_per_year is -0.1", "at least 0"),
     ),
     "wear twice": (
         "lines", [(project("wear"), {"mm_per_year": 0.1}), (study("types", "chain", "corrosion_mm"), 1.0)],
-        ("[wear] is given, and types.chain.corrosion_mm", "one of them"),
+        ("[wear] and types.chain.corrosion_mm are both given", "one of them"),
     ),
     "diameter that wears": (
         "lines",
         [(project("wear"), {"mm_per_year": 0.1}),
          (study("types", "chain"), {"weight_kg_per_m": 100.0, "breaking_load_tonf": 500.0})],
-        ("wear of type 'chain' needs its diameter", "by catalogue"),
+        ("wear of type 'chain' needs its diameter", "needs a diameter; name a size of the catalogue, such as catalogue ="),
     ),
     "diameter that tires": (
         "lines",
         [(project("fatigue"), {"curve": "DNV studless chain"}), (storm("share"), 0.1),
          (study("types", "chain"), {"weight_kg_per_m": 100.0, "breaking_load_tonf": 500.0})],
-        ("fatigue of type 'chain' needs its diameter", "by catalogue"),
+        ("fatigue of type 'chain' needs its diameter", "needs a diameter; name a size of the catalogue, such as catalogue ="),
     ),
     "share of the time": ("lines", [(storm("share"), 1.01)], ("shares of the time are [1.01, 0.0]", "at most 1")),
     "factor of fatigue": (

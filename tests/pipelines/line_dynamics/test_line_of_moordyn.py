@@ -133,6 +133,6 @@ def test_a_type_of_a_file_is_a_table_of_a_study_in_kilonewtons(load, kilonewtons
     assert made.damping_ratio == pytest.approx(2e5 / (10 * np.sqrt(4e8 * 190)))
     for more, says in (({"mass": 0.0}, "mass of line type chain is 0"),
                        ({"axial_stiffness": np.inf}, "EA of line type"),
-                       ({"weight": -1.0}, "weighs -1 N/m in water; allowed: above 0")):  # fmt: skip
+                       ({"weight": -1.0}, "in water is -1 N/m; allowed: above 0")):  # fmt: skip
         with pytest.raises(StudyError, match=says):
             _type(UniformLine("one", replace(kind, **more), 200.0, "a", "b"), "lines.txt")

@@ -27,7 +27,7 @@ def a_scene(method, **more):
         (a_scene("panel", damping_lids=()), POWER, "which a scene with damping_lids has"),
         (a_scene("panel", several=False), EACH, "which a scene of several bodies has"),
         (a_scene("contour"), EACH, "which method contour does not give; method panel does"),
-        (a_scene("panel", wall=20.0), EACH, "which a body beside a wall does not have"),
+        (a_scene("panel", wall=20.0), EACH, "which is not computed beside a wall"),
     ],
 )
 def test_a_name_that_is_asked_for_and_not_given_is_refused_by_what_lacks_it(scene, name, words):

@@ -129,7 +129,7 @@ def test_drift_of_a_coefficient_is_of_the_square_of_the_height_along_the_waves()
     with pytest.raises(StudyError, match="waves: the wave drift is unknown; give --database or drift_tonf_per_m2"):
         found(waves__drift_tonf_per_m2=None)
     empty = SimpleNamespace(reader=SimpleNamespace(knows_drift=False))
-    with pytest.raises(StudyError, match="the database holds no drift"):
+    with pytest.raises(StudyError, match="the database contains no drift; solve it with"):
         found(waves__drift_tonf_per_m2=None, db=empty)
 
 

@@ -153,7 +153,7 @@ def test_studies_of_rigid_bodies_say_so(barge):
 @pytest.mark.parametrize(
     "modes, more, said",
     [
-        ([BENDING], {"method": "contour", "panels": None}, "six rigid motions alone"),
+        ([BENDING], {"method": "contour", "panels": None}, "six rigid motions only"),
         ([BENDING], {"wall": 30.0}, "modes and a wall are given"),
         ([{**BENDING, "kind": "hinge"}], {}, "kind is 'hinge'; allowed: vertical bending"),
         ([{**BENDING, "GJ": 1.0}], {}, "GJ is 1.0; vertical bending has EI"),
