@@ -84,7 +84,7 @@ LIMITS = {
     "displacement": (lambda d: equipment_number("NV", d, front=1.0), 1e-9, 0.0, "displacement is 0 t; allowed: above"),
     "endings of times": (lambda ends: _offsets(ends, "f"), ["Z", "+09:00"], ["Z", "9"],
      "different endings, one is '9'"),
-    "record": (lambda a: estimate(a * np.cos(np.arange(64.0)), 1.0, 16.0), 1e-9, 0.0, "m throughout; give a record with waves"),
+    "record": (lambda a: estimate(a * np.cos(np.arange(64.0)), 1.0, 16.0), 1e-9, 0.0, "m throughout; give a record"),
     "overlap": (lambda o: estimate(np.cos(np.arange(64.0)), 1.0, 16.0, overlap=o), 0.99, 1.0, "overlap is 1"),
     "frequency of a spreading": (lambda w: Mitsuyasu(10.0, 0.8).density(0.0, w), 0.8, None, "give omega"),
     "incline": (lambda deg: inclined(FENDER, 2.0, math.radians(deg)), 44.9, 45.1,

@@ -192,7 +192,7 @@ def test_a_proportion_within_a_fortieth_of_a_tested_one_is_that(name, at, sizes)
     """Tests end at L/B = 2 and B/d = 20: 2.4 % more is taken as those without a word, 2.6 % more is told"""
     for share, told in ((1.024, False), (1.026, True)):
         notes = " ".join(box_table(*sizes(share * at)).notes)
-        assert (f"{name} = {share * at:.4g} is outside the tests and taken as {at:g}" in notes) is told
+        assert (f"{name} = {share * at:.4g} is outside the tests; used is {at:g}" in notes) is told
         if name == "L/B":
             assert (f"current moment of L/B = {share * at:.4g} is a guess" in notes) is told
 
@@ -201,11 +201,11 @@ def test_a_proportion_within_a_fortieth_of_a_tested_one_is_that(name, at, sizes)
                                             (2 * 0.976, False)])  # fmt: skip
 def test_between_tested_slendernesses_begins_a_fortieth_off_either(ratio, between):
     notes = " ".join(box_table(100.0 * ratio, 100.0, 10.0, 15.0).notes)
-    assert ("lies between the tested 1.2 and 2; a linear guess" in notes) is between
+    assert ("lies between the tested 1.2 and 2; it is interpolated linearly" in notes) is between
 
 
 @pytest.mark.parametrize("wide, told", [(10 * 0.974, True), (10 * 0.976, False), (10 * 1.024, False), (10.26, True)])
 def test_a_broad_box_was_tested_at_a_tenth_of_its_beam_in_draft(wide, told):
     """L/B = 1.2 in shallow water, B/d = 10 alone"""
     notes = " ".join(box_table(120.0, 100.0, 100.0 / wide, 200.0 / wide).notes)
-    assert (f"B/d = {wide:.4g} is not tested with L/B = 1.2, the trend of L/B = 2 is taken" in notes) is told
+    assert (f"B/d = {wide:.4g} was not tested with L/B = 1.2; the trend of L/B = 2 is used" in notes) is told

@@ -282,7 +282,7 @@ def test_flags_of_a_sea_are_called_by_their_names():
 
 @pytest.mark.parametrize("headings, count, says", [
     (None, 6, None), (None, 1, None), (None, 0, "mooring.count is 0; allowed: 1 to "), ([0.0], None, None),
-    ([], None, "mooring.headings_deg has 0 values; allowed: 1 to "), ([0.0], 6, "mooring: give one of headings_deg, count"),
+    ([], None, "mooring.headings_deg has 0 values; allowed: 1 to "), ([0.0], 6, "give one of headings_deg, count"),
     (None, None, "mooring: give one of headings_deg, count"),
 ])  # fmt: skip
 def test_lines_of_a_buoy_are_all_round_or_where_they_are_said_to_be(headings, count, says):

@@ -165,7 +165,7 @@ FAULTS = {
     "catalogue of a type without lines": (
         "lines", [(study("types", "wire"), {"catalogue": "R9 76 mm"})], ("types.wire.catalogue: 'R9 76 mm'", "R3"),
     ),
-    "name of two lines": ("lines", [(study("lines", 1, "name"), "fore port")], ("'fore port' is used twice", "once")),
+    "name of two lines": ("lines", [(study("lines", 1, "name"), "fore port")], ("'fore port' is used twice", "a name of its own")),
     "anchor of a line": ("lines", [(study("lines", 1, "anchor"), ...)], ("lines[1] (fore starboard)", "anchor")),
     "line that is lost": (
         "lines", [(simulation("lines_lost"), [{"line": "bow", "time": 3.0}])],
@@ -299,7 +299,7 @@ FAULTS = {
     ),
     "years of wear": (
         "lines", [(project("wear"), {"mm_per_year": 0.1}), *UNTIMED],
-        ("wear: the number of years is missing; give wear.years or project.service_life", "give wear.years or project.service_life"),
+        ("wear: the number of years is missing", "give wear.years or project.service_life"),
     ),
     "wear below nothing": (
         "lines", [(project("wear"), {"mm_per_year": -0.1})], ("wear.mm_per_year is -0.1", "at least 0"),
@@ -312,13 +312,13 @@ FAULTS = {
         "lines",
         [(project("wear"), {"mm_per_year": 0.1}),
          (study("types", "chain"), {"weight_kg_per_m": 100.0, "breaking_load_tonf": 500.0})],
-        ("wear of type 'chain' needs its diameter", "needs a diameter; name a size of the catalogue, such as catalogue ="),
+        ("wear of type 'chain' needs a diameter", "name a size of the catalogue, such as catalogue ="),
     ),
     "diameter that tires": (
         "lines",
         [(project("fatigue"), {"curve": "DNV studless chain"}), (storm("share"), 0.1),
          (study("types", "chain"), {"weight_kg_per_m": 100.0, "breaking_load_tonf": 500.0})],
-        ("fatigue of type 'chain' needs its diameter", "needs a diameter; name a size of the catalogue, such as catalogue ="),
+        ("fatigue of type 'chain' needs a diameter", "name a size of the catalogue"),
     ),
     "share of the time": ("lines", [(storm("share"), 1.01)], ("shares of the time are [1.01, 0.0]", "at most 1")),
     "factor of fatigue": (
