@@ -165,7 +165,9 @@ FAULTS = {
     "catalogue of a type without lines": (
         "lines", [(study("types", "wire"), {"catalogue": "R9 76 mm"})], ("types.wire.catalogue: 'R9 76 mm'", "R3"),
     ),
-    "name of two lines": ("lines", [(study("lines", 1, "name"), "fore port")], ("'fore port' is used twice", "a name of its own")),
+    "name of two lines": (
+        "lines", [(study("lines", 1, "name"), "fore port")], ("'fore port' is used twice", "a name of its own")
+    ),
     "anchor of a line": ("lines", [(study("lines", 1, "anchor"), ...)], ("lines[1] (fore starboard)", "anchor")),
     "line that is lost": (
         "lines", [(simulation("lines_lost"), [{"line": "bow", "time": 3.0}])],
