@@ -21,5 +21,5 @@ def test_a_table_is_not_cut_by_a_narrow_terminal(columns, capsys, monkeypatch):
 
 def test_both_forms_at_once_are_refused_and_no_table_is_told(capsys):
     assert cli.main([*FENDER, "--csv", "--json"]) == 2
-    assert "allowed: one of the two" in capsys.readouterr().err
+    assert "give one of them" in capsys.readouterr().err
     assert "there is no table for --" in printed(["new", "--json"], capsys).err

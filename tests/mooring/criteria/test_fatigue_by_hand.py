@@ -92,4 +92,4 @@ def test_lines_that_part_and_lines_above_what_is_allowable_are_told_apart():
     )
     assert "2 of 5 lines in the storm above the allowable 40 % of the breaking load: c 100 %, b 40.1 %; give" in above
     assert list(overused(names[:1], [0.4], 0.4, "")) == [] and len(list(overused(names[:1], [1.2], 1.0, ""))) == 1
-    assert shares(("x", "y"), [np.inf, 0.5]) == "x more than any load, y 50 %"
+    assert shares(("x", "y"), [np.inf, 0.5]) == "x infinitely, y 50 %"

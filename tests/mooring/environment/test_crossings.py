@@ -102,7 +102,7 @@ def test_the_highest_of_a_thousand_amplitudes_is_the_factor_of_the_report():
             "the record has 1 complete waves; allowed: at least 3; give a longer record",
         ),
         (lambda: zero_crossings(np.ones(100), 0.1), "the record has 0 complete waves; allowed: at least"),
-        (lambda: zero_crossings([1.0, np.inf, 2.0], 0.1), "record is inf at place 1"),
+        (lambda: zero_crossings([1.0, np.inf, 2.0], 0.1), "record is inf at index 1"),
         (lambda: zero_crossings(np.sin(np.arange(100)), 0.0), "step is 0 s"),
         (lambda: zero_crossings(np.sin(np.arange(100)), 1.0, "left"), "allowed: up, down"),
         (lambda: zero_crossings(np.sin(np.arange(100)), 1.0).highest(0), "the fraction of the waves is 0"),

@@ -66,7 +66,7 @@ def test_an_estimate_is_a_spectrum():
     [
         ({"record": np.zeros(100)}, "record is 0 m throughout"),
         ({"record": np.ones(5)}, "allowed: a one-dimensional array of at least 16"),
-        ({"record": np.array([1.0] * 20 + [np.nan])}, "record is nan at place 20"),
+        ({"record": np.array([1.0] * 20 + [np.nan])}, "record is nan at index 20"),
         ({"segment": 1.0}, "segment is 1 s, 2 values; allowed: 8 to 50 s"),
         ({"segment": 100.0}, "allowed: 8 to 50 s, the length of the record"),
         ({"window": "square"}, "window is 'square'; allowed: hann, none"),

@@ -192,7 +192,10 @@ def test_records_are_read_as_loggers_and_programs_write_them(tmp_path, way):
 
 def test_gaps_and_odd_words_have_their_lines(tmp_path):
     for text, says in (
-        ("t,eta\n# a remark\n0,1\n1,\n2,-\n3,1\n", "line 4 has no finite number, the first of 2 gaps; fill it in"),
+        (
+            "t,eta\n# a remark\n0,1\n1,\n2,-\n3,1\n",
+            "line 4 has no finite number, the first of 2 gaps; fill in the value",
+        ),
         ("t,eta\n0,1\n1,abc\n2,1\n", "line 3 has 'abc'; allowed: numbers"),
         ("head\nt,eta\n0,1\n1,1,1\n", "line 4 has 3 columns; allowed: 2"),
         ("head\nt,eta\n\n0,1\n1,1\n2,1\n4,1\n", "line 7: time goes from 2 to 4 s"),
@@ -245,7 +248,7 @@ def test_a_missing_file_is_named(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (([0.0, np.nan],), "time is nan at place 1"),
+        (([0.0, np.nan],), "time is nan at index 1"),
         (([0.0, 1.0], np.inf), "point is"),
         (([0.0, 1.0], 0.0, 0.0, -5.0), "water depth is -5 m"),
         (([0.0, 1.0], 0.0, 0.0, 5.0, 0.0), "gravity is 0"),

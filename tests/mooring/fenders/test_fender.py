@@ -150,14 +150,17 @@ X, UP = [0.0, 0.2, 0.5], np.array([0.0, 1e6, 1.5e6])
         ),
         (lambda: fender_of_points("f", 1, [0, 0.5, 0.2], UP), "deflections go from 0.5 to 0.2; allowed: rising from 0"),
         (lambda: fender_of_points("f", 1, X, UP, rated=0.6), "rated strain is 0.6; allowed: above 0, at most 0.5"),
-        (lambda: fender_of_points("f", 1, X, [0, np.nan, 1]), "no number"),
+        (lambda: fender_of_points("f", 1, X, [0, np.nan, 1]), "not a number"),
         (lambda: fender_of_points("f", 1, X, UP).reaction(0.6), "beyond its table, which ends at 0.5 m"),
         (
             lambda: fender_of_points("f", 1, X, UP).deflection_at_energy(1e9),
             "kJ; choose a larger fender or give an overload stiffness",
         ),
         (lambda: fender_of_family("bow", 1.0), "unknown; allowed: cell, v, h"),
-        (lambda: fender_of_family("pi", 1.0), "'pi' has no public curve; give table, the maker's CSV of strain and"),
+        (
+            lambda: fender_of_family("pi", 1.0),
+            "'pi' has no public curve; give table, the manufacturer's CSV of strain and",
+        ),
         (
             lambda: fender_of_family("cone", 1.0),
             "no public source gives its reaction; give the rated reaction of the manufacturer",

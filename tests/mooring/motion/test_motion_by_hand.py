@@ -424,7 +424,7 @@ def test_columns_of_a_force_are_found_by_name_and_a_gap_of_ten_steps_is_told(tmp
         (lambda v: Settings(duration=9.0, slow_drift=v), "mean", "some", "slow_drift is 'some'; allowed: newman"),
         (lambda v: Settings(duration=9.0, memory="constant", constant_period=v), 1.0, 0.0, "constant_period is 0 s"),
         (lambda v: Settings(duration=9.0, memory=v, constant_period=5.0), "constant", "states", "memory = .states."),
-        (lambda v: GivenForce([0.0, v], np.zeros((2, 6))), 0.1, 0.0, "times that do not rise"),
+        (lambda v: GivenForce([0.0, v], np.zeros((2, 6))), 0.1, 0.0, "times that do not increase"),
         (lambda v: GivenForce([0.0, 1.0], np.zeros((2, v))), 6, 5, "allowed: .n,. and .n, 6."),
         (lambda v: Weather(gusts=davenport(9.0, 0.003), wind=v), Wind(9.0, 0.0), None, "gusts and no wind"),
         (lambda v: Weather(regular=Waves(1, 9, 0), seas=v), (), (Sea(issc(1.0, mean_period=8.0)),), "weather "
@@ -442,7 +442,7 @@ def test_what_lines_feel_and_what_breaks_is_told():
         Settings(duration=100.0, dynamic_water=way, lines_lost=(("a", 99.0), ("b", 100.0))) for way in ("still", "sea")
     )
     assert "move in still water" in _around(Weather(), still)
-    assert "in the waves that come in as if" in _around(Weather(), sea)
+    assert "in the incident waves, without disturbance" in _around(Weather(), sea)
     current = Weather(current=Current(2.0, math.pi / 6))
     assert "and the current, alike from surface to bed, as if" in _around(current, sea)
     assert _current_at_lines(current) == pytest.approx([math.sqrt(3), 1.0]) and _current_at_lines(Weather()) is None
@@ -512,7 +512,7 @@ def test_coefficients_of_waves_that_damp_slow_motion_twice_too_much_are_told(con
     said = list(slow_damping.findings(moored, body, 4.1, True, True))
     assert len(said) == told
     if told:
-        assert "waves of 4.1 rad/s do: surge 24.2 for 12 % of critical at 3.14 s, beside the drag" in said[0]
+        assert "waves of 4.1 rad/s: surge 24.2 for 12 % of critical at 3.14 s, in addition to the drag" in said[0]
 
 
 def test_a_body_that_turns_is_pressed_by_the_momentum_of_its_mass_wherever_its_centre_is(monkeypatch):
@@ -577,7 +577,7 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
         ("NO_LINE", {"load": 2.5e5}, "line bow pulls 5e+05 N, 2 times its breaking load, and would part"),
         ("NO_LINE", {}, f"beyond the table of its forces, {REACH[1]:g} of the depth up or down"),
         ("TOO_SHORT", {"flexibility": 0.0}, "line bow pulls 5e+05 N; give it an axial stiffness"),
-        ("TOO_SHORT", {}, "line bow pulls 5e+05 N; raise the tolerance or soften it"),
+        ("TOO_SHORT", {}, "line bow pulls 5e+05 N; raise the tolerance or use a softer line"),
         ("TOO_SHORT", {"count": 0}, "check inertia, damping and stiffness"),
         ("NOT_FINITE", {}, "the motion is not finite; check inertia, damping and stiffness"),
         ("STUCK", {}, "line stern cannot be followed in its own motion"),

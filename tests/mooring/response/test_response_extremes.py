@@ -107,13 +107,16 @@ def test_thousand_waves_have_the_factor_of_the_report():
         (lambda: maximum_not_exceeded(1.0, 1e4, 8.0, 1.0), "probability is 1.0; allowed: between 0 and 1"),
         (lambda: mean_of_highest(0.0, 0.3), "share of the maxima is 0"),
         (lambda: significant_factor(1.2), "bandwidth ε is 1.2"),
-        (lambda: record_peaks([1.0, np.nan]), "one row of finite numbers"),
+        (lambda: record_peaks([1.0, np.nan]), "a one-dimensional array of finite numbers"),
         (lambda: return_period(20, 1.0), "probability is 1.0; allowed"),
         (lambda: probability_not_exceeded(20, 1.0), "return period is 1.0 years; allowed: above 1"),
         (lambda: long_term([1.0], [1.0], [1.2]), "shares of time sum to 1.2"),
         (lambda: long_term([0.0], [0.0], [1.0]), "zero in every sea state"),
         (lambda: long_term([1.0], [1.0], [1.0]).level(1.0), "cycles; allowed: more than 1"),
-        (lambda: long_term([1.0], [1.0], [1.0]).level(np.inf), "inf s hold inf cycles; allowed: more than 1, finite"),
+        (
+            lambda: long_term([1.0], [1.0], [1.0]).level(np.inf),
+            "inf s contain inf cycles; allowed: more than 1, finite",
+        ),
     ],
 )
 def test_impossible_input_is_refused_in_one_line(call, words):

@@ -116,7 +116,7 @@ def test_a_row_of_a_buoy_is_its_spectrum(tmp_path):
     path = tmp_path / "46042.txt"
     path.write_text("#YY MM DD hh mm .0500 .1000 .1500\n2026 01 01 00 40 0.0 2.0 0.0\n2026 01 01 01 40 0.0 999.0 1.0\n")
     assert np.isclose(read_sea(path, time="2026 01 01 00 40").spectrum.moment(0), 2.0 * 0.05)
-    with pytest.raises(TableError, match="2 rows; allowed: one"):
+    with pytest.raises(TableError, match="2 rows; choose one"):
         read_sea(path)
     path.write_text(
         "#YY MM DD hh mm .0500 .1000 .1500\n#yr mo dy hr mn m2/Hz m2/Hz m2/Hz\n2026 01 01 00 40 0.0 2.0 0.0\n"

@@ -169,7 +169,7 @@ def test_a_row_of_spotter_is_found_by_its_time(tmp_path):
     sea = read_sea(tmp_path / "a.csv", 45.0, "2021-09-28T13:12")
     assert height(sea) == pytest.approx(4 * math.sqrt(M0))
     assert abs(mean(sea, HZ * 0.2)) == pytest.approx(math.pi, abs=1e-6)
-    with pytest.raises(TableError, match="several times; it has 2 from 2021-09-28T13:12 to 2021-09-28T13:00"):
+    with pytest.raises(TableError, match="several times; it has 2 times from 2021-09-28T13:12 to 2021-09-28T13:00"):
         read_sea(tmp_path / "a.csv", 45.0)
     with pytest.raises(TableError, match="its own significant height 9 m"):
         read_sea(tmp_path / "a.csv", 45.0, "2021-09-28T13:00")
@@ -217,7 +217,7 @@ def test_planes_in_netcdf_are_read_by_the_names_of_their_programs(xarray, tmp_pa
         sea = read_sea(tmp_path / f"{name}.nc", 0.0, "2026-01-02")
         assert height(sea) == pytest.approx(4 * math.sqrt(M0), rel=1e-6), name
         assert mean(sea, HZ * 0.2) == pytest.approx(math.pi / 2, abs=1e-6), name
-        with pytest.raises(TableError, match="several times; it has 2 from 2026-01-01T00:00"):
+        with pytest.raises(TableError, match="several times; it has 2 times from 2026-01-01T00:00"):
             read_sea(tmp_path / f"{name}.nc", 0.0)
     with pytest.raises(TableError, match="has 1 locations, and location is 2"):
         read_sea(tmp_path / "ww3.nc", 0.0, "2026-01-02", location=2)

@@ -219,7 +219,7 @@ def test_rows_of_a_buoy_are_found_by_their_time(tmp_path):
     assert early.spectrum.omega == pytest.approx(HZ * np.array([0.1, 0.2, 0.3, 0.4]))
     assert early.spectrum.values == pytest.approx(np.array([1.0, 4.0, 0.0, 0.5]) / HZ)
     assert late.spectrum.values == pytest.approx(np.array([2.0, 8.0, 6.0, 1.0]) / HZ) and late.direction == 0.0
-    with pytest.raises(TableError, match="has 2 rows; allowed: one"):
+    with pytest.raises(TableError, match="has 2 rows; choose one"):
         read_sea(path)
     with pytest.raises(TableError, match="has 0 rows of time 2026 01 02 05 00"):
         read_sea(path, time="2026 01 02 05 00")

@@ -174,7 +174,7 @@ def test_a_file_of_the_last_days_of_ndbc_has_pairs(tmp_path):
     assert found.spectrum.significant_height == pytest.approx(
         read_sea(tmp_path / "a.sp1").spectrum.significant_height, rel=1e-12
     )
-    with pytest.raises(TableError, match="has 2 rows; allowed: one; say which with time"):
+    with pytest.raises(TableError, match="has 2 rows; choose one; say which with time"):
         read_sea(tmp_path / "a.data_spec")
 
 

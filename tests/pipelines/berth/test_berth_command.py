@@ -37,7 +37,7 @@ def test_fifty_berthings_are_compared(capsys):
 @pytest.mark.parametrize(
     "change, says",
     [
-        (("speed = 0.15", ""), "approach: speed and speeds: neither is given; allowed: one of them"),
+        (("speed = 0.15", ""), "approach: speed and speeds: neither is given; give one of them"),
         (("speed = 0.15", "speed = -1"), "approach.speed is -1; allowed: above 0, at most 5"),
         (("speed =", "sped ="), "approach.sped is unknown, speed may be meant; allowed: speed, speeds, angle_deg"),
         (("[[fender]]", "[[fender]]\nx = 200.0"), "fender[0]: the ship does not reach x = 200 m"),

@@ -307,8 +307,11 @@ LIMITS = [
     (("angle_deg = 60.0", "angle_deg = 180.0"), "lines.angle_deg is 180; allowed: above 0 and below 180"),
     (("spacing = 4.0", "spacing = 0.0"), "lines.spacing is 0"),
     (("spacing = 4.0", "attachment_height = -1.0"), "lines.attachment_height is -1; allowed: 0 or more"),
-    (("beam = 10.0\n", ""), "section.beam is missing; shape rectangle needs beam and height"),
-    (("beam = 10.0", "beam = 10.0\ndiameter = 3.0"), "section.diameter is given; shape rectangle has beam and height"),
+    (("beam = 10.0\n", ""), "section.beam is missing; the shape rectangle needs beam and height"),
+    (
+        ("beam = 10.0", "beam = 10.0\ndiameter = 3.0"),
+        "section.diameter is given; the shape rectangle has beam and height",
+    ),
     (('["fixed", "taut"]', '["fixed", "fixed"]'), "holdings has 'fixed'; allowed: each of fixed"),
     (('["fixed", "taut"]', '["moored"]'), "holdings has 'moored'; allowed: each of fixed"),
     (("[waves]", '[design]\nholding = "free"\n[waves]'), "design.holding is 'free'; allowed: fixed, taut"),

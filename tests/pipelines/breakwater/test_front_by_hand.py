@@ -114,8 +114,8 @@ def test_every_anchor_that_is_too_small_is_told_and_designs_that_all_leave_too_m
     for behind, worse in ((0.49, True), (0.5, False)):
         said = list(findings.failures(SimpleNamespace(behind=behind), found))
         assert said[:2] == [
-            "FAILS: anchor, front: 120 kN are needed, 100 provided, 120 % used; give a larger one",
-            "FAILS: anchor, all: 110 kN are needed, 100 provided, 110 % used; give a larger one",
+            "FAILS: anchor, front: 120 kN are needed and 100 are provided, 120 % used; give a larger one",
+            "FAILS: anchor, all: 110 kN are needed and 100 are provided, 110 % used; give a larger one",
         ]
         assert len(said) == 2 + worse and (
             not worse or "no design transmits 0.49 or less; the best transmits" in said[2]

@@ -119,7 +119,7 @@ def test_a_fault_is_told_by_its_key_before_anything_is_solved(text, said):
 
 def test_a_file_that_is_not_there_or_is_given_twice_is_told(tmp_path):
     path = tmp_path / "study.toml"
-    for more, said in (("", "wind.file: .*ship.csv"), ('ship = "ferry"\n', "wind: ship and file are given")):
+    for more, said in (("", "wind.file: .*ship.csv"), ('ship = "ferry"\n', "wind: ship and file are both given")):
         text = f'[wind]\nfile = "ship.csv"\n{more}'
         with pytest.raises(StudyError, match=said):
             with_files(tomllib.loads(text), text, path)

@@ -28,7 +28,7 @@ def test_a_forced_oscillation_is_told_and_drawn(tmp_path, capsys):
     assert (tmp_path / "f.png").stat().st_size > 5000 and "negative" not in told
     turned = written(tmp_path / "turned.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=-force)
     assert cli.main(["damping", turned]) == 1
-    assert "FAILS: the damping is negative" in capsys.readouterr().out
+    assert "FAILS: the equivalent damping by energy is negative" in capsys.readouterr().out
 
 
 def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
@@ -62,7 +62,9 @@ def test_a_record_of_something_else_fails(tmp_path, capsys):
     noise = np.random.default_rng(1).standard_normal(len(t))
     path = written(tmp_path / "noise.csv", time_s=t, motion_m=np.exp(-0.01 * t) * np.cos(OMEGA * t) + noise)
     assert cli.main(["damping", path]) == 1
-    assert "of the motion is left over, limit 25 %; this is no record of the free decay" in capsys.readouterr().out
+    assert (
+        "of the motion is not explained, limit 25 %; this is not a record of the free decay" in capsys.readouterr().out
+    )
 
 
 @pytest.mark.parametrize(
@@ -74,7 +76,7 @@ def test_a_record_of_something_else_fails(tmp_path, capsys):
         ("time_s,motion_m\n0,1\n1,2\n2,3,4\n", [], "line 4 has 3 columns; allowed: 2"),
         ("time_s,motion_m\n0,1\n1,nan\n", [], "line 3 has 'nan'"),
         ("# a\ntime_s,motion_m\n0,1\n1,2\n4,1\n5,2\n6,3\n7,3\n", [], "line 5: time goes from 1 to 4 s"),
-        ("time_s,motion_m\n0,1\n1,2\n1,1\n2,2\n", [], "line 4: time stays at 1 s; allowed: equal steps: put"),
+        ("time_s,motion_m\n0,1\n1,2\n1,1\n2,2\n", [], "line 4: time stays at 1 s; allowed: equal steps; sort"),
         ("time_s\n0\n1\n", [], "has the columns time_s; allowed: the columns time_s, motion_m"),
         ("0,1\n1,2\n", [], "no column names in its first row"),
         ("", [], "record.csv has no rows"),

@@ -59,7 +59,7 @@ def test_a_record_that_is_left_over_by_more_than_a_quarter_fails(part, status):
     found = hakobune.damping({"time_s": T, "motion_m": motion, "force_kN": force + part * size * other})
     assert found["left"] == pytest.approx(part / np.sqrt(1 + part**2), rel=0.06)
     assert found.status == status == len(found.fails)
-    assert not status or "of the force is left over, limit 25 %; this is no record of a sine" in found.fails[0]
+    assert not status or "of the force is not explained, limit 25 %; this is not a record of a sine" in found.fails[0]
 
 
 @pytest.mark.parametrize("sign, status", [(1.0, 0), (-1.0, 1)])
@@ -74,7 +74,7 @@ def test_a_force_that_gives_energy_to_the_body_fails(sign, status):
 def test_a_mass_is_of_a_decay():
     motion, force = forced()
     record = {"time_s": T, "motion_m": motion, "force_kN": force}
-    with pytest.raises(ValueError, match="mass is given with force_kN in the record; allowed: of a decay"):
+    with pytest.raises(ValueError, match="mass is given and the record has force_kN; mass is needed for a decay only"):
         hakobune.damping(record, mass=10e3)
     with pytest.raises(ValueError, match="mass is 0 kg; allowed: above 0, finite"):
         hakobune.damping(record, mass=0.0)

@@ -164,7 +164,7 @@ def test_the_worst_criterion_stands_in_the_summary():
     judged = [Judged(made(limit=limit), (Use("storm 0", "line 3", 0.3, 0.3 / limit),)) for limit in (0.6, 0.4, 0.5)]
     verdict = SimpleNamespace(broken=[], word="passes", judged=judged, ran=[])
     said = report_words.summary(verdict)
-    assert said.startswith(": 75 % of ") and said.endswith("at most 0.4, is used by line 3 in “storm 0”")
+    assert said.startswith(": 75 % of ") and said.endswith("at most 0.4, is reached by line 3 in “storm 0”")
     verdict = SimpleNamespace(broken=["FAILS: line 1 parts", "FAILS: line 2"], word="fails", judged=judged, ran=[])
     assert report_words.summary(verdict) == ": line 1 parts, and 1 more"
 
@@ -233,7 +233,7 @@ def test_advice_is_told_with_what_passes_first_and_what_was_run_in_vain():
     )
     advice = SimpleNamespace(tried=("size", "number", "pretension"), found=(best, enough), beyond="")
     said = report_words.advice_words(advice, SimpleNamespace(word=report_words.FAILS))
-    assert said[0].startswith("Passes in the cases that govern: chain of 84 mm, which uses 93 % of JSCE")
+    assert said[0].startswith("Passes in the governing cases: chain of 84 mm, which uses 93 % of JSCE")
     assert said[1].startswith("Not enough alone: 8 lines, the best change of its kind, still uses 107 % of JSCE.")
     assert said[2] == "Run in vain, for the largest utilisation does not fall: pretension."
     vain = SimpleNamespace(tried=("size", "number"), found=(), beyond="")

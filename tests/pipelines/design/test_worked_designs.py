@@ -339,7 +339,7 @@ def test_a_breakwater_is_judged_by_what_passes_it(marina):
             lambda p: p.update(levels={"high": 1.0}),
             "levels are given; a breakwater takes its water levels from water.tide of its study",
         ),
-        (lambda p: p["project"].update(scene="box.toml"), "a study of a breakwater has its own section"),
+        (lambda p: p["project"].update(scene="box.toml"), "a study of a breakwater defines its own section"),
         (lambda p: p["limits"][0].update(at_least=1.0), r"limits\[0\]: give one of at_most, at_least"),
         (lambda p: p["limits"][0].update(state="calm"), r"limits\[0\].state is 'calm'"),
         (lambda p: p["limits"].pop(1), r"the study has lines \(lines\) and no .* 'tension / allowable tension'"),

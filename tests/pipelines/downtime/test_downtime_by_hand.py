@@ -74,14 +74,14 @@ def test_limits_are_on_the_largest_of_the_hour_and_what_it_leaves():
 @pytest.mark.parametrize(
     ("limit", "words"),
     [
-        ({"quantity": "heave", "at_least": 4.0}, "heave has a least value; allowed: at_most"),
+        ({"quantity": "heave", "at_least": 4.0}, "heave is limited from above; give at_most"),
         ({"quantity": "level", "at_most": 4.0, "statistic": "significant"}, "level has no statistic 'significant'"),
-        ({"quantity": "heave"}, "neither is given; allowed: one of at_most"),
+        ({"quantity": "heave"}, "neither is given; give one of at_most"),
         ({"quantity": "heave", "at_most": 1.0, "at_least": 1.0}, "both are given"),
         ({"quantity": "heave", "at_most": 0.0}, "at_most is 0; allowed: above 0"),
         (
             {"quantity": "ice", "at_most": 1.0},
-            "'ice', which requires a column in hindcast.columns; there are significant",
+            "'ice', which requires a column in hindcast.columns; allowed: significant",
         ),
     ],
 )
@@ -202,7 +202,7 @@ def test_an_operation_that_stops_longer_than_it_may_is_told():
     read = SimpleNamespace(operations=[SimpleNamespace(name=str(i), allowed_hours=one)
                                        for i, one in enumerate((10.0, 12.0, None))])  # fmt: skip
     (line,) = result._too_long(read, {"downtime.hours": SimpleNamespace(values=np.array([10.5, 11.9, 99.0]))})
-    assert "0 stops 10.5 h a year, limit 10 h" in str(line)
+    assert "0 is down 10.5 h a year, limit 10 h" in str(line)
 
 
 def test_energy_beyond_the_stored_frequencies_is_told_above_a_hundredth_and_refused_above_half():
@@ -304,7 +304,7 @@ def test_passing_ships_press_as_the_square_of_their_speed_in_the_hours_that_they
     unit = 25 / passages.read_study(tmp_path / "passing.toml")[0].track.speed ** 2
     assert found.columns["passing surge"] == pytest.approx(unit * np.array([0.0, 1000.0, 0.0, 4000.0]))
     assert found.columns["passing yaw"] == pytest.approx(3 * found.columns["passing surge"])
-    assert "3 of 4 passages of ships.csv are within" in found.said[-1]
+    assert "3 of 4 passages in ships.csv fall within" in found.said[-1]
     assert limits_of(read, [], {})[0].label == "arms: passing sway ≤ 900 kN"
 
 

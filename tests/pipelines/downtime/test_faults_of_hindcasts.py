@@ -162,7 +162,7 @@ def test_directions_from_and_to_are_half_a_turn_apart_in_axes_of_the_body(tmp_pa
     np.testing.assert_allclose(np.exp(1j * found.main.direction[:3]), [1, np.exp(-0.5j * np.pi), -1], atol=1e-12)
     to = record(tmp_path, rows(dir=90.0), waves={"direction_from": None, "direction_to": "dir"})
     np.testing.assert_allclose(np.exp(1j * to.main.direction[0]), 1, atol=1e-12)
-    with pytest.raises(StudyError, match="neither is given; allowed: one of direction_from, direction_to"):
+    with pytest.raises(StudyError, match="neither is given; give one of direction_from, direction_to"):
         record(tmp_path, rows(), waves={"direction_from": None})
 
 
@@ -199,7 +199,7 @@ def test_local_time_with_summer_time_is_turned_into_utc(tmp_path):
     assert str(found.time[0]) == "2020-10-23T22:00:00" and set(np.diff(found.time).astype(int)) == {3600}
     spring = [f"2020-03-28T{h:02}:00" for h in range(24)] + [f"2020-03-29T{h:02}:00" for h in (0, 1, 3, 4)]
     assert set(np.diff(record(tmp_path, local(spring), zone="Europe/Berlin").time).astype(int)) == {3600}
-    with pytest.raises(TableError, match="2020-03-29T02:00:00 does not come in Europe/Berlin"):
+    with pytest.raises(TableError, match="2020-03-29T02:00:00 does not exist in Europe/Berlin"):
         record(tmp_path, local([*spring[:26], "2020-03-29T02:00", *spring[26:]]), zone="Europe/Berlin")
 
 
@@ -233,11 +233,11 @@ RESPONSES = {"roll": "rad", "heave": "m"}
 
 
 @pytest.mark.parametrize(("limit", "words"), [
-    ({"quantity": "rol", "at_most": 1.0}, "nothing computes 'rol'; there are significant height, roll, heave"),
+    ({"quantity": "rol", "at_most": 1.0}, "no result gives 'rol'; allowed: significant height, roll, heave"),
     ({"quantity": "wind speed", "at_most": 1.0}, "'wind speed', which requires a column in hindcast.columns"),
     ({"quantity": "under-keel clearance", "at_least": 1.0}, "which requires .keel. and a finite depth"),
-    ({"quantity": "roll", "at_least": 1.0}, "roll has a least value; allowed: at_most"),
-    ({"quantity": "roll"}, "neither is given; allowed: one of at_most, at_least"),
+    ({"quantity": "roll", "at_least": 1.0}, "roll is limited from above; give at_most"),
+    ({"quantity": "roll"}, "neither is given; give one of at_most, at_least"),
     ({"quantity": "roll", "at_most": 0.0}, "at_most is 0; allowed: above 0"),
     ({"quantity": "roll", "at_most": 1.0, "statistic": "mean"}, "statistic is 'mean'; allowed: largest"),
     ({"quantity": "significant height", "at_most": 1.0, "statistic": "significant"}, "has no statistic"),

@@ -99,7 +99,7 @@ def test_a_record_that_fenders_do_not_stand_has_no_course_and_the_plot_is_drawn(
 
 def test_a_body_comes_from_the_study_or_a_database(study, capsys):
     assert cli.main(["earthquake", str(study), "--database", "box.h5"]) == 2
-    assert "[body] and --database: both are given; allowed: one of them" in capsys.readouterr().err
+    assert "[body] and --database: both are given; give one of them" in capsys.readouterr().err
 
 
 def test_a_course_is_not_asked_for_without_a_record(tmp_path, capsys):

@@ -156,7 +156,7 @@ def test_only_manufacture_is_known_of_a_pneumatic_fender():
     assert found["factor"] == pytest.approx([1.0, 0.9, 1.1])
     R = found["rated.reaction"]
     assert R[1:] / R[0] == pytest.approx([0.9, 1.1])
-    assert found.notes[0].endswith(" are of manufacture")
+    assert found.notes[0].endswith(" cover manufacture")
 
 
 def test_softest_and_stiffest_differ_by_the_causes_that_are_asked_for():

@@ -258,7 +258,8 @@ def test_a_line_without_a_breaking_load_does_not_stretch_for_ever(tmp_path, caps
     path = changed(tmp_path, ('catalogue = "R3 studless 76 mm"', own), ("length = 315.0", "length = 15.0"))
     assert main(["line-dynamics", str(path)]) == 2
     assert (
-        "allowed: up to 22.50 m, where the line of 15 m is 50% longer, where any rope parts" in capsys.readouterr().err
+        "allowed: up to 22.50 m, where the line of 15 m is stretched by 50%, at which any rope parts"
+        in capsys.readouterr().err
     )
 
 
@@ -286,7 +287,7 @@ FAULTS = [
     (("period = 8.0", "period = 0.0"), [], "fairlead.motions[0].period is 0; allowed: above 0"),
     (("position = [292.0, 0.0, -2.0]", 'table = "none.csv"'), [], "fairlead: motions and a table are both "
     "given; give one of them"),
-    (('catalogue = "R3 studless 76 mm"', "weight_N_per_m = 900"), [], "types.chain: no axial stiffness is given"),
+    (('catalogue = "R3 studless 76 mm"', "weight_N_per_m = 900"), [], "types.chain: the axial stiffness is missing"),
     (("[fairlead]", "[[bodies]]\nafter_segment = 1\nmass = 9.0\n[fairlead]"), [], "none, since the line has one "
     "segment; divide the segment at the body"),
     (("[fairlead]", f"{SEA}[wave]\nheight = 1\nperiod = 6\n[fairlead]"), [], "wave and sea are both given"),

@@ -487,4 +487,4 @@ def test_a_moordyn_file_without_lines_is_refused_by_what_it_has(tmp_path, capsys
     table += "ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs\n-\n"
     (tmp_path / "rods.txt").write_text(table + "1 log free 0 -1 -10 0 1 -10 4\n--- OPTIONS ---\n16 WtrDpth\n")
     assert main(["lines", str(tmp_path / "rods.txt")]) == 2
-    assert "there are no LINES, but RODS alone; allowed: with lines" in capsys.readouterr().err
+    assert "there are no LINES, only RODS; give lines" in capsys.readouterr().err

@@ -53,7 +53,10 @@ def test_inertia_of_piles_that_stand_apart_adds_with_their_phases(tmp_path, aske
     moment = found["moment[all in the water].size"]
     assert moment == pytest.approx(2 * F * ARM * abs(math.cos(K * x / 2)), rel=3e-3)
     length = 2 * math.pi / K
-    assert f"wave of {HEIGHT:g} m, {length:.4g} m long; linear theory up to the surface (Wheeler)" in found.notes[0]
+    assert (
+        f"wave of {HEIGHT:g} m, {length:.4g} m long; linear theory, stretched to the surface (Wheeler)"
+        in found.notes[0]
+    )
     (axis,) = pictures[0].axes
     lines = {line.get_label(): line.get_data() for line in axis.lines}
     degrees, force = lines["here"]
@@ -118,7 +121,7 @@ def test_what_lacks_members_water_or_wind_is_refused(tmp_path, capsys):
         ((pile("one", 0.0).replace("[0.0, 0.0, 3.0]", "[0.0, 0.0, -12.0]"),), HEIGHT, "allowed: two different "
         "finite points"),
         ((pile("one", 0.0), "[wind]\nspeed = 30\ndirection_deg = 0\n", wind.replace("drag = 1.0\n", "")), HEIGHT,
-         "wind member 'a': allowed: one of shape, drag"),
+         "wind member 'a': give one of shape, drag"),
     ):  # fmt: skip
         assert main(["members", str(written(tmp_path, *tables, height=height))]) == 2
         assert says in capsys.readouterr().err

@@ -57,7 +57,7 @@ def test_a_member_that_is_never_wet_is_named_and_a_current_alone_has_one_phase(t
     (tmp_path / "dry.toml").write_text(text.replace("[wave]\nheight = 3.0\nperiod = 8.0\ndirection_deg = 0.0", ""))
     assert main(["members", str(tmp_path / "dry.toml")]) == 0
     said = capsys.readouterr().out
-    assert "warning: fore port: no force, or never in the water" in said and "Wheeler" not in said
+    assert "warning: fore port: no force, since never in the water" in said and "Wheeler" not in said
     unit = 0.5 * 1025 * 1.0 * 1.3 * 12 / (1 + 2 * 0.143)  # ∫(1 + z/h)^2α dz = h/(1 + 2α), of an upright pile
     size = hakobune.members(tmp_path / "dry.toml")["force[aft port].size"]
     assert size == pytest.approx(unit, rel=0.02)  # which leans by 5°
@@ -69,14 +69,14 @@ def test_a_member_that_is_never_wet_is_named_and_a_current_alone_has_one_phase(t
         (("height = 3.0", "height = 12.0"), "wave.height is 12 m; a wave of 8 s breaks at"),
         (('shape = "circular"', 'shape = "round"'), "member 'fore port': shape is 'round'; allowed: circular"),
         (("growth = 0.05", "growth = -0.1"), "member 'fore port': growth is -0.1 m; allowed: 0 to 1"),
-        (("-12.0]", "-13.0]"), "member 'fore port' reaches down to z = -13 m; allowed: at least -12, the bed"),
+        (("-12.0]", "-13.0]"), "member 'fore port' reaches down to z = -13 m; allowed: at least -12 m, the sea bed"),
         (("width = 1.2", "width = nan"), "member 'fore port': width of a member is nan"),
         (("[wind]\\nspeed = 30.0\\ndirection_deg = 0.0", ""), "wind is missing"),
         (
             ("position = [0.0, 0.0, 3.5]", "position = [nan, 0.0, 3.5]"),
             "wind member 'platform': position is [nan, 0.0, 3.5]; allowed: finite",
         ),
-        (('shape = "cylinder"', 'shape = "cylinder"\\ndrag = 1.0'), "wind member 'mast': allowed: one of shape, drag"),
+        (('shape = "cylinder"', 'shape = "cylinder"\\ndrag = 1.0'), "wind member 'mast': give one of shape, drag"),
     ],
 )
 def test_what_cannot_be_is_one_line(change, message, tmp_path, capsys):

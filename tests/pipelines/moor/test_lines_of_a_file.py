@@ -74,7 +74,7 @@ def test_lines_have_the_numbers_of_the_file(tmp_path):
     ("text", "file", "said"),
     [
         (HEAD.replace("50.0", "60.0"), FILE, "lines_file: .*WtrDpth is 50 m and the given depth is 60 m"),
-        (HEAD + "[types.c]\nweight_N_per_m = 9.0\n", FILE, "types is given beside lines_file"),
+        (HEAD + "[types.c]\nweight_N_per_m = 9.0\n", FILE, "types and lines_file are both given"),
         (HEAD, FILE.replace("3 Free", "3 Coupled"), "ends at a joint of 1 lines|bodies; allowed: one"),
         (HEAD.replace("m.dat", "none.dat"), FILE, "lines_file: .*none.dat"),
     ],

@@ -31,7 +31,7 @@ def test_what_a_current_adds_is_told_beside_still_water():
 
 
 def test_a_factor_of_motions_is_told_unless_it_is_one():
-    assert said(factor=1.5)[0] == "lines are tightened by 1.5 times these motions" and len(said(factor=1.0)) == 1
+    assert said(factor=1.5)[0] == "the lines follow 1.5 times these motions" and len(said(factor=1.0)) == 1
 
 
 def test_what_the_line_that_pulls_most_uses_is_told_with_what_is_allowed():

@@ -183,7 +183,7 @@ def test_what_is_taken_in_place_of_pairs_that_are_not_stored_is_told_as_left_out
             and "\n" not in said
         )
         assert f'qtf = "auto" takes {takes}' in said and size in said
-        assert said.endswith(f"'hakobune qtf {lacking} --heading 180 --level full' stores it")
+        assert said.endswith(f"'hakobune qtf {lacking} --heading 180 --level full' computes it")
         assert beside_newman(whole, narrow(peak), "auto")[1][0].startswith('qtf = "auto" takes full: ')
 
 

@@ -129,7 +129,7 @@ FAULTS = [
     (("height = 3.0", "heigth = 3.0"), "sea.heigth is unknown, height may be meant; allowed: height"),
     (("mean_period = 10.0", ""), "no period is given; allowed: one of period, mean_period"),
     (("mean_period = 10.0", "mean_period = 10.0\npeak_period = 12.0"), "mean_period and peak_period are given"),
-    (("incidence_deg = 180.0", ""), "sea: neither is given; allowed: one of direction_deg, incidence_deg"),
+    (("incidence_deg = 180.0", ""), "sea: neither is given; give one of direction_deg, incidence_deg"),
     (("duration_hours = 2.0", "duration_hours = 0"), "sea.duration_hours is 0"),
     (("duration_hours = 2.0", 'spectrum = "isc"'), "sea.spectrum is 'isc'; allowed: issc"),
     (("duration_hours = 2.0", "gamma = 3.3"), "sea.gamma is given for issc"),
@@ -224,7 +224,7 @@ SINKING = ", ".join([ZERO] * 2 + ["[0, 0, -1e9, 0, 0, 0]"] + [ZERO] * 3)
          "body.damping adds energy to surge, -1e\\+06 of it; allowed: at least 0"),
         ("[[points]]", f"[body]\nstiffness = [{SINKING}]\n[[points]]",
          "body.stiffness leaves -.* of restoring to heave: the body does not float"),
-        ("height = 3.0", 'height = 3.0\nfile = "a.csv"', "sea: both are given; allowed: one of height, file"),
+        ("height = 3.0", 'height = 3.0\nfile = "a.csv"', "sea: both are given; give one of height, file"),
         ("mean_period = 10.0", 'mean_period = 10.0\nspectrum = "ochi_hubble"', "ochi_hubble: mean_period is given"),
     ],
     ids=["breaking", "damping", "stiffness", "two seas", "periods"],
@@ -264,7 +264,7 @@ def test_a_climate_says_which_classes_break_and_when_water_reaches_a_point(folde
     said = capsys.readouterr().out
     assert "FAILS: air gap at stern" in said
     assert "1 classes of the scatter diagram, 0.758 % of the time, have 2πH/gT02² above 0.1" in said
-    assert "are higher than is possible in water of 20 m, as that of 13 m" in said
+    assert "are higher than is possible in water of 20 m, such as that of 13 m" in said
     assert re.search(r"air gap at stern: .* of 9 m left by the rise once in 10 years, water reaches it once in", said)
     assert "responses do not include energy beyond the stored frequencies" in said
     assert "of the mean drift force over all time is from waves beyond" in said

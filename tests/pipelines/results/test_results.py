@@ -151,7 +151,7 @@ def test_a_quantity_is_found_by_its_name_and_the_label_of_its_axis():
     assert made["tension[aft].largest"] == 7e-3 and np.array_equal(made["tension[*].largest"], made["tension.largest"])
     assert made.quantity("motion[yaw].sigma").unit == "rad" and len(made) == 10
     assert made["yaw.sigma"] == ODD[2] and made["aft.largest"] == 7e-3
-    with pytest.raises(KeyError, match="'bow' is no line"):
+    with pytest.raises(KeyError, match="'bow' is not a line"):
         made["tension[bow].largest"]
     with pytest.raises(KeyError, match="is not a quantity of this result; allowed"):
         made["tensions"]
@@ -160,7 +160,7 @@ def test_a_quantity_is_found_by_its_name_and_the_label_of_its_axis():
 def test_values_without_as_many_labels_are_refused():
     with pytest.raises(ValueError, match="has 2 values on the axis 'line'"):
         Result("example", {"a": Quantity([1.0, 2.0], ("line",))}, labels("line", ["one"]))
-    with pytest.raises(ValueError, match="'line' is the name of a quantity and of an axis"):
+    with pytest.raises(ValueError, match="'line' names both a quantity and an axis"):
         Result("example", {"line": Quantity([1.0], ("line",))}, labels("line", ["one"]))
     with pytest.raises(ValueError, match="values have 2 axes, and 1 axes are named"):
         Quantity(np.zeros((2, 2)), ("line",))

@@ -274,5 +274,5 @@ def test_dolphins_on_a_database_with_a_wall_take_one_frequency_and_are_told_that
     study.write_text(study.read_text().replace('memory = "constant"', 'memory = "states"'))
     assert main([*words[:-1], str(tmp_path / "states.h5")]) == 2
     error = capsys.readouterr().err
-    assert 'is "states" before a quay; allowed: "constant"' in error and error.count("\n") == 1
+    assert 'is "states" in front of a quay; allowed: "constant"' in error and error.count("\n") == 1
     assert not (tmp_path / "states.h5").exists()

@@ -57,7 +57,7 @@ def test_runs_of_an_earlier_version_are_not_continued_and_the_line_says_so(tmp_p
     monkeypatch.setattr(run, "opened", h5py.File)
     with h5py.File(tmp_path / "run.h5", "w") as file:
         file.attrs["identity"] = "0" * 64
-    with pytest.raises(DatabaseError, match=r"run\.h5 was made by an earlier version, .* --fresh to make them again"):
+    with pytest.raises(DatabaseError, match=r"run\.h5 was made by an earlier version, .* --fresh to run them again"):
         run._missing(tmp_path / "run.h5", run._identity(asked(), [], 60.0), SimpleNamespace(seeds=(1,)), False)
 
 
@@ -150,8 +150,8 @@ def test_lines_that_part_and_lines_beyond_what_is_allowable_are_told_with_the_ru
 @pytest.mark.parametrize(
     ("more", "says"),
     [
-        ({"at_berth": True}, "knows no fenders and ropes and is left out"), ({"quay": 1}, "knows no quay"),
-        ({"lines": ()}, "knows no body without lines"), ({"fault": "it\n drifts"}, "has no answer here: it drifts"),
+        ({"at_berth": True}, "does not cover fenders and ropes and was not run"), ({"quay": 1}, "knows no quay"),
+        ({"lines": ()}, "does not cover body without lines"), ({"fault": "it\n drifts"}, "fails here: it drifts"),
     ],
 )  # fmt: skip
 def test_where_the_simplified_method_has_no_answer_it_says_so(monkeypatch, more, says):

@@ -97,7 +97,7 @@ def test_slow_motion_far_beyond_the_linear_answer_is_told(slow, wave, told):
     said = list(findings.slow_findings(made_up(slow=slow, wave=wave, spectral=(0.1, np.nan, 1e3))))
     assert bool(said) is told
     assert not told or said[0].startswith(
-        f"slow surge has σ {slow:.3g} m, slow forces on springs as stiff as the lines"
+        f"slow surge has σ {slow:.3g} m, but slow forces on springs as stiff as the lines"
     )
 
 
@@ -153,7 +153,7 @@ def test_energy_outside_the_stored_band_is_told_above_one_per_cent_and_refused_a
     low = (B / -math.log(share)) ** 0.25
     omega = np.linspace(low, 60.0, 50)
     if share > MOST_MISSED:
-        with pytest.raises(StudyError, match=r"25\.\d % of the waves' energy lies outside .* allowed: 25 %; solve"):
+        with pytest.raises(StudyError, match=r"25\.\d % of the wave energy lies outside .* allowed: 25 %; solve"):
             _outside(sea, omega)
     else:
         said = _outside(sea, omega)
@@ -171,7 +171,7 @@ SETTINGS = [
     ("duration = 600.0\nseeds = 10000", None), ("duration = 600.0\nseeds = 10001", "there are 10001 seeds"),
     ("duration = 600.0\nseeds = 0", "there are 0 seeds; allowed: 1 to 10000"),
     ("duration = 600.0\nseeds = [0, 3]", None), ("duration = 600.0\nseeds = [-1, 3]", "whole numbers from 0"),
-    ("duration = 600.0\nseeds = [3, 3]", "whole numbers from 0, each once"),
+    ("duration = 600.0\nseeds = [3, 3]", "whole numbers from 0, each given once"),
     ("duration = 600.0\nkeep_series = 0", None), ("duration = 600.0\nkeep_series = -1", "keep_series is -1"),
     ("duration = 600.0\ncomponents = 100000", None),
     ("duration = 600.0\ncomponents = 100001", "simulation.components is 100001; allowed: 1 to 100000"),

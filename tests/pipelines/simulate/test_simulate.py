@@ -489,7 +489,7 @@ def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(fold
     assert found["largest"][1.5][0] == pytest.approx(2e6 * 2e7 / 1.5e6)
     assert np.array_equal(found["largest"][1.2], found["largest"][1.0])
     broken, snaps = found["findings"][-2:]
-    assert "part: fore port 1 " in broken and "in 1 of 6 runs" in broken and "fore port 1 in 1 of 6" in snaps
+    assert "break: fore port 1 " in broken and "in 1 of 6 runs" in broken and "fore port 1 in 1 of 6" in snaps
     mean = rows[:, :, STATISTICS.index("mean")].mean(axis=0)
     away = np.maximum(largest.max(axis=0) - mean, mean - smallest.min(axis=0))[:6]
     assert found["motions"] == pytest.approx(away, rel=1e-12)
@@ -521,14 +521,14 @@ def test_a_fender_is_as_strained_as_in_the_worst_of_all_runs():
 
     assert np.allclose(fender_strains(File(file))[0], [0.45, 0.55, 0.275])
     (beyond,) = findings_on_fenders(File(file))
-    assert "B is pressed to 55 % of its height; allowed: 50 %" in beyond
+    assert "B is compressed by 55 % of its height; allowed: 50 %" in beyond
 
 
 def test_a_single_run_tells_what_was_simulated_and_asks_for_seeds(folder):
     simulate(1)
     with opened("run.h5") as file:
         (told,) = over_runs.notes(file)
-        assert "up to 90 % of such runs exceed it" in told and "give 5 seeds" in told
+        assert "up to 90 % of such runs exceed it" in told and "run 5 seeds" in told
     assert np.isnan(read_run("run.h5")["surge.extreme_median"])
 
 

@@ -110,7 +110,7 @@ def test_turning_tests_hold_other_numbers_already_and_are_about_midship():
             match=r"turning tests refer to midship, and hull\.center lies elsewhere; give current coefficients or file",
         ):
             found(center=center, **turning(**tested))
-    with pytest.raises(StudyError, match="turning and coefficients are given, which both hold its force"):
+    with pytest.raises(StudyError, match="turning and coefficients are given, and each defines the force"):
         found(current__turning=tested)
 
 
@@ -203,7 +203,7 @@ def test_places_without_an_answer_are_left_empty_and_counted(monkeypatch):
     made = mapped(monkeypatch, {"x": X}, lambda point: point[0] > 15)
     assert made.growth == pytest.approx(np.array([[10 + 1000 * speed, np.nan, np.nan]]), nan_ok=True)
     assert (made.failed, made.reason, len(made.y)) == (2, "none at 20", 1) and np.isnan(made.y[0])
-    with pytest.raises(StudyError, match=r"maps\[1\]: no place of it has an answer: none at 10"):
+    with pytest.raises(StudyError, match=r"maps\[1\]: no point could be computed: none at 10"):
         mapped(monkeypatch, {"x": X}, lambda point: True)
 
 
@@ -211,5 +211,5 @@ def test_maps_have_ten_thousand_places_at_most(monkeypatch):
     monkeypatch.setattr(maps, "MOST", 6)
     mapped(monkeypatch, {"x": X, "y": Y})
     monkeypatch.setattr(maps, "MOST", 5)
-    with pytest.raises(StudyError, match=r"maps\[1\] has 6 places; allowed: 5"):
+    with pytest.raises(StudyError, match=r"maps\[1\] has 6 points; allowed: at most 5"):
         mapped(monkeypatch, {"x": X, "y": Y})

@@ -50,14 +50,14 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
         ("depth = 14.0", "depth = 11.0", "H/d = 1.1 is outside the turning tests (1.2 to inf); give "
          "current.turning the proportion to take in its place (depth_over_draft = 8)"),
         ("beam = 50.0", "beam = 30.0", "(length_over_beam = 2, depth_over_draft = 8), or coefficients"),
-        ("turning = { beam_over_draft = 10.0 }", 'turning = {}\nfile = "a.csv"', "turning and file are given"),
-        ("[wind]", "[hawser]\nlength = 0.0\n[wind]", "hawser.length is 0 m; allowed: above 0; leave [hawser] out"),
+        ("turning = { beam_over_draft = 10.0 }", 'turning = {}\nfile = "a.csv"', "turning and file are both given"),
+        ("[wind]", "[hawser]\nlength = 0.0\n[wind]", "hawser.length is 0 m; allowed: above 0; leave out [hawser]"),
         ("[wind]", "[hawser]\nlength = 4.0\ncount = 2\nspacing = 20.0\n[wind]", "do not meet ahead"),
         ("length = 150.0", "length = 8.0", "lines of 8 m cannot reach the bed 11 m below the buoy"),
         ("z = -3.0", "z = -3.0\nmass = 500.0\ndiameter = 8.0\nheight = 5.0", "mass is 500 t; allowed: below 257.6 t"),
         ("z = -3.0", "z = -3.0\nmass = 240.0\ndiameter = 8.0\nheight = 5.0", "its lines pull it down"),
         ("top_tension_tonf = 15.0", "top_tension_tonf = 1.0", "top_tension is 9.807 kN; allowed: above 26.04"),
-        ("drift_tonf_per_m2 = 4.988", "", "their drift is not known"),
+        ("drift_tonf_per_m2 = 4.988", "", "the wave drift is unknown"),
         ("[mass]\nadded_surge = 0.1\nadded_sway = 0.6\nadded_yaw = 0.4\n", "", "mass is missing"),
         ("[attachment]\nx = 50.0", "[attachment]\nw = 50.0", "attachment.w is unknown"),
         ("[attachment]\nx = 50.0", "[attachment]\nx = 5e4", "attachment.x is 50000 m; allowed: -100 to 100"),
@@ -114,7 +114,7 @@ def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
     assert cli.main([*words, "--seed", "1"]) == 2 and "--seed belongs to" in capsys.readouterr().err
     assert run(tmp_path, text + 'scheme = "two_scale"\n', monkeypatch=monkeypatch) == 2
     told = capsys.readouterr()
-    assert "allowed: with [waves] and --database" in told.err and not told.out  # before anything is computed
+    assert "which needs [waves] and --database" in told.err and not told.out  # before anything is computed
 
 
 def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch, capsys):

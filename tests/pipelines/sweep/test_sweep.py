@@ -69,7 +69,7 @@ def test_what_is_asked_for_is_kept_and_printed(folder, capsys):
     assert head.startswith("case,keys.approach.speed,") and "fender.rated_energy [J]" in head
     (folder / "sweep.toml").write_text('keep = ["C_N"]\n' + SWEEP)
     assert cli.main(["sweep", "sweep.toml", "--fresh"]) == 2
-    assert "keep: 'C_N' is no quantity of this result; there are " in capsys.readouterr().err
+    assert "keep: 'C_N' is not a quantity of this result; allowed: " in capsys.readouterr().err
     (folder / "sweep.toml").write_text('arguments = ["--plot", "one.png"]\n' + SWEEP)
     assert cli.main(["sweep", "sweep.toml", "--fresh"]) == 2
     assert "arguments have --plot; allowed in a sweep: those of hakobune.berth" in capsys.readouterr().err
@@ -88,7 +88,7 @@ def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):
     assert cli.main(["sweep", "sweep.toml"]) == 130
     monkeypatch.setattr(run, "one_case", whole)
     assert cli.main(["sweep", "sweep.toml"]) == 0
-    assert "3 cases, 1 are there" in capsys.readouterr().err
+    assert "3 cases, 1 of them stored already" in capsys.readouterr().err
     found = numbers("sweep.h5")
     assert np.all(found["status"] == 0) and np.all(np.isfinite(found["results/method.C_M"]))
 
@@ -136,7 +136,7 @@ def test_a_case_that_is_refused_is_kept_with_its_reason(folder, capsys):
     assert "case 1: status 2" in capsys.readouterr().out
     (folder / "sweep.toml").write_text(SWEEP)
     assert cli.main(["sweep", "sweep.toml"]) == 2
-    assert "is of another sweep; give --fresh" in capsys.readouterr().err
+    assert "belongs to another sweep; give --fresh" in capsys.readouterr().err
 
 
 def test_a_latin_hypercube_has_one_sample_in_every_layer():

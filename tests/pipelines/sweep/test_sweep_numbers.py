@@ -57,7 +57,11 @@ def test_a_sweep_has_up_to_a_hundred_thousand_cases(table, says):
 
 @pytest.mark.parametrize(
     ("change", "says"),
-    [({}, None), ({"study": "b = 2"}, "is of another study; give --fresh"), ({"schema": "hakobune sweep 1"}, "s.h5")],
+    [
+        ({}, None),
+        ({"study": "b = 2"}, "belongs to another study; give --fresh"),
+        ({"schema": "hakobune sweep 1"}, "s.h5"),
+    ],
 )
 def test_a_file_of_a_sweep_is_taken_up_by_the_same_study_and_version(tmp_path, change, says):
     texts = {"study": "a = 1", "sweep": "c = 3"}
