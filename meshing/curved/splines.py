@@ -25,9 +25,11 @@ def panelled(numbers, patches):
         splines.append(spline)
     sides = [_sides(_grid(spline, TRIED, TRIED)) for spline in splines]
     size = np.sqrt(sum(along * across for along, across in sides) / PANELS)
+    if not size > 0:
+        raise ValueError("its patches have no size")
     points, corners, first = [], [], 0
     for spline, (along, across) in zip(splines, sides, strict=True):
-        m, n = (max(int(np.ceil(length / size)), 1) for length in (along, across))
+        m, n = (int(np.clip(np.ceil(length / size), 1, PANELS)) for length in (along, across))
         place = first + np.arange((m + 1) * (n + 1)).reshape(m + 1, n + 1)
         points.append(_grid(spline, m, n).reshape(-1, 3))
         around = place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]

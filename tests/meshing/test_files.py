@@ -315,6 +315,7 @@ BAD = {
     "wall.gdf": ("h\n1 9.81\n-1 0\n0\n", "symmetry -1 0"),
     "patches.gdf": ("h\n1 9.81\n0 0\n4 -10\n", "'4 -10' is a higher-order file of kind -10; allowed: flat panels"),
     "none.gdf": ("h\n1 9.81\n0 0\n0 1\n", "0 patches; allowed: 1 or more"),
+    "point.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\n2 2\n0 0 1 1\n0 0 1 1\n" + "0 0 0\n" * 4, "its patches have no size"),
     "cut.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\n2 2\n0 0 1 1\n0 0 1 1\n0 0 0 1 0 0\n", "it ends within a patch"),
     "order.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\n0 2\n", "spans and order [0, 2]; allowed: 1 or more"),
     "letters.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\nx 2\n", "what follows line 4 is not numbers alone"),
