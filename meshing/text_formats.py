@@ -12,6 +12,7 @@ import re
 
 import numpy as np
 
+from .curved.splines import panelled
 from .panels import PanelMesh
 from .text_files import read_text
 from .whole_files import write_whole
@@ -31,13 +32,31 @@ def read_gdf(path):
     unit = length_unit(path, gravity)
     symmetry = _symmetry(path, 3, _numbers(path, 3, lines[2], 2))
     (panels,) = _numbers(path, 4, lines[3], 1)
-    if len(lines[3].split()) > 1 and _is_number(lines[3].split()[1]):
-        raise ValueError(f"{path}, line 4: {lines[3].strip()!r} is a higher-order file; allowed: flat panels")
+    kind = lines[3].split()[1:2]
+    if kind and _is_number(kind[0]):
+        return _of_patches(path, lines, int(panels), float(kind[0]), unit, symmetry)
     values = _all_numbers(path, lines, 5)
     if values is None or len(values) != 12 * panels:
         values = _panel_by_panel(path, lines, int(panels))
     points = unit * np.reshape(values, (-1, 3))
     return PanelMesh(points, np.arange(len(points)).reshape(-1, 4), symmetry)
+
+
+def _of_patches(path, lines, patches, kind, unit, symmetry):
+    """The panels of a higher-order file of B-splines"""
+    if kind != 1:
+        raise ValueError(
+            f"{path}, line 4: {lines[3].strip()!r} is a higher-order file of kind {kind:g}; allowed: flat panels, or "
+            "B-splines (IGDEF 1)"
+        )
+    numbers = _all_numbers(path, lines, 5)
+    if numbers is None:
+        raise ValueError(f"{path}: what follows line 4 is not numbers alone")
+    try:
+        points, corners = panelled(np.array(numbers), patches)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+    return PanelMesh(unit * points, corners, symmetry)
 
 
 def write_gdf(mesh, path, gravity=9.80665):

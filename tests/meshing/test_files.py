@@ -143,6 +143,34 @@ def test_a_keel_of_one_polygon_is_cut_into_panels(tmp_path, suffix, sides):
     assert findings(mesh) == []
 
 
+def splines(knots, orders, points):
+    """Text of a patch; points (nu, nv, 3)"""
+    counts = [len(k) + 1 - 2 * n for k, n in zip(knots, orders, strict=True)]
+    rows = [counts, orders, *knots, *np.asarray(points).swapaxes(0, 1).reshape(-1, 3)]
+    return "\n".join(" ".join(f"{x:.12g}" for x in row) for row in rows) + "\n"
+
+
+def test_patches_of_splines_of_wamit_are_cut_into_panels(tmp_path):
+    """A quarter of a tub of elliptic section whose draft goes with a parabola, by one cubic and quadratic patch each
+
+    z = −d (1 − (x/a)²) over |y| ≤ b: 8/3 a b d of the whole; the ends in y are plane patches.
+    """
+    a, b, d = 3.0, 2.0, 1.5
+    # keel: u along x, of order 3: the parabola through its control points (0, −d), (a/2, −d), (a, 0); v along y
+    keel = np.array([[(x, y, z) for y in (0.0, 0.5 * b, b)] for x, z in ((0, -d), (0.5 * a, -d), (a, 0.0))])
+    side = np.array([[(x, b, f * z) for f in (1.0, 0.0)] for x, z in ((0, -d), (0.5 * a, -d), (a, 0.0))])
+    bent, knots = [0, 0, 0, 1, 1, 1], [0, 0, 1, 2, 2]
+    text = "tub\n1 9.81\n1 1\n2 1\n"
+    text += splines([bent, knots], (3, 2), keel) + splines([bent, [0, 0, 1, 1]], (3, 2), side)
+    (tmp_path / "a.gdf").write_text(text)
+    mesh = read_mesh(tmp_path / "a.gdf")
+    assert mesh.symmetry == "xy" and 1500 < len(mesh) < 3500
+    assert mesh.whole().volume == pytest.approx(4 * 2 / 3 * a * b * d, rel=1e-3)
+    assert [one.text for one in findings(mesh) if one.severity == "error"] == []
+    (tmp_path / "a.gdf").write_text(text.replace("9.81", "32.174", 1))
+    assert read_mesh(tmp_path / "a.gdf").whole().volume == pytest.approx(4 * 2 / 3 * a * b * d * 0.3048**3, rel=1e-3)
+
+
 def test_a_deck_in_the_water_surface_is_left_out(tmp_path):
     import meshio
 
@@ -285,7 +313,12 @@ BAD = {
     "few.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3\n", "3 coordinates after line 4; 1 panels have 12"),
     "gravity.gdf": ("h\n1 1.0\n0 0\n0\n", "GRAV is 1; allowed"),
     "wall.gdf": ("h\n1 9.81\n-1 0\n0\n", "symmetry -1 0"),
-    "patches.gdf": ("h\n1 9.81\n0 0\n4 1\n", "higher-order"),
+    "patches.gdf": ("h\n1 9.81\n0 0\n4 -10\n", "'4 -10' is a higher-order file of kind -10; allowed: flat panels"),
+    "none.gdf": ("h\n1 9.81\n0 0\n0 1\n", "0 patches; allowed: 1 or more"),
+    "point.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\n2 2\n0 0 1 1\n0 0 1 1\n" + "0 0 0\n" * 4, "its patches have no size"),
+    "cut.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\n2 2\n0 0 1 1\n0 0 1 1\n0 0 0 1 0 0\n", "it ends within a patch"),
+    "order.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\n0 2\n", "spans and order [0, 2]; allowed: 1 or more"),
+    "letters.gdf": ("h\n1 9.81\n0 0\n1 1\n1 1\nx 2\n", "what follows line 4 is not numbers alone"),
     "empty.gdf": ("h\n1 9.81\n0 0\n0\n", "no panels"),
     "far.obj": ("v 0 0 0\nf 1 2 1000000000000000000000\n", "line 2: there is no point 2; the file has 1"),
     "inf.nemoh": ("2 0\ninf 0 0 0\n0 0 0 0\n1 1 1 1\n0 0 0 0\n", "line 2: 'inf' is not a finite number"),

@@ -185,7 +185,7 @@ def _haskind(values):
     i, (ratio, omega) = off[0], found[off[0]]
     others = [f"B_{j + 1}{j + 1}" for j in found if j not in off]
     middle = float(np.median(ratio))
-    why = _of_channel(values, found) or (not values.others and _of_depth(values))
+    why = not values.others and (_of_channel(values, found) or _of_depth(values))  # others reflect waves too
     if not why and others:  # a wrong unit or length would show in these too
         why = f"{', '.join(others)} agrees, so that units do: panels are too few for mode {i + 1}"
     return [f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "

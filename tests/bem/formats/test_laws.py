@@ -98,6 +98,13 @@ def test_the_walls_of_a_channel_are_told_by_the_damping_of_surge_and_heave():
     )
 
 
+def test_beside_other_bodies_no_channel_is_told():
+    k = wavenumber(body().omega, DEPTH, G)
+    walls = np.diag([2.0, 2.0, 1.0, 0, 0, 0]) / (k * 5.0)[:, None, None]
+    found = said(replace(changed(body(), radiation_damping=lambda B: B * walls), others=1))
+    assert "which no unit does: panels are too few, or there are sheets" in found and "channel" not in found
+
+
 def test_beside_other_bodies_long_waves_tell_nothing():
     turned = changed(body(), excitation_force=np.conj)
     assert said(replace(turned, others=1)) == ""

@@ -1,0 +1,1 @@
+"""Hulls drawn by curved patches, made of flat panels"""
