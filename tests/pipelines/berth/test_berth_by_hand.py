@@ -4,6 +4,7 @@ import csv
 import math
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import msgspec
 import numpy as np
@@ -12,6 +13,7 @@ from by_hand import SOFTEST, STIFFEST, line_of, numbers
 
 import hakobune
 from hakobune.mooring import berthing
+from hakobune.pipelines.berth import result as berth_result
 from hakobune.pipelines.berth.measured import measured
 from hakobune.pipelines.common.quay_tables import DolphinTable, QuayFenderTable
 
@@ -240,3 +242,34 @@ def test_fenders_are_told_as_a_simulation_takes_them():
     assert (first.height, first.on, second.on, second.count) == (1.45, "dolphin 1", None, 2)
     (dolphin,) = msgspec.convert(told["dolphin"], list[DolphinTable])
     assert (dolphin.stiffness, dolphin.yield_force) == (2e4, 3e3)
+
+
+@pytest.mark.parametrize("fails, told", [(True, ["energy of the berthing", "energy in time of the fender at x = 20 m"]),
+                                         (False, ["energy in time of the fender at x = -20 m",
+                                                  "energy in time of the fender at x = 20 m"])])  # fmt: skip
+def test_every_fender_is_judged_in_time_but_the_first_one_twice(fails, told, monkeypatch):
+    """The first of two that the kinetic-energy method fails already is told once; factors multiply energy in time"""
+    asked = []
+
+    def judged(what, energy, table, fender):
+        asked.append((what, energy))
+        return [what] if "in time" in what or fails else []
+
+    fender = SimpleNamespace(energy=lambda deflection: 1e5 * deflection)
+    for name, value in (("fender_of", lambda table: fender), ("beyond_batch", judged),
+                        ("softest_and_stiffest", lambda *_: ((fender, fender), (0.9, 1.1))),
+                        ("at_deflections", lambda *_: (None, (1e6,))), ("deflection_of", lambda *_: 0.5)):  # fmt: skip
+        monkeypatch.setattr(berth_result, name, value)
+    approach = SimpleNamespace(first=0, energy=3e5, meetings=[(fender, -20.0, 0.0), (fender, 20.0, 0.0)])
+    given = SimpleNamespace(softness=0.9, configuration=0.8, abnormal=1.5)
+    table = SimpleNamespace(dolphin_yield=None)
+    study = SimpleNamespace(fender=[table, table], approach=given)
+    course = SimpleNamespace(deflection=np.array([[0.1, 0.2], [0.4, 0.3]]))
+    assert list(berth_result._failures(study, approach, course)) == told
+    factor = 0.9 * 0.8 * 1.5 * 1e5
+    assert asked[-1][1] == pytest.approx(0.3 * factor) and asked[0] == ("energy of the berthing", 3e5)
+    assert len(list(berth_result._failures(study, approach, None))) == fails
+    for load, said in ((999.0, True), (1001.0, False)):  # kN at which the dolphin yields, pushed with 1000
+        table.dolphin_yield = load
+        found = " ".join(berth_result._failures(study, approach, None))
+        assert (f"pushes the dolphin with 1000 kN, which yields at {load:g} kN" in found) is said
