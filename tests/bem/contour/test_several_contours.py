@@ -7,6 +7,7 @@ from hakobune.bem.contour.several.bodies import prepare_several
 from hakobune.bem.contour.several.exterior import Place
 from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
 from hakobune.bem.frequency import solve_frequency
+from hakobune.bem.methods.near_field import near_field_drift
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.methods.shape_problem import ShapeProblem
 from hakobune.bem.modes import Body
@@ -46,6 +47,16 @@ def test_their_mean_drift_is_the_published_one():
                            density=1000.0, gravity=9.81, tolerance=1e-4)  # fmt: skip
     found = solve_frequency(problem.prepared(), 0.8, [0.0], {"drift_force_fixed"})
     assert found["drift_force_fixed"][0, 0] == pytest.approx(19895.3, rel=1e-5)
+
+
+def test_the_drift_of_each_is_of_panels_alone():
+    bodies = Body("box"), Body("buoy", (2.0, 9.0, 0.0), 0.4, False, (2.0, 9.0))
+    problem = ShapeProblem(method="contour", shapes=tuple(SHAPES), bodies=bodies, depth=DEPTH)
+    run = problem.prepared().run(OMEGA, [0.3], {"drift_force_fixed"}, None, None)
+    with pytest.raises(
+        ValueError, match="near-field drift of several bodies by contours; allowed: of one"
+    ):
+        near_field_drift(run, False)
 
 
 def test_laws_hold_over_all_motions(pair):
