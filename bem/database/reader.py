@@ -326,7 +326,7 @@ class Reader:
         """
         omega, (name,) = self.inside(omega), (key for key, moves in OF_EACH.items() if moves != fixed)
         if name not in self.between.quantities:
-            raise BetweenError(f"{name} is not stored; run its command again with --only drift")
+            raise BetweenError(f"{name} is not stored; run its command again with --only drift, by method panel")
         values = self.between.value(omega, name)
         if headings is None:
             return values

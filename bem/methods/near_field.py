@@ -71,6 +71,8 @@ def _method(run, moving):
         from ..panels.pressure_drift import mean_drift as panel_drift
 
         return panel_drift
+    if run.problem.shapes:
+        raise ValueError("near-field drift of several bodies by contours; allowed: of one, or by panels")
     if run.problem.method != "contour":
         raise ValueError(f"near-field drift by method {run.problem.method}; allowed: panel, contour")
     from ..contour import pressure_drift as contour_drift

@@ -77,6 +77,8 @@ def _irregular(reader, conditions):
     sea = sea_of(conditions)
     if not reader.knows_drift:
         raise BetweenError("drift_force must be stored for waves; run its command again with --only drift,kochin,rao")
+    if reader.bodies and not reader.knows_drift_of_each:
+        raise BetweenError("body_drift_force must be stored for waves; solve the scene of the bodies by method panel")
     try:
         body, _ = in_sea(on_current(reader, carrier_of(conditions.current)), sea)
     except BetweenError as error:
