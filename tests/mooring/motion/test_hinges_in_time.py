@@ -12,7 +12,7 @@ from hakobune.bem.time_domain.memory import MemoryArrays, no_memory
 from hakobune.mooring.motion.links import links_of, rows_at
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.simulation.linked import begin_together
-from hakobune.mooring.motion.wave_loads import no_wave_forces
+from hakobune.mooring.motion.wave_loads import no_wave_forces, wave_table
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Waves
 
@@ -97,6 +97,15 @@ def test_regular_waves_move_linked_bodies_as_in_the_frequency_domain(held, link,
         assert np.abs(run.links[:, 0, 3]).max() < 1e-9 * np.abs(run.links[:, 0, 4]).max()  # none about its axis
     else:
         assert off[15] < 5e-5 * abs(exact[15])
+
+
+def test_the_course_of_a_model_is_foreseen_as_far_in_periods_as_that_of_a_ship(held):
+    """1:70: over one of its waves, not ten; of ships in waves of 5 s and more 6 s"""
+    forces = held().waves
+    for period, window in ((12.0, 6.0), (5.0, 6.0), (0.6, 0.72)):
+        one = (np.array([part]) for part in (2 * np.pi / period, 1.0, 0.0, 0.0))
+        table = wave_table(forces, tuple(one), 20.0, np.zeros((2, 3)), 9.80665, heading=(0.0, 0.0))
+        assert window <= table.window < window + table.step
 
 
 @pytest.mark.parametrize("kind", ["slider", "hinge"])

@@ -1,9 +1,11 @@
 """Lines of a study from a file of MoorDyn: the numbers of the file, where the body has its fairleads."""
 
 import math
+from types import SimpleNamespace
 
 import pytest
 
+from hakobune.mooring.motion.simulation import able_to_move
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.moor.study import read_study
 
@@ -53,6 +55,9 @@ def test_a_buoy_has_the_buoyancy_of_the_water_of_its_file(tmp_path):
     for density in (1000.0, 1025.0):
         (load,) = study.system(study.hull_of({}), (0, 0, 0), density, 9.81).lines[0].loads
         assert load.weight == pytest.approx((16000 - 1025 * 20) * 9.80665)
+    _, left_out = able_to_move(study.system(study.hull_of({}), (0, 0, 0)), SimpleNamespace(dynamic_elements=20))
+    (said,) = [line for line in left_out if "sinkers and buoys" in line]
+    assert "line 1 2:" in said and "tensions come out too small" in said
 
 
 def test_lines_have_the_numbers_of_the_file(tmp_path):
