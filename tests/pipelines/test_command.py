@@ -92,7 +92,7 @@ def test_ctrl_c_says_how_to_go_on(tmp_path):
     path = tmp_path / "box.h5"
     status, said = interrupted(path, signal.SIGINT, 0.0)
     assert status == 130, said
-    assert "Traceback" not in said and "run the same command to go on" in said
+    assert "Traceback" not in said and "run the same command to continue" in said
     assert 1 <= len(open_database(path).omega) < MANY
 
 
