@@ -11,27 +11,10 @@ import msgspec
 
 from hakobune.meshing.text_files import read_text
 
+from ..keys.words import OTHER_NAMES
+
 Typed = typing.TypeVar("Typed")
 ALIKE = 0.75  # similarity of letters from which a key counts as misspelt
-OTHER_NAMES = {  # names of keys in other programs and books
-    "height": "h hs hm0 h13 wave_height significant_height significant_wave_height",
-    "mean_period": "t tm t01 tm01",
-    "zero_crossing_period": "tz t02 tm02",
-    "energy_period": "te tm10 tm_10",
-    "peak_period": "tp",
-    "significant_period": "ts t13 t1/3",
-    "direction_deg": "heading heading_deg direction dir towards",
-    "headings_deg": "heading heading_deg headings",
-    "incidence_deg": "incidence from_deg",
-    "swell": "systems system",
-    "waves": "sea seas wave",
-    "sea": "waves wave",
-    "center_of_gravity": "kg cog vcg center_of_mass centre_of_gravity",
-    "GM": "gm gmt metacentric_height",
-    "breaking_load_kN": "mbl mbs minimum_breaking_load",
-    "axial_stiffness_kN": "ea stiffness",
-    "pretension_kN": "t0 tension",
-}
 LARGEST = 8  # MB, which take some seconds
 WORDS = {
     "float": "a number",

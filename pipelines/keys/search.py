@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ..common.typed import OTHER_NAMES
 from .kinds import KINDS
 from .reference import Key, reference
+from .words import OTHER_NAMES
 
 
 class Found(NamedTuple):

@@ -1,4 +1,4 @@
-"""Keys that mean the same wherever they stand, and units that stand in the name of a key or before its meaning."""
+"""Keys that mean the same wherever they stand, their names in other programs, and the units in names of keys."""
 
 from __future__ import annotations
 
@@ -47,3 +47,22 @@ UNITS = (
     *("kN s²/m²", "kN m s²", "kN m s", "kN s/m", "kN/m", "kN", "kPa", "kg/m³", "kg/m", "kg", "rad/s", "m/s²", "m/s"),
     *("m³", "m²", "m", "s", "t", "years", "%", "degrees"),
 )
+OTHER_NAMES = {  # names of keys in other programs and books
+    "height": "h hs hm0 h13 wave_height significant_height significant_wave_height",
+    "mean_period": "t tm t01 tm01",
+    "zero_crossing_period": "tz t02 tm02",
+    "energy_period": "te tm10 tm_10",
+    "peak_period": "tp",
+    "significant_period": "ts t13 t1/3",
+    "direction_deg": "heading heading_deg direction dir towards",
+    "headings_deg": "heading heading_deg headings",
+    "incidence_deg": "incidence from_deg",
+    "swell": "systems system",
+    "waves": "sea seas wave",
+    "sea": "waves wave",
+    "center_of_gravity": "kg cog vcg center_of_mass centre_of_gravity",
+    "GM": "gm gmt metacentric_height",
+    "breaking_load_kN": "mbl mbs minimum_breaking_load",
+    "axial_stiffness_kN": "ea stiffness",
+    "pretension_kN": "t0 tension",
+}

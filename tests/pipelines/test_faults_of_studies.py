@@ -94,7 +94,7 @@ FAULTS = {
         "response --moored", ("body", "viscous"), {"roll": "Yamasita"}, ("'Yamasita'", "Yamashita"),
     ),
     "pairs of a moored response": ("response --moored", ("sea", "qtf"), "full", ("sea.qtf is 'full'", "newman")),
-    "name of two points": ("response", ("points", 1, "name"), "bow", ("two points are called 'bow'", "of its own")),
+    "name of two points": ("response", ("points", 1, "name"), "bow", ("two points are called 'bow'", "its own name")),
     "duration of a response": ("response", ("sea", "duration_hours"), 0.0, ("sea.duration_hours is 0", "above 0")),
     "file of a sea": (
         "response", ("sea", "swell"), [{"file": "x.sp2", "direction_deg": 0.0}], ("x.sp2",),

@@ -504,7 +504,7 @@ MOORPY_FAULTS = [
     ("water_depth: 200", "water_depth: 1" + "0" * 400, "water_depth of the file is 10000"),
     ("length: 315", "1: 315", "lines[1].1 is unknown; allowed: endA"),
     ("type: free", "type: loose", "type of point joint is 'loose'"),
-    ("endB: joint", "endB: knee", "its end 'knee' is no point of the system"),
+    ("endB: joint", "endB: knee", "its end 'knee' is not a point of the system"),
 ]  # fmt: skip
 
 

@@ -169,7 +169,10 @@ WRONG = [
     (lambda: replace(OC3, lines=()), "the system has no lines"),
     (lambda: replace(OC3, bodies=()), "body 'platform' is unknown; allowed: none"),
     (lambda: replace(OC3, depth=100.0), "allowed: at or above the bed, -100 m"),
-    (lambda: replace(OC3, lines=[replace(OC3.lines[0], a="nowhere")]), "its end 'nowhere' is no point of the system"),
+    (
+        lambda: replace(OC3, lines=[replace(OC3.lines[0], a="nowhere")]),
+        "its end 'nowhere' is not a point of the system",
+    ),
     (lambda: OC3.without("L9"), "line 'L9' is unknown; allowed: L0, L1, L2"),
     (lambda: OC3.with_loads({"hull": (0,) * 6}), "body 'hull' is unknown; allowed: platform"),
     (lambda: mooring_stiffness(rest(SYSTEMS["bridle"]), "ship"), "body 'ship' is unknown; allowed: barge"),

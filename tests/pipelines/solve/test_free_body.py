@@ -57,13 +57,13 @@ def test_another_mass_gives_the_database_of_that_mass_without_solving(more, drag
     flow = {name: stored[name] for name in stored.names if name not in ("rao", "drift_force")}
     asked, remarks = solved(path, HEAVY, **more, **drag)
     assert asked == 0
-    assert sum("rao, drift_force made anew" in line and "center_of_gravity was" in line for line in remarks) == 1
+    assert sum("rao, drift_force computed again" in line and "center_of_gravity was" in line for line in remarks) == 1
     solved(other, HEAVY, **more, **drag)
     assert_equal(open_database(path), open_database(other))
     assert open_database(path).has_viscous_motions == bool(drag)
     for name, value in flow.items():
         np.testing.assert_array_equal(open_database(path)[name], value)
-    assert solved(path, HEAVY, **more, **drag) == (0, tuple(line for line in remarks if "anew" not in line))
+    assert solved(path, HEAVY, **more, **drag) == (0, tuple(line for line in remarks if "computed again" not in line))
 
 
 def test_a_body_that_had_no_gyration_gets_its_motions_without_solving(tmp_path):

@@ -200,11 +200,11 @@ FAULTS = {
     "no waves for it": (({**BARGE, "viscous": {"roll": {"drag": 1e5}}}, PIER), "give wave_height under [viscous]"),
     "of what is fixed": ((BARGE, {**PIER, "viscous": {"roll": {"drag": 1e5}}}), "pier does not move"),
     "no name": (({**BARGE, "name": None}, PIER), "bodies[0].name is None"),
-    "two of a name": ((BARGE, {**PIER, "name": "barge"}), "two of the name 'barge'"),
+    "two of a name": ((BARGE, {**PIER, "name": "barge"}), "two bodies named 'barge'"),
     "a name of two words": (({**BARGE, "name": "my barge"}, PIER), "a word of letters"),
     "no place": (({**BARGE, "place": None}, PIER), "bodies[0].place is missing"),
     "a far heading": (({**BARGE, "place": [0, 4, 400]}, PIER), "heading 400"),
-    "all fixed": (({**BARGE, "fixed": True}, PIER), "all fixed"),
+    "all fixed": (({**BARGE, "fixed": True}, PIER), "all bodies are fixed"),
     "deeper than the water": ((BARGE, {**PIER, "draft": 9.0}), "bodies[1].draft is 9.0"),
     "place of one body": (
         ({**BARGE, "rotation_center": None},),
