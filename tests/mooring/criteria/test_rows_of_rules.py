@@ -33,7 +33,7 @@ def test_every_word_of_a_row_is_one_of_those_that_are_known(key, allowed):
 @pytest.mark.parametrize("key", ["rule", "quantity", "source"])
 def test_no_text_of_a_row_that_it_needs_is_empty(key):
     for empty in ("", "  ", None):
-        with pytest.raises(RuleError, match=f"here: {key} is empty; allowed: a text"):
+        with pytest.raises(RuleError, match=f"here: {key} is empty; give a text"):
             _criterion("here", ROW | {key: empty})
 
 

@@ -57,7 +57,7 @@ def test_a_buoy_has_the_buoyancy_of_the_water_of_its_file(tmp_path):
         assert load.weight == pytest.approx((16000 - 1025 * 20) * 9.80665)
     _, left_out = able_to_move(study.system(study.hull_of({}), (0, 0, 0)), SimpleNamespace(dynamic_elements=20))
     (said,) = [line for line in left_out if "sinkers and buoys" in line]
-    assert "line 1 2:" in said and "tensions come out too small" in said
+    assert "line 1 2:" in said and "tensions are too small" in said
 
 
 def test_lines_have_the_numbers_of_the_file(tmp_path):
