@@ -48,9 +48,9 @@ MOST_LINES = 500  # largest number of lines of a study; they take three seconds
 class Study(Table):
     """A moored body: water, hull, lines and weather
 
-    hulls : table [hull] of each of several bodies that move, by name
+    hulls : a table like [hull] for each moving body by name, where there are several
     lines_file : file of lines of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines`, in place of types and lines
-    lines_body : the one of several bodies that these lines hold
+    lines_body : name of the body that these lines hold, where there are several
     allowable : fraction of the breaking load that a line may carry, above 0, at most 1
     """
 

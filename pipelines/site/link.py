@@ -25,12 +25,12 @@ MEAN = "mean"
 
 
 class SiteLink(Table):
-    """Values of a site from `hakobune site`
+    """Link to site values written by `hakobune site`
 
     file : file of the values, beside this file
-    state : of weather there
-    level : of the water there
-    leave_out : those of wind, current and waves that are not taken
+    state : name of the state of weather that is used; by default none
+    level : name of the water level that is used
+    leave_out : parts of the state that are not used: "wind", "current", "waves"
     """
 
     file: str
