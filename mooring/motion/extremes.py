@@ -19,7 +19,7 @@ import numpy as np
 
 CONFIDENCE = 0.9
 FEWEST = 5  # runs: an interval of CONFIDENCE is within the largest and smallest of them, 1 − 2^(1−n)
-RARE = 2.0  # times the median of the largest values of runs, beyond which one is of few runs
+RARE = 2.0  # factor on the median of the largest values of runs; a larger one comes from few runs
 
 
 class Extreme(NamedTuple):

@@ -91,7 +91,7 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
         own, turned = np.concatenate([components.omega, omega]), components.direction - heading
         along = carrier.along(np.concatenate([turned, np.full(FREQUENCIES, towards - heading)]))
         met, omega = np.split(absolute_frequency(own, along, reader.depth, reader.gravity), [len(turned)])
-        last = int(np.argmax(omega)) + 1  # beyond it the current blocks them
+        last = int(np.argmax(omega)) + 1  # the current blocks the waves beyond it
         drift, omega = drift[:last], omega[:last]
     surface = real_sum(components.amplitude * np.exp(1j * np.asarray(components.phase)), met, t)
     waves = half_waves(surface, SURFACE_STEP)

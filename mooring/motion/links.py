@@ -98,7 +98,7 @@ def links_of(reader):
         place, axes = bodies[0].in_scene(link.position), [np.eye(3) if one.fixed else one.axes for one in bodies]
         ends.append([-1 if own is None else own.start // 6 for own in moves])
         points.append([place if one.fixed else one.axes.T @ (place - one.rotation_center) for one in bodies])
-        own = axes[0].T @ bodies[0].axes  # of the first, in those that it is turned in here
+        own = axes[0].T @ bodies[0].axes  # axes of the first body in those used for its rotations here
         along = link.along @ own.T if len(link.along) < 3 else np.eye(3)
         for part, held in zip(helds, (along, link.held @ own.T), strict=True):
             part.append(np.zeros((3, 3)))

@@ -99,8 +99,8 @@ def used_in(pulled, best, hawser=None):
     breaking = np.array([*np.full(count, np.nan if hawser is None else hawser), *best.point.system.breaking_load])
     breaking[~np.isfinite(breaking)] = np.nan
     found = {where: np.array([*own[:count], *lines]) / breaking for where, (own, lines) in pulled.items()}
-    at_rest = best.lines.lines.utilisation  # of the segment that is nearest to it
-    below_buoys = np.fmax(at_rest - found["at rest"][count:], 0.0)  # where a line pulls more than at the body
+    at_rest = best.lines.lines.utilisation  # utilisation of the most loaded segment
+    below_buoys = np.fmax(at_rest - found["at rest"][count:], 0.0)  # excess at a buoy over the pull at the body
     for used in found.values():
         used[count:] += np.nan_to_num(below_buoys)
     found["at rest"][count:] = at_rest

@@ -21,10 +21,10 @@ ACCURACY = 1e-7  # relative accuracy of the integration
 SAMPLES = 128  # samples per period
 MOST = 100  # periods that are followed
 SCALED = 2.0  # largest change of an amplitude in one step, as a factor
-HALVED = 4  # times that a scaling is taken by half of its logarithm
+HALVED = 4  # number of times that the logarithm of a scaling is halved
 LEAST = np.radians(0.05)  # amplitude below which the body is at rest, rad
 START = np.radians(2.0)  # initial heading relative to the equilibrium, rad
-LATEST = 30.0  # times 1/|λ| of the root that grows, until the heading turns back
+LATEST = 30.0  # latest time of the turn, over 1/|λ| of the growing root
 
 
 class LimitCycle(NamedTuple):

@@ -70,7 +70,7 @@ def mean_drift(forces, sea, carrier=None, depth=np.inf, gravity=9.80665):
         return np.stack([sea.directional(headings + heading) @ mean for heading in headings])
     own = np.clip(
         carrier.own(forces.omega, sea.direction, depth, gravity), forces.omega[0], forces.omega[-1]
-    )  # of a spread sea that of its mean direction
+    )  # a spread sea counts as one of its mean direction
     drift, B = drift_damping(forces, own, depth, gravity)
     mean, damping = (2 * np.trapezoid((of.T * density).T, forces.omega, axis=0) for of in (drift, B))
     towards, speed, rows = np.arctan2(carrier.velocity[1], carrier.velocity[0]), np.hypot(*carrier.velocity), []

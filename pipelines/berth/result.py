@@ -235,7 +235,7 @@ def _failures(study, approach, course):
     if course is None:
         return
     given = study.approach
-    factors = given.softness * given.configuration * given.abnormal  # that the course in time knows nothing of
+    factors = given.softness * given.configuration * given.abnormal  # factors that the course in time does not contain
     for k, (fender, x, _) in enumerate(approach.meetings):
         if not (found and k == approach.first):
             taken = factors * float(fender.energy(course.deflection[:, k].max()))

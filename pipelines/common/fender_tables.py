@@ -19,7 +19,7 @@ from .quantities import StudyError, Table, below, positive
 LARGEST = 20.0  # m, a height or diameter
 WIDEST = 50.0  # m, of what an inclined face presses
 MOST = 1000  # fenders side by side
-BATCH = ("manufacture",)  # what fenders of one batch differ by: 0.9 to 1.1, Ueda (1981), section 6
+BATCH = ("manufacture",)  # causes of scatter within a batch: 0.9 to 1.1, Ueda (1981), section 6
 
 
 class FenderTable(Table):

@@ -246,7 +246,7 @@ def hawser_of(where, name, kind_name, kind, length, ends=("", "")):
 def hawser_at_tension(where, name, kind_name, kind, distance, tension):
     """The Hawser that pulls with a tension, N, between points at a distance, m"""
     place = f"types.{kind_name}"
-    if kind.spring_kN_per_m is None:  # of a table in shares of the length: one of unit length says the strain
+    if kind.spring_kN_per_m is None:  # table of elongations: the strain follows from a rope of unit length
         length = distance / (1 + elongation_at(_pull(place, name, kind, 1.0)[0], tension))
     else:
         length = distance - tension / (1e3 * positive(f"{place}.spring_kN_per_m", kind.spring_kN_per_m))

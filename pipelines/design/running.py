@@ -209,7 +209,7 @@ def _lost(read, group, names):
         return
     lost = names
     if state.lost == "worst":
-        if intact.numbers is None:  # which is the worst is not known; the intact case is named as one that did not run
+        if intact.numbers is None:  # the worst line is unknown; the intact case is reported as one that failed
             return
         lost = [worst_of(intact, names)]
     for name in lost:

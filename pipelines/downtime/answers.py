@@ -80,7 +80,7 @@ def _three(head, table, axes, three, words, unit="", share=True):
 
 def _whole(chance, known, hindcast, years, error):
     three = share_with_interval(*by_group(chance, known, hindcast.year, years))
-    if error.any():  # what is not known of these hours, beside the scatter of years
+    if error.any():  # uncertainty of these hours, in addition to the scatter of years
         share, *ends = three
         three = (
             share,
@@ -131,7 +131,7 @@ def _by_year(down, known, hindcast, years):
     above, below = by_group(down, known, hindcast.year, years)
     with np.errstate(invalid="ignore"):
         share = above / below
-    shown = YEARS if len(years) <= FEW else ""  # of more there are the picture, the page and the file
+    shown = YEARS if len(years) <= FEW else ""  # a longer list is in the picture, the page and the file only
     return {"year.share": Quantity(share, ("year", "operation"), "", "down,", shown, True)}
 
 

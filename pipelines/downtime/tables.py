@@ -1,8 +1,8 @@
 """A downtime study as typed TOML: a hindcast, a body, and what operations can bear.
 
 [hindcast]
-file = "hindcast.csv"            # beside the study; netCDF too
-x_axis_compass_deg = 60.0        # what the bow heads
+file = "hindcast.csv"            # CSV or netCDF file beside the study
+x_axis_compass_deg = 60.0        # compass heading of the bow
 [[hindcast.waves]]               # a system of waves; more of them for wind sea and swell
 height = "hs"                    # names of columns
 peak_period = "tp"
@@ -11,7 +11,7 @@ spreading = "cosine:4"
 [hindcast.columns]
 "wind speed" = "wind"
 
-[body]                           # as in a response study, with [[points]] and [keel]
+[body]                           # tables of a response study, with [[points]] and [keel]
 damping_ratio = { roll = 0.02 }
 
 [[operations]]

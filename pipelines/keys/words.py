@@ -22,7 +22,7 @@ COMMON = {
     "to": "last value",
     "zero_crossing_period": "s, zero-crossing period T₀₂",
 }
-# in the order they are looked for: the longest endings first
+# endings in the order of the search, the longest first
 ENDINGS = {
     "_kg_per_m": "kg/m",
     "_kN_m2": "kN m²",

@@ -139,7 +139,7 @@ def quantities_of_anchors(anchors, along, up):
     if all(one is None for one in anchors):
         return {}
     rows = list(zip(anchors, along, up, strict=True))
-    of_kind = {  # what is asked for, nan of other kinds
+    of_kind = {  # size or capacity that is needed, NaN for other kinds
         kind: np.array([np.nan if one is None or one.kind != kind else one.needed(h, v) for one, h, v in rows], float)
         for kind in KINDS
     }

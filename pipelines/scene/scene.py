@@ -34,7 +34,7 @@ from .tables import (
 )
 
 
-class Scene(SceneTable, dict=True):  # where derived quantities are kept
+class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached in it
     """One or several floating bodies with their water, their waves and the results that are computed
 
     want : names or groups of results; by default everything

@@ -77,7 +77,7 @@ def _slow(study, db, hull, found):
         return np.full(3, np.nan)
     try:
         return np.asarray(long_period(db, hull, found, gusts_of(study.wind)).by_spectrum, float)
-    except ValueError:  # of a database without drift or a spectrum it does not reach
+    except ValueError:  # database without drift, or a spectrum outside its frequencies
         return np.full(3, np.nan)
 
 

@@ -86,7 +86,7 @@ def _row(body, plan, changed, seed):
     from hakobune.mooring.motion.simulation import simulate, with_memory
 
     settings = replace(plan.settings, **changed)
-    if settings.memory != "constant" and not body.memory.states:  # of a study before a quay
+    if settings.memory != "constant" and not body.memory.states:  # database solved in front of a quay
         body = with_memory(body)
     with warnings.catch_warnings():  # energy outside the stored frequencies, which the plan tells
         warnings.simplefilter("ignore")
@@ -105,7 +105,7 @@ def _divided(study, body, path):
     method = db.attributes["method"]
     if method != "contour":
         raise StudyError(f"--division is {path}, solved by the {method} method; allowed: contour")
-    study.hull_of(db.sizes)  # of the same length, beam and draft
+    study.hull_of(db.sizes)  # checks that length, beam and draft agree
     water, here = db.reader, body.reader
     if not np.allclose(water.rotation_center, here.rotation_center, atol=1e-6) or water.depth != here.depth:
         raise StudyError(f"--division is {path}, with another depth or rotation centre; allowed: those of the database")

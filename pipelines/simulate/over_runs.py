@@ -17,7 +17,7 @@ from ..moor.study import make_study
 from .beside import differ as differ_by
 from .file import STATISTICS, told, whole_rows
 
-OF_LINES = "left out: inertia and drag"  # what `mooring.motion.simulation.trial` says of lines in their static shape
+OF_LINES = "left out: inertia and drag"  # start of the finding of `mooring.motion.simulation.trial` on static lines
 MOVE = (
     "run the lines in motion first (dynamic_lines): snaps of static lines do not justify a larger size or more "
     "pretension"

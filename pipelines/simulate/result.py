@@ -168,7 +168,7 @@ def _statistics(head, table, axis, rows, units):
         own = own[0] if len(set(own)) == 1 and unit is None else own
         made[f"{head}.{key}"] = Quantity([row[key] for row in rows], (axis,), own, words, table if shown else "")
     ends = ["lower" if abs(row["lower_median"]) > abs(row["upper_median"]) else "upper" for row in rows]
-    for part, words in END.items():  # of the end that lies further from zero
+    for part, words in END.items():  # words for the end that is further from zero
         further = [row[f"{end}_{part}"] for row, end in zip(rows, ends, strict=True)]
         own = made[f"{head}.largest"].unit
         made[f"{head}.extreme_{part}"] = Quantity(
@@ -193,7 +193,7 @@ def _of_lines(file, rows):
         share = np.asarray(file.attrs["simplified_utilisation"], float)
         made["tension.used_simplified"] = Quantity(share, ("line",), "", "used, simplified", LINES, share=True)
     breaking = np.asarray(file.attrs["breaking_load"], float)
-    berth, allowable = "fender_height" in file.attrs, float(file.attrs["allowable"])  # of fenders or ropes
+    berth, allowable = "fender_height" in file.attrs, float(file.attrs["allowable"])  # whether it has fenders or ropes
     word, table = ("MBL", LINES) if berth else ("breaking load", "")
     made["line.breaking_load"] = Quantity(breaking, ("line",), "N", word, table)
     if berth:

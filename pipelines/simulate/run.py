@@ -147,7 +147,7 @@ def summary(file):
 def _identity(study, files, duration):
     """Hash of what results depend on beside the seeds, after the mark of how it is made"""
     words = differing(study)
-    words.pop("harbour", None)  # what is read off runs that are there
+    words.pop("harbour", None)  # the harbour only affects how results are read
     simulation = words.get("simulation", {})
     moves = bool(study.simulation and (study.spreads or study.lines) and moving_lines(study.simulation))
     for name in (*ASKED, *(() if moves else OF_MOVING_LINES)):

@@ -3,8 +3,8 @@
     [site]
     file = "bay_values.toml"
     state = "extreme"          # wind, current and waves of the study then need directions alone
-    level = "high"             # by default mean water
-    leave_out = ["current"]    # of the state
+    level = "high"             # name of the level; by default mean water
+    leave_out = ["current"]    # part of the state
 
 A value has one source: one that study and site both give is a fault.  What a study becomes holds all numbers of the
 site, so that a result kept with its study says them, and another site is another study.

@@ -25,10 +25,9 @@ from ..common.bounds import check_count
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
-# of a sweep of scenes one file has all coefficients, (case, frequency, …)
 SAMPLINGS = ("grid", "latin-hypercube")
 MOST = 100_000  # cases
-SOLVE = "solve"
+SOLVE = "solve"  # sweep of scenes, with the coefficients (case, frequency, …) of all cases in one file
 COMMANDS = (
     SOLVE,
     "moor",

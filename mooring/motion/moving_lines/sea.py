@@ -179,7 +179,7 @@ def foresee_place(sea, position, velocity):
     for i in range(3):
         speed += velocity[i] * velocity[i]
     speed = np.sqrt(speed)
-    if speed * later > sea.farthest:  # of a line that whips, which will not go on so
+    if speed * later > sea.farthest:  # a whipping line does not keep such a speed
         later = sea.farthest / speed
     x, y, z = position[0] + later * velocity[0], position[1] + later * velocity[1], position[2] + later * velocity[2]
     return x, y, min(z, 0.0)

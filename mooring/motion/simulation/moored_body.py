@@ -26,8 +26,8 @@ from .linked import check_held
 from .memory import fitted_memory
 
 FLOATS = [2, 3, 4]  # heave, roll, pitch
-LOOSE = 1e-5  # of the stiffest motion, below which a restoring holds nothing: a period 300 times as long
-CAPSIZED = 1e-6  # of the stiffest motion, below which a negative restoring is rounding
+LOOSE = 1e-5  # fraction of the stiffest motion; smaller restoring holds nothing (a period 300 times as long)
+CAPSIZED = 1e-6  # fraction of the stiffest motion; smaller negative restoring is rounding
 
 
 @dataclass(frozen=True, eq=False)

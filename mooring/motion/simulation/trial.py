@@ -25,11 +25,12 @@ from ..moving_lines.prepare import dynamic_line, ends_of
 from .failures import SimulationError
 
 LONGEST = 600.0  # s of a trial
-# of the largest tension, of σ of a slow motion.  On chains in 14 and 20 m of water, from calm to storm, a trial saw
-# more than this wherever an hour changed by more than a fifth; tensions of an hour changed up to twice as much
+# largest negligible change, over the largest tension or σ of a slow motion.  On chains in 14 and 20 m of water, from
+# calm to storm, a trial changed by more wherever an hour changed by more than a fifth; tensions of an hour changed up
+# to twice as much
 NEGLIGIBLE = 0.05
 NUDGE = 2e-3  # initial offset of both trial runs, over the distance to the fairleads
-# of the largest slow motion, below which one is not compared, and none that is less than what it began with
+# share of the largest slow motion; smaller motions, and those that stay below their start, are not compared
 MINOR = 0.1
 PLANE = (0, 1, 5)
 FEW = 3  # names that are told

@@ -42,7 +42,7 @@ class HullWater(NamedTuple):
 
 NO_HULL_WATER = HullWater(
     np.zeros((0, 15)), 0.0, 0.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), np.zeros((4, 3)), 0.0
-)  # of a body that does not slew: the same types, for which the same kernels serve
+)  # values of a body that does not slew, of the same types for the same kernels
 
 
 class OnHull(NamedTuple):

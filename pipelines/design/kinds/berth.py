@@ -113,7 +113,7 @@ def _of_fenders(file, made, berth):
         try:
             out[OF_ENERGY][one.name] = float(fender.energy(alone[0])) / fender.rated_energy
             reaction = one.fender.largest_reaction(largest)
-        except FenderError:  # beyond the table
+        except FenderError:  # deflection beyond the table
             out[OF_ENERGY][one.name], reaction = np.inf, np.inf
         if yields and np.isfinite(yields[1]) and reaction > 0:
             out[DOLPHIN][one.name] = yields[1] / reaction

@@ -45,7 +45,7 @@ def _plain(runs):
     return plain | {"findings": list(runs["findings"])}
 
 
-READ = {  # what of JSON is not an array
+READ = {  # JSON values that are no arrays
     "largest": lambda pairs: {factor: np.array(values) for factor, values in pairs},
     "cycles": lambda pairs: [(time, Cycles(*map(np.array, parts))) for time, parts in pairs],
     "excursion": float,
@@ -72,7 +72,7 @@ def _simulated(study, database, path, factors):
         load, used = np.asarray(file.attrs["breaking_load"], float), used_in_runs(file).max(axis=0)
     largest = {1.0: np.array([row["largest"] for row in rows])}
     held, along, up = _moved(study, database, motion, tension, 1.0)
-    more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # of runs that are not kept, and of lines in motion
+    more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # factor for simulated runs and dynamic lines
     for factor in factors:
         if factor != 1:
             further = more * _moved(study, database, motion, tension, factor)[0]
@@ -110,7 +110,7 @@ def _run(study, database, path):
     asked, db = input_of(study), database_of(database)
     try:
         return simulate(asked, db, path, None, Here())
-    except DatabaseError:  # of another study, or damaged: made anew
+    except DatabaseError:  # file of another study, or a damaged one: simulate again
         return simulate(asked, db, path, None, Here(), fresh=True)
 
 

@@ -31,7 +31,7 @@ from .numbers import Numbers, strength, types_of
 from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "mooring study", "needed", True
-HELD = ("lines", "rope")  # what may be lost
+HELD = ("lines", "rope")  # parts of the study that may be lost
 STILL = ("lines", "bollard"), ("rope", "bollard"), ("fender", "position")  # they do not rise with the water
 LAYING = (
     "corner_headings_deg", "pretension_tonf", "pretension_kN", "fairlead_z", "heading_deg", "anchor", "bollard", "name",
