@@ -76,10 +76,10 @@ DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
 class Read(msgspec.Struct, frozen=True):
-    """A project with what it names: raw, nested dictionaries of the project; study, raw tables of its study
+    """A project with the files it names: raw, nested dictionaries of the project; study, raw tables of its study
 
-    kind : of `kinds`, the module that knows such studies; study_text, text : of the files
-    criteria : chosen of the rules; folder : paths are from there
+    kind : module of `kinds` for such studies; study_text, text : of the files
+    criteria : chosen from the rules; folder : start of relative paths
     """
 
     project: Project

@@ -25,10 +25,10 @@ NORMAL = 1.645  # standard deviations of an interval of 90 %
 
 
 class Verdicts(NamedTuple):
-    """known, down : (n, o) of hours and operations; chance : (n, o) that an hour stops it, 0 or 1 where that is sure
+    """known, down : (n, o) of hours and operations; chance : (n, o) that an hour stops it, 0 or 1 where that is certain
 
-    used, beyond : (n, l) share used of each limit, and the chance that it is gone beyond
-    error : (o,) share of the time, standard deviation of the sum of chances that is beside the scatter of years
+    used, beyond : (n, l) utilisation of each limit, and the probability that it is exceeded
+    error : (o,) share of the time, standard deviation of the sum of probabilities, without the scatter of years
     """
 
     known: np.ndarray

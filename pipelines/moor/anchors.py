@@ -1,4 +1,4 @@
-"""Anchors of lines as tables of a study, what is found of them, in quantities and in words.
+"""Anchors of lines as tables of a study, and their results in quantities and in words.
 
 [[anchors]]                [[anchors]]                 [[anchors]]
 kind = "drag"              kind = "sinker"             kind = "pile"
@@ -6,7 +6,7 @@ type = "stockless"         friction = 0.5              holding_kN = 1500.0
 soil = "sand"              weight_kN = 400.0           uplift_kN = 600.0
 mass = 9000.0              lines = ["fore 1"]          safety = 2.0
 
-Without mass or weight_kN an anchor is sized: what its pull asks for stands in the result.
+Without mass or weight_kN an anchor is sized: the result has the size that its pull needs.
 """
 
 from __future__ import annotations

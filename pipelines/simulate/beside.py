@@ -1,6 +1,6 @@
-"""What stands beside the runs: the simplified method, slow motion by spectra, and what a berth and its fenders are.
+"""Results stored next to the runs: the simplified method, slow motion by spectra, a berth and its fenders.
 
-All of it is known before the first run and stored with it.
+All of them are known before the first run and stored with it.
 """
 
 from __future__ import annotations

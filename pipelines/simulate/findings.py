@@ -1,4 +1,4 @@
-"""What a reader has to know of the runs of a simulation: their length, slow motion, and which method applies."""
+"""Findings on the runs of a simulation: their length, slow motion, and which method applies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`hakobune.simulate`: a mooring study in time, and what the file of its runs has in it."""
+"""`hakobune.simulate`: a mooring study in time, and the contents of the file of its runs."""
 
 from __future__ import annotations
 
@@ -82,13 +82,13 @@ def simulate(
     window: float | None = None,
     console: Console | None = None,
 ) -> Result:
-    """A moored body in time, or several moored to each other too, seed by seed.
+    """Motions of a moored body in time, or of several bodies moored to each other, seed by seed.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
-    output : path of the file of all runs, which goes on where it stopped; None to keep no file
-    seeds : how many; duration : s of a run; both in place of the study's; fresh : replace a file that is there
-    executor : as of the command; window : s, of which the first record is told one by one; console : told the progress
+    output : path of the file of all runs, continued where it stopped; None to keep no file
+    seeds : number of seeds; duration : s of a run; both in place of the study's; fresh : replace an existing file
+    executor : as of the command; window : s, of the windows reported for the first record; console : for the progress
     returns : Result, in SI; records are in the file
     raises : ValueError, one line, before anything is written; KeyboardInterrupt, whole seeds are kept
     """

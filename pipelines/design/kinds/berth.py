@@ -1,6 +1,6 @@
-"""What runs in time at a berth give: strains, energy and reaction of fenders beside tensions of ropes and lines.
+"""Results in time at a berth: strain, energy and reaction of fenders in addition to tensions of ropes and lines.
 
-strain, total    largest of all runs, of the fender alone where it stands on a dolphin, over its height
+strain, total    largest of all runs, over the height; on a dolphin, of the fender without the dolphin
 strain, steady   largest mean of ten minutes in the kept records (the report's limit is of "periods of 10 min and
                  longer", SR179 1982, chapter 4, 3.2.5)
 """

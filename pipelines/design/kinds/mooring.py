@@ -83,9 +83,9 @@ def check(project, raw):
 
 
 def base(raw, db):
-    """Tables of a study with its lines by fairlead and anchor; db : of the water they are laid in
+    """Tables of a study with its lines by fairlead and anchor; db : of the water in which they are laid
 
-    What a line may carry is a matter of the project's criteria; the study says where it parts.
+    The allowable tension is part of the project's criteria; the study gives the breaking loads.
     """
     kept = {key: deepcopy(value) for key, value in raw.items() if key in KEPT}
     of_hull = {where: {key: raw[where][key] for key in OF_HULL if key in raw.get(where, {})} for where in STREAMS}
