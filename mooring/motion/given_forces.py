@@ -75,10 +75,10 @@ def read_force(path):
 
 
 def drift_of_half_waves(reader, components, heading, ramp, duration):
-    """`GivenForce` of the drift by half waves at a body that lies at a heading, rad.  Raises ValueError for no waves.
+    """`GivenForce` of the drift by half waves on a body with a fixed heading, rad.  Raises ValueError without waves.
 
-    reader : `bem.database.reader.Reader` that knows its drift, on a current in its axes where there is one
-    components : of waves, which come from their mean direction, at intrinsic frequencies; ramp, duration : s
+    reader : `bem.database.reader.Reader` with drift, on a current in its axes where there is one
+    components : of waves, which travel in their mean direction, at intrinsic frequencies; ramp, duration : s
     """
     t = SURFACE_STEP * np.arange(int(np.ceil((ramp + duration) / SURFACE_STEP)) + 2)
     energy, carrier = components.amplitude**2, carrier_of_body(reader)

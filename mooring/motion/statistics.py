@@ -157,7 +157,7 @@ def windows(motion, step, length):
     """`Windows` of `length` s of a record (n, 6) m, rad, at steps of `step` s.
 
     Amplitudes are halves of H₁/₃ of the waves between zero crossings about the window's mean.  A last window that is
-    not whole is left out.
+    incomplete is not included.
     """
     count = round(length / step)
     begin = count * np.arange((len(motion) - 1) // count)

@@ -21,11 +21,11 @@ SLOW_DRIFT = 1.2  # factor of the report on line tensions, in place of slow drif
 
 
 class Run(NamedTuple):
-    """record : with waves, or the slow motion alone; steady : Equilibrium it began beside
+    """record : with waves, or the slow motion alone; steady : Equilibrium near its start
 
     cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
     drifts : whether slow drift is in the run; findings : one line each
-    full_waves : s, from which on waves have their height, inf without
+    full_waves : s, time from which the waves have their full height, inf without
     """
 
     record: Record

@@ -1,9 +1,9 @@
-"""The cycle that a body which slews comes to: amplitude, period and tensions, whatever it began with.
+"""The limit cycle of a body that slews: amplitude, period and tensions, whatever its start.
 
 The motion is followed from one largest heading ψ to the next.  A period at the amplitude A changes it by g = Δψ/A,
-which near the onset of slewing is linear in A² (Hopf): a line through two of them foresees where g = 0, and the
-deviation from the mean of the period is scaled to it.  A cycle attracts where g falls with A; elsewhere the motion is
-left to itself, and after MOST periods it is said how far the heading still swings.
+which near the onset of slewing is linear in A² (Hopf): a line through two of them predicts where g = 0, and the
+deviation from the mean of the period is scaled to it.  A cycle is attractive where g falls with A; elsewhere the motion
+continues unscaled, and after MOST periods the result is the range in which the heading still swings.
 """
 
 from __future__ import annotations

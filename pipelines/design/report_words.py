@@ -140,7 +140,7 @@ def state_row(state):
 
 def line_rows(read, verdict):
     """Cells of a row in the table of lines, ropes and hawsers: its properties in the first case that ran, and the
-    largest tension of all cases, over the breaking load and over the WLL, the breaking load times the study's `allowable`
+    largest tension of all cases, over the breaking load and over the WLL, which is the study's `allowable` times it
     """
     allowable = read.study.get("allowable")
     pulled, used = {}, {}

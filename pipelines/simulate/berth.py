@@ -30,8 +30,8 @@ def findings_on_periods(file):
 
 
 def fender_strains(file):
-    """Largest strain of each fender, without the deflection of a dolphin behind it, and the allowable strain; None where
-    a file has no fender heights
+    """Largest strain of each fender, without the deflection of a dolphin behind it, and the allowable strain; None for
+    a file without fender heights
     """
     if "fender_strains" not in file.attrs:
         return None

@@ -74,9 +74,9 @@ def ends_of(line, system):
 
 
 def dynamic_line(line, anchor, system, elements, surface=True):
-    """DynamicLine of a UniformLine, which weighs as in air above the water.
+    """DynamicLine of a UniformLine, with its weight in air above the water.
 
-    raises : ValueError for what its type does not know
+    raises : ValueError for a property that its type does not have
     """
     kind = line.type
     for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):

@@ -1,13 +1,14 @@
-"""Whether lines of a body may hang in their static shape: a short run with them so, beside one with lines that move.
+"""Whether lines of a body may have their static shape: a short run with static lines, and one with lines that move.
 
 A line in its static shape has neither inertia nor drag.  It snaps where a line in water gives way, and takes no energy
-out of slow motion: chains in shallow water let a symmetric body surge and yaw by themselves under waves from abeam
-(Mathieu's instability of a spring that stiffens), which the drag of the same chains damps.  So both runs are of the
-whole body, in the same waves and gusts, and both begin a little off its place, since what grows by itself would take
-hours to grow out of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.
+out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's
+instability of a spring that stiffens), and the drag of the same chains damps this.  So both runs are of the whole body,
+in the same waves and gusts.  Both start a little off the equilibrium, since an instability would take hours to grow out
+of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.
 
-The regimes of the simplified method (`mooring.lines.regimes`) were tried for this: of random chains, wires and ropes
-that they call quasi-static, every second pulled more than a tenth otherwise in a run (`tests/bench/line_regimes.py`).
+The regimes of the simplified method (`mooring.lines.regimes`) were tried for this decision: of random chains, wires and
+ropes in their quasi-static regime, every second one differed by more than a tenth in a run
+(`tests/bench/line_regimes.py`).
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ class Choice(NamedTuple):
 
 
 class Difference(NamedTuple):
-    """What moving changes: share, of what is largest with one of the two; words : it in numbers"""
+    """Effect of the motion of lines: share, of the largest value with one of the two; words : the effect in numbers"""
 
     share: float
     words: str
