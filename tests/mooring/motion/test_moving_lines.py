@@ -141,7 +141,7 @@ def test_lines_that_cannot_move_are_named_as_left_out_with_the_key_that_helps(on
     chosen = with_lines_chosen(bare, ROUGH, replace(WANTED, dynamic_lines="auto"))
     told = chosen.left_out[0]
     assert chosen.settings.dynamic_lines == () and told.startswith("left out: inertia and drag of line")
-    assert "has no mass; allowed: a type with a catalogue name" in told and "snaps 1.6 to 9 times on chains" in told
+    assert "has no mass; give a type with a catalogue name" in told and "snaps 1.6 to 9 times on chains" in told
     mixed = replace(on_lines, system=replace(on_lines.system, lines=(plain[0], *on_lines.system.lines[1:])))
     assert able_to_move(mixed.system, WANTED)[0] == tuple(on_lines.system.line_names[1:])
 

@@ -129,7 +129,7 @@ def test_a_mesher_that_cannot_be_loaded_is_said_in_one_line(monkeypatch):
         raise OSError("libGLU.so.1:\n  no such file")
 
     monkeypatch.setattr("hakobune.meshing.gmsh_session.session", broken)
-    assert doctor._gmsh() == "gmsh cannot be loaded, meshes cannot be made: libGLU.so.1: no such file"
+    assert doctor._gmsh() == "gmsh cannot be loaded, so that no meshes can be made: libGLU.so.1: no such file"
 
 
 def test_the_cache_of_kernels_is_told_with_its_size(tmp_path, monkeypatch, capsys):
@@ -172,7 +172,7 @@ def test_the_line_of_an_operation_names_what_stops_it_most():
     })  # fmt: skip
     assert downtime_report._verdict(found, 0) == {
         "name": "work",
-        "text": "stops 120 h a year, 1.37 % of the time, 90 % interval 90 to 150 h; most of it by wind, 100 h.",
+        "text": "is down 120 h a year, 1.37 % of the time, 90 % interval 90 to 150 h; the main cause is wind, 100 h.",
     }
     assert downtime_report._verdict(found, 1)["text"] == "stops 0 h a year, 0 % of the time."
 

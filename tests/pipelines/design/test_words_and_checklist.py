@@ -35,15 +35,21 @@ SHORT, LONG = WavesTable(height=3.0, period=9.0, spreading="cosine:4"), WavesTab
 GUSTY, STEADY = WindTable(speed=30.0, gusts="davenport"), WindTable(speed=30.0)
 
 
+LONG_CRESTED = "long-crested waves in swell; give waves.spreading"
+
+
 @pytest.mark.parametrize("states, qtf, met, how", [
     ([state()], "body", None, "there are no waves"),
     ([state(waves=SHORT)], None, False, "one regular wave with the significant height; give [simulation]"),
-    ([state(waves=SHORT), state("swell", waves=LONG)], "body", False, "long crests in swell; give waves.spreading"),
+    ([state(waves=SHORT), state("swell", waves=LONG)], "body", False, LONG_CRESTED),
     ([state(waves=SHORT)], "body", True, "waves.spreading of every state"),
 ])  # fmt: skip
 def test_waves_have_directions_in_time(states, qtf, met, how):
     found = asked("waves of random phase", states=states, qtf=qtf)
     assert (found.met, found.how) == (met, how)
+
+
+LONG_CRESTED = "long-crested waves in swell; give waves.spreading"
 
 
 @pytest.mark.parametrize("states, qtf, met, how", [
@@ -179,7 +185,7 @@ def test_findings_of_cases_that_differ_in_numbers_are_told_once_with_the_largest
     found = {one["text"]: one["cases"] for one in report_words.warnings(verdict)}
     assert found == {
         "uplift of 30 kN": "b; likewise, each with its own numbers, in 1 more",
-        "slack": "b; likewise, in 1 more",
+        "slack": "b; likewise, in 1 more cases",
     }
 
 

@@ -71,7 +71,7 @@ def test_views_of_stored_pairs_have_the_quantities_of_the_function(path, tmp_pat
         ("--omega 0.4,0.5,0.9", "equal steps"),
         ("--omega 0.5", "two or more"),
         ("--omega 0.4:0.9:0", "two or more"),
-        ("--omega 0.9:0.4:5", "rising"),
+        ("--omega 0.9:0.4:5", "increasing"),
         ("--omega 0.4:0.8:5 --difference 0.05", "the frequency step, or above"),
         ("--heading 0:90:0", "one or more"),
         ("--difference -1", "--difference is -1"),

@@ -330,7 +330,7 @@ def plan(text, omega=WIDE, **more):
         ("[simulation]\nduration = 1e-9", "simulation has 1e-09 s; allowed: at least 4 s"),
         ("[simulation]\nduration = 10.0\nseeds = 1000000000000", "there are 1000000000000 seeds; allowed: 1 to 10000"),
         ("[simulation]\nduration = 10.0\ncomponents = 1000000000", "components is 1000000000; allowed: 1 to 100000"),
-        ("[simulation]\nduration = 10.0\nseeds = [1, 1]", "each once"),
+        ("[simulation]\nduration = 10.0\nseeds = [1, 1]", "each given once"),
         (
             "[simulation]\nduration = 10.0\ndynamic_lines = 'all'\ndynamic_water = 'wet'",
             "^simulation: dynamic_water is 'wet'; allowed: still, sea$",
