@@ -97,7 +97,7 @@ def test_what_a_database_is_is_said_in_one_line(tmp_path):
     assert db.asked.tolist() == list(OMEGAS) and not db.holds("added_mass_infinity") and db.holds("drift_force")
     with pytest.raises(DatabaseError, match="lacks added_mass_infinity; run its command again to continue"):
         db["added_mass_infinity"]
-    with pytest.raises(AttributeError, match="a database has no 'displacement'"):
+    with pytest.raises(AttributeError, match="a database contains no 'displacement'"):
         _ = db.displacement
     with pytest.raises(DatabaseError, match="holds no 'periods'; it holds: "):
         db["periods"]

@@ -170,5 +170,5 @@ def test_a_wall_needs_what_sends_waves(opened):
         before_wall(replace(body, between=replace(body.between, quantities=less)), WALL)
     with pytest.raises(WallError, match="needs the mesh of the body"):
         before_wall(replace(body, mesh=None), WALL)
-    with pytest.raises(WallError, match=r"a wall at y = 15 m meets the hull; allowed: below -15 or above 15 m"):
+    with pytest.raises(WallError, match=r"a wall at y = 15 m intersects the hull; allowed: below -15 or above 15 m"):
         before_wall(body, 15.0)

@@ -269,7 +269,10 @@ def test_a_trial_compares_slow_motions_that_are_not_small(monkeypatch):
         SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.05, 0.01], [1.0, 0.001, 0.012])
     )
     found = _of_slow_motion(body, one, other)
-    assert found.share == pytest.approx(0.5) and found.words == "slow surge has σ 2 m on static lines, 1 m on moving"
+    assert (
+        found.share == pytest.approx(0.5)
+        and found.words == "slow surge has σ 2 m with static lines and 1 m with moving lines"
+    )
     one, other = (SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.0, 0.01], [2.0, 0.0, 0.02]))
     found = _of_slow_motion(body, one, other)
     assert (
@@ -352,7 +355,7 @@ def test_gusts_of_a_run_are_their_components_at_its_times():
     hull, flat = ExposedBox(100.0, 40.0, 10.0, 6.0), drag_table([0.0, np.pi / 2], [1.0, 0.0], [0.0, 1.0])
     gusts = davenport(20.0, 0.003)
     stream = wind_stream(Wind(20.0, 0.3, 1.2, flat), hull, np.zeros(3), gusts, 7, 50.0, 60.0)
-    with pytest.warns(UserWarning, match="holds"):
+    with pytest.warns(UserWarning, match="contains"):
         omega, amplitude, phase = gust_components(gusts, 7, *GUST_BAND, GUSTS)
     assert stream.first == pytest.approx(49.2) and stream.velocity == pytest.approx(
         [20 * math.cos(0.3), 20 * math.sin(0.3)]

@@ -56,7 +56,7 @@ def test_rows_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_
     endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
     assert endless == ["added_mass_infinity repeats the nearest frequency, since HydroDyn needs rows for both limits"]
     (said,) = left_out("hams", added_mass_zero=None)
-    assert said.startswith("added_mass_zero is that of the frequency next to it")
+    assert said.startswith("added_mass_zero repeats the nearest frequency")
 
 
 @pytest.mark.parametrize(

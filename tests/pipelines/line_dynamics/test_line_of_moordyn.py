@@ -87,7 +87,7 @@ def test_the_command_runs_a_line_of_a_file_and_names_what_is_left_out(study, cap
     (study.parent / "lines.txt").write_text(MOORDYN.replace("2.0e5      10 ", "2.0e5      EI.txt "))
     assert main(["line-dynamics", str(study)]) == 1  # largest tensions are not known to 2 %
     shown = capsys.readouterr().out
-    assert "largest, quasi-static" in shown and "bending stiffness EI of rope is left out, a table" in shown
+    assert "largest, quasi-static" in shown and "bending stiffness EI of rope is not included, a table" in shown
 
 
 def test_a_line_of_a_file_that_comes_out_of_the_water_weighs_as_in_air_there(study):

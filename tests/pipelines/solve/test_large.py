@@ -74,7 +74,7 @@ def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
     ):
         announced(problem, 0, None, processes=2)
     monkeypatch.setattr(bounds, "available_memory", lambda: 4e9)
-    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5 GB, 4.0 GB are free; give fewer panels"):
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5 GB, and 4.0 GB are free; give fewer panels"):
         announced(problem, 0, None)
 
 
