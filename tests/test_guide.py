@@ -30,6 +30,7 @@ LONG = (
     "sweep sweep_n_port",
     "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.3:1.8:31",  # panels
     "qtf shallow.h5",
+    "import rm3.1",  # a file of WEC-Sim
 )
 GIVEN = {  # files that a page speaks of as there, and where they come from
     "mesh_file": ("hull.gdf",),

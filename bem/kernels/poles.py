@@ -48,6 +48,7 @@ def _zeros(x, weights, values):
     """Zeros of Σ w / (x − xⱼ), the finite eigenvalues of an arrow, and the residues there of the function"""
     from scipy.linalg import eigvals
 
+    x, weights, values = (one[weights != 0] for one in (x, weights, values))
     n = len(x) + 1
     arrow = np.diag(np.append(0.0, x).astype(complex))
     arrow[0, 1:], arrow[1:, 0] = weights, 1.0

@@ -102,7 +102,7 @@ def _beyond(name, value, taken):
     if abs(value / taken - 1) <= SAME:
         return ""
     more = (
-        "; narrower sections have more drag, a square one of B/d = 2 about half more"
+        "; narrower sections have more drag than this, a square one of B/d = 2 about 1.5 times as much"
         if name == "B/d" and value < 5
         else ""
     )

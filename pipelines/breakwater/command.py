@@ -34,7 +34,9 @@ def breakwater(
     for picture in (plot, map_plot):
         check_picture(picture, PLOTS)
     if map_plot is not None and database is None:
-        raise ValueError("--map-plot is given without --database; it needs a database, and [map] in the study")
+        raise ValueError(
+            "--map-plot is given without --database; give --database of a unit of finite length, and [map] in the study"
+        )
     with Console(stderr=True).status("it is computed"):
         result = found(study, database)
     read, asked, made, measured = result.detail

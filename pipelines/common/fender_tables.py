@@ -175,7 +175,9 @@ def _kilo(value):
 def _of_family(table, where):
     for key in ("rated_strain", "allowable_strain", "return_length"):
         if getattr(table, key) is not None:
-            raise StudyError(f"{where}.{key} is given with a family, which has its own; it is for a table")
+            raise StudyError(
+                f"{where}.{key} is given with a family, which defines it already; it is for a fender with a table"
+            )
     return fender_of_family(
         table.family,
         table.height,

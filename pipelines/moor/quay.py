@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..common.quantities import StudyError
 
 METHODS = ("far-field", "panels")
-# fraction of a wave that decays between hull and quay: reported from the first, refused from the second
+# part of local waves that remains over the way to the quay and back: reported from the first, refused from the second
 SAID, REFUSED = 0.05, 0.3
 GIVEN_BACK = 0.01  # negative damping over the largest damping that is reported
 SAME = 1e-6  # m, of the wall of a database and the quay of a study
@@ -63,8 +63,8 @@ def by_far_field(db, y):
     made, left_out, energy = _made[key]
     share = 100 * left_out
     told = (
-        f"quay at y = {y:g} m: by the far field; {share:.3g} % of a wave decays between hull and quay and is "
-        f"not included"
+        f"quay at y = {y:g} m: by the far field; local waves near the hull, which keep {share:.3g} % of "
+        "their height on the way to the quay and back, are not included"
     )
     if left_out > REFUSED:
         raise StudyError(f"{told}; allowed: up to {100 * REFUSED:g} %; solve the body with hakobune solve --wall {y:g}")

@@ -91,7 +91,7 @@ def notes(stored):
     size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
     if forces.surface is None:
         yield (
-            f"left out: the free-surface forcing around the body, estimated from few pairs at {size}; "
+            f"left out: the free-surface forcing around the body (its size, estimated from few pairs: {size}); "
             f"--level full includes it"
         )
     else:

@@ -149,9 +149,10 @@ def _identity(study, files, duration):
     words = differing(study)
     words.pop("harbour", None)  # the harbour only affects how results are read
     simulation = words.get("simulation", {})
-    moves = bool(study.simulation and (study.spreads or study.lines) and moving_lines(study.simulation))
-    for name in (*ASKED, *(() if moves else OF_MOVING_LINES)):
+    for name in (*ASKED, *OF_MOVING_LINES):
         simulation.pop(name, None)
+    if study.simulation and (study.spreads or study.lines) and moving_lines(study.simulation):
+        simulation |= {name: getattr(study.simulation, name) for name in OF_MOVING_LINES}
     digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
     for path in files:
         digest.update(hashlib.sha256(Path(path).read_bytes()).digest())

@@ -30,7 +30,7 @@ def test_limits_of_the_frequency_are_zero_and_infinity():
 
 def test_a_body_that_is_not_there_is_told_with_those_that_are():
     one = SimpleNamespace(path="a.h5", bodies=[], modes=[])
-    with pytest.raises(ValueError, match=r"a\.h5 has no body 'float'; it has one body without a name"):
+    with pytest.raises(ValueError, match=r"a\.h5 has no body 'float'; allowed: one body without a name"):
         body_named(one, "float")
 
 

@@ -98,7 +98,7 @@ def test_yamashitas_damping_is_of_the_size_that_the_model_in_irregular_waves_had
 def test_boxes_outside_the_theory_are_refused():
     with pytest.raises(ValueError, match="give b_R"):
         yamashita_roll(100, 60, 3, 1025)
-    with pytest.raises(ValueError, match="rise"):
+    with pytest.raises(ValueError, match="increase"):
         Tabulated(1.0, (0.2, 0.1), (1.0, 2.0))
 
 

@@ -80,10 +80,10 @@ TWICE = ((0.0, 0.0), (0.1, 1e5), (0.1, 2e5))
 RISING = ((0.0, 0.0), (0.1, 1e5), (0.2, 2e5))
 NAN3 = (0.0, math.nan, 0.0)
 LIMITS = {
-    "subject": (lambda word: of_rule(RULES, "x", word), "chain", "rope", "x has nothing on 'rope'; allowed: chain"),
+    "subject": (lambda word: of_rule(RULES, "x", word), "chain", "rope", "no criterion for 'rope'; allowed: chain"),
     "displacement": (lambda d: equipment_number("NV", d, front=1.0), 1e-9, 0.0, "displacement is 0 t; allowed: above"),
     "endings of times": (lambda ends: _offsets(ends, "f"), ["Z", "+09:00"], ["Z", "9"],
-     "different endings, one is '9'"),
+     "different time zones, one is '9'"),
     "record": (lambda a: estimate(a * np.cos(np.arange(64.0)), 1.0, 16.0), 1e-9, 0.0, "m throughout; give a record"),
     "overlap": (lambda o: estimate(np.cos(np.arange(64.0)), 1.0, 16.0, overlap=o), 0.99, 1.0, "overlap is 1"),
     "frequency of a spreading": (lambda w: Mitsuyasu(10.0, 0.8).density(0.0, w), 0.8, None, "give omega"),
@@ -212,7 +212,7 @@ def test_columns_of_a_force_are_called_by_their_names(tmp_path):
     path.write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n")
     read_force(path)
     for head, says in (("t,Fx,Fy,Fz,Mx,My,M\n", "has the columns t, Fx, Fy, Fz, Mx, My, M; allowed: t, Fx"),
-                       ("", "has no names of columns in its first row; allowed: t, Fx")):  # fmt: skip
+                       ("", "has no column names in its first row; allowed: t, Fx")):  # fmt: skip
         path.write_text(head + "0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n")
         with pytest.raises(TableError) as refused:
             read_force(path)

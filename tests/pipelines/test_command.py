@@ -30,7 +30,7 @@ STUDIES = (
     "single_point",
     "downtime",
 )
-STUDIES += ("earthquake", "members", "passing")
+STUDIES += ("earthquake", "members", "passing", "sections")
 SCENES = sorted(
     path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith(STUDIES)
 )

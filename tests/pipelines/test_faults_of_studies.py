@@ -53,7 +53,7 @@ FAULTS = {
     "method": ("moor", ("waves", "method"), "regular", ("waves.method is 'regular'", "regular_wave")),
     "site of a study": ("moor", ("site",), {"file": "bay.toml"}, ("bay.toml does not exist",)),
     "fender beside lines": (
-        "moor", ("dolphin",), [{"name": "D1", "stiffness": 1e4}], ("moor of one body knows no [[fender]]", "simulate"),
+        "moor", ("dolphin",), [{"name": "D1", "stiffness": 1e4}], ("one body does not support [[fender]]", "simulate"),
     ),
     "gusts": ("simulate", ("wind", "gusts"), "davenprt", ("wind.gusts is 'davenprt'", "davenport, hino")),
     "line that is lost": (

@@ -274,7 +274,7 @@ def hours_of(allowed):
 
 CASES = {
     "box": (BOX, lambda: checks("reciprocity", 0.87), r"checks failed: reciprocity is broken by 0.87 at ω = 0.2344"),
-    "check": ("check box.h5", "check partial.h5", r"16 of 17 frequencies are stored; run its command again"),
+    "check": ("check box.h5", "check partial.h5", r"16 of 17 frequencies are stored; run the command again"),
     "mesh": ("mesh hull.gdf --output out.gdf", turned_inside_out, r"out.gdf: .*"),
     "export": ("export box.h5 --to wamit", "export partial.h5 --to wamit", r"partial.h5 has 16 of 17 frequencies"),
     "import": (
@@ -335,7 +335,7 @@ CASES = {
     "breakwater": (
         lambda: f"breakwater {written('b.toml', BREAKWATER.format(weight=1e4))}",
         lambda: f"breakwater {written('b.toml', BREAKWATER.format(weight=1.0))}",
-        r"anchor, sinker, front: \S+ kN/m are needed, 1 provided, .* % used; give a larger one",
+        r"anchor, sinker, front: \S+ kN/m are needed and 1 are provided, .* % used; give a larger one",
     ),
     "members": (
         lambda: f"members {one_pile(1.2)}",
@@ -365,7 +365,7 @@ CASES = {
     "downtime": (
         lambda: f"downtime {hours_of(9000)} --database box.h5",
         lambda: f"downtime {hours_of(100)} --database box.h5",
-        r"cranes stops 8766 h a year, limit 100 h",
+        r"cranes is down 8766 h a year, limit 100 h",
     ),
     "look": (
         "look box.h5 --plot box.png",

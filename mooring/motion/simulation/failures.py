@@ -31,7 +31,7 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
         )
     if state == integrator.STUCK:
         return (
-            f"{where}: line {moored.system.line_names[stuck]} : its own motion cannot be integrated; leave it out of "
+            f"{where}: line {moored.system.line_names[stuck]}: its own motion cannot be integrated; leave it out of "
             "dynamic_lines, or raise the tolerance"
         )
     if moored.buoy is not None and state in (integrator.NO_LINE, integrator.TOO_SHORT):

@@ -224,7 +224,7 @@ def _coarse(moored, weather, settings, moving):
 def _around(weather, settings):
     """A finding on the water around lines with a motion of their own"""
     if settings.dynamic_water == "sea":
-        how = " and the current, uniform over the depth," if weather.current or weather.on_hull else ""
+        how = " and the current, uniform over the depth" if weather.current or weather.on_hull else ""
         return f"lines of dynamic_lines move in the incident waves{how}, without disturbance by the body"
     return (
         "lines of dynamic_lines move in still water: waves and current act on the body, not on them; "

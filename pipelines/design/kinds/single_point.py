@@ -37,8 +37,9 @@ SOURCES = (
     "Offsets are those of the buoy."
 )
 METHOD = (
-    "Of all equilibrium headings, the one whose motion decays fastest, or grows least, is used (SR179 report, "
-    "1982, 3.6). Slow drift is not included in a two-scale run: tensions include the 20 % that the report adds for it."
+    "Of all equilibrium headings, the one whose motion decays fastest, or grows least, is used (SR179 report, 1982, "
+    "3.6). Slow wave drift is not included in a two-scale run; the tensions include the 20 % that the report adds for "
+    "it."
 )
 STRONGEST = 1e6  # kN, of lines whose breaking load is not known
 CLOSE = 1e-10  # relative accuracy of the anchor distance in another water depth

@@ -264,9 +264,9 @@ def test_limits_may_be_infinite_but_not_nan(path):
 def test_a_missing_quantity_is_named_with_the_way_to_add_it(path):
     fill(path)
     db = open_database(path)
-    with pytest.raises(DatabaseError, match=r"holds no drift_force_fixed; .*--only drift_force_fixed"):
+    with pytest.raises(DatabaseError, match=r"contains no drift_force_fixed; .*--only drift_force_fixed"):
         db.require("added_mass", "drift_force_fixed")
-    with pytest.raises(DatabaseError, match=r"holds no rao; .*--gyration"):
+    with pytest.raises(DatabaseError, match=r"contains no rao; .*--gyration"):
         db["rao"]
     with pytest.raises(DatabaseError, match="no database holds 'drfit'"):
         db.require("drfit")

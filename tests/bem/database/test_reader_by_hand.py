@@ -65,7 +65,9 @@ def test_critical_damping_is_that_of_the_motion_at_its_own_frequency():
     roots = np.roots([-1.0, 6.0, 0.0, -6.0])
     w = float(min(r.real for r in roots if r.real > 0 and abs(r.imag) < 1e-12))
     assert made().critical_damping(2) == pytest.approx(2 * 6e5 / w, rel=2e-4)  # of a fit to five frequencies
-    with pytest.raises(ValueError, match="surge has no restoring and so no critical damping; give a matrix"):
+    with pytest.raises(
+        ValueError, match="surge has no restoring force, so that critical damping is not defined; give a matrix"
+    ):
         made().critical_damping(0)
 
 
@@ -119,7 +121,7 @@ def test_drift_that_does_not_change_with_frequency_is_the_same_between_in_the_or
         (lambda: made().drift([0.5]), "kochin_radiation, kochin_diffraction must be stored for drift_force"),
         (lambda: made(quantities={"drift_force": np.zeros((5, 2, 3))}).restrained(stiffness=np.eye(6)).drift([0.5]),
          "drift of a body with added damping or stiffness is computed from Kochin functions, which the database"),
-        (lambda: made().at(0.5, "drift_force_fixed"), "drift_force_fixed is not stored, and does not follow"),
+        (lambda: made().at(0.5, "drift_force_fixed"), "drift_force_fixed is not stored and cannot be computed"),
     ],
 )  # fmt: skip
 def test_what_is_not_known_is_named_with_the_way_out(ask, words):
@@ -132,7 +134,7 @@ def test_what_was_solved_for_some_motions_alone_is_no_basis_for_all():
     A[:, 5, 5] = np.nan
     body = made(quantities={"added_mass": A})
     for ask in (body.floating, lambda: body.motions([0.4])):
-        with pytest.raises(BetweenError, match="added_mass is not known for all motions; solve again without a choice"):
+        with pytest.raises(BetweenError, match="added_mass is not stored for all motions; solve again for all motions"):
             ask()
     less = {name: value for name, value in made().between.quantities.items() if name != "excitation_force"}
     body = made()

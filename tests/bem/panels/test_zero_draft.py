@@ -66,7 +66,7 @@ def test_a_hull_without_upright_sides_is_refused():
         mesh.corners,
         mesh.symmetry,
     )
-    with pytest.raises(ValueError, match="upright sides"):
+    with pytest.raises(ValueError, match="vertical sides"):
         prepare(PanelProblem(tapered, zero_draft=True))
 
 

@@ -101,7 +101,7 @@ def test_differences_of_irregular_frequencies_are_solved_with_a_lid():
 def test_around_two_waterlines_or_none_the_forcing_of_the_surface_is_refused():
     two = joined([box(20, 6, 3, panels=60).moved(dy=20), box(20, 6, 3, panels=60).moved(dy=-20)])
     for mesh in (two, floating().mesh.moved(dz=-5.0)):
-        with pytest.raises(ValueError, match="forcing of the surface"):
+        with pytest.raises(ValueError, match="free-surface forcing"):
             quadratic_forces(PanelProblem(mesh, depth=40.0), [0.5, 0.6], [0.0], 0.1, False, surface=True)
 
 
@@ -302,7 +302,7 @@ def test_products_of_real_records_have_a_mean_and_a_part_at_twice_their_frequenc
 def test_uneven_frequencies_and_a_body_without_inertia_are_refused():
     with pytest.raises(ValueError, match="equal steps"):
         quadratic_forces(floating(), [0.5, 0.6, 0.8], [0.0], 0.1, False)
-    with pytest.raises(ValueError, match="without inertia"):
+    with pytest.raises(ValueError, match="on a floating body need its inertia"):
         quadratic_forces(PanelProblem(floating().mesh, depth=20.0), [0.5, 0.6], [0.0], 0.1, True)
 
 

@@ -177,7 +177,7 @@ def test_only_the_motions_asked_for_are_fitted(box):
     holed = changed(box, added_mass=A)
     found = memory_of_database(holed, 1e-2, motions=(1, 5))
     assert found.groups == ((1,), (5,)) and not found.matrices[2][[0, 2, 3, 4]].any()
-    with pytest.raises(ValueError, match="added_mass is not known for all motions"):
+    with pytest.raises(ValueError, match="added_mass is not stored for all motions"):
         memory_of_database(holed, 1e-2)
 
 

@@ -80,7 +80,7 @@ def test_what_is_left_out_grows_as_the_gap_closes(opened):
 
 @pytest.mark.parametrize("wall", [15.0, -14.0, 0.0, np.nan])
 def test_a_wall_through_the_hull_is_refused(opened, wall):
-    with pytest.raises(WallError, match="meets the hull"):
+    with pytest.raises(WallError, match="intersects the hull"):
         before_wall(opened.reader, wall)
 
 
@@ -166,9 +166,9 @@ def test_a_far_wall_sends_a_second_wave_whose_drift_is_that_of_both_waves(opened
 def test_a_wall_needs_what_sends_waves(opened):
     body = opened.reader
     less = {name: value for name, value in body.between.quantities.items() if name != "kochin_radiation"}
-    with pytest.raises(WallError, match="a wall needs kochin_radiation of the database"):
+    with pytest.raises(WallError, match="a wall needs kochin_radiation in the database"):
         before_wall(replace(body, between=replace(body.between, quantities=less)), WALL)
     with pytest.raises(WallError, match="needs the mesh of the body"):
         before_wall(replace(body, mesh=None), WALL)
-    with pytest.raises(WallError, match=r"a wall at y = 15 m meets the hull; allowed: below -15 or above 15 m"):
+    with pytest.raises(WallError, match=r"a wall at y = 15 m intersects the hull; allowed: below -15 or above 15 m"):
         before_wall(body, 15.0)

@@ -23,7 +23,7 @@ def test_wear_takes_what_the_formula_of_breaking_loads_says():
 
 
 def test_a_load_that_no_size_carries_names_the_largest():
-    with pytest.raises(ValueError, match="no grade 1 carries"):
+    with pytest.raises(ValueError, match="no grade 1 of the catalogue carries"):
         smallest("grade 1", 1e9, 3.0)
 
 

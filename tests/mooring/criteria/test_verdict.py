@@ -90,7 +90,7 @@ def test_a_file_of_the_users_own_has_the_form_of_the_tables(tmp_path):
         own.write_text(own.read_text().replace(",0", f",{wrong}", 1))
     with pytest.raises(RuleError, match="unknown; allowed: JSCE"):
         of_rule(RULES, "Lloyd's")
-    with pytest.raises(RuleError, match="nothing on 'ice'"):
+    with pytest.raises(RuleError, match="no criterion for 'ice'"):
         of_rule(RULES, "JSCE", "ice")
 
 

@@ -96,7 +96,7 @@ def test_davenport_peaks_where_X_is_the_root_of_3():
 def test_the_band_of_the_report_misses_a_tenth_of_davenport_and_says_so(speed, percent):
     spectrum = davenport(speed, 0.003)
     assert np.isclose(100 * spectrum.share(*BAND), percent, atol=0.05)
-    with pytest.warns(MissingVariance, match=f"holds {percent} % of the variance of Davenport at {speed:g} m/s"):
+    with pytest.warns(MissingVariance, match=f"contains {percent} % of the variance of Davenport at {speed:g} m/s"):
         gust_components(spectrum, 1, *BAND, 100)
 
 

@@ -200,7 +200,7 @@ def test_gaps_and_odd_words_have_their_lines(tmp_path):
         ("head\nt,eta\n0,1\n1,1,1\n", "line 4 has 3 columns; allowed: 2"),
         ("head\nt,eta\n\n0,1\n1,1\n2,1\n4,1\n", "line 7: time goes from 2 to 4 s"),
         ("t,eta\n", "no rows of numbers"),
-        ("t;eta\n0,5;1.25\n1,0;2\n", "line 2 has '1.25'; allowed: numbers of one decimal mark"),
+        ("t;eta\n0,5;1.25\n1,0;2\n", "line 2 has '1.25'; allowed: numbers with the same decimal mark"),
     ):
         (tmp_path / "a.txt").write_text(text, encoding="utf-8")
         with pytest.raises(TableError, match=says):

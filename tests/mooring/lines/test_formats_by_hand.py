@@ -362,14 +362,14 @@ def test_bending_of_rods_is_left_out_where_there_are_rods_and_lines(monkeypatch,
         rod_types=[SimpleNamespace(name="stiff")],
     )  # fmt: skip
     said = moordyn_left_out.left_out(file)
-    assert said == (["bending and end forces of rods of type stiff are left out"] if told else [])
+    assert said == (["bending and end forces of rods of type stiff are not included"] if told else [])
 
 
 def test_options_of_time_and_of_the_water_are_known_and_others_are_told():
     options = {"dtM": "0.1", "rhoW": "1025", "WtrDpth": "20", "mystery": "3", "Currents": "1", "WaveKin": "0", "x": "-"}
     assert list(moordyn_left_out._of_options(SimpleNamespace(options=options))) == [
         "currents (Currents 1) left out: still water over a flat bed is used",
-        "option mystery, x is unknown and left out",
+        "option mystery, x is unknown and ignored",
     ]
 
 

@@ -168,7 +168,9 @@ def test_a_line_between_turbines_hangs_where_the_farm_has_them(tmp_path):
         found = rest(system)
         np.testing.assert_allclose(found.points, [(10, 50, -5), (110, 50, -5)])
         assert found.lines.vertical_a[0] == pytest.approx(0.5 * 105 * (200 - 1025 * math.pi / 4 * 0.18**2) * 9.80665)
-    with pytest.raises(FormatError, match="point 1 is in the axes of Turbine1, and this file does not say where"):
+    with pytest.raises(
+        FormatError, match="point 1 is in the axes of Turbine1, and this file does not give its position"
+    ):
         read_moordyn_system(tmp_path / "farm.dat")
     with pytest.raises(FormatError, match="point 2 is in the axes of Turbine2, and 1 to 1 are known"):
         read_moordyn_system(tmp_path / "farm.dat", turbines={1: (0.0, 50.0, 0.0)})
@@ -202,5 +204,7 @@ def test_columns_of_lines_in_another_order_are_known_or_refused(tmp_path):
     (line,) = read_moordyn_system(tmp_path / "old.txt").lines
     assert (line.length, line.a, line.b, line.elements) == (105.0, "1", "2", 2)
     (tmp_path / "strange.txt").write_text(old.replace("NumNodes", "HowMany"))
-    with pytest.raises(FormatError, match="column 'howmany' is unknown and 'unstrlen' is not where version 2 has it"):
+    with pytest.raises(
+        FormatError, match="column 'howmany' is unknown and 'unstrlen' is not in its place of version 2"
+    ):
         read_moordyn_system(tmp_path / "strange.txt")

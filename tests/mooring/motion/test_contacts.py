@@ -136,5 +136,5 @@ def test_what_cannot_be_moored_is_told_in_one_line(ship):
     soft = fender_of_points("soft", 1.0, [0.0, 0.2], [0.0, 1e5])
     weak = berth_of([QuayFender("F", soft, np.array([0.0, 25.05, 0.0]), Y, 25.0)], (), np.zeros(3))
     pushed = replace(ship, berth=weak, start=np.zeros(6))
-    with pytest.raises(SimulationError, match=r"fender F is pressed by .* m, beyond its table, which ends at 0.2 m"):
+    with pytest.raises(SimulationError, match=r"fender F is compressed by .* m, beyond its table, which ends at 0.2 m"):
         simulate(pushed, Weather((Sea(issc(4.0, mean_period=10.0), 1.5),)), Settings(100.0, 20.0))

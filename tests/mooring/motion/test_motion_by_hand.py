@@ -240,7 +240,7 @@ def test_a_path_beyond_its_tolerance_is_told_and_one_that_is_chance_too(off, err
     made = with_error(Found(findings=("before",)), doubt, 0.1, WORDS, "two runs")
     assert made.findings[0] == "before" and len(made.findings) == 1 + told and made.estimated_error is doubt.error
     if told:
-        assert "sway may be 0.1 of its standard deviation off by two runs" in made.findings[1]
+        assert "the error of sway may be 0.1 of its standard deviation, from two runs" in made.findings[1]
         assert (
             "this motion is chaotic; use statistics over seeds, not a single time series" in made.findings[1]
         ) is chance
@@ -269,7 +269,10 @@ def test_a_trial_compares_slow_motions_that_are_not_small(monkeypatch):
         SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.05, 0.01], [1.0, 0.001, 0.012])
     )
     found = _of_slow_motion(body, one, other)
-    assert found.share == pytest.approx(0.5) and found.words == "slow surge has σ 2 m on static lines, 1 m on moving"
+    assert (
+        found.share == pytest.approx(0.5)
+        and found.words == "slow surge has σ 2 m with static lines and 1 m with moving lines"
+    )
     one, other = (SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.0, 0.01], [2.0, 0.0, 0.02]))
     found = _of_slow_motion(body, one, other)
     assert (
@@ -352,7 +355,7 @@ def test_gusts_of_a_run_are_their_components_at_its_times():
     hull, flat = ExposedBox(100.0, 40.0, 10.0, 6.0), drag_table([0.0, np.pi / 2], [1.0, 0.0], [0.0, 1.0])
     gusts = davenport(20.0, 0.003)
     stream = wind_stream(Wind(20.0, 0.3, 1.2, flat), hull, np.zeros(3), gusts, 7, 50.0, 60.0)
-    with pytest.warns(UserWarning, match="holds"):
+    with pytest.warns(UserWarning, match="contains"):
         omega, amplitude, phase = gust_components(gusts, 7, *GUST_BAND, GUSTS)
     assert stream.first == pytest.approx(49.2) and stream.velocity == pytest.approx(
         [20 * math.cos(0.3), 20 * math.sin(0.3)]
@@ -444,7 +447,7 @@ def test_what_lines_feel_and_what_breaks_is_told():
     assert "move in still water" in _around(Weather(), still)
     assert "in the incident waves, without disturbance" in _around(Weather(), sea)
     current = Weather(current=Current(2.0, math.pi / 6))
-    assert "and the current, alike from surface to bed, as if" in _around(current, sea)
+    assert "and the current, uniform over the depth, without disturbance" in _around(current, sea)
     assert _current_at_lines(current) == pytest.approx([math.sqrt(3), 1.0]) and _current_at_lines(Weather()) is None
     broken, whole = _of_lost(still)
     assert broken.startswith("line a breaks 99 s after the ramp") and whole.startswith("line b does not break: 100 s")
@@ -580,7 +583,7 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
         ("TOO_SHORT", {}, "line bow pulls 5e+05 N; raise the tolerance or use a softer line"),
         ("TOO_SHORT", {"count": 0}, "check inertia, damping and stiffness"),
         ("NOT_FINITE", {}, "the motion is not finite; check inertia, damping and stiffness"),
-        ("STUCK", {}, "line stern cannot be followed in its own motion"),
+        ("STUCK", {}, "line stern: its own motion cannot be integrated"),
         ("BEYOND", {}, "fender F2 is compressed by 0.31 m, beyond its table, which ends at 0.3 m"),
     ],
 )

@@ -141,7 +141,7 @@ def test_lines_that_cannot_move_are_named_as_left_out_with_the_key_that_helps(on
     chosen = with_lines_chosen(bare, ROUGH, replace(WANTED, dynamic_lines="auto"))
     told = chosen.left_out[0]
     assert chosen.settings.dynamic_lines == () and told.startswith("left out: inertia and drag of line")
-    assert "has no mass; allowed: a type with a catalogue name" in told and "snaps 1.6 to 9 times on chains" in told
+    assert "has no mass; give a type with a catalogue name" in told and "snap loads 1.6 to 9 times on chains" in told
     mixed = replace(on_lines, system=replace(on_lines.system, lines=(plain[0], *on_lines.system.lines[1:])))
     assert able_to_move(mixed.system, WANTED)[0] == tuple(on_lines.system.line_names[1:])
 
@@ -151,7 +151,9 @@ def test_a_trial_sees_what_waves_from_abeam_keep_up_along_a_symmetric_body_on_st
     abeam = Weather((Sea(jonswap(2.5, peak_period=9.0), 0.5 * np.pi),))
     asked = replace(WANTED, duration=300.0, ramp=100.0, step=0.5, dynamic_lines="auto")
     (words,) = with_lines_chosen(on_lines, abeam, asked).words
-    static, moving = (float(x) for x in re.search("slow yaw has σ (.+) ° on static lines, (.+) ° on", words).groups())
+    static, moving = (
+        float(x) for x in re.search("slow yaw has σ (.+) ° with static lines and (.+) ° with", words).groups()
+    )
     assert static > 1.2 * moving > 0 and "4 of 4 lines have" in words
     unprompted = simulate(on_lines, abeam, replace(asked, dynamic_lines=()))
     assert np.abs(unprompted.motion[:, 5]).max() < 1e-3 * np.radians(static)

@@ -128,5 +128,7 @@ def test_a_trial_sees_the_sea_too(on_lines):
         for water in ("still", "sea")
     )
     assert "fore port 1 pulls" in moved and "fore port 1 pulls" not in still
-    static, moving = (float(x) for x in re.search("to (.+) kN in its static shape, (.+) kN in motion", moved).groups())
+    static, moving = (
+        float(x) for x in re.search("to (.+) kN in its static shape and (.+) kN in motion", moved).groups()
+    )
     assert moving > 1.3 * static

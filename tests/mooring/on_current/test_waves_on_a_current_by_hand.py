@@ -127,7 +127,7 @@ def test_a_tenth_of_the_energy_beyond_first_order_is_told(share, told):
     said = list(check_blocked(Carrier((1.0, 0.0)), Systems(tuple(parts)), DEEP, G))
     assert len(said) == told
     mean = (1 - share) * 0.1 + share * 0.5
-    assert not told or f"it is {mean:.2g} at the mean frequency, and above the limit in 10.1 %" in said[0]
+    assert not told or f"V/C_g is {mean:.2g} at the mean frequency, and above the limit in 10.1 %" in said[0]
 
 
 @pytest.mark.parametrize("absolute", [True, False])

@@ -119,5 +119,7 @@ def test_the_spectrum_of_a_sea_of_two_headings_by_a_double_sum():
 def test_newman_has_nothing_beside_itself_and_a_spread_sea_no_pairs_of_one_direction():
     assert beside_newman(None, None, "newman") == (None, ())
     spread = Sea(issc(2.0, mean_period=9.0), 0.0, CosinePower(4))
-    with pytest.raises(ValueError, match=r'qtf = "full" in a sea of several directions; allowed: one system'):
+    with pytest.raises(
+        ValueError, match=r'qtf = "full" in a sea of several directions; it needs one long-crested system'
+    ):
         stored_pairs(None, spread, "full")

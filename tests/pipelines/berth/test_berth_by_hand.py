@@ -235,7 +235,7 @@ def test_fenders_are_told_as_a_simulation_takes_them():
             {"family": "cell", "height": 1.45, "x": -30.0, "gap": 0.1, "count": 2},
         ],
     }
-    (line,) = [note for note in hakobune.berth(study).notes if "study of a simulation" in note]
+    (line,) = [note for note in hakobune.berth(study).notes if "of a simulation study" in note]
     told = tomllib.loads(line.split(": ", 1)[1].replace("; dolphin", "\ndolphin"))
     assert [one["position"] for one in told["fender"]] == [[30.0, 10.0, 0.0], [-30.0, 10.1, 0.0]]
     first, second = msgspec.convert(told["fender"], list[QuayFenderTable])

@@ -196,7 +196,7 @@ def test_an_anchor_fails_above_what_is_provided(tmp_path, share, status):
     found = found_of(tmp_path, more=f"[anchors]\nholding = {{ capacity_kN = {capacity!r}, spacing = 6.0 }}\n")
     assert max(found["anchor.used"]) == pytest.approx(1 / share)
     assert found.status == status
-    told = f"kN are needed, {capacity / 2:.4g} provided, 101 % used; give a larger one"
+    told = f"kN are needed and {capacity / 2:.4g} are provided, 101 % used; give a larger one"
     assert any(told in line for line in found.fails) is bool(status)
 
 

@@ -65,7 +65,7 @@ def test_too_much_is_refused_in_one_line_and_leaves_nothing(line, here, capsys):
 def test_memory_is_held_against_what_is_free(monkeypatch):
     monkeypatch.setattr(bounds, "available_memory", lambda: 2e9)
     check_memory("a thing needs", 1.9e9, "buy more")
-    with pytest.raises(TooMuchError, match=r"^a thing needs about 2.1 GB, 2.0 GB are free; buy more$"):
+    with pytest.raises(TooMuchError, match=r"^a thing needs about 2.1 GB, and 2.0 GB are free; buy more$"):
         check_memory("a thing needs", 2.1e9, "buy more")
 
 

@@ -10,7 +10,7 @@ from hakobune.pipelines.common import interrupt
 from hakobune.pipelines.common.interrupt import ctrl_c
 
 BOX = ["box", "--length", "10", "--beam", "5", "--draft", "1", "--depth", "5", "--omega", "1"]
-KEPT = "interrupted; solved frequencies are stored, and the same command continues"
+KEPT = "; solved frequencies are stored, and the same command continues"
 
 
 @pytest.mark.parametrize(

@@ -150,7 +150,7 @@ def test_a_file_of_a_shape_is_rows_of_points_each_once(tmp_path):
 
     rows = [f"{x},{y},0,0,0,{x * x}" for x in range(-6, 7) for y in (-1, 1)]
     assert read(*rows).shape == (26, 6)
-    refused("line 4: 'end of file' is no row of numbers", read, *rows[:2], "end of file")
+    refused("line 4: 'end of file' is not a row of numbers", read, *rows[:2], "end of file")
     refused("has a point twice; allowed: each once", read, *rows, rows[0])
     refused("points; allowed: ", read, *rows[:4])
     refused("all finite", read, *rows, "9,9,0,0,0,inf")
@@ -227,7 +227,7 @@ def test_a_spread_is_of_lines_that_hang():
         return make_study(raw)._legs({"": SimpleNamespace(length=60.0, beam=12.0)}, 1025.0, 9.80665, False)
 
     assert len(legs("chain")) == 8
-    refused("spreads[0].type nylon is a hawser; allowed: as [[lines]] with a bollard", legs, "nylon")
+    refused("spreads[0].type nylon is a hawser; give it as [[lines]] with a bollard", legs, "nylon")
 
 
 def test_coefficients_of_a_site_are_those_it_has(monkeypatch, tmp_path):
@@ -242,7 +242,7 @@ def test_coefficients_of_a_site_are_those_it_has(monkeypatch, tmp_path):
     refused("the file of the site has no seismic coefficient; give [earthquake] to hakobune site",
             link._laid, path, "a study", taken)  # fmt: skip
     path.write_text('[site]\nfile = "bay.toml"\nlevel = "high"\n')
-    refused("site.level is 'high'; a study takes no water of a site", link._laid, path, "a study", taken)
+    refused("site.level is 'high'; a study takes no water level of a site", link._laid, path, "a study", taken)
 
 
 def test_anchors_are_of_lines_that_end_at_one_each_in_one_table():
@@ -270,7 +270,7 @@ def test_a_study_is_a_path_a_dictionary_or_itself():
     ):
         with pytest.raises(TypeError) as error:
             given(3, Study, read, lambda raw: one)
-        assert str(error.value) == f"a study is int; allowed: {allowed}"
+        assert str(error.value) == f"the study is of type int; allowed: {allowed}"
     assert given("a.toml", Study, lambda path: (one, path), None) == (one, "a.toml")
     assert given({"a": 1}, Study, None, lambda raw: raw) == ({"a": 1}, "a = 1\n")
 

@@ -78,7 +78,7 @@ def test_frequencies_of_a_band_are_counted_with_both_its_ends():
     scene = SimpleNamespace(waves=SimpleNamespace(band=SimpleNamespace(first=0.5, last=1.5)), accuracy=0.02)
     db = SimpleNamespace(omega=np.array([0.49, 0.5, 1.0, 1.5, 1.51]), names={"added_mass", "rao"})
     said = adaptive._text(scene, db, math.nan)
-    assert said == "3 frequencies from 0.5 to 1.5 rad/s: too few to estimate the error between them"
+    assert said == "3 frequencies from 0.5 to 1.5 rad/s: too few to estimate the error between frequencies"
     said = adaptive._text(scene, db, 0.013)
     assert "error of coefficients between them 1.3 % (tolerance 2 %), of motions more" in said and "drift" not in said
     db.names = {"added_mass", "excitation_force", "rao", "drift_force"}
@@ -111,7 +111,7 @@ def test_five_cases_of_a_sweep_are_named_and_the_rest_are_counted(count, more):
         assert said[5].endswith(f"{more} more cases have a status above 0; out.h5 has their messages")
     outcome.lost = 3, "a process ended"
     last = list(of_cases(outcome, "out.h5"))[-1]
-    assert last.endswith("3 cases were not done, a process ended; run the same command to go on")
+    assert last.endswith("3 cases were not run, a process ended; run the same command to continue")
 
 
 def test_folders_of_older_installations_are_those_with_our_modules(tmp_path, monkeypatch):
@@ -129,7 +129,7 @@ def test_a_mesher_that_cannot_be_loaded_is_said_in_one_line(monkeypatch):
         raise OSError("libGLU.so.1:\n  no such file")
 
     monkeypatch.setattr("hakobune.meshing.gmsh_session.session", broken)
-    assert doctor._gmsh() == "gmsh cannot be loaded, meshes cannot be made: libGLU.so.1: no such file"
+    assert doctor._gmsh() == "gmsh cannot be loaded, so that no meshes can be made: libGLU.so.1: no such file"
 
 
 def test_the_cache_of_kernels_is_told_with_its_size(tmp_path, monkeypatch, capsys):
@@ -172,9 +172,9 @@ def test_the_line_of_an_operation_names_what_stops_it_most():
     })  # fmt: skip
     assert downtime_report._verdict(found, 0) == {
         "name": "work",
-        "text": "stops 120 h a year, 1.37 % of the time, 90 % interval 90 to 150 h; most of it by wind, 100 h.",
+        "text": "is down 120 h a year, 1.37 % of the time, 90 % interval 90 to 150 h; the main cause is wind, 100 h.",
     }
-    assert downtime_report._verdict(found, 1)["text"] == "stops 0 h a year, 0 % of the time."
+    assert downtime_report._verdict(found, 1)["text"] == "is down 0 h a year, 0 % of the time."
 
 
 def test_responses_are_eighteen_of_a_body_and_thirteen_of_each_point(monkeypatch):

@@ -477,7 +477,7 @@ def test_findings_that_differ_in_numbers_alone_are_told_once_by_the_largest():
     found = list(warnings(SimpleNamespace(ran=ran)))
     assert [one["text"] for one in found] == ["9.5 % is lost", "warm"]
     cases = [one["cases"] for one in found]
-    assert cases == ["b; likewise, each with its own numbers, in 2 more", "a; likewise, in 2 more"]
+    assert cases == ["b; likewise, each with its own numbers, in 2 more cases", "a; likewise, in 2 more cases"]
 
 
 def test_ways_that_were_tried_in_vain_are_named():

@@ -230,7 +230,7 @@ FAULTS = {
     ),
     "radii of gyration": ("lines", [(scene("bodies", 0, "gyration"), ...)], ("radii of gyration", "give gyration")),
     "what of the waves is wanted": (
-        "lines", [(scene("want"), ["radiation", "diffraction"])], ("want leaves out drift_force", "no want"),
+        "lines", [(scene("want"), ["radiation", "diffraction"])], ("does not include drift_force", "leave out want"),
     ),
     "shape": ("lines", [(scene("bodies", 0, "shape"), "bax")], ("bodies[0].shape is 'bax'", "box, buoy")),
     "size of another hull": ("lines", [(study("hull", "length"), 90.0)], ("hull.length is 90 m", "100 m")),
@@ -249,7 +249,7 @@ FAULTS = {
     "which line is lost": ("lines", [(storm("lost"), "best")], ("states[0].lost is 'best'", "worst, each")),
     "states of one file": (
         "lines", [(project("states", 1, "name"), "storm!"), (project("states", 1, "incidence_deg"), [60.0])],
-        ("'storm' and 'storm!'", "each its own"),
+        ("'storm' and 'storm!'", "a name of its own"),
     ),
     "weather of no site": ("lines", [(storm("weather"), "extreme")], ("project.site is not given", "give its file")),
     "site": ("lines", [(project("project", "site"), "bay.toml")], ("bay.toml does not exist",)),
@@ -371,7 +371,7 @@ FAULTS = {
         "berth", [(study("quay"), {"y": 30.0, "method": "panels"})], ("scene.toml is of open water", "--wall 30"),
     ),
     "pairs before a quay": (
-        "berth", [(study("quay"), {"y": 30.0}), (simulation("qtf"), "full")], ("'full' before a quay", "newman"),
+        "berth", [(study("quay"), {"y": 30.0}), (simulation("qtf"), "full")], ("'full' in front of a quay", "newman"),
     ),
     "rope that is lost": (
         "berth", [(simulation("lines_lost"), [{"line": "head", "time": 1.0}])], ("no line 'head'", "allowed: none"),
@@ -396,7 +396,7 @@ FAULTS = {
     ),
     "holding of a breakwater": ("breakwater", [(study("design", "holding"), "tight")], ("is 'tight'", "fixed, taut")),
     "wind on a breakwater": (
-        "breakwater", [(storm("wind"), {"speed": 9.0})], ("states[0].wind is given", "waves alone"),
+        "breakwater", [(storm("wind"), {"speed": 9.0})], ("states[0].wind is given", "loaded by waves only"),
     ),
     "spectrum at a breakwater": ("breakwater", [(storm("waves", "spectrum"), "isc")], ("is 'isc'", "issc")),
     "body deeper than it floats": (

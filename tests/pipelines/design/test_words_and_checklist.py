@@ -35,15 +35,21 @@ SHORT, LONG = WavesTable(height=3.0, period=9.0, spreading="cosine:4"), WavesTab
 GUSTY, STEADY = WindTable(speed=30.0, gusts="davenport"), WindTable(speed=30.0)
 
 
+LONG_CRESTED = "long-crested waves in swell; give waves.spreading"
+
+
 @pytest.mark.parametrize("states, qtf, met, how", [
     ([state()], "body", None, "there are no waves"),
     ([state(waves=SHORT)], None, False, "one regular wave with the significant height; give [simulation]"),
-    ([state(waves=SHORT), state("swell", waves=LONG)], "body", False, "long crests in swell; give waves.spreading"),
+    ([state(waves=SHORT), state("swell", waves=LONG)], "body", False, LONG_CRESTED),
     ([state(waves=SHORT)], "body", True, "waves.spreading of every state"),
 ])  # fmt: skip
 def test_waves_have_directions_in_time(states, qtf, met, how):
     found = asked("waves of random phase", states=states, qtf=qtf)
     assert (found.met, found.how) == (met, how)
+
+
+LONG_CRESTED = "long-crested waves in swell; give waves.spreading"
 
 
 @pytest.mark.parametrize("states, qtf, met, how", [
@@ -71,12 +77,13 @@ def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path)
     timed, rule = (EarthquakeCase(name=name, study=f"{name}.toml") for name in ("timed", "rule"))
     fenders = {"fender": [{}]}
     assert (
-        asked("fenders by", states=[state()]).met is None and asked("fenders by", states=[state()], study=fenders).met
+        asked("fenders with", states=[state()]).met is None
+        and asked("fenders with", states=[state()], study=fenders).met
     )
     for study, given, met, how in (
         ({}, (), None, "lines leave the hull with long natural periods"),
         (fenders, (), False, "not a load case; give [[earthquakes]]"),
-        (fenders, (rule,), False, "no record in time of rule; give [record] of its study"),
+        (fenders, (rule,), False, "no record in time of rule; give [record] in its study"),
         (fenders, (rule, timed), True, "records of timed"),
     ):
         found = asked("earthquakes as", states=[state()], study=study, earthquakes=given, folder=tmp_path)
@@ -178,8 +185,8 @@ def test_findings_of_cases_that_differ_in_numbers_are_told_once_with_the_largest
     )
     found = {one["text"]: one["cases"] for one in report_words.warnings(verdict)}
     assert found == {
-        "uplift of 30 kN": "b; likewise, each with its own numbers, in 1 more",
-        "slack": "b; likewise, in 1 more",
+        "uplift of 30 kN": "b; likewise, each with its own numbers, in 1 more cases",
+        "slack": "b; likewise, in 1 more cases",
     }
 
 
@@ -235,9 +242,9 @@ def test_advice_is_told_with_what_passes_first_and_what_was_run_in_vain():
     said = report_words.advice_words(advice, SimpleNamespace(word=report_words.FAILS))
     assert said[0].startswith("Passes in the governing cases: chain of 84 mm, which uses 93 % of JSCE")
     assert said[1].startswith("Not enough alone: 8 lines, the best change of its kind, still uses 107 % of JSCE.")
-    assert said[2] == "Run in vain, for the largest utilisation does not fall: pretension."
+    assert said[2] == "Tried without success, since the largest utilisation does not fall: pretension."
     vain = SimpleNamespace(tried=("size", "number"), found=(), beyond="")
     (said,) = report_words.advice_words(vain, SimpleNamespace(word=report_words.FAILS))
-    assert said.startswith("Run in the cases that govern: larger sizes, more lines. None lowers")
+    assert said.startswith("Tried in the governing cases: larger sizes, more lines. None lowers")
     assert report_words.advice_words(advice, SimpleNamespace(word="passes")) == ()
     assert not re.search("None", " ".join(report_words.advice_words(advice, SimpleNamespace(word=report_words.FAILS))))

@@ -60,7 +60,7 @@ def folder(tmp_path_factory):
 def test_the_command_the_function_and_their_views_say_the_same(folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     made = hakobune.downtime("study.toml", "box.h5")
-    assert made.status == 1 and "gangway stops" in made.fails[0] and "limit 10 h" in made.fails[0]
+    assert made.status == 1 and "gangway is down" in made.fails[0] and "limit 10 h" in made.fails[0]
     check_views(made, ["downtime", "study.toml", "--database", "box.h5"], folder / "whole.h5", capsys)
     hours = made["downtime.hours"]
     np.testing.assert_allclose(hours, made["sector.hours"].sum(axis=0))

@@ -52,7 +52,7 @@ def test_units_in_the_head_are_taken_and_unknown_ones_refused(tmp_path):
     assert not any("have no unit" in line for line in found.said)
     with pytest.raises(TableError, match=r"hs has the unit 'fathom'; allowed: m, cm"):
         record(tmp_path, ["time,hs [fathom],tp,dir", *rows()[1:]])
-    assert any("hs, tp, dir of h.csv have no unit" in line for line in record(tmp_path, rows()).said)
+    assert any("hs, tp, dir in h.csv have no unit" in line for line in record(tmp_path, rows()).said)
 
 
 NDBC = """\
@@ -140,7 +140,7 @@ def test_heights_in_another_unit_are_refused_with_the_way_out(tmp_path):
 def test_codes_and_empty_places_are_unknown_hours(tmp_path):
     found = record(tmp_path, rows(hs=[-999, "", *[1.0] * 46], dir=[270, 270, 999, *[270.0] * 45]))
     assert np.isnan(found.height[:3]).all() and np.isfinite(found.height[3:]).all()
-    assert any("codes of what is missing, as -999" in line for line in found.said)
+    assert any("codes for missing data, such as -999" in line for line in found.said)
     assert any("6.25 % of the rows have no waves" in line for line in found.said)
 
 

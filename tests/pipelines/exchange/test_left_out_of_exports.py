@@ -26,10 +26,11 @@ def left_out(monkeypatch):
 
 
 @pytest.mark.parametrize("to, names, says", [
-    ("bemio", ("rao", "drift_force", "drift_force_fixed"), "bemio has no place for rao, drift_force_fixed"),
-    ("capytaine", ("rao", "drift_force"), "capytaine has no place for rao"),
-    ("orcaflex", ("rao", "drift_force", "added_mass_zero"), "orcaflex has no place for drift_force, added_mass_zero"),
-    ("wamit", ("rao", "drift_force", "drift_force_fixed"), "wamit has no place for drift_force_fixed"),
+    ("bemio", ("rao", "drift_force", "drift_force_fixed"), "the format of bemio cannot hold rao, drift_force_fixed"),
+    ("capytaine", ("rao", "drift_force"), "the format of capytaine cannot hold rao"),
+    ("orcaflex", ("rao", "drift_force", "added_mass_zero"),
+     "the format of orcaflex cannot hold drift_force, added_mass_zero"),
+    ("wamit", ("rao", "drift_force", "drift_force_fixed"), "the format of wamit cannot hold drift_force_fixed"),
     ("hams", ("rao", "drift_force"), None),
 ])  # fmt: skip
 def test_what_a_format_has_no_place_for_is_named(left_out, to, names, says):
@@ -48,14 +49,14 @@ def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(lef
     )
     assert left_out("bemio", about=(1.0, 0.0, 0.0)) == []
     endless = left_out("bemio", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
-    assert endless == ["added_mass_infinity is not finite and left out"]
+    assert endless == ["added_mass_infinity is not finite and is not written"]
 
 
 def test_rows_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_out):
     endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
-    assert endless == ["added_mass_infinity is that of the frequency next to it: HydroDyn needs rows of both limits"]
+    assert endless == ["added_mass_infinity repeats the nearest frequency, since HydroDyn needs rows for both limits"]
     (said,) = left_out("hams", added_mass_zero=None)
-    assert said.startswith("added_mass_zero is that of the frequency next to it")
+    assert said.startswith("added_mass_zero repeats the nearest frequency")
 
 
 @pytest.mark.parametrize(
@@ -77,5 +78,5 @@ def test_an_export_to_wamit_has_its_hull_where_it_is_known_and_pairs(monkeypatch
     db.bodies = ("one", "two")
     if to == "wamit":
         command.export(tmp_path / "a.h5", to, tmp_path / "a", True)
-    with pytest.raises(ValueError, match=r"a.h5 is of 2 bodies, which --to hams does not write; allowed: --to"):
+    with pytest.raises(ValueError, match=r"a.h5 contains 2 bodies, which --to hams cannot write; allowed: --to"):
         command.export(tmp_path / "a.h5", "hams", tmp_path / "new", True)

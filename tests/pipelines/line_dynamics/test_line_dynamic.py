@@ -299,7 +299,7 @@ FAULTS = [
     (("", ""), ["--duration", "-1"], "duration is -1 s; allowed: finite, above 0"),
     (("", ""), ["--tolerance", "0"], "tolerance is 0; allowed: 1e-08"),
     (("", ""), ["--plot", "x.doc"], "has the suffix '.doc'; allowed"),
-    (("", ""), ["--output", "/nowhere/x.h5"], "there is no folder /nowhere"),
+    (("", ""), ["--output", "/nowhere/x.h5"], "the folder /nowhere does not exist"),
 ]  # fmt: skip
 
 

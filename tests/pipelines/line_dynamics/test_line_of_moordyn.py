@@ -87,7 +87,7 @@ def test_the_command_runs_a_line_of_a_file_and_names_what_is_left_out(study, cap
     (study.parent / "lines.txt").write_text(MOORDYN.replace("2.0e5      10 ", "2.0e5      EI.txt "))
     assert main(["line-dynamics", str(study)]) == 1  # largest tensions are not known to 2 %
     shown = capsys.readouterr().out
-    assert "largest, quasi-static" in shown and "bending stiffness EI of rope is left out, a table" in shown
+    assert "largest, quasi-static" in shown and "bending stiffness EI of rope is not included, a table" in shown
 
 
 def test_a_line_of_a_file_that_comes_out_of_the_water_weighs_as_in_air_there(study):
@@ -102,8 +102,8 @@ def test_a_line_of_a_file_that_comes_out_of_the_water_weighs_as_in_air_there(stu
     ("old", "new", "message"),
     [
         ('"1"', '"7"', "moordyn.line is '7'; allowed: 1, 2"),
-        ("duration", "anchor = [0, 0, 0]\nduration", "moordyn is given beside anchor; allowed: one of them"),
-        ('moordyn = { file = "lines.txt", line = "1" }', "", "water is missing; allowed: water, types"),
+        ("duration", "anchor = [0, 0, 0]\nduration", "moordyn and anchor are both given; give one of them"),
+        ('moordyn = { file = "lines.txt", line = "1" }', "", "water is missing; give water, types"),
     ],
 )
 def test_a_line_that_is_not_there_or_is_given_twice_is_refused_by_name(study, capsys, old, new, message):

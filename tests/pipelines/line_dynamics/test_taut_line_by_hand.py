@@ -159,7 +159,7 @@ def test_a_breaking_load_near_the_tensions_is_drawn(tmp_path, asked, pictures):
     (("duration", "tolerance = 0.11\nduration"), "tolerance is 0.11; allowed: 1e-08 to 0.1"),
     (("duration", "measure_from = 61\nduration"), "the evaluation begins at 61 s of 80 s; allowed: 0 to 60 s, "
     "one cycle"),
-    (("duration", "measure_from = -1\nduration"), "the figures begin at -1 s of 80 s; allowed: 0 to 60 s"),
+    (("duration", "measure_from = -1\nduration"), "the evaluation begins at -1 s of 80 s; allowed: 0 to 60 s"),
     (("ramp = 20.0", "ramp = -1.0"), "fairlead.ramp is -1 s; allowed: finite, at least 0"),
     (("depth = inf", "depth = 0"), "water.depth is 0; allowed: above 0"),
     (("[fairlead]\n", "[bed]\n[fairlead]\n"), "bed is given and water.depth is inf"),

@@ -267,7 +267,7 @@ def test_coupled_points_of_a_moordyn_file_are_held_until_a_force_moves_the_vesse
     assert main(["lines", str(legs), "--depth", "60"]) == 0
     shown = capsys.readouterr().out
     assert "held" not in shown and lines(legs, depth=60.0)["body[vessel].x"] == 0
-    assert "bending stiffness EI of chain is left out" in shown
+    assert "bending stiffness EI of chain is not included" in shown
     assert main(["lines", str(legs), "--depth", "60", "--force", "50,0,0"]) == 0
     shown = capsys.readouterr().out
     assert "vessel is held at its position; with --force it moves in surge, sway and yaw" in shown

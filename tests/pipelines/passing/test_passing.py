@@ -112,7 +112,7 @@ def test_speed_near_that_of_waves_is_told_and_fails(speed, told, status):
 
 def test_a_short_track_is_told():
     found = hakobune.passing(boxes(method="wang", track={"distance": 40.0, "speed": 2.0, "lengths": 0.5}))
-    assert any("left at the ends of the track" in line for line in found.findings)
+    assert any("remains at the ends of the track" in line for line in found.findings)
 
 
 def test_the_largest_of_a_passage_is_the_farther_from_nothing_and_told_where_the_other_ship_is():

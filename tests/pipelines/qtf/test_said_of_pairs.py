@@ -61,8 +61,8 @@ def test_rows_are_root_mean_squares_with_each_part_added(unread):
     )
     assert made["surface_share"] == 0.031
     assert made.notes[-1] == (
-        "left out: the free-surface forcing around the body, estimated from few pairs at 3.1 % of the force "
-        "in surge and sway; --level full includes it"
+        "left out: the free-surface forcing around the body (its size, estimated from few pairs: 3.1 % of the force "
+        "in surge and sway); --level full includes it"
     )
     assert "no estimated error" in made.notes[-2]
 

@@ -47,7 +47,7 @@ def test_viscous_damping_is_told_as_a_share_of_critical():
 @pytest.mark.parametrize(
     ("left_out", "energy", "says"),
     [
-        (0.049, 0.009, "by the far field; 4.9 % of a wave decays between hull and quay and is not included"),
+        (0.049, 0.009, "by the far field; local waves near the hull, which keep 4.9 % of their height"),
         (
             0.051,
             0.009,
@@ -68,7 +68,7 @@ def test_what_decays_before_a_quay_is_told_and_refused_beyond_its_limits(monkeyp
     monkeypatch.setattr(f"{where}given_back", lambda made: energy)
     db = SimpleNamespace(path="box.h5", header=(left_out, energy), reader=None)
     if says is None:
-        with pytest.raises(StudyError, match=r"31 % of a wave .*; allowed: up to 30 %; .* --wall -30"):
+        with pytest.raises(StudyError, match=r"keep 31 % of their height .*; allowed: up to 30 %; .* --wall -30"):
             quay.by_far_field(db, -30.0)
         return
     made, (line,) = quay.by_far_field(db, -30.0)

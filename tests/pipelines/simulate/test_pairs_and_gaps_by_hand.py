@@ -31,7 +31,7 @@ def test_pairs_are_those_asked_for_and_newmans_where_no_others_are_known(monkeyp
 @pytest.mark.parametrize(
     ("asked", "seas", "says"),
     [
-        (of("squares", quay=1), True, "simulation.qtf is 'squares' before a quay"),
+        (of("squares", quay=1), True, "simulation.qtf is 'squares' in front of a quay"),
         (of("squares"), False, "simulation.qtf is 'squares'; allowed: newman, auto, or with irregular waves"),
     ],
 )

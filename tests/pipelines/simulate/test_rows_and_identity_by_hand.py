@@ -45,12 +45,12 @@ def test_results_depend_on_what_a_study_gives_and_a_key_at_its_default_changes_n
 
 
 def test_lines_that_move_are_part_of_what_runs_are_where_there_are_lines():
-    still, ten, twenty = (
+    still, ten, twenty, trial = (
         run._identity(asked(LINES, dynamic_lines=which, dynamic_elements=count), [], 60.0)
-        for which, count in (("none", 10), ("all", 10), ("all", 20))
+        for which, count in (("none", 10), ("all", 10), ("all", 20), ("auto", 20))
     )
     fewer = run._identity(asked(LINES, dynamic_lines="none", dynamic_elements=20), [], 60.0)
-    assert still == fewer and len({still, ten, twenty}) == 3
+    assert still == fewer and len({still, ten, twenty, trial}) == 4
 
 
 def test_runs_of_an_earlier_version_are_not_continued_and_the_line_says_so(tmp_path, monkeypatch):
@@ -109,7 +109,7 @@ def test_pairs_are_of_each_sea_and_what_is_left_out_is_told_once_with_the_way_ou
 
 def test_pairs_of_several_bodies_are_left_out(pairs):
     (line,) = pairs("auto", bodies=("a", "b"))[1]
-    assert line.startswith("left out") and line.endswith("of several bodies")
+    assert line.startswith("left out") and line.endswith("for several bodies")
     assert pairs("auto", drift="none", bodies=("a", "b"))[1] == () == pairs("auto", seas=(), bodies=("a", "b"))[1]
     with pytest.raises(StudyError, match=r"simulation\.qtf is 'squares' with several bodies"):
         pairs("squares", bodies=("a", "b"))
@@ -150,7 +150,7 @@ def test_lines_that_part_and_lines_beyond_what_is_allowable_are_told_with_the_ru
 @pytest.mark.parametrize(
     ("more", "says"),
     [
-        ({"at_berth": True}, "does not cover fenders and ropes and was not run"), ({"quay": 1}, "knows no quay"),
+        ({"at_berth": True}, "does not cover fenders and ropes and was not run"), ({"quay": 1}, "does not cover quay"),
         ({"lines": ()}, "does not cover body without lines"), ({"fault": "it\n drifts"}, "fails here: it drifts"),
     ],
 )  # fmt: skip

@@ -69,10 +69,12 @@ def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
     monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, {WAVES: (60.0, 1.0)}))
     monkeypatch.setattr(bounds, "available_memory", lambda: 8e9)
     announced(problem, 0, None)
-    with pytest.raises(SceneError, match=r"need about 10 GB, 8.0 GB are free; give fewer panels .* fewer processes"):
+    with pytest.raises(
+        SceneError, match=r"need about 10 GB, and 8.0 GB are free; give fewer panels .* fewer processes"
+    ):
         announced(problem, 0, None, processes=2)
     monkeypatch.setattr(bounds, "available_memory", lambda: 4e9)
-    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5 GB, 4.0 GB are free; give fewer panels"):
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5 GB, and 4.0 GB are free; give fewer panels"):
         announced(problem, 0, None)
 
 
@@ -80,7 +82,9 @@ def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
 def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, monkeypatch):
     monkeypatch.setattr(bounds, "available_memory", lambda: 0.5e9)
     mesh = box(100, 50, 1, panels=8000)
-    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 0.5 GB are free; give fewer panels"):
+    with pytest.raises(
+        SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, and 0.5 GB are free; give fewer panels"
+    ):
         announced(PanelProblem(mesh, **options), 0, None)
 
 
@@ -199,6 +203,6 @@ def test_a_contour_far_more_slender_than_there_is_memory_or_time_for_is_refused(
     with pytest.raises(SceneError, match=r"box of 1e\+09 m by 1 m: its contour needs about .* GB.*--method panel"):
         announced(replace(slender, sizes=(1e9, 1.0, 1.0)), 0, None, omegas=[0.1])
     monkeypatch.setattr(bounds, "available_memory", lambda: 1e9)
-    with pytest.raises(SceneError, match=r"needs about [0-9.]+ GB, 1.0 GB are free; give a less slender body"):
+    with pytest.raises(SceneError, match=r"needs about [0-9.]+ GB, and 1.0 GB are free; give a less slender body"):
         announced(slender, 0, None, omegas=[0.1])
     assert announced(replace(slender, sizes=(100.0, 50.0, 10.0)), 0, None, omegas=[0.1]) is None

@@ -282,7 +282,7 @@ def test_the_least_time_within_an_error_counts_only_rows_within_it():
 def test_rows_of_another_origin_are_not_replaced(tmp_path, capsys):
     (tmp_path / "bench.csv").write_text("chair,height\n")
     assert main(["bench", "--quick", "--only", "cylinder-30", "--output", str(tmp_path)]) == 2
-    assert "bench.csv is not a result of hakobune bench and is not replaced" in capsys.readouterr().err
+    assert "bench.csv is not a result of hakobune bench, so it is not replaced" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

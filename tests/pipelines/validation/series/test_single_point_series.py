@@ -54,7 +54,7 @@ def test_a_case_that_is_none_is_refused_and_a_table_of_somebody_else_not_replace
     assert "--only names 'Z9'; allowed: A1, A2" in shown and shown.count("\n") == 1
     (tmp_path / "single-point.csv").write_text("mine\n1\n")
     assert cli.main(["series", "single-point", "--only", "A16", "--output", "."]) == 2
-    assert "is not a result of hakobune series single-point and is not replaced" in capsys.readouterr().err
+    assert "is not a result of hakobune series single-point, so it is not replaced" in capsys.readouterr().err
 
 
 def row(name="A16", static=34.0, significant=40.0, apart=0.1):

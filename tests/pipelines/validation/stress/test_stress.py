@@ -171,7 +171,7 @@ def test_scenes_that_a_method_is_not_for_are_left_out(tmp_path, capsys):
         (["--method", "strip"], "--method is 'strip'; allowed: auto, panel, contour"),
         (["--tolerance", "2"], "--tolerance is 2.0; allowed"),
         (["--waves", "-1"], "--waves is -1.0; allowed: above 0"),
-        (["--output", "nowhere/stress.csv"], "there is no folder nowhere"),
+        (["--output", "nowhere/stress.csv"], "the folder nowhere does not exist"),
     ],
 )
 def test_a_wrong_argument_is_one_line(arguments, said, capsys):
