@@ -120,9 +120,10 @@ class BerthStudy(Table):
 
 
 class Approach(msgspec.Struct, frozen=True):
-    """What a study says in SI: ship : `energy.Ship`; speed : m/s; offset : m of the first contact from the centre of
-    gravity; eccentricity, virtual_mass, energy (J, with all factors) of the method chosen
-    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) of each; first : which is met first
+    """Values of a study in SI: ship : `energy.Ship`; speed : m/s; offset : m of the first contact from the centre of
+    gravity; eccentricity, virtual_mass, energy (J, with all factors) of the chosen method
+
+    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) of each; first : number of the first
     """
 
     ship: energy.Ship

@@ -114,9 +114,9 @@ class SystemTable(Table):
 
 @dataclass(frozen=True)
 class Given:
-    """What a system is read from, once.
+    """A system as it is read from a file.
 
-    text : of the file; said : what was warned of in it; moordyn : MoorDynFile where it is one
+    text : of the file; said : warnings about it; moordyn : MoorDynFile where it is one
     """
 
     system: System
@@ -126,9 +126,9 @@ class Given:
 
 
 def read_system(path, depth=None) -> System:
-    """The System of a file, by its suffix: .toml, .yaml or .yml, anything else is MoorDyn's.
+    """The System of a file, by its suffix: .toml, .yaml or .yml, otherwise MoorDyn.
 
-    depth : m, for a MoorDyn or YAML file that does not say it.  Warns of anchors where there are none.
+    depth : m, for a MoorDyn or YAML file without it.  Warns of a file without anchors.
     Raises ValueError, one line.
     """
     given = read_given(path, depth)

@@ -14,7 +14,7 @@ WAY_OUT = "give fewer points, directions or classes"
 
 
 def check_effort(read, scatter=None):
-    """Raise TooMuchError for a ResponseStudy that does not fit, and say what a long one takes.
+    """Raise TooMuchError for a ResponseStudy that does not fit in memory, and announce the time of a long one.
 
     scatter : `mooring.environment.scatter.Scatter` of a climate
     """

@@ -1,4 +1,4 @@
-"""`hakobune.response`: a body of a database in a sea or a climate, and what is kept of it."""
+"""`hakobune.response`: a body of a database in a sea or a climate, and its stored results."""
 
 from __future__ import annotations
 

@@ -266,7 +266,7 @@ def read_response_study(path):
 
 
 def make_response_study(raw, name="the study"):
-    """The ResponseStudy of nested dictionaries; name : of what they are of.  Raises StudyError."""
+    """The ResponseStudy of nested dictionaries; name : of their source.  Raises StudyError."""
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"

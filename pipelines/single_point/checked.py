@@ -1,4 +1,4 @@
-"""A single-point study checked whole before anything is solved, on what is known of its body by then."""
+"""Checks of a whole single-point study before anything is solved, with the properties of its body known by then."""
 
 from __future__ import annotations
 

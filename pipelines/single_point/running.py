@@ -38,7 +38,7 @@ def check(study, db=None):
 
 
 def run(study, steady, db=None) -> Run:
-    """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
+    """Run of a Study from near one of its equilibria.  Raises StudyError or SinglePointError."""
     check(study, db)
     s, waves = study.slewing, _with_waves(study, db)
     times = Times(s.duration, s.step, s.slow_step, s.waves_after, np.radians(s.offset_deg), s.tolerance, s.seed)

@@ -1,7 +1,7 @@
-"""What is known of a site, as typed TOML, and the values a mooring has to stand there.
+"""Measurements of a site, as typed TOML, and the design values of a mooring there.
 
     R = 1/(1 − q^(1/T))                       return period from service life T and probability q
-    U₁₀ = U(h, 10 min)/C_H(h)                 after the mean over another time became one of 10 minutes
+    U₁₀ = U(h, 10 min)/C_H(h)                 after conversion of the averaging time to 10 minutes
     high = spring tide + surge,  tsunami high, low = spring tide ± tsunami
 
 SR179 report (1982), chapter 4, sections 3.2 to 3.10.
@@ -177,10 +177,9 @@ class SiteStudy(Table):
 
 class SiteValues(NamedTuple):
     """years : return period; probability : not exceeded in the service life; wind : as measured; waves : height
-
     climate : Climate, or None; wind_10 : m/s, ten minutes at 10 m; profile : `CurrentProfile` or None
     levels : {name: m}; states : tables by name as studies have them; seismic : coefficient or None
-    findings : lines that a reader has to know
+    findings : one line each
     """
 
     years: float
