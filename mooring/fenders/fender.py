@@ -185,7 +185,7 @@ def fender_of_points(name, height, deflection, loading, unloading=None, **marks)
 
 
 def _continued(curve, slope):
-    """A curve that goes on beyond its end with a slope"""
+    """A curve with a straight extension beyond its end"""
     last = [[float(curve(curve.end)), slope, 0.0, 0.0]]
     return Curve(np.append(curve.knots, 2 * curve.end), np.concatenate([curve.coefficients, last]))
 
