@@ -91,7 +91,7 @@ def read_set(module, place, known):
 
 
 def check_import(kind, known, output, fresh, place):
-    """Raise ValueError for flags that are missing or impossible, and for a place that is taken"""
+    """Raise ValueError for flags that are missing or impossible, and for an existing file"""
     for name in kind.silent:
         if name in ("water_depth", "density", "gravity") and known[name] is not None and not known[name] > 0:
             raise ValueError(f"{name} is {known[name]:g}; allowed: above 0")

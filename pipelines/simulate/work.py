@@ -144,7 +144,7 @@ def _remembering(body, db, asked):
 
 
 def _with_pairs(plan, study, db, reader):
-    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and what is to be told of it
+    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and its findings
 
     By default ("auto") it is what the database allows, beside Newman's rule alone.
     """
