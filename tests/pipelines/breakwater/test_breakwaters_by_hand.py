@@ -141,7 +141,9 @@ def test_a_pretension_is_allowed_up_to_what_waves_leave_of_the_allowable_tension
     most = 1e3 * allowable / 4.0 - (greatest - PULL)
     assert found["pretension.most"] == pytest.approx(most)
     assert found.status == status == len(found.fails)
-    told = f"the pretension of {PULL / 1e3:.4g} kN/m is above the {most / 1e3:.4g} kN/m within the allowable tension"
+    told = (
+        f"the pretension of {PULL / 1e3:.4g} kN/m exceeds {most / 1e3:.4g} kN/m, the most within the allowable tension"
+    )
     assert not status or told in found.fails[0]
 
 

@@ -27,4 +27,6 @@ def test_every_axis_of_a_quantity_has_its_scale_and_cases_of_another_shape_are_l
         assert file["results/axes/omega"][()].tolist() == [0, 1, 2, 3]
         assert np.array_equal(data[()], [first, first + 1])
         said = store(1, first[:2])
-        assert said.startswith("force has the shape (2, 6, 3), (4, 6, 3) in the first case") and data[1, 0, 0, 0] == 1
+        assert (
+            said.startswith("force has the shape (2, 6, 3), and (4, 6, 3) in the first case") and data[1, 0, 0, 0] == 1
+        )
