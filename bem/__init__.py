@@ -11,7 +11,7 @@ Conventions, the same everywhere in this package and written as attributes into 
 - Rotations and moments refer to `rotation_center`, by default the origin.
 """
 
-__version__ = "0.1.0"  # version of the distribution; reading it from the metadata takes 0.04 s
+__version__ = "1.0.0"  # version of the distribution; reading it from the metadata takes 0.04 s
 DOFS = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
 POWER = "damping_lid_power"  # power that lids on the water absorb in waves of 1 m amplitude
 ESTIMATE, INTERPOLATED = "error estimate", "interpolated error estimate"  # steps of a frequency, with their time

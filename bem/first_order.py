@@ -19,4 +19,4 @@ class FirstOrder(NamedTuple):
     haskind: np.ndarray  # (m, 6) complex, excitation from the radiation potentials
     kochin_radiation: np.ndarray  # (2, 6, t) complex m/m, m/rad
     kochin_diffraction: np.ndarray  # (2, m, t) complex
-    residual: float  # of the linear systems, relative
+    residual: float  # relative residual of the linear systems

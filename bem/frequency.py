@@ -61,10 +61,10 @@ class FrequencyRun:
     or None; `kochin_errors` alike.
     """
 
-    most_sharper = 0  # times in a row that a run is answered by a `sharper` one
+    most_sharper = 0  # largest number of sharper runs, one after another
     interpolated = False  # whether `differences` are those of other frequencies
     taken_at_rest = 0.0  # (m,) of the balance of energy of bodies at rest, what damping lids take of it
-    margin = 1.0  # times what follows from `differences`
+    margin = 1.0  # factor on the error that follows from `differences`
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         if not (np.isfinite(omega) and omega > 0):
@@ -123,7 +123,7 @@ class FrequencyRun:
         for _ in range(self.most_sharper if self.solves else 0):
             if run.differences is None or run.tolerances <= 1:
                 break
-            sharper = run.sharper  # which may take a mesh and a band of its own
+            sharper = run.sharper  # the sharper run may have its own mesh and band
             if sharper is None:
                 break
             before, run = run, sharper()

@@ -80,7 +80,7 @@ def _laws(db, rounding):
     if "kochin_diffraction" in there:
         yield from _far_field_laws(db, there)
     for each, whole in zip(OF_EACH, ("drift_force_fixed", "drift_force"), strict=True):
-        if {each, whole} <= there and not db.has_damping_lids:  # which the far field has pushed, too
+        if {each, whole} <= there and not db.has_damping_lids:  # damping lids take part of the drift of the far field
             yield f"{whole} is the sum over the bodies", _sum_defect(db, db[each], db[whole]), SUM
 
 

@@ -8,8 +8,8 @@
     from = [0, 0, -120]
     to = [0, 0, 10]
     radius = 4.7
-    turns = 3                       # as many of it, in equal steps about the vertical through the origin
-    cut = true                      # what it holds is taken away from the parts before it: a moonpool
+    turns = 3                       # number of copies, in equal steps about the vertical through the origin
+    cut = true                      # the shape is removed from the parts before it: a moonpool
 
     box : center, m, size, [length, breadth, height]
     sphere : center, radius
@@ -153,7 +153,7 @@ def _of_volume(drawing, name, seam):
     """PanelMesh with radii that give it the volume of the drawing, and (3,) m, the centre of buoyancy of the drawing"""
     mesh, volume, center = _panels(drawing, name, 1.0, seam)
     best, below, above = mesh, (1.0, mesh.volume), None  # panels change their number as radii grow, and volume jumps
-    lost = math.copysign(1.0, volume - mesh.volume)  # to the chords of parts; a round hole gains it
+    lost = math.copysign(1.0, volume - mesh.volume)  # volume lost to the chords of parts; a round hole gains volume
     for _ in range(MOST_TRIES if any(part["shape"] in ("cylinder", "sphere") for part, _ in drawing.parts) else 0):
         if abs(best.volume / volume - 1) <= SAME_VOLUME:
             break

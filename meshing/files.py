@@ -42,7 +42,7 @@ READABLE = (*TEXT_READERS, *MESHIO, ".vtp", ".toml")
 WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
 
 LARGEST = 32  # MB; a hundred thousand panels with all their digits, more than any method here solves
-COUNTS = re.compile(  # what readers take for the size of their arrays, whatever the file holds
+COUNTS = re.compile(  # numbers that readers use as the size of their arrays, whatever the file contains
     rb"element[ \t]+\w+[ \t]+(\d+)|POINTS[ \t]+(\d+)|(?:CELLS|POLYGONS)[ \t]+(\d+)[ \t]+(\d+)|"
     rb"NumberOf(?:Points|Cells|Polys)=\"(\d+)\"|\$(?:Nodes|Elements)\s+(\d+)[ \t]*(\d*)|^OFF\s+(\d+)[ \t]+(\d+)"
 )

@@ -186,7 +186,7 @@ def _quarter_rim(radius, n):
     angle = np.pi / 2 * np.arange(n + 1) / n
     step = np.pi / 2 / n
     rim = radius * math.sqrt(step / math.sin(step)) * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    rim[-1, 0] = 0.0  # on the mirror plane exactly
+    rim[-1, 0] = 0.0  # exactly on the mirror plane
     return rim
 
 

@@ -63,7 +63,7 @@ def keep_room(path):
             file.seek(max(0, size - 1))
             last = file.read(1)
             file.seek(max(0, size - 1))
-            file.write(last)  # beyond a limit on the size of files, this says so
+            file.write(last)  # raises the error of a file-size limit
     except PermissionError:
         return
     except OSError as error:

@@ -298,7 +298,7 @@ def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     command = arguments[0] if arguments and arguments[0].replace("-", "").isalpha() and arguments[0][0] != "-" else ""
     name = f"hakobune {command}".strip()
-    timed = timing.FLAG in arguments  # not by a command that runs this one, as a sweep does
+    timed = timing.FLAG in arguments  # asked of this command itself, not of one that runs it, as a sweep does
     if timed:
         timing.begin()
         arguments = [word for word in arguments if word != timing.FLAG]

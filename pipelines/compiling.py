@@ -12,7 +12,7 @@ from pathlib import Path
 
 SCENES = Path(__file__).parent / "scenes"
 BOX = ("--database", "box.h5")
-# what compiles most of the kernels of each study, rows of one table one after the other, both tables side by side
+# runs that compile most kernels of each study: the rows of a table one after another, both tables in parallel
 LINES = (
     ("one line", "line", "--weight", "4000", "--stiffness", "2e6", "--length", "260", "--depth", "20", "--span", "240"),
     ("a system of lines", "lines", SCENES / "lines_barge.toml"),

@@ -52,7 +52,7 @@ def doctor(
         amiss += compile_all()
     if not amiss:
         print("nothing is amiss")
-    if _version("rich") is None:  # which prints the others
+    if _version("rich") is None:  # tell() needs rich
         print("\n".join(map(fails, amiss)))
         return 1
     return tell(map(fails, amiss))

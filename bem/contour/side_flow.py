@@ -19,10 +19,10 @@ from ..depth_modes.gap import Gap, OuterModes, smooth_cutoff
 from ..waves import depth_factor, depth_factor_slope
 from .plan.panels import gauss_rule
 
-CUT = 60.0  # times 1/k_N: at this distance the truncation error of a sum is 2e-5 of its singular part
+CUT = 60.0  # distance in units of 1/k_N, where the truncation error of a sum is 2e-5 of its singular part
 START, END = 0.01, 4.0  # c₁, c₂, c₃ are fitted between START of draft or gap and END times that
-# of the draft: at the surface sums converge as at such a distance from the keel.  Where a wall moves through it they
-# have terms K/kₙ³ there: φ at Kh = 9 was 1.5 % off with those modes that the keel needs
+# fraction of the draft: sums at the surface converge as those at this distance from the keel.  At a wall that moves
+# through the surface they have terms K/kₙ³: with the modes that the keel needs, φ at Kh = 9 was 1.5 % off
 SURFACE = 0.02
 LATEST, MODES = 0.03, 20000  # START may be up to LATEST, to do with so many modes
 POWERS = np.array([2, 4, 6]) / 3
@@ -128,7 +128,7 @@ def _at_keel(modes, start, end):
     known = _edge_functions(found)[1]
     c[:-2] = np.linalg.solve(known[:, :-2], slope[:-1] - known @ c)
     keel = value[-1] - (_edge_functions(np.array([end]))[0] @ c)[0]
-    t, w = gauss_rule(10)  # in t = (r / end)^(1/3), of which all but the logarithm are polynomials
+    t, w = gauss_rule(10)  # points in t = (r / end)^(1/3); all terms except the logarithm are polynomials in t
     value, slope = (part @ c for part in _edge_functions(end * t**3))
     return (end * t**3, 3 * end * t**2 * w, keel + value, slope), keel
 

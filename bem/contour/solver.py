@@ -38,7 +38,7 @@ MARGIN = 0.5  # digits in addition to those asked for
 # fraction of the largest wavenumber along the contour at which the asymptotic range of the table in κ begins
 ALONG = 0.25
 SMALL = 100  # unknowns of a class or a plane problem, a few hundred at most
-HIGHEST_GAP = 1400  # times the smaller of draft and half the plan's width; errors were measured up to there
+HIGHEST_GAP = 1400  # limit over the smaller of draft and half the plan's width; errors were measured up to it
 
 
 def prepare_cylinder(radius, draft, depth, tolerance=1e-3):

@@ -195,7 +195,7 @@ class Between:
         deviation = fit.deviation(self._abscissa(omega))[..., None] * self._growth(name, omega, 3)
         error = np.broadcast_to(deviation, (*deviation.shape[:2], fit.lead.shape[1])).reshape(out[unknown].shape)
         if both:
-            error = error / np.sqrt(2)  # of the real or the imaginary part alone
+            error = error / np.sqrt(2)  # error of the real or the imaginary part alone
             error = error / omega[:, None, None] if name == "added_mass" else error
         if name == "drift_force":
             error = error + self._unseen(omega, name)

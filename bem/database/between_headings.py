@@ -44,7 +44,7 @@ LONGEST = 2.0  # ka of the longest wave κ is taken for: of longer ones it would
 MIRRORS = {
     "y": (lambda beta: -beta, np.array([1, -1, 1, -1, 1, -1]), np.array([1, -1, -1])),
     "x": (lambda beta: np.pi - beta, np.array([-1, 1, 1, 1, -1, -1]), np.array([-1, 1, -1])),
-    "wall": (lambda beta: -beta, np.ones(6), np.ones(3)),  # and a phase
+    "wall": (lambda beta: -beta, np.ones(6), np.ones(3)),  # mirror image, with a change of phase
 }
 
 

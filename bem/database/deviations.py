@@ -60,7 +60,7 @@ def interpolated(reader, omega, headings, name):
     values, error = mirrored(values), np.abs(mirrored(error))
     over = reader.to_headings(omega, headings, name)
     independent = len(ring.headings)
-    if name != "kochin_diffraction":  # what symmetry makes zero says nothing
+    if name != "kochin_diffraction":  # values that are zero by symmetry are no evidence
         size = np.abs(values).max(axis=0)
         independent = np.sum(size > 1e-6 * size.max(axis=0), axis=0) / 2 ** len(ring.images)
     if name == "excitation_force" and "kochin_radiation" in reader.between.quantities:

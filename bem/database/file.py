@@ -174,7 +174,7 @@ def damage_named(path):
     except (OSError, KeyError, RuntimeError) as error:
         said = str(error.args[0]) if error.args else ""
         if "ynchronously" not in said and not (isinstance(error, RuntimeError) and said.endswith(")")):
-            raise  # of HDF5 are those with the cause in brackets
+            raise  # errors of HDF5 have the cause in brackets; this one does not
         if "write" in said:
             cause = os.strerror(error.errno) if getattr(error, "errno", None) else said
             raise NotWritten(f"{path} cannot be written: {cause}; the data stored before is kept") from None

@@ -37,7 +37,7 @@ BLOCK = 256  # places handled at once
 KEPT = 1 << 27  # bytes of rows kept for the next function at the same frequencies
 WINDOW = 64  # nodes that are fitted together
 SHARP = 0.3  # largest imaginary part of a pole, in units of s, that counts as sharp
-SEEN = 0.01  # of the largest value
+SEEN = 0.01  # fraction of the largest value
 MOST_RINGING, FEW_KERNELS = 8, 9  # poles that are tried, with one kernel of so many
 # largest ratio of squared errors at left-out nodes, with and without a pole, at which the pole is accepted
 BELIEVED = 0.1
@@ -99,7 +99,7 @@ _REACHES = ((1.2, 4.8), (1.8, 7.2), (2.5, 10.0), (3.5, 14.0))  # wider ones cost
 FAMILY = tuple(Member(*reach, *row, lead) for reach in _REACHES for row in _ROWS for lead in LEADS)
 SPREAD = Member(
     1.2, np.inf, *_echoes(0.1, np.exp(-0.1 / 0.12), 2.5), 1.0
-)  # by which nodes are spread, knowing no value
+)  # kernel that spreads the nodes before any value is known
 
 
 def abscissa(omega, depth, gravity, length):
@@ -407,7 +407,7 @@ def ringing_of(x, values):
     order = [k for k in np.argsort(-seen)[:MOST_RINGING] if seen[k] > SEEN]
     kept = np.zeros(0, complex)
     error = _left_out(x, values, kept) if order else 0.0
-    for pole in found.real[order] - 1j * np.abs(found.imag[order]):  # what rings long has a width of rounding errors
+    for pole in found.real[order] - 1j * np.abs(found.imag[order]):  # its width is a rounding error
         more = np.append(kept, pole)
         with_it = _left_out(x, values, more)
         if np.any(with_it < BELIEVED * error):

@@ -65,7 +65,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     own = np.arange(len(frequencies))
     _, vectors, M = modes(np.abs(frequencies))
     known = body.knows_added_mass(frequencies)
-    # where the water of a gap or a moonpool resonates, the motion that drives it has its frequency
+    # at a resonance of the water in a gap or a moonpool, the motion that drives it has the same frequency
     known = known & (np.linalg.eigvalsh(M)[:, 0] > 0)
     vectors = vectors[own, :, own]
     energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))

@@ -29,7 +29,7 @@ COORDINATES = {
     "radiating_dof": (("radiating_dof",), "", str),
     "drift_dof": (("drift_dof",), "", str),
     "theta": (("theta",), "rad", float),
-    "panel": (("panel",), "", int),  # of the whole hull, as in mesh.whole()
+    "panel": (("panel",), "", int),  # panel number in the whole hull, as in mesh.whole()
     "xyz": (("xyz",), "", str),
 }
 OF_SEVERAL = {"body": (("body",), "", str)}  # coordinate of scenes of several bodies, which have a row each in `BODY`
@@ -50,7 +50,7 @@ QUANTITIES = {
     "drift_force_fixed": (_DRIFT, "N/m2, N m/m2", float),
     "drift_force": (_DRIFT, "N/m2, N m/m2", float),
     **dict.fromkeys(OF_EACH, (_BODY_DRIFT, "N/m2, N m/m2", float)),
-    POWER: (("omega", "wave_direction"), "W/m2", float),  # that damping lids take of waves of 1 m
+    POWER: (("omega", "wave_direction"), "W/m2", float),  # power absorbed by damping lids, waves of 1 m amplitude
     "pressure": (("omega", "wave_direction", "panel"), "Pa/m", complex),
     "added_mass_zero": (_SQUARE, "kg, kg m, kg m2", float),
     "added_mass_infinity": (_SQUARE, "kg, kg m, kg m2", float),
@@ -60,7 +60,7 @@ BODY = {
     "mass": ((), "kg", float),
     "inertia_matrix": (_SQUARE, "kg, kg m, kg m2", float),
     "hydrostatic_stiffness": (_SQUARE, "N/m, N, N m", float),
-    "structural_stiffness": (_SQUARE, "N/m, N, N m", float),  # of bodies that bend, as the next one
+    "structural_stiffness": (_SQUARE, "N/m, N, N m", float),  # this and the next: flexible bodies only
     "structural_damping": (_SQUARE, "kg/s, kg m/s, kg m2/s", float),
     "displaced_volume": ((), "m3", float),
     "wetted_area": ((), "m2", float),

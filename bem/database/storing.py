@@ -128,7 +128,7 @@ def _mark(row, name, sealed):
 
 def _append_checks(opened, rows, sealed):
     """The worst of each check of a frequency, and its wall times, summed"""
-    low, high = rows[0].place, rows[-1].place + 1  # what lies between is written as it was read
+    low, high = rows[0].place, rows[-1].place + 1  # rows between these are written as they were read
     checks = {name: opened[f"checks/{name}"][low:high] for name in CHECKS}
     texts = opened["wall_time"][low:high]
     sums = opened[ROWS][low:high] if sealed else None

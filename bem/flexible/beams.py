@@ -135,7 +135,7 @@ def bent(number, s, slope=0):
     mu, s = half_turns(number), np.asarray(s, float)
     even, shift = number % 2 == 1, slope * np.pi / 2
     wave = np.cos(mu * s + shift) / np.cos(mu) if even else np.sin(mu * s + shift) / np.sin(mu)
-    odd = bool(slope % 2) == even  # which of sinh and cosh the derivative is
+    odd = bool(slope % 2) == even  # whether the derivative has sinh, the odd one, and not cosh
     up, down = np.exp(mu * (s - 1)), np.exp(-mu * (s + 1))
     edge = (up - down if odd else up + down) / (1 + np.exp(-2 * mu) if even else 1 - np.exp(-2 * mu))
     return 0.5 * (wave + edge)

@@ -20,7 +20,7 @@ from .values import FormatError
 
 SAME_VOLUME = 0.02  # largest relative difference of the volumes of results and hull
 SAME_STIFFNESS = 0.05  # largest relative difference of C₃₃; a waterline of few panels loses some per cent of its area
-FAR_MASS = 3.0  # times the displaced mass, or a third of it, which no lines hold down or up
+FAR_MASS = 3.0  # mass over the displaced mass, or its inverse, that no lines can hold
 NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 
 

@@ -61,7 +61,7 @@ def _column(numbers):
 
 
 def _simulation(file, values):
-    file.create_dataset("bem_data/code", data=np.bytes_("hakobune"))  # of fixed length, as BEMIO writes text
+    file.create_dataset("bem_data/code", data=np.bytes_("hakobune"))  # text of fixed length, as BEMIO writes it
     group = file.create_group("simulation_parameters")
     _put(group, "scaled", 0, "", "")
     _put(group, "g", values.gravity, "m/s^2", "Gravitational acceleration")

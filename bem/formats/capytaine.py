@@ -171,7 +171,7 @@ def _read(file, name, known):
         body["hydrostatic_stiffness"] = _from_upper(file["hydrostatic_stiffness"][()].reshape(-1, 6)[which])
     for name, own in (VECTORS | SCALARS).items():
         rows = file[name][()].reshape(len(bodies), -1) if name in file and file[name].size % len(bodies) == 0 else ()
-        if len(rows) and len(rows[which]) == (3 if name in VECTORS else 1):  # of several bodies only with one for each
+        if len(rows) and len(rows[which]) == (3 if name in VECTORS else 1):  # several bodies need one for each
             body[own] = rows[which] if name in VECTORS else float(rows[which][0])
     g, rho, depth = (float(np.ravel(file[key][()])[0]) for key in WATER)
     centers = np.reshape(file["rotation_center"][()], (-1, 3)) if "rotation_center" in file else np.zeros((1, 3))

@@ -54,7 +54,7 @@ def write(values, place):
     place, rho, rho_g = Path(place), values.density, values.density * values.gravity
     files = {".1": _radiation(values, A / rho, B / (rho * values.omega[:, None, None]))}
     for suffix, name in FORCES.items():
-        if values.get(name) is not None and suffix != ".2":  # by Haskind's relation the same as .3
+        if values.get(name) is not None and suffix != ".2":  # .2, by Haskind's relation, has the same forces as .3
             index = _moved(values) if name == "rao" else range(1, values.get(name).shape[-1] + 1)
             files[suffix] = _forces(values, np.conj(values.get(name)) / (1.0 if name == "rao" else rho_g), index)
     drift = values.get("drift_force")
@@ -259,7 +259,7 @@ def _read_forces(table, omega, headings, columns, index):
     extra = table.shape[1] - 7
     table = _of_body(table, [2 + extra], columns.modes[np.array(index) - 1])
     table[:, 2 + extra] += index[0] - 1
-    if extra:  # of the mean drift of two headings, what each does alone
+    if extra:  # mean drift of pairs of headings: keep the pairs of one heading with itself
         table = table[table[:, 1] == table[:, 2]]
     at = columns.omega(table[:, 0])
     if not len(table):

@@ -225,7 +225,7 @@ def _potential(path, without=False):
     try:
         (depth,) = read(1)
         if any(number not in (-1, 0, 1) for number in _same_line(lines)):
-            return None  # of the older form, IALTPOT = 1
+            return None  # file of the older form, IALTPOT = 1
         for _ in range(2):  # periods and headings: a count below 0 means first and step
             (count,) = read(1)
             if count:

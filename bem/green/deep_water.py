@@ -26,7 +26,7 @@ from ..kernels.jit import kernel
 from ..kernels.simd import bits_to_float, float_to_bits
 from .piecewise_polynomials import aligned, evaluate_line, evaluate_piece, fit_line, fit_pieces, sample_points
 
-FAR = 32.0  # where the asymptotic series is good to 24!/32²⁴ = 5e-13
+FAR = 32.0  # distance with an error of the asymptotic series of 24!/32²⁴ = 5e-13
 POLAR_RINGS, POLAR_SECTORS = 16, 8  # r of 0 … 4, c of 0 … 1
 FAR_RINGS, FAR_SECTORS = 4, 4  # 32/r and c of 0 … 1
 COLUMNS, ROWS = 64, 32  # X by halves, Y by ones: only F_X is differentiated
@@ -88,7 +88,7 @@ def _square():
     Y = sample_points(np.arange(ROWS + 1.0)).reshape(ROWS, 8)
     t, W = _level_weights(np.append(Y[0], 1.0))
     F = np.zeros((len(X), ROWS, 8))
-    for part, first in ((X < 3, 2), (X >= 3, 0)):  # below both r < 4: never used
+    for part, first in ((X < 3, 2), (X >= 3, 0)):  # rows before `first` have r < 4 and are never used
         x = X[part]
         now = exact(x, np.full(len(x), float(first)))
         for j in range(first, ROWS):

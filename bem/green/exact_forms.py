@@ -66,7 +66,7 @@ class PositiveFrequency:
     def __init__(self, K, k, depth, digits):
         self.K, self.k, self.h = K, k, depth
         far = digits / depth
-        if k > far:  # but for the deep-water function, waves have a factor e^(−kh): negligible
+        if k > far:  # waves beyond this have a factor e^(−kh), negligible except for the deep-water function
             self.whole = self.deep = None
             self.tail = _gauss_intervals(_graded(0.0, far, 2 / depth, 2 / depth), digits)
         else:

@@ -27,7 +27,7 @@ from .piecewise_polynomials import sum_over_x, sum_over_y
 from .tables import TABLE_ONLY, WITH_IMAGES, whole_table
 
 BLOCK = 128  # pairs at a time: their workspace takes 11 kB of a first-level cache of 32 or more
-# for e^(−x): ln 2 in two parts, n times the first of which is exact; 1/13! … 1/0!; 1.5 × 2⁵²
+# constants of e^(−x): ln 2 in two parts, n times the first is exact; 1/13! … 1/0!; 1.5 × 2⁵²
 LN2_HIGH, LN2_LOW = 0.69314718036912382, 1.9082149292705877e-10
 SERIES = tuple(1 / math.factorial(n) for n in range(13, -1, -1))
 INTEGER = 1.5 * 2.0**52
@@ -147,7 +147,7 @@ def standing_part_at(position, R, depths, wave, slope, slope_back, view):
             gr += 2 * K * K * FX
             by_zeta += 2 * K * K * sink
             by_z += 2 * K * K * sink
-            explicit = far > 0.0 and X > 1.0  # as in `wave_part_at`
+            explicit = far > 0.0 and X > 1.0  # same condition as in `wave_part_at`
         if explicit:
             _, y0, _, y1 = bessel_functions(view.k * R, view.bessel)
             g -= wave * y0

@@ -45,7 +45,7 @@ def panel_moments(x, y, z, corners, S, D):
         square = away * away + z * z
         a, b = math.sqrt(square + start * start), math.sqrt(square + end * end)
         total = a + b
-        # on the edge itself the logarithm is infinite and multiplied by a vanishing distance
+        # the logarithm is infinite on the edge itself, where its factor, a distance, is zero
         log = math.log((total + length) / (total - length)) if total - length > 1e-14 * total else 0.0
         s00 += away * log
         if len(S) > 1:

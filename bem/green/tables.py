@@ -23,7 +23,8 @@ from .piecewise_polynomials import aligned, fit_pieces, pieces_per_distance, sam
 
 FINEST, COARSEST = 1e-8, 1e-3  # accuracies that can be asked for
 WHOLE = 5e-10  # accuracy of `whole_table` relative to 1/r, of which G may be a small part
-# beyond the last zone: nothing is added to wave and deep water; minus the images, since G without wave is 0; NaN
+# parts beyond the last zone: nothing in addition to wave and deep water; minus the images, since G without wave is 0;
+# NaN
 TABLE_ONLY, WITH_IMAGES, NOTHING = 0, 1, 2
 
 
@@ -36,12 +37,12 @@ class Table(NamedTuple):
     per_metre: float  # 1/m, 2/h: where R · per_metre < 1 the deep-water function has been subtracted
     double_depth: float  # m, zero in infinite depth: there are no pieces
     entries: int  # rows of `zones`, one for every h/2 of R
-    beyond: int  # beyond the last zone: TABLE_ONLY, WITH_IMAGES or NOTHING
+    beyond: int  # part added beyond the last zone: TABLE_ONLY, WITH_IMAGES or NOTHING
     net: float  # 1/m, factor of ln(2h/R) of zero frequency
     mirror: float  # sign of 1/r₁ in G
     pieces: np.ndarray  # (pieces, 8, 8): zone by zone g₁ (Y rows of R columns) and g₂ (V rows of R columns)
     zones: np.ndarray  # (entries, 9): of `_zone`
-    deep: np.ndarray  # of `bem.green.deep_water.universal`
+    deep: np.ndarray  # table of `bem.green.deep_water.universal`
     bessel: np.ndarray
 
 
@@ -97,7 +98,7 @@ def _table(form, K, k, C, depth, reach, draft, accuracy, whole=False):
     near, draft, digits = 0.5 * depth, min(draft, depth), _digits(1e-4 * accuracy if whole else accuracy)
     modes = form.modes(math.ceil(2 * digits / math.pi) + 1)
     slowest = modes[0][0]
-    octaves = max(math.ceil(math.log2(digits / (slowest * near))), 1)  # beyond them the remainder is negligible
+    octaves = max(math.ceil(math.log2(digits / (slowest * near))), 1)  # the remainder beyond them is negligible
     wanted = octaves if reach > near * 2**octaves else max(math.ceil(math.log2(reach / near)), 0)
     # the nearest images in surface and bed that are not subtracted are 2h − draft away from the body
     sharper = 0.05 * accuracy if whole else accuracy  # near the axis ∇G may vanish

@@ -63,7 +63,7 @@ class Kept:
 
     def load_overload(self, signature, context):
         """The kernel with this signature, or None"""
-        rtsys.initialize(context)  # what machine code of arrays calls
+        rtsys.initialize(context)  # runtime that machine code of arrays calls
         file = self._file(signature, context)
         try:
             apart, data = pickle.loads(file.read_bytes())
@@ -108,7 +108,7 @@ class Kept:
         library._reload_init = {Callee(self.function, signature, result.fndesc.llvm_func_name)}
 
     def _file(self, signature, context):
-        kinds = [kind.name for kind in signature]  # of which `repr` has no borrowed arrays
+        kinds = [kind.name for kind in signature]  # names, since `repr` omits that an array is borrowed
         machine = f"{kinds} {context.codegen().magic_tuple()} {sys.version_info[:2]} {numba.__version__}"
         function = self.function
         name = f"{function.__qualname__}-{function.__code__.co_firstlineno}"

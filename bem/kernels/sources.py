@@ -37,7 +37,7 @@ def imported(file, root):
         dots = len(origin) - len(name)
         folder = file.parents[dots - 1] if dots else root
         out.append(_module(folder, name))
-        # what is imported may itself be a module
+        # an imported name may itself be a module
         out += [_module(folder, f"{name}.{part}".lstrip(".")) for part in _NAME.findall(names.strip("()"))]
     return tuple(source for source in out if source is not None)
 
@@ -56,7 +56,7 @@ class Sources:
 
     def __init__(self, root, kept=None):
         self.root, self.kept = Path(root), kept
-        self._now, self._of, self._digests = {}, {}, {}  # by source
+        self._now, self._of, self._digests = {}, {}, {}  # dictionaries with a source as key
         try:
             self._before = json.loads(kept.read_text()) if kept else {}
         except (OSError, ValueError):

@@ -54,7 +54,7 @@ def _each(solve, count, n):
 
 def _solved(matrix, side):
     try:
-        return np.linalg.solve(matrix, side)  # which releases the interpreter lock, scipy's does not
+        return np.linalg.solve(matrix, side)  # numpy's solve releases the interpreter lock, scipy's does not
     except np.linalg.LinAlgError:
         return np.full(side.shape, np.nan, np.result_type(matrix, side))
 

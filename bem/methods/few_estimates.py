@@ -25,7 +25,7 @@ FEWEST = 4  # frequencies of a range in which some are not solved by both resolu
 APART = 3.0  # k × the length of the body, rad, between the ends of a range
 NEAR = 0.5  # largest deviation of the middle value from a straight line, over the largest difference
 SMALL = 0.1  # fraction of the tolerance below which differences are not tested
-MARGIN = 1.3  # times the largest of three
+MARGIN = 1.3  # factor on the largest of three estimates
 SAME = 1e-9  # relative in omega
 
 

@@ -90,7 +90,7 @@ class DampedRun(PanelRun):
 
     def equations(self, classes, table, velocities):
         lids, g = self.on_lids, self.geometry
-        A, U, V, sides = assembled(g, classes, 1.0, table, self.depth_values, velocities)  # of inner lids all
+        A, U, V, sides = assembled(g, classes, 1.0, table, self.depth_values, velocities)  # all lids as inner lids
         for rows in (A, U, sides):
             rows[:, lids] *= -1
         at = np.arange(lids.start, lids.stop)

@@ -18,8 +18,8 @@ from ..frequency import FrequencyRun
 # errors of waves on panels are.  `python tests/bench/extrapolated.py` fits them: the worst errors of 400 scenes are
 # within a factor of three of these shares in 94 %, of 400 others in 92 %, those of damping by its own size in 86 %
 LEFT, OF_WAVES = 0.12, 4.0
-# of the tolerance, which estimates of errors left over may reach: of 358 frequencies beyond their tolerance 211 were
-# extrapolated, and all of these kept it
+# largest estimate of the remaining error, over the tolerance: of 358 frequencies beyond their tolerance 211 were
+# extrapolated, and all of these met it
 TRUSTED = 1 / 3
 
 

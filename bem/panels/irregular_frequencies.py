@@ -18,9 +18,9 @@ import numpy as np
 
 from ..kernels.convex_hull import convex_hull
 
-# of the lower bound, up to which results are as good without a lid: 250 panels on the box 100 × 50 × 10 m in 12, 20 and
-# 100 m are 0.94, 0.81 and 0.80 % off with and without, forces 0.34, 0.47 and 0.54 %; in 12 m these are twice as far off
-# from 0.8 on, of bodies that it was not chosen for nowhere before 0.9 (tests/bench/fit_lid_share.py)
+# fraction of the lower bound up to which a lid improves nothing.  250 panels on the box 100 × 50 × 10 m in 12, 20 and
+# 100 m of water: coefficients 0.94, 0.81 and 0.80 % off with and without lid, forces 0.34, 0.47 and 0.54 %.  In 12 m
+# the errors of forces double from 0.8 on, for bodies outside this fit not before 0.9 (tests/bench/fit_lid_share.py)
 SHARE = 0.6
 
 

@@ -30,7 +30,7 @@ def body_forces(surfaces, flow, one, two, radiated, problem, kind=DIFFERENCE):
     of `radiated`, the six motions of unit velocity (`hull_flow.radiated_flow`)
     """
     omega, second = radiated.omega[0], kind.second
-    of_second = 0 if kind.sign > 0 else 1  # of the flow itself, and of its conjugate
+    of_second = 0 if kind.sign > 0 else 1  # row of `linear`: the flow itself, or its conjugate
     X, V = flow.motion, -1j * flow.omega[:, None] * flow.motion
     linear, used = np.zeros((len(X), 2, 6, 6), complex), np.unique(np.concatenate([one, two]))
     linear[used] = _of_flow(surfaces, flow, used, radiated, problem.gravity)
@@ -53,7 +53,7 @@ def _of_flow(surfaces, flow, used, radiated, gravity):
     steep = (flow.omega[used] ** 2 / gravity)[:, None] * flow.potential[used]
     edge = (radiated.potential[:, None] * (surfaces.waterline_modes * line.weights[:, None]).T).reshape(36, -1)
     out = np.stack([(edge @ z.T).T.reshape(-1, 6, 6) for z in (steep.real, steep.imag)])
-    slope = radiated.velocity.reshape(6, -1)[:, : weighted.shape[1]]  # of one class each: the meshed part tells all
+    slope = radiated.velocity.reshape(6, -1)[:, : weighted.shape[1]]  # on the meshed part; symmetry gives the rest
     slope = np.ascontiguousarray(slope.real), np.ascontiguousarray(slope.imag)
     for (k, m), parts in zip(surfaces.hull.products, flow.parts, strict=True):
         rows = np.concatenate([part[k] * weighted[m] for part in slope])

@@ -48,6 +48,6 @@ class Kind(NamedTuple):
         return row - lower, lower
 
 
-EVEN = 1e-6  # of the step between frequencies
+EVEN = 1e-6  # largest deviation of a frequency step, over the step
 DIFFERENCE = Kind("difference", -1, np.conj)
 SUM = Kind("sum", 1, np.positive)

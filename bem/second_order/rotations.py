@@ -40,7 +40,7 @@ def still_water_pairs(motion, problem, surface, second=np.conj):
     motion : (f, 6); problem : with its stiffness; surface : `hull_flow.Surface` of the hull
     """
     x = surface.points - np.asarray(problem.rotation_center)
-    area = -surface.normals[:, 2] * surface.weights  # of the waterplane above each point
+    area = -surface.normals[:, 2] * surface.weights  # area of the waterplane above each point
     x[:, 2] = -problem.rotation_center[2]
     H, weight = turned_twice(motion, second), problem.density * problem.gravity
     lever = np.stack([np.ones(len(x)), x[:, 1], -x[:, 0]])

@@ -17,8 +17,8 @@ from ..waves import depth_values
 from .kinds import DIFFERENCE, SUM
 
 RING_POINTS, GROWTH = 6, 1.6  # rings of one interval of radii, and by how much the next one is wider
-# from the circle to where no local part is left: depths, 1/k, radii of it.  At sums it is of the wave that is made at
-# them, next to a surface's part as large as the whole force, which it errs by 6 % with the reach of differences
+# distance from the circle to the end of the local part, in depths, 1/k and radii.  For sums k is that of the wave of
+# the sum; with the reach of differences the part of the surface, as large as the whole force, is 6 % off
 REACH = {DIFFERENCE: (2.0, 8.0, 10.0), SUM: (4.0, 32.0, 10.0)}
 LOCAL = 2.0  # directions of rings for an order that is sent
 BEYOND = 12  # orders above the last: to twice that |z| Bessel functions are not halves of Hankel functions

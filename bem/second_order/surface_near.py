@@ -222,7 +222,7 @@ class SurfaceInfluence:
         table = wave_table(run.omega, problem.depth, problem.gravity, self.reach, self.deepest)
         Z, count = depth_values(run.k, problem.depth), len(self.points) if count is None else count
         nodes = np.arange(g.hull)
-        longest = PER_WAVE * min(1 / run.k, problem.depth)  # beyond it all points would take the finer rule
+        longest = PER_WAVE * min(1 / run.k, problem.depth)  # with larger sizes all points would take the finer rule
         pairs = Pairs.of(g, nodes[:1], nodes, classes)
         pairs = pairs._replace(quadrature=self.close, sizes=np.minimum(pairs.sizes, longest))
         out = {cls: np.empty((len(phi), count), complex) for cls, (phi, _) in flows.items()}

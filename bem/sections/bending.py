@@ -19,7 +19,7 @@ from .any_section import PER_RADIAN, AnyFlow, shape
 from .outline import rectangle
 
 TOLERANCE = 1e-4
-THIN = 1e-5  # of the width, what stands for no draft: amplitudes differ by 2e-4
+THIN = 1e-5  # draft over width in place of a draft of 0: amplitudes differ by 2e-4
 FEWEST, PER_WAVE = 8, 4  # shapes, and further ones for each wave along the strip
 
 

@@ -25,7 +25,7 @@ from scipy.special import exp1
 from ..froude_krylov import incident_force
 
 SWAY, HEAVE, ROLL = range(3)
-NODES = 10  # per panel
+NODES = 10  # nodes on a panel
 MOST_POINTS = 1500  # largest number of points on half the contour (5000 would take 80 s)
 GOLDEN = (np.sqrt(5) - 1) / 2
 

@@ -138,7 +138,7 @@ def _beneath(gap, b, inner, symmetric, along):
         mean = np.append(gap.mean, over_bottom)
         matrix += ratio / gap.height * np.outer(mean, mean)
     elif not symmetric:
-        mean = np.append(gap.mean, 2 * b * b / 3)  # of y/b times y
+        mean = np.append(gap.mean, 2 * b * b / 3)  # the last is the mean of y/b times y
         matrix += b / gap.height * np.outer(mean, mean)
     return Beneath(ratios, matrix[:-1, :-1], matrix[-1, :-1])
 

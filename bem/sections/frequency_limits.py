@@ -41,7 +41,7 @@ class LimitFlow(FiniteDepthFlow):
         gap = self.shape.gap
         n = np.arange(1, gap.mode_count(0.0, modes) + 1)
         l = (n if lid else n - 0.5) * np.pi / depth
-        means = np.concatenate([gap.mean, [draft, -(draft**2) / 2]])  # of the rows, ⟨·, 1⟩
+        means = np.concatenate([gap.mean, [draft, -(draft**2) / 2]])  # means ⟨·, 1⟩ of the rows
         self.modes = OuterModes(0.0, depth, means, l, np.full(len(l), depth / 2), gap.outer_rows(l))
         self.outside = mode_sum(self.modes.rows, gap.outer_decays, -1 / (l * self.modes.norms))
         self.wave_rows = means

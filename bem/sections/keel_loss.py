@@ -56,7 +56,7 @@ class KeelFlow(NamedTuple):
             radiated_back=there.radiated_back - waves,
             reflection=complex(R),
             transmission=complex(T),
-            haskind=np.full(3, np.nan + 0j),  # not of a flow that loses
+            haskind=np.full(3, np.nan + 0j),  # not defined for a flow with losses
             drift=there.drift * (1 + abs(R) ** 2 - abs(T) ** 2) / (2 * abs(there.reflection) ** 2),
         )
 
@@ -72,5 +72,5 @@ def keel_flow(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tol
     moved = np.array([mean @ one.velocity if mode != HEAVE else 0.0 for mode, one in enumerate(flow.radiated)])
     force = np.array([flow.force(driven, SWAY), 0.0, flow.force(driven, ROLL) - (beam / 2) ** 2])
     wave = flow.sent(driven)
-    moved[ROLL] += (beam / 2) ** 2 / 2 / gap.height  # at y = 0: what the bottom draws in beyond the keel's edge
+    moved[ROLL] += (beam / 2) ** 2 / 2 / gap.height  # velocity at y = 0, of the flux by the hull's bottom to its edge
     return KeelFlow(there, moved, mean @ flow.diffracted[0].velocity, mean @ driven.velocity, force, wave)

@@ -115,7 +115,7 @@ def _at_rest(one, density, gravity):
     mass = weight if one.mass is None else one.mass
     inertia = np.diag([mass, mass, mass * one.gyration**2])
     middle, arm = 0.5 * (wetted.left + wetted.right), wetted.waterline
-    off = middle - wetted.center.real  # of the waterplane from the centre of gravity
+    off = middle - wetted.center.real  # m, middle of the waterplane from the centre of gravity
     roll = gravity * (density * (arm**3 / 12 + arm * off**2) + weight * (wetted.center.imag - one.center))
     return inertia, np.array([[0, 0, 0], [0, density * gravity * arm, density * gravity * arm * off],
                               [0, density * gravity * arm * off, roll]])  # fmt: skip

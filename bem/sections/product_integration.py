@@ -114,7 +114,7 @@ def _second_kind(t0, on_cut):
     """Q_k(t₀) (n, NODES + 1), principal values on the cut, and Re ∫ ln(t₀ − t) dt (n,)"""
     up, down = t0 + 1, t0 - 1
     q = np.empty((len(t0), NODES + 1), complex)
-    ratio = up / down  # of one sign of zero, where p lies on the straight line of a panel
+    ratio = up / down  # zeros of equal sign where p lies on the straight line of a panel
     q[:, 0] = np.where(on_cut, np.log(abs(ratio)), np.log(ratio)) / 2
     q[:, 1] = t0 * q[:, 0] - 1
     for k in range(1, NODES):

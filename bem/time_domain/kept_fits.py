@@ -30,7 +30,7 @@ def kept_fit(source, make, *arrays):
     made = make()
     data = io.BytesIO()
     np.savez(data, **made._asdict())
-    with suppress(OSError):  # where kernels cannot be kept either, and this is said of them
+    with suppress(OSError):  # folder without write access, which the kernels also report
         put_file(file, data.getvalue())
         _drop_oldest(file.parent)
     return made

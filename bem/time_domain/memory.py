@@ -174,7 +174,7 @@ def _memory(body, tolerance, motions):
     _check_deviation(deviation, band, damping, size, body.words, _ringing(body))
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size)
-    answered[(at < band[0]) | (at > band[1])] = 0.0  # where damping is a power that is supposed
+    answered[(at < band[0]) | (at > band[1])] = 0.0  # damping outside the band is an assumed power law
     parts = [
         _kept(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
         for g in groups
@@ -206,7 +206,7 @@ def _goal(body, band, motions, stored=True):
     still = _still(body, omega, added_mass, damping)
     moving = [i for i in motions if not still[i]]
     damping = without_rows(damping, np.flatnonzero(still))
-    damping = without_negative(damping, damping)  # what would give energy
+    damping = without_negative(damping, damping)  # negative damping would add energy
     limit, monopole = ends_of(body, moving)
     limit = limit if stored else None
     if limit is not None:
@@ -290,7 +290,7 @@ def _relative(values, scale):
 
 def _deviation(axis, omega, added_mass, damping, scale, inertia):
     """(6, 6) of the transform from the database, relative to scale (6, 6), or FELT of ω (M + A) where that is more"""
-    at = slice(2, -2, 8)  # at the ends damping has a corner, and added mass its logarithm
+    at = slice(2, -2, 8)  # interior points: at the ends damping has a corner and added mass a logarithm
     middle = 0.5 * (omega[1:] + omega[:-1])[at]
     A, B = (0.5 * (x[1:] + x[:-1])[at] for x in (added_mass, damping))
     made = axis.transform(middle)

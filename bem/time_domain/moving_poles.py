@@ -109,7 +109,7 @@ def _slopes(system, s, across):
     def columns(c, rows):  # (n, q, m, m) of (m, n) and (n, q, m)
         return c.T[:, None, :, None] * rows[:, :, None, :]
 
-    def left(matrix):  # of b̄_k in front
+    def left(matrix):  # factor b̄_k on the left
         return columns(B.conj().T, (matrix @ flat).reshape(n, -1, m))
 
     by_rate = columns(C, gain[:, :, None] * right) + columns(squared, right)

@@ -22,11 +22,12 @@ from .moving_poles import Moving, moved, real_basis, storage, transfer
 
 ROUNDS = 80
 STEADY = 300.0  # weight of H(0) = 0, whose part that does no work is not zero by itself
-ENOUGH, ENOUGH_AFAR, NEAR = 1e-3, 1e-2, 1.5  # relative gain in squares of a round after which no more is tried, and
-# that of a fit which misses by more than NEAR times its tolerance
-HOPELESS = 1.2  # times the tolerance: more than least squares of all entries leave to their largest
-MOVABLE, MOVED = 8.0, 3  # times the tolerance, of a fit whose modes are moved to come nearer, and most inputs of it: a
-# round takes 10 ms with two, a second with six
+# relative gain in squares below which rounds end; ENOUGH_AFAR for a fit that misses its tolerance by a factor NEAR
+ENOUGH, ENOUGH_AFAR, NEAR = 1e-3, 1e-2, 1.5
+HOPELESS = 1.2  # error over the tolerance; least squares of all entries leave less to the largest
+# largest error over the tolerance of a fit whose modes are moved, and its largest number of inputs: a round takes 10 ms
+# with two, a second with six
+MOVABLE, MOVED = 8.0, 3
 DAMPINGS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3)  # initial damping values, relative to the largest
 REAL = 1e-10  # imaginary part, relative, of what is a real mode
 

@@ -114,7 +114,7 @@ def _moved(s, entries, weight, poles):
         parts = []
         for entry, w in zip(entries.T[:, :, None], weight.T[:, :, None], strict=True):
             triangle = np.linalg.qr(_real(w * np.hstack([phi, -entry * phi, -entry])), mode="r")
-            parts.append(triangle[n:, n:])  # what concerns σ alone
+            parts.append(triangle[n:, n:])  # equations for σ alone
         left = np.vstack(parts)
         size = np.linalg.norm(left)  # Σ Re σ = q keeps σ from vanishing
         left = np.vstack([left, np.append(phi.real.sum(axis=0), len(s)) * size / len(s)])

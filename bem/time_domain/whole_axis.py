@@ -29,7 +29,7 @@ from ..database.reader import without_rows
 LOWEST, DIPOLE, HIGHEST = 1.0, 3.0, 12.0  # powers of ω that are believed
 SIDE = 3.0  # slowest power of ω⁻¹ that is believed
 END = 0.85  # share of the band above which its upper slope is taken
-CUT = 300.0  # times Ω: what is beyond is below 1/CUT² of what is above the band
+CUT = 300.0  # upper limit over Ω; the part beyond it is below 1/CUT² of the part above the band
 BUMPS = ((3, 5), (5, 9))  # powers of Ω/ω of damping that rises and falls beyond the band
 FEEBLE = 0.01
 COMPARED = 60  # frequencies at which added mass is compared
@@ -193,7 +193,7 @@ def _unseen(omega, added_mass, axis, above):
         missing = missing - axis.added_mass_infinity.ravel()
     else:
         left = np.column_stack([left, np.ones(len(at))])
-    # by ω: as impedance, whose size those of the damping are told by; what is weakly felt in the band stays small
+    # rows times ω give impedance, of the size of the damping; motions with small forces in the band stay small
     keep = FEEBLE * np.sqrt(len(at)) * np.eye(len(BUMPS), left.shape[1])
     right = np.vstack([at[:, None] * missing, np.zeros((len(BUMPS), missing.shape[1]))])
     found = np.linalg.lstsq(np.vstack([at[:, None] * left, keep]), right, rcond=None)[0]
@@ -209,7 +209,7 @@ def without_negative(matrices, damping):
     scale[scale == 0] = 1.0
     values, vectors = np.linalg.eigh(0.5 * (matrices + matrices.swapaxes(1, 2)) / scale)
     mended = (vectors * np.maximum(values, 0)[:, None]) @ vectors.swapaxes(1, 2) * scale
-    mended[:, ~np.any(damping, axis=0)] = 0.0  # what symmetry keeps apart, to the last digit
+    mended[:, ~np.any(damping, axis=0)] = 0.0  # exact zeros for motions uncoupled by symmetry
     return np.where((values[:, 0] < 0)[:, None, None], mended, matrices)
 
 

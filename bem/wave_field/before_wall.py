@@ -174,7 +174,7 @@ def _one(body, wall, plan, theta, beta, omega, radiated, diffracted, forces, A, 
     turn = np.exp(2j * k * wall * np.sin(beta))[:, None]
     first = scattered[t : t + b] + turn * scattered[t + b :]
     strengths = np.linalg.solve(answer, np.concatenate([first, of_motion]).T).T
-    press = -4j * scale * strengths @ (of_motion @ passed.T).T  # on the modes, of each
+    press = -4j * scale * strengths @ (of_motion @ passed.T).T  # force on the modes, by waves of headings and motions
     force, own = forces[:b] + turn * forces[b:] + press[:b], 0.5 * (press[b:] + press[b:].T)
     A, B = A + own.real / omega**2, B + own.imag / omega
     row = {"added_mass": A, "radiation_damping": B, "excitation_force": force, "drift_force": None}

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-PANELS = 2000  # of what is in the file
+PANELS = 2000  # approximate number of panels for all patches of a file
 TRIED = 8  # points along a side of a patch, from which its lengths are found
 
 

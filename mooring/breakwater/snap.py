@@ -94,7 +94,7 @@ def one_metre(body, sections, axial_stiffness):
     force = reader.between.quantities["excitation_force"]
     force = np.concatenate([force.real, force.imag], axis=2)
     waves = WaveForces(reader.omega, np.repeat(force, HEADINGS, axis=1), None)
-    # of surge, pitch and yaw, which nothing moves: critically damped springs
+    # critically damped springs on surge, pitch and yaw, which no force excites
     along = np.diag([1.0, 0.0, 0.0, 0.0, body.radius**2, body.radius**2])
     spring, damping = along * body.heave_stiffness, along * 2 * np.sqrt(body.heave_stiffness * body.mass)
     return moored(reader, _lines(body, axial_stiffness, rise), spring=spring, damping=damping, waves=waves)

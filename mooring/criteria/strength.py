@@ -15,7 +15,7 @@ SIZES = {  # mm, sizes that are made
     "chain": (*range(20, 100, 2), *range(100, 220, 5)),
     "rope": (*range(16, 64, 4), *range(64, 264, 8)),
 }
-TERMINATIONS = {  # what is left of a wire rope's breaking load at its end, the lower value of each
+TERMINATIONS = {  # share of a wire rope's breaking load left at its end, the lower value of each kind
     "socket": 1.0, "swaged socket": 0.95, "sleeve": 0.925, "splice": 0.80, "wedge socket": 0.75, "clips": 0.80,
 }  # fmt: skip
 SOCIETIES = ("LR", "AB", "NV", "BV", "GL", "NK", "NK semisubmersible")

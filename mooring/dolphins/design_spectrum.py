@@ -20,7 +20,7 @@ from .linearised import equivalent
 
 LARGEST = math.sqrt(2 * math.log(1000)) + 0.5772156649 / math.sqrt(2 * math.log(1000))  # 3.872 σ
 STATIC, TOTAL = 0.10, 0.35  # strains that are allowed
-ROUNDS, SETTLED = 200, 1e-5  # of the equivalent spring
+ROUNDS, SETTLED = 200, 1e-5  # iterations for the equivalent spring: largest number, relative change at the end
 FREQUENCIES = 400
 
 

@@ -27,7 +27,7 @@ from ..fenders.pressed import NODES, Pressed
 from .linearised import equivalent
 
 FINE = 90  # steps of the shortest period of the body on its fenders; 1e-6 of the reaction
-ROUNDS, SETTLED = 200, 1e-6  # of the equivalent spring
+ROUNDS, SETTLED = 200, 1e-6  # iterations for the equivalent spring: largest number, relative change at the end
 UNEVEN = 1e-3  # largest relative variation of the time step of a record
 LEAST = 0.55  # smallest reduction factor of a spectrum by damping
 SIDES = np.array([1.0, -1.0])
@@ -178,7 +178,7 @@ def both_sides(fenders):
         return out
 
     def force(path):
-        twice = np.concatenate([path, path])  # so that the loop is the steady one
+        twice = np.concatenate([path, path])  # two rounds, so that the loop is the steady one
         return count * (one_side(twice - clearance) - one_side(-twice - clearance))[len(path) :]
 
     return force
@@ -241,7 +241,7 @@ def course(ground, floater, fenders):
     h = float(ground.time[1] - ground.time[0])
     stiffest = count * float(fender.loading.slope(np.linspace(0, fender.limit, 200)).max())
     steps = max(1, int(np.ceil(h * FINE / (2 * np.pi) * np.sqrt(stiffest / whole))))
-    A, B, place = np.zeros((2 + n, 2 + n)), np.zeros((2 + n, 2)), np.zeros((2, 2 + n))  # of η, η̇ and the memory
+    A, B, place = np.zeros((2 + n, 2 + n)), np.zeros((2 + n, 2)), np.zeros((2, 2 + n))  # states: η, η̇, the memory
     A[0, 1], A[1, 1], A[1, 2:] = 1.0, -floater.damping / whole, -floater.c / whole
     A[2:, 1], A[2:, 2:] = floater.b, floater.a
     B[1], place[:, 0] = -count / whole * SIDES, SIDES

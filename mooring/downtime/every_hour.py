@@ -36,7 +36,7 @@ NODES = np.arange(-2, 4)  # offsets of the six nodes around a direction
 AT_ONCE = 2048  # hours of a product of matrices: 9 MB of spectra
 RING = 360, 720  # headings, fewest and most: with 72 of long waves the largest σ is off by 1e-5, so by 1e-7
 PER_HARMONIC = 13.4  # directions per harmonic; |X|² has 2kR harmonics over β
-HEADINGS_AT_ONCE = 72  # whose complex transfer functions are in memory together
+HEADINGS_AT_ONCE = 72  # headings whose complex transfer functions are in memory together
 REFERENCE = 10.0  # s
 STEP = 0.01  # step of ln T in the table over periods
 LOW = 1e-3  # m, of a sea that is not too steep at any period
@@ -162,7 +162,7 @@ def moments_of_hours(response, shape, waves, orders=(0, 2)):
 
 def rule_of(omega, orders):
     """(o, q) weights of the trapezium rule with ωⁿ"""
-    rule = np.gradient(omega)  # but for its ends
+    rule = np.gradient(omega)  # trapezoidal rule, apart from its ends
     rule[[0, -1]] *= 0.5
     return np.stack([rule * omega**n for n in orders])
 

@@ -16,7 +16,7 @@ from ..seas.netcdf import planes_of
 from .every_hour import ring_of, rule_of
 
 RING = 720  # headings of an integral over directions
-SECTOR = 1.5  # times the usual step of directions, beyond which nothing travels between two
+SECTOR = 1.5  # factor on the usual step of directions; no waves travel between two further apart
 
 
 class Planes(NamedTuple):

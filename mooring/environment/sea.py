@@ -69,7 +69,7 @@ class Sea:
             return share if omega is None else np.tile(share, (len(np.atleast_1d(omega)), 1))
         if omega is not None:
             return _scaled(self.spreading.shares(omega) @ basis, headings)
-        middles = self.spectrum.quantile((np.arange(200) + 0.5) / 200)  # of equal energy
+        middles = self.spectrum.quantile((np.arange(200) + 0.5) / 200)  # middles of bands of equal energy
         return _scaled(np.mean(self.spreading.shares(middles) @ basis, axis=0), headings)
 
     def components(self, count, seed, *, frequencies="equal_step", amplitudes="deterministic", low=None, high=None):

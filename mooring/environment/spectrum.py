@@ -17,7 +17,7 @@ from .allowed import positive, rising, row_of_numbers
 
 SIGMA = (0.07, 0.09)
 ORDERS = (-1, 0, 1, 2, 3, 4)
-# where γ^r differs from 1 by more than 1e-23; panels as narrow as σ, ending where σ changes
+# panels over the range where γ^r differs from 1 by more than 1e-23, as narrow as σ, with an end where σ changes
 PANELS = np.concatenate([np.linspace(0.3, 1, 11), np.linspace(1, 2, 15)[1:]])
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
@@ -204,7 +204,7 @@ def _moment_without_peak(order, low, high):
     if order == 4:
         return 0.25 * (exp1(v) - exp1(u))
     a = 1 - order / 4
-    # of the two complements the small one, so that a thin tail keeps its digits
+    # the smaller of two complementary functions, so that a thin tail keeps its digits
     part = np.where(u < 1, gammainc(a, u) - gammainc(a, v), gammaincc(a, v) - gammaincc(a, u))
     return 0.25 * 1.25**-a * gamma(a) * part
 

@@ -122,7 +122,7 @@ def components_of(record, direction, shortest=0.0):
     longest = 2 * np.pi / shortest if shortest > 0 else np.inf
     kept = (omega > 0) & (omega <= longest) & (np.abs(X) > FAINT * np.abs(X).max())
     if n % 2 == 0:
-        kept[-1] = False  # at half the sampling rate phase and amplitude are not known apart
+        kept[-1] = False  # phase and amplitude cannot be separated at half the sampling rate
     return Components(omega[kept], np.abs(X[kept]), -np.angle(X[kept]), np.full(np.count_nonzero(kept), direction))
 
 

@@ -137,7 +137,7 @@ def _rows(key, rows, path):
     names, entries = rows[0][1].split(), [line.split("#")[0].split() for _, line in rows[2:]]
     if key == "bodies" and "xcg" in map(str.lower, names):
         entries = [early_body(words) for words in entries]
-    if key == "failures" and names[0].lower() == "node":  # of the same drafts, without a number of its own
+    if key == "failures" and names[0].lower() == "node":  # early drafts of MoorDyn, without a number for each failure
         names, entries = ["FailureID", "Point", *names[1:]], [[str(i), *words] for i, words in enumerate(entries, 1)]
     fields = _columns(key, names, {len(words) for words in entries}, (path, rows[0][0], section.title))
     made = tuple(_row(key, fields, number, words, path) for (number, _), words in zip(rows[2:], entries, strict=True))

@@ -12,7 +12,7 @@ from math import isfinite
 from .moordyn_ropes import is_syrope
 from .moordyn_rows import FREE
 
-# of the file's OPTIONS in lower case: what they bring in where their value is not 0
+# OPTIONS of the file in lower case, with the effect that a value other than 0 switches on
 BROUGHT_IN = {
     "wavekin": "waves",
     "waterkin": "waves and currents",

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-# what a point, rod or body may be attached to, in lower case
+# kinds of attachment of a point, rod or body, in lower case
 FIXED = ("fixed", "fix", "anchor")
 COUPLED = ("coupled", "cpld", "vessel", "ves", "fairlead")
 FREE = ("free", "connect", "con", "point")
@@ -138,7 +138,7 @@ class Section(NamedTuple):
     title: str
     words: tuple[str, ...]  # any of these in the heading
     row: type | None
-    columns: tuple[tuple[str, str], ...]  # as written: name, unit
+    columns: tuple[tuple[str, str], ...]  # (name, unit) of each column, as written
     aliases: dict[str, str]  # further names of columns, lower case → field
 
 

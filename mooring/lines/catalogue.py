@@ -56,7 +56,7 @@ CHAIN = {
     "r4s": ChainGrade(0.0304, 0.0240, 0.0213, (5.45e10, 0.0025e10)),
     "r5": ChainGrade(0.0320, 0.0251, 0.0223, (6.00e10, 0.0033e10)),
 }
-# on the nominal diameter, across and along the line
+# drag coefficients over the nominal diameter, across and along the line
 CHAIN_DRAG = {"studlink": (2.6, 1.4), "studless": (2.4, 1.15)}
 STRANDED, SPIRAL, FIBRE_DRAG = 1.8, 1.6, 1.6
 WIRE = {  # construction and core: K, W

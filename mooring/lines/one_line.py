@@ -74,7 +74,7 @@ def tension_curve(one, points=120, span=0.0):
     weight = abs(one.type.weight)
     top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * weight * one.length
     least = 1e-3 * weight * max(abs(one.height), 0.01 * one.length)
-    shore = np.inf if one.slope == 0 else one.height / np.tan(one.slope)  # where the bed is as high as the fairlead
+    shore = np.inf if one.slope == 0 else one.height / np.tan(one.slope)  # where the bed reaches the fairlead's height
     ends = [_span_over_bed(one, H, shore) for H in (least, top)]
     ends[1] = max(ends[1], span)
     reach = np.sqrt(max(one.length**2 - one.height**2, 0.0))

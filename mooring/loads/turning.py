@@ -57,7 +57,7 @@ class Term(NamedTuple):
     parity: int
 
 
-# in the order A0, A1, … of C_x; A1, A2, … of C_y and C_m
+# coefficients in the order A0, A1, … of C_x; A1, A2, … of C_y and C_m
 _DRAG = ((0, 0), (2, 0), (0, 2), (1, 1), (3, 1), (1, 3), (4, 0), (0, 4))
 _LIFT = ((1, 0), (0, 1), (2, 1), (1, 2), (3, 0), (0, 3))
 DRAG = tuple(Term(n, k, 1 if k % 2 else -1) for n, k in _DRAG)

@@ -4,14 +4,14 @@
     hawser  T = B (e/(L ε_B))ⁿ + c min(1, e/e_c) ė where it is longer than L, never below 0; 0 where it is shorter
     tilt    ΣT h cos θ = c_θ sin θ,   c_θ = mg (z_B + I/∇ − z_G),   hawsers yield by h sin θ
 
-w is the velocity of the buoy; q, a those of the water at the middle of its draft, incident waves and current, B, ε_B
-and n those of a rope (`mooring.lines.ropes`); up and down there is the added mass, and not the ρ∇ a of the buoyancy.
-The loss of a hawser grows with its elongation up to e_c, that at a tenth of B, so that nothing jumps where it comes
-taut.  A buoy whose hawsers are made fast at a height h over its lines tilts under their pull, at once, its centre of
-gravity at half its height: a small buoy yields by more than its hawsers, by which they snap less.  But for that tilt
-hawsers go from the deck of the body to the axis of the buoy.  Lines hang in their static form.  Waves that the body
-scatters are left out.  Water at the buoy is tabulated window by window as are the forces of waves (`wave_loads`), at
-the place where the buoy was found at the begin of the window before.
+w is the velocity of the buoy; q, a those of the water at the middle of its draft, incident waves and current; B, ε_B
+and n are those of a rope (`mooring.lines.ropes`).  The vertical equation has the added mass, without the ρ∇ a of the
+buoyancy.  The damping of a hawser grows with its elongation up to e_c, the elongation at a tenth of B, so that the
+force is continuous where the hawser comes taut.  A buoy with hawsers at a height h over its lines tilts under their
+pull without delay; its centre of gravity is at half its height.  The tilt of a small buoy exceeds the elongation of its
+hawsers, and reduces their snap loads.  Apart from the tilt, hawsers run from the deck of the body to the axis of the
+buoy.  Lines have their static form.  Waves scattered by the body are not included.  Water at the buoy is tabulated for
+each window, as are wave forces (`wave_loads`), at the position of the buoy at the begin of the window before.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class BuoyBody:
         return self.mass / (density * 0.25 * np.pi * self.diameter**2)
 
     def yields(self, pull, system):
-        """m by which its hawsers yield to the tilt that their pull, N together, makes in the water of a System"""
+        """m by which hawsers yield to the tilt under their pull, N together, in the water of a System"""
         return yielding(self.lever, self.upright(system), pull)[0] if self.lever > 0 else 0.0
 
     def upright(self, system):
@@ -209,7 +209,7 @@ def pull_of_rope(rope, stretch, rate):
 
 @kernel()
 def yielding(lever, upright, pull):
-    """m by which hawsers yield to the tilt of the buoy that their pull, N together, makes; and its slope, m/N"""
+    """m by which hawsers yield to the tilt of the buoy under their pull, N together; and its slope, m/N"""
     steep = pull / upright  # tan θ
     away = 1.0 + steep * steep
     return lever * steep / np.sqrt(away), lever / (upright * away * np.sqrt(away))
@@ -223,10 +223,10 @@ def slope_of_rope(rope, stretch):
 
 @kernel()
 def yielded(buoy, work):
-    """m by which the buoy gives way to its hawsers, spanned as work.reach tells: S = Σ T(e − x(S)), and dx/dS Σ T′
+    """m by which the buoy gives way to its hawsers, of the reach in `work.reach`: S = Σ T(e − x(S)), and dx/dS Σ T′
 
-    The pull S that balances is the only one: the left side rises with it, the right side falls.  Newton's method,
-    by halves where it leaves the bracket.
+    The balance has one solution S: the left side rises with S, the right side falls.  Newton's method, with bisection
+    where it leaves the bracket.
     """
     most = 0.0
     for i in range(buoy.ropes.shape[0]):
@@ -253,7 +253,7 @@ def yielded(buoy, work):
 
 @kernel()
 def hawsers(buoy, work, y, place, R):
-    """Pull of the hawsers: work.part (6,) generalized on the body, taken from work.force (3,) on the buoy
+    """Pull of the hawsers: work.part (6,) generalized on the body, subtracted from work.force (3,) on the buoy
 
     y : state of the body, (12 or more,); place : (6,) m, m/s, displacement and velocity of the buoy; R : of the body
     """
@@ -378,7 +378,7 @@ def open_water(table, buoy, work, place, number, start):
 
 @kernel()
 def keep_pulls(work, first, last):
-    """Take up the pulls of a step that holds; samples `first` to `last` − 1 lie in it, and their largest begins anew"""
+    """Store the pulls of an accepted step; it contains samples `first` to `last` − 1; their maximum restarts"""
     k = work.rope.size
     for i in range(k):
         work.most[i] = max(work.most[i], work.rope[i])

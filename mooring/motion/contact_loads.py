@@ -1,17 +1,19 @@
-"""Fenders that a body leans on and ropes that hold it to what stands still or to another body, compiled.
+"""Fenders pressed by a body, and ropes from it to a fixed point or to another body, compiled.
 
-A fender's face stands at a in space, met by a flat side of the body with outward normal m (unit, axes of the body) at
-the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
+The face of a fender is at a in space.  A flat side of the body meets it, with outward normal m (unit, axes of the body)
+at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
 
     δ = s − c − m·q,    force on the body −N(δ) R m − T at a,    T = k_t u,  |T| ≤ μ N
 
-u is the way of the body's point at the fender along its face, held back where it slips (return mapping).  −N R m at a
-is the derivative of ∫N dδ, so that an elastic fender keeps energy.  A rope runs from a to the point p of the body:
+u is the displacement of the body's point at the fender along its face, limited where it slips (return mapping).
+−N R m at a is the derivative of ∫N dδ, so that an elastic fender conserves energy.  A rope runs from a to the point p
+of the body:
 
     e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
 
-On another body a moves with it, which takes the opposite force there; u then turns with the body that is met.
-What has a history (`mooring.fenders.hysteresis`, u) keeps it from the start of a step; `settle` takes its end.
+On another body a moves with that body, which gets the opposite force there; u then turns with the body that is met.
+Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step; `settle` stores
+that of its end.
 """
 
 from __future__ import annotations
@@ -64,7 +66,7 @@ class ContactWork(NamedTuple):
 
 
 def contact_work(contacts):
-    """`ContactWork` of what is not met yet"""
+    """`ContactWork` before any contact"""
     start = np.zeros((len(contacts.numbers), 9))
     start[:, DEPTH], start[:, STATE] = -np.inf, 1.0
     parts = np.zeros((2, len(contacts.place), 6))

@@ -63,10 +63,10 @@ class Berth:
 
 
 def berth_of(fenders, ropes, center, hulls=None, ends=None):
-    """`Berth` of a body with its axes at `center` (3,) m.  Raises FenderError where names are not each its own.
+    """`Berth` of a body with its axes at `center` (3,) m.  Raises FenderError for names that are not unique.
 
-    hulls : sequence of `studies.conditions.Afloat` of several bodies that move, in place of the center
-    ends : (body, other) of each fender and rope, numbers among these; other below 0 for what stands still
+    hulls : sequence of `studies.conditions.Afloat` of several moving bodies, in place of the center
+    ends : (body, other) of each fender and rope, numbers among these; other below 0 for a fixed point
     """
     fenders, ropes = tuple(fenders), tuple(ropes)
     at_rest = np.array([[*np.asarray(center, float), 0, 0, 0]] if hulls is None else [one.position for one in hulls])
@@ -156,11 +156,12 @@ def _balanced(residual, start):
 
 
 def rest_together(links, forces, start, unit, headings):
-    """(n,) places where forces, a function of the place (n,) in space, and links balance, and (r,) what these hold
+    """(n,) positions where forces, a function of the position (n,) in space, and links balance, and (r,) forces of the
+    links
 
-    Springs of links are beside the forces.
+    Springs of links are not among the forces.
     forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
-    raises : ValueError where they do not
+    raises : ValueError where there is no balance
     """
     given = forces(np.asarray(start)), springs_at(links, poses_at(start, headings))
     size = max(*(np.abs(part * unit).max() for part in given), 1.0)

@@ -1,21 +1,21 @@
-"""The equation of motion of a body in time, and the powers of everything that acts on it, compiled.
+"""The equation of motion of a body in time, and the powers of all forces on it, compiled.
 
     (M + A∞) ν̇ + C(νₛ) ν + ∫₀ᵗ K(t−τ) ν(τ) dτ + B′ν + N₂ν|ν| + C η
         = F₁ + F₂ + F_wind + F_current + F_lines + F_fenders + F_ropes + F_given
 
-η = (x, y, z, φ, θ, ψ): place of the rotation centre from that at rest, in space, roll and pitch, and the heading, which
-may be any.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow velocity
-(after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew, so that
-it does no work; with a current its moment on the added mass (Munk's) is in the current coefficients and left out here.
-Hinges between bodies (`links`) add to the forces what holds these together.
-The memory is a linear system that is driven by ν (`bem.time_domain.memory`).  A buoy with mass between hawsers and
-lines of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation.
+η = (x, y, z, φ, θ, ψ) is the displacement of the rotation centre from rest, in space, roll and pitch, and the heading,
+which is unlimited.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow
+velocity (after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew,
+so that it does no work; with a current its moment on the added mass (Munk's) is part of the current coefficients and is
+not included here.  Hinges between bodies (`links`) add their constraint forces.
+The memory is a linear system with the input ν (`bem.time_domain.memory`).  A buoy with mass between hawsers and lines
+of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation.
 Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
 
-State of a body: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J.  The state is
-that of every body, one after another, displacement (3) and velocity (3) of a buoy in space, and the memory of all.
-Several bodies, N, move in the same equation: M + A∞ and B′ are (6N, 6N), the memory is that of the whole, and lines,
-fenders and ropes give what they do to one of them back to the other.  ψ is the heading of each, not 0 at rest for all.
+State of a body: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J.  The state
+contains that of every body, one after another, displacement (3) and velocity (3) of a buoy in space, and the memory of
+all.  Several bodies, N, have one equation: M + A∞ and B′ are (6N, 6N), the memory is that of the whole, and lines,
+fenders and ropes between two bodies act on both with opposite sign.  ψ is the heading of each, not 0 at rest for all.
 """
 
 from __future__ import annotations
@@ -102,9 +102,9 @@ class Work(NamedTuple):
 
 
 class Scene(NamedTuple):
-    """All that acts on a body, and room for work: what `rates` takes beside time and state
+    """Everything that acts on a body, and work arrays: the arguments of `rates` besides time and state
 
-    links : (`links.Links`, LinkWork), of none where there are none: one version of the kernels serves all
+    links : (`links.Links`, LinkWork), empty where there are none: one version of the kernels serves all
     """
 
     body: Body
@@ -231,7 +231,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
 
 @kernel(inline=True, counted=False)
 def load(scene, hull, b, t, y, rate, force, work):
-    """Waves, drift, what is given, wind and current on body b of a `Scene`, each grown by the ramp
+    """Waves, drift, given forces, wind and current on body b of a `Scene`, each multiplied by the ramp
 
     hull : HullWater of a single body that slews, without rows of another; y, rate : (BLOCK,), force : (6,) of it
     """

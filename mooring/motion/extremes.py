@@ -1,14 +1,15 @@
-"""The largest value of a run, told from runs that differ in their seed alone, whatever law it follows.
+"""The largest value of a run, from runs that differ only in their seed, without an assumed distribution.
 
-Of n independent runs let x₁ ≤ … ≤ xₙ be their largest values, and m the median of the largest value of such a run: half
-of them go beyond it.
+For n independent runs let x₁ ≤ … ≤ xₙ be their largest values, and m the median of the largest value of such a run:
+half of all runs exceed it.
 
     P(x_d ≤ m ≤ x_{n+1−d}) = 1 − 2 P(B < d),   B binomial (n, ½)                                   (1)
-    the largest of n is gone beyond by at most a share 1 − (1−c)^(1/n) of such runs, with confidence c   (2)
+    at most a share 1 − (1−c)^(1/n) of such runs exceeds the largest of n, with confidence c       (2)
 
-The interval of CONFIDENCE lies between those of two neighbouring d and is interpolated between them (Hettmansperger and
-Sheather 1986, Statistics & Probability Letters 4, 75-79).  No law is fitted: lines that snap in few runs have largest
-values of two populations, and slow motion has peaks in clusters (what laws do there: tests/bench/extremes_coverage.py).
+The interval of CONFIDENCE is between those of two neighbouring d and is interpolated between them (Hettmansperger and
+Sheather 1986, Statistics & Probability Letters 4, 75-79).  No distribution is fitted: the largest values of lines that
+snap in few runs are from two populations, and slow motion has peaks in clusters (tests/bench/extremes_coverage.py shows
+the effect on fitted distributions).
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import numpy as np
 
 CONFIDENCE = 0.9
 FEWEST = 5  # runs: an interval of CONFIDENCE is within the largest and smallest of them, 1 − 2^(1−n)
-RARE = 2.0  # times the median of the largest values of runs, beyond which one is of few runs
+RARE = 2.0  # factor on the median of the largest values of runs; a larger one comes from few runs
 
 
 class Extreme(NamedTuple):

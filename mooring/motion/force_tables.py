@@ -259,7 +259,7 @@ def cell_pull(values, dc, dz, s, t):
 def packed_pull(tables, number, x, z):
     """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below it.
 
-    Below its least chord it is that there; beyond its greatest it goes on straight along the chord.
+    Below the least chord the value is that of the least chord; beyond the greatest it is extrapolated along the chord.
     """
     ends, first = tables.ends[number], tables.first[number]
     c = max(np.sqrt(x * x + z * z), ends[0, 0])

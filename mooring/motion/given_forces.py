@@ -75,10 +75,10 @@ def read_force(path):
 
 
 def drift_of_half_waves(reader, components, heading, ramp, duration):
-    """`GivenForce` of the drift by half waves at a body that lies at a heading, rad.  Raises ValueError for no waves.
+    """`GivenForce` of the drift by half waves on a body with a fixed heading, rad.  Raises ValueError without waves.
 
-    reader : `bem.database.reader.Reader` that knows its drift, on a current in its axes where there is one
-    components : of waves, which come from their mean direction, at intrinsic frequencies; ramp, duration : s
+    reader : `bem.database.reader.Reader` with drift, on a current in its axes where there is one
+    components : of waves, which travel in their mean direction, at intrinsic frequencies; ramp, duration : s
     """
     t = SURFACE_STEP * np.arange(int(np.ceil((ramp + duration) / SURFACE_STEP)) + 2)
     energy, carrier = components.amplitude**2, carrier_of_body(reader)
@@ -91,7 +91,7 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
         own, turned = np.concatenate([components.omega, omega]), components.direction - heading
         along = carrier.along(np.concatenate([turned, np.full(FREQUENCIES, towards - heading)]))
         met, omega = np.split(absolute_frequency(own, along, reader.depth, reader.gravity), [len(turned)])
-        last = int(np.argmax(omega)) + 1  # beyond it the current blocks them
+        last = int(np.argmax(omega)) + 1  # the current blocks the waves beyond it
         drift, omega = drift[:last], omega[:last]
     surface = real_sum(components.amplitude * np.exp(1j * np.asarray(components.phase)), met, t)
     waves = half_waves(surface, SURFACE_STEP)

@@ -1,14 +1,14 @@
 """Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, step by its own error.
 
-The error of a step is the difference of the two orders.  It is held below a share of the tolerance, of the scale of
-each motion, times the step over the time in which an error dies out; positions and velocities count.  Where a line
-comes taut or a fender is met the force has a corner, and the error of a step over it falls like h² only: there it may
-be that of a share of the usual step, which is the mean of steps over time.  Steps end where a window of wave forces
-ends and where a line breaks, so that no jump lies within one.  Samples between steps are
-Hermite polynomials, of fifth degree in what has a known velocity and acceleration.
+The error of a step is the difference of the two orders.  Its limit is a share of the tolerance, of the scale of each
+motion, times the step over the time in which an error decays; positions and velocities count.  Where a line comes taut
+or a fender is met the force has a corner, and the error of a step over it falls only like h²: such a step may have the
+error of a share of the usual step, which is the mean of steps over time.  Steps end where a window of wave forces ends
+and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite polynomials, of fifth
+degree for quantities with known velocity and acceleration.
 
-Lines with a motion of their own (`moving_lines`) go along the course of a step that is taken with the pull foreseen for
-them; the step is then taken again with their pull.
+Lines with a motion of their own (`moving_lines`) follow a step that is computed with their predicted pull; the step is
+then repeated with their computed pull.
 """
 
 from __future__ import annotations
@@ -116,7 +116,7 @@ def stage(trial, y, k, h, s):
 
 @kernel(counted=False)
 def take_step(scene, buoy, clock, t, h):
-    """Stages and the trial state after a step; returns its error over what is allowed, and whether all lines hold."""
+    """Stages and the trial state after a step; returns its error over the limit, and whether all lines could follow."""
     k, trial, good = clock.stages, clock.trial, True
     for s in range(1, 7):
         stage(trial, clock.y, k, h, s)
@@ -170,11 +170,11 @@ def take_step_with_lines(scene, buoy, clock, moving, t, h):
 
 @kernel(counted=False)
 def missed_course(scene, clock, moving, h):
-    """Error of a step of h s, over what is allowed, because lines went where the body was foreseen.
+    """Error of a step of h s, over the limit, because lines followed the predicted course of the body.
 
-    Missed by its end are x = at²/2 and v = at, by a wrong pull.  Lines that only stretch have a pull that is wrong by
-    their part of Kx, of which each may be off by its tolerance; all together they change the velocity of the body by
-    M⁻¹Kv h²/6 and its position by M⁻¹Kx h²/12.
+    A wrong pull gives errors x = at²/2 and v = at at the end of the step.  Lines that only stretch have a pull that is
+    wrong by their part of Kx, each up to its tolerance; together they change the velocity of the body by M⁻¹Kv h²/6 and
+    its position by M⁻¹Kx h²/12.
     scene : `equation.Scene`; clock : `Clock`, its trial state that of the end; moving : (MovingLines, MovingWork)
     """
     lines, kept = moving

@@ -1,14 +1,14 @@
-"""Hinges, balls, sliders and rigid links between bodies that move, exact: Lagrange's multipliers, compiled.
+"""Hinges, balls, sliders and rigid links between moving bodies, exact, with Lagrange's multipliers, compiled.
 
     W⁻¹ ν̇ = F + Gᵀμ,    G ν̇ = −Ġν − 2α Gν − α² g,    (G W Gᵀ) μ = −Ġν − 2α Gν − α² g − G W F
 
-g (r,) is what a link holds to zero: d, how far its point on the second body is from that on the first, in space, or of
-a slider h · R₁ᵀd along two axes h of the first; and of Q = R₁ᵀR₂R₀ᵀ, the turn of the second from its place at rest in
-axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the axes h that are held.  G is its derivative by the motions,
-along the axes that forces are along, with the angles as they are; so μ, force and moment on the second body, does no
-work while it holds.  A spring and a damper of a slider or a hinge give −k (s − rest) − c ṡ along or about its axis
-R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference quotient along the course.  What errors
-of steps leave of g dies away at α (Baumgarte 1972).
+g (r,) are the quantities that a link keeps at zero: d, the distance of its point on the second body from that on the
+first, in space, or for a slider h · R₁ᵀd along two axes h of the first; and of Q = R₁ᵀR₂R₀ᵀ, the rotation of the second
+from its position at rest in axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the constrained axes h.  G is the
+derivative of g by the motions, along the axes of the forces, at the present angles; so μ, force and moment on the
+second body, does no work while the constraint is met.  A spring and a damper of a slider or a hinge give
+−k (s − rest) − c ṡ along or about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a
+difference quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).
 """
 
 from __future__ import annotations
@@ -30,12 +30,13 @@ AHEAD = 1e-3  # s, of the difference quotient: it is off by a millionth of a ter
 class Links(NamedTuple):
     """k links of r constraints as the kernels read them.
 
-    ends : (k, 2) numbers of the first and the second body, below 0 for what stands still
-    points : (k, 2, 3) m from the origins of the axes of these, along them; in space of what stands still
-    back : (k, 3, 3) R₀ᵀ; along, held : (k, 3, 3) rows h, of places (three in space) and of turns, in axes of the first
-    first : (k + 1,) number of the first constraint of each; turns : (k,) that of its first about a turn
+    ends : (k, 2) numbers of the first and the second body, below 0 for a fixed point
+    points : (k, 2, 3) m from the origins of the axes of these, along them; in space for a fixed point
+    back : (k, 3, 3) R₀ᵀ; along, held : (k, 3, 3) rows h, of positions (three in space) and of rotations, in axes of the
+        first
+    first : (k + 1,) number of the first constraint of each; turns : (k,) that of its first on a rotation
     place : (N, 3) m, origins of the axes of the bodies at rest
-    shown : (k, 3, 3) rows, along which forces are told, in axes of the first
+    shown : (k, 3, 3) rows, axes of the reported forces, in axes of the first
     way : (k, 3) of the axis of a slider or a hinge, in axes of the first; drive : (k, 3) k, c and rest
     travels : (k,) ALONG an axis, ABOUT one, or none, 0
     """
@@ -98,7 +99,7 @@ def links_of(reader):
         place, axes = bodies[0].in_scene(link.position), [np.eye(3) if one.fixed else one.axes for one in bodies]
         ends.append([-1 if own is None else own.start // 6 for own in moves])
         points.append([place if one.fixed else one.axes.T @ (place - one.rotation_center) for one in bodies])
-        own = axes[0].T @ bodies[0].axes  # of the first, in those that it is turned in here
+        own = axes[0].T @ bodies[0].axes  # axes of the first body in those used for its rotations here
         along = link.along @ own.T if len(link.along) < 3 else np.eye(3)
         for part, held in zip(helds, (along, link.held @ own.T), strict=True):
             part.append(np.zeros((3, 3)))
@@ -137,7 +138,7 @@ def link_work(links, states=0, samples=0):
 
 
 def rows_at(links, poses):
-    """(r, 6N) of G and (r,) of what is held to zero, of `links.Links` with the bodies at poses (N, 6)"""
+    """(r, 6N) of G and (r,) of g, of `links.Links` with the bodies at poses (N, 6)"""
     work, poses = link_work(links), np.ascontiguousarray(poses, float)
     fill_rows(links, work, poses, False)
     G = np.zeros((len(work.gap), poses.size))
@@ -150,7 +151,7 @@ def rows_at(links, poses):
 
 
 def held_by(links, poses, mu):
-    """(k, 6) N, N m with which the first body of each link holds the second, along the axes of the first, of μ (r,)"""
+    """(k, 6) N, N m of the first body of each link on the second, along the axes of the first, from μ (r,)"""
     work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(SHOWN * len(links.ends))
     fill_rows(links, work, poses, True)
     drive(links, work, np.zeros(poses.size))

@@ -1,9 +1,9 @@
-"""What damps slow surge, sway and yaw of a body in time: drift of the waves, radiated waves, and what a study gives.
+"""Damping of slow surge, sway and yaw of a body in time: wave drift, radiated waves, and damping given in a study.
 
-Each as a share ζ = B/2√(CM) of critical at the natural period.  Waves radiated at slow frequencies take next to nothing
-(B → 0 with ω), so that σ of slow motion, which goes like 1/√ζ, is decided by what else there is.  Coefficients of one
-wave frequency, as in the SR179 report (1982), put the damping of waves in its place: a box of 100 m in 20 m of water
-has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
+Each is a share ζ = B/2√(CM) of critical damping at the natural period.  Radiated waves damp slow motion very little
+(B → 0 with ω), so that σ of slow motion, which goes like 1/√ζ, depends on the other parts.  With coefficients of one
+wave frequency, as in the SR179 report (1982), the damping at that frequency replaces it: a box of 100 m in 20 m of
+water has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .wave_loads import HEADINGS, drift_damping
 
 PLANE = (0, 1, 5)
 SLOW = 0.5  # natural frequencies below this fraction of the mean wave frequency are slow
-TOO_MUCH = 2.0  # times the damping at the natural frequency
+TOO_MUCH = 2.0  # largest damping over that at the natural frequency
 LIGHT = 0.02  # damping ratio below which slow motion counts as lightly damped
 
 
@@ -66,10 +66,10 @@ def _radiated(moored, omega):
 
 
 def findings(moored, body, mean, constant, dragged):
-    """Lines on slow motion that is damped too much by constant coefficients, or lightly.
+    """Lines on slow motion that is overdamped by constant coefficients, or lightly damped.
 
     body : `equation.Body`; mean : rad/s, of the waves; constant : whether coefficients are those of `mean`
-    dragged : whether the water drags at the hull, which damps beside these
+    dragged : whether the hull has drag in the water, a further damping
     """
     drift = body.drift_damping[:, 1].reshape(-1, 3, 2)
     own = {name: v for name, v in shares(moored, moored.damping, drift).items() if v[0] < SLOW * mean}

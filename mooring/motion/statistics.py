@@ -23,8 +23,8 @@ from ..response.extremes import expected_maximum
 
 FEWEST_WAVES = 3  # zero crossings below which a record has no extreme
 STEADY = 1e-9  # σ over the largest value of a record that does not vary
-# of the largest σ of all motions or all forces, below which one is what rounding and the tolerance of the steps leave
-# of what symmetry makes zero; of the hull's length and weight, where nothing moves
+# σ over the largest of all motions or all forces; less is rounding of a value that symmetry makes zero.  NOTHING is
+# over the hull's length and weight, where nothing moves
 ROUNDING, NOTHING = 1e-6, 1e-9
 PLANE = {"surge": 0, "sway": 1, "yaw": 5}  # motions that windows of a record tell
 FEWEST_IN_WINDOW = 5  # waves
@@ -157,7 +157,7 @@ def windows(motion, step, length):
     """`Windows` of `length` s of a record (n, 6) m, rad, at steps of `step` s.
 
     Amplitudes are halves of H₁/₃ of the waves between zero crossings about the window's mean.  A last window that is
-    not whole is left out.
+    incomplete is not included.
     """
     count = round(length / step)
     begin = count * np.arange((len(motion) - 1) // count)

@@ -59,7 +59,7 @@ def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
     if gusts is not None:
         first = start - 4 * GUST_STEP
         t = first + GUST_STEP * np.arange(int(np.ceil((end - first) / GUST_STEP)) + 6)
-        with warnings.catch_warnings():  # what lies beyond 1 Hz moves no hull
+        with warnings.catch_warnings():  # the part above 1 Hz moves no hull
             warnings.simplefilter("ignore", MissingVariance)
             omega, amplitude, phase = gust_components(gusts, seed, *GUST_BAND, GUSTS)
         record = real_sum(amplitude * np.exp(-1j * phase), omega, t)[None]

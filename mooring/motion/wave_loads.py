@@ -2,16 +2,16 @@
 
     F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
 
-in axes that turn with the slow heading ψ; r is where the origin of the database's axes lies in its slow position. The
-drift is Newman's with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves pass a place
-at rest with ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is cut
-into windows. A slow pose is foreseen for the end of each window, and forces pass linearly from those of the pose at
-its begin to those of that at its end, so that they are continuous whatever the body does. Within a window exp(−iωt)
-at equal steps is always the same matrix: a window costs two products of small real matrices. Between the steps forces
-are polynomials of fifth degree through six of them.
+in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position. The drift is
+Newman's with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves pass a fixed place with
+ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
+windows. A slow pose is predicted for the end of each window, and forces change linearly from those of the pose at its
+begin to those of the pose at its end, so that they are continuous for any motion. Within a window exp(−iωt) at equal
+steps is always the same matrix: a window costs two products of small real matrices. Between the steps forces are
+polynomials of fifth degree through six of them.
 
-Of several bodies each has a slow pose of its own and carries the origin along: what the others do to the waves is that
-of the places at rest, which is right as long as they keep their distances.
+Each of several bodies has its own slow pose and carries the origin along: the waves scattered by the other bodies are
+those of the positions at rest, which is valid as long as the distances remain.
 """
 
 from __future__ import annotations
@@ -208,11 +208,11 @@ def drift_on_current(forces, omega, direction, velocity, depth, gravity):
 def wave_table(forces, components, depth, center, gravity, drift=True, carrier=None, heading=(0.0,)):
     """`WaveTable` of `WaveForces` in wave components (`mooring.environment.sea.Components`).
 
-    Components outside the stored frequencies exert no force, and the drift of the nearest stored one.
+    Components outside the stored frequencies exert no force; their drift is the nearest stored one.
     center : (3,) m, rotation centre, of several bodies (N, 3); heading : (N,) rad, of their axes at rest
-    drift : whether it is wanted
-    carrier : `mooring.on_current.waves.Carrier`, whatever it says the components have their intrinsic frequencies; None
-        for still water
+    drift : whether it is computed
+    carrier : `mooring.on_current.waves.Carrier` of the components, whose frequencies are intrinsic for any kind of it;
+        None for still water
     """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     held = np.clip(omega, forces.omega[0], forces.omega[-1])

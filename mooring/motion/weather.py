@@ -19,17 +19,17 @@ MEMORY = ("states", "constant")
 
 @dataclass(frozen=True)
 class Weather:
-    """Everything that acts on a body beside its lines; None or nothing leaves a load out.
+    """Everything that acts on a body except its lines; None or nothing for a load that is absent.
 
     seas : tuple of `mooring.environment.sea.Sea`, long- or short-crested
     regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
     wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
     forces : tuple of `mooring.motion.given_forces.GivenForce`
     beside_newman : of `mooring.response.pair_levels.beside_newman` in each sea, None where Newman's rule is enough:
-        forces of pairs of waves of one sea, that push on the body at its place and heading at rest
+        forces of pairs of waves of one sea, on the body at its position and heading at rest
     on_hull : `mooring.motion.tables.hull_water.OnHull`, with its current, in place of the hull and current of a box
-    components : `mooring.environment.sea.Components` in place of seas, alike for every seed, as of a measured record;
-        time is counted from the begin of the ramp, frequencies are those in the water
+    components : `mooring.environment.sea.Components` in place of seas, the same for every seed, as of a measured
+        record; time is counted from the begin of the ramp, frequencies are those in the water
     carrier : `mooring.on_current.waves.Carrier` that carries the waves, by default that of the current
     """
 
@@ -78,25 +78,25 @@ class Weather:
 
 @dataclass(frozen=True)
 class Settings:
-    """How a run is made.
+    """Settings of a run.
 
-    duration : s that statistics are taken of; ramp : s before it, in which every load grows from nothing
-    wave_ramp : (s, s) from the start, begin of the waves and how long they grow, None for the ramp of all loads
+    duration : s of the statistics; ramp : s before it, in which every load grows from zero
+    wave_ramp : (s, s) from the start, begin of the waves and length of their growth, None for the ramp of all loads
     step : s between samples that are kept; tolerance : of the motions, relative to their standard deviations
     components : number of wave components of each sea, None to choose it by duration and bandwidth
     slow_drift : "newman", "half-waves" (the report's), "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
     constant_period : s, of that frequency, None for the mean one of the waves
-    dynamic_lines : names of lines with a motion of their own, "all", "none", or "auto" for all where a trial asks for
-        it; the others hang in their static shape
-    dynamic_elements : of each of these
+    dynamic_lines : names of lines with a motion of their own, "all", "none", or "auto" for all where a trial shows the
+        need; the others have their static shape
+    dynamic_elements : number of elements of each of these
     dynamic_water : the water around these, "still", or "sea" for that of the waves and the current
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it
-    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off, and a third to a
+    estimate_error : whether the error is estimated with a second run at a tenth of the tolerance, and a third at a
         hundredth where the second differs by more than a third of the tolerance
-    offset, velocity : (6,) m, rad and m/s, rad/s from the place at rest at the start
+    offset, velocity : (6,) m, rad and m/s, rad/s from the equilibrium at the start
     """
 
     duration: float

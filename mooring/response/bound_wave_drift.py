@@ -32,7 +32,7 @@ SHALLOW = 1.5  # kh at the mean period, below which what is left out is estimate
 PLACES, FOURTH = 161, 4  # frequencies of an estimate; every fourth of the differences
 WORTH_NAMING = 0.2  # ratio to the slow force by Newman's approximation from which the force is reported
 NOTHING = 1e-6  # force over the weight of the body below which it is negligible
-RATIO = 10.0  # times Newman's force, above which that is as good as none and says nothing of the size of the other
+RATIO = 10.0  # ratio to Newman's force, above which Newman's is negligible and no measure of the other
 STOKES = 40.0  # Ursell number H λ²/h³ up to which waves are a sum of first and second order (Hedges 1995)
 
 

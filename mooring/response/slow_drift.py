@@ -45,7 +45,7 @@ STEPS = 80
 # smallest slope of encounter frequency over wave frequency before blocking, and most frequencies
 SLOWEST_SLOPE, MOST_MET = 0.05, 3000
 # below; frequencies at which waves of several headings are summed
-ROWS = 256  # times or components handled at once: 256 × 500 complex numbers stay in the cache
+ROWS = 256  # times or components in one block: 256 × 500 complex numbers fit the cache
 
 
 class HalfWaves(NamedTuple):

@@ -94,7 +94,7 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
     elif waves is not None and laws:
         damped = replace(body, viscous=Viscous(laws, 0.5 * waves.height))
         body, added = in_regular_waves(damped, waves.omega, 0.5 * waves.height, waves.direction)
-    if not reader.rebuilds_drift:  # what is stored is all that is known of it, at the scene's own waves
+    if not reader.rebuilds_drift:  # only the stored drift is known, at the waves of the scene
         body = replace(reader, viscous=None)
     added = linear + added
     for i, dof in enumerate(names):

@@ -22,7 +22,7 @@ def of_moments(r1, r2, alpha1, alpha2):
     """(n, ROWS) 1/rad on ALPHA; r1, r2 : (n,); alpha1, alpha2 : (n,) rad, NaN where unknown: all alike there"""
     r1, r2 = np.clip(r1, 0, LARGEST), np.clip(r2, 0, LARGEST)
     c1, c2 = r1 * np.exp(1j * alpha1), r2 * np.exp(2j * alpha2)
-    with np.errstate(invalid="ignore"):  # of NaN, which is no direction
+    with np.errstate(invalid="ignore"):  # division by NaN, where the direction is unknown
         p1 = (c1 - c2 * c1.conj()) / (1 - np.abs(c1) ** 2)
     p2 = c2 - p1 * c1
     turn = np.exp(-1j * ALPHA)

@@ -46,7 +46,7 @@ def read_netcdf(path, x_axis, time, location):
         if path.open("rb").read(4) == b"\x89HDF":
             import h5py
 
-            h5py.File(path).close()  # of a file that is cut h5netcdf prints a traceback
+            h5py.File(path).close()  # fails here on a truncated file; h5netcdf would print a traceback
         with xarray.open_dataset(path) as data:
             return _sea(path, data, x_axis, time, location)
     except TableError:

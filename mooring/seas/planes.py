@@ -57,7 +57,7 @@ def two_dimensional(omega, angle, density, name):
         order = np.argsort(angle)
         angle, density = angle[order], density[:, order]
         gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
-    weight = 0.5 * (gaps + np.roll(gaps, 1))  # of straight lines between rows
+    weight = 0.5 * (gaps + np.roll(gaps, 1))  # weights of the trapezoidal rule
     total = density @ weight
     even = np.where(total[:, None] > 0, density / np.maximum(total, 1e-300)[:, None], 1 / (2 * np.pi))
     return Sea(tabulated(omega, total, name), 0.0, TabulatedSpreading(np.asarray(omega, float), angle, even))

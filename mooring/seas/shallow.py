@@ -50,7 +50,7 @@ class Shallow(Spectrum):
         low = 0.3 * self.peak_omega
         high = max(np.sqrt(DEEP * self.gravity / self.depth), 2.0 * self.peak_omega)
         between = np.geomspace(low, high, 2 + int(STEPS * np.log(high / low)))
-        return np.union1d(between, [self.peak_omega])  # where σ of the peak changes
+        return np.union1d(between, [self.peak_omega])  # σ of the spectrum changes at the peak
 
     def _moment(self, order, low, high):
         deep = self._edges[-1]

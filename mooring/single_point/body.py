@@ -170,7 +170,7 @@ class SinglePoint:
         for which in (None, first, 1 - first):
             try:
                 found.append(self._both(place, R) if which is None else self._one(place, R, which, near))
-            except SinglePointError as error:  # beyond reach: the buoy lies elsewhere
+            except SinglePointError as error:  # line beyond reach: the buoy lies elsewhere
                 refused = error
             if found and found[-1][0] == 0.0:
                 return found[-1][1]

@@ -39,7 +39,7 @@ class Lateral(NamedTuple):
 
 
 class Slewing(NamedTuple):
-    """What the roots λ say of the motion that grows most or decays least.
+    """Stability from the roots λ: the motion that grows most or decays least.
 
     stable : every motion decays; growth : 1/s, below 0 where it decays; period : s, inf without oscillation
     """
@@ -61,9 +61,9 @@ def moored_quartic(m: Lateral):
 
 
 def towed_quartic(m: Lateral, speed):
-    """(…, 5) coefficients of a body towed at `speed`, m/s, in water at rest (3.6.17); its loads follow v/U, not ψ
+    """(…, 5) coefficients of a body towed at `speed`, m/s, in water at rest (3.6.17); its loads depend on v/U, not ψ
 
-    Y_r of the motion is that of the water less the centripetal M U; Y_psi and N_psi are left out.
+    Y_r of the motion is that of the water less the centripetal M U; Y_psi and N_psi are not included.
     """
     M, I, F, a, L = m.mass, m.inertia, m.pull, m.arm, m.length
     Y_r = m.Y_r - M * speed

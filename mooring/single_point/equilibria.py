@@ -180,7 +180,7 @@ def _derivatives(point, heading):
         return (8 * near - far)[1:] / (12 * step.sum())
 
     by_v, by_r = by(np.array([1e-4, 0.0])), by(np.array([0.0, 2e-6]))
-    inertia = (point.mass[1, 1] - (0.0 if loads.water.turning else point.mass[0, 0])) * u  # of axes that do not turn
+    inertia = (point.mass[1, 1] - (0.0 if loads.water.turning else point.mass[0, 0])) * u  # for axes that do not turn
     return by_v[0], by_r[0] + inertia, by_psi[0], by_v[1], by_r[1], by_psi[1]
 
 

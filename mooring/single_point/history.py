@@ -1,4 +1,4 @@
-"""What a run in time says: tensions of the lines, watch circle, whether the slewing dies out or stays."""
+"""Results of a run in time: tensions of the lines, watch circle, whether slewing decays or persists."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Record(NamedTuple):
 class Cycle(NamedTuple):
     """Slewing at the end of a run: amplitude : rad of the heading; period : s, nan without oscillation
 
-    growing : amplitude of the second half of that part over the first; stays : whether it goes on
+    growing : amplitude of the second half of that part over the first; stays : whether it persists
     """
 
     amplitude: float

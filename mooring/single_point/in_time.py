@@ -21,11 +21,11 @@ SLOW_DRIFT = 1.2  # factor of the report on line tensions, in place of slow drif
 
 
 class Run(NamedTuple):
-    """record : with waves, or the slow motion alone; steady : Equilibrium it began beside
+    """record : with waves, or the slow motion alone; steady : Equilibrium near its start
 
     cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
     drifts : whether slow drift is in the run; findings : one line each
-    full_waves : s, from which on waves have their height, inf without
+    full_waves : s, time from which the waves have their full height, inf without
     """
 
     record: Record
@@ -99,8 +99,8 @@ def used_in(pulled, best, hawser=None):
     breaking = np.array([*np.full(count, np.nan if hawser is None else hawser), *best.point.system.breaking_load])
     breaking[~np.isfinite(breaking)] = np.nan
     found = {where: np.array([*own[:count], *lines]) / breaking for where, (own, lines) in pulled.items()}
-    at_rest = best.lines.lines.utilisation  # of the segment that is nearest to it
-    below_buoys = np.fmax(at_rest - found["at rest"][count:], 0.0)  # where a line pulls more than at the body
+    at_rest = best.lines.lines.utilisation  # utilisation of the most loaded segment
+    below_buoys = np.fmax(at_rest - found["at rest"][count:], 0.0)  # excess at a buoy over the pull at the body
     for used in found.values():
         used[count:] += np.nan_to_num(below_buoys)
     found["at rest"][count:] = at_rest

@@ -1,9 +1,9 @@
-"""The cycle that a body which slews comes to: amplitude, period and tensions, whatever it began with.
+"""The limit cycle of a body that slews: amplitude, period and tensions, whatever its start.
 
 The motion is followed from one largest heading ψ to the next.  A period at the amplitude A changes it by g = Δψ/A,
-which near the onset of slewing is linear in A² (Hopf): a line through two of them foresees where g = 0, and the
-deviation from the mean of the period is scaled to it.  A cycle attracts where g falls with A; elsewhere the motion is
-left to itself, and after MOST periods it is said how far the heading still swings.
+which near the onset of slewing is linear in A² (Hopf): a line through two of them predicts where g = 0, and the
+deviation from the mean of the period is scaled to it.  A cycle is attractive where g falls with A; elsewhere the motion
+continues unscaled, and after MOST periods the result is the range in which the heading still swings.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ ACCURACY = 1e-7  # relative accuracy of the integration
 SAMPLES = 128  # samples per period
 MOST = 100  # periods that are followed
 SCALED = 2.0  # largest change of an amplitude in one step, as a factor
-HALVED = 4  # times that a scaling is taken by half of its logarithm
+HALVED = 4  # number of times that the logarithm of a scaling is halved
 LEAST = np.radians(0.05)  # amplitude below which the body is at rest, rad
 START = np.radians(2.0)  # initial heading relative to the equilibrium, rad
-LATEST = 30.0  # times 1/|λ| of the root that grows, until the heading turns back
+LATEST = 30.0  # latest time of the turn, over 1/|λ| of the growing root
 
 
 class LimitCycle(NamedTuple):

@@ -107,7 +107,7 @@ class DriftLoad:
 
 @dataclass(frozen=True, eq=False)
 class Loads:
-    """Everything that acts on the body beside its mooring; None leaves a load out"""
+    """Everything that acts on the body apart from its mooring; None for a load that is absent"""
 
     water: WaterLoad
     wind: WindLoad | None = None
@@ -156,7 +156,7 @@ def turning_table(coefficients: TurningCoefficients, length, draft, density, cou
 
 
 def still_table(unit):
-    """(count, 5, 3) of a WaterLoad whose force does not know of the turn; unit : (count, 3) at 1 m/s"""
+    """(count, 5, 3) of a WaterLoad whose force does not depend on the yaw rate; unit : (count, 3) at 1 m/s"""
     table = np.zeros((len(unit), POWERS, 3))
     table[:, 0] = unit
     return table

@@ -1,9 +1,9 @@
-"""A body at a single point in one equation with its waves and its buoy (`mooring.motion`): what is given, and a run.
+"""A body at a single point in one equation with its waves and its buoy (`mooring.motion`): its parts, and a run.
 
-Slow and wave motion are one motion, of six degrees of freedom with the memory of the water where there is a database,
-and of three in the plane without.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part of
-the body, whose lines then end at it.  Loads are those of the statics and of the slow motion (`loads`), from turning
-tests or coefficients, all the way round; drift is that of every pair of waves, or the mean one that a study gives.
+Slow and wave motion are one motion, with six degrees of freedom and the memory of the water where there is a database,
+and with three in the plane without.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part
+of the body, whose lines then end at it.  Loads are those of the statics and of the slow motion (`loads`), from turning
+tests or coefficients, for all directions; drift is that of every pair of waves, or the mean drift given in a study.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ PLANE = (0, 1, 5)
 
 @dataclass(frozen=True, eq=False)
 class PlanarBody:
-    """What a run needs of a body in the plane in place of a database.
+    """Properties of a body in the plane for a run, in place of a database.
 
     inertia, stiffness : (6, 6) kg …, the stiffness none; rotation_center : (3,) m
     """
@@ -89,9 +89,9 @@ def on_hull(point: SinglePoint, slow_added_mass, drift=True, up=0.0) -> OnHull:
 
 def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None, rope=None, end_z=0.0,
             memory=None, sea=None) -> Moored:  # fmt: skip
-    """Moored at a state (6,) beside an Equilibrium (`slewing.turned_state`), the hawser as long as its pull makes it.
+    """Moored at a state (6,) near an Equilibrium (`slewing.turned_state`), with the hawser stretched by its pull.
 
-    db : opened database, None for the plane; memory : of its water; sea : that its viscous damping is linearised in
+    db : opened database, None for the plane; memory : of its water; sea : for the linearisation of its viscous damping
     end_z : m, of the attachment over the water
     buoy, rope : BuoyBody and RopePart of the hawsers, of a mooring with hawsers
     raises : SinglePointError, ValueError of `moored`

@@ -32,7 +32,7 @@ class Ring:
         cos = np.cos(np.arange(n // 2 + 1) * h)
         gain = (6 * (cos - 1) / (h * h * (2 + cos))).reshape(-1, *[1] * (f.ndim - 1))
         M = irfft(gain * rfft(f, axis=0), n, axis=0)
-        pieces = np.empty((n, 4, *f.shape[1:]))  # of each interval, from the cubic part down
+        pieces = np.empty((n, 4, *f.shape[1:]))  # coefficients of each interval, the cubic one first
         for now, after in ((slice(0, -1), slice(1, None)), (slice(-1, None), slice(0, 1))):
             pieces[now, 0] = (M[after] - M[now]) / (6 * h)
             pieces[now, 2] = (f[after] - f[now]) / h - h / 6 * (2 * M[now] + M[after])

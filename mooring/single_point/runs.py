@@ -1,8 +1,8 @@
-"""A body at a single point in time, from beside one of its headings of rest, by one of three schemes.
+"""A body at a single point in time, from near one of its equilibrium headings, by one of three schemes.
 
-`slow_run` has the slow motion alone, `two_scale_run` the waves of a step on a slow place that is held (the report's),
-`full_run` slow and wave motion in one equation.  Gusts are those of the wind of the loads; tensions of lines are those
-of static forms at the place where all motion together brings their ends.
+`slow_run` has the slow motion alone, `two_scale_run` the waves of a step at a slow position that is held (the
+report's), `full_run` slow and wave motion in one equation.  Gusts are those of the wind of the loads; tensions of lines
+are those of static forms with their ends moved by all motions together.
 """
 
 from __future__ import annotations

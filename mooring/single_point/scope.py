@@ -27,7 +27,7 @@ def length_without_uplift(tension, weight, height):
 
 
 def horizontal_at_rest(top, weight, stiffness, height):
-    """N, horizontal, of a line of which a part lies and that pulls with `top` N; to first order in the strain.
+    """N, horizontal tension of a line that lies partly on the bed and pulls with `top` N; to first order in the strain.
 
     weight : N/m in water; stiffness : N, EA; height : m of the upper end.  Raises ValueError for a line too heavy.
     """
@@ -49,9 +49,9 @@ def significant(values, steady):
 
 
 def highest_third(record):
-    """Mean of the highest third of what a record (n,) reaches between upcrossings of its mean, as of waves in a tank
+    """Mean of the highest third of the peaks of a record (n,) between upcrossings of its mean, as for waves in a tank
 
-    Of a load that snaps it scatters less from record to record than `significant`, which is of the largest alone.
+    For a load that snaps it scatters less from record to record than `significant`, which depends on the largest alone.
     """
     above = record >= record.mean()
     begin = np.flatnonzero(above[1:] & ~above[:-1]) + 1
@@ -62,5 +62,5 @@ def highest_third(record):
 
 
 def peak(static, significant_value):
-    """Peak of which `significant` was taken"""
+    """Peak from which `significant` was computed"""
     return static + (significant_value - static) / SIGNIFICANT

@@ -163,7 +163,7 @@ def _followed(point, wind_speed=None):
             return np.full(6, np.nan)
         try:
             out, held = rates(point, y, None if wind_speed is None else wind_speed(t), kept[0])
-        except SinglePointError as error:  # of a step that is tried: a shorter one may do
+        except SinglePointError as error:  # failure of a trial step: a shorter one may succeed
             refused[0] = f": {error}"
             return np.full(6, np.nan)
         kept[0] = held.buoy

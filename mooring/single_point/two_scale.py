@@ -1,13 +1,13 @@
 """The two-scale scheme of the SR179 report (1982), section 3.6: slow motion and wave motion one after the other.
 
-    slow      T ν̇ = F(ψ, ν) + F_mooring                          in steps of 10 s, the wind of each held
+    slow      T ν̇ = F(ψ, ν) + F_mooring                          in steps of 10 s, with constant wind in each
     waves     A ẍ + B ẋ + C x = F_w(t) + T_w,   T_w = F_mooring(slow + x) − F_mooring(slow)
 
-The place and the heading of the slow motion are held while the waves of its step pass; A and B are those of one
-frequency.  Tensions are those of both displacements together (3.6.4, with the arm of the hawser and the sign of yaw as
-they have to be, and pitch, which the report leaves out).  Waves may begin later than the slow motion, in which the
-decay of the slewing is then seen alone.  Wave motion is integrated by Newmark's method of mean acceleration, the
-mooring at the place that is foreseen.  The slow drift is not in it: the report adds a fifth to the tension.
+The position and the heading of the slow motion are constant during the waves of its step; A and B are those of one
+frequency.  Tensions are those of both displacements together (3.6.4, with the arm of the hawser and the sign of yaw
+corrected, and with pitch, which the report omits).  Waves may start later than the slow motion, so that the decay of
+the slewing is seen alone.  Wave motion is integrated by Newmark's method of mean acceleration, with the mooring at the
+predicted position.  The slow drift is not included: the report adds a fifth to the tension.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def wave_body(reader, components, lever, carrier=None) -> WaveBody:
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     met = met_by_a_place(components, carrier, reader.depth, reader.gravity)
     mean = float(np.clip(mean_frequency(met, amplitude), *reader.between.span))
-    body = reader.floating()  # with the linear damping that it has beside radiation
+    body = reader.floating()  # body with its linear damping in addition to radiation
     A, B = body.coefficients(np.array([mean]))
     order = np.argsort(omega)
     force = np.empty((len(omega), RING, 6), complex)

@@ -30,9 +30,9 @@ def split_frequency(omega, amplitude):
 
 
 def slow_part(motion, step, split):
-    """What is slower than `split`, rad/s, of a record (n, …) at equal steps, s, without delay: |H|² = 1/(1 + (ω/ω_s)¹⁶)
+    """Part slower than `split`, rad/s, of a record (n, …) at equal steps, s, without delay: |H|² = 1/(1 + (ω/ω_s)¹⁶)
 
-    A filter that follows the motion as it runs is late, and what it is late by would be taken for motion in waves.
+    A causal filter has a delay, which would appear as motion in waves.
     """
     from scipy.signal import butter, sosfiltfilt
 
@@ -58,10 +58,10 @@ def at_heading(ring, turn):
 
 
 def mean_drift(forces, sea, carrier=None, depth=np.inf, gravity=9.80665):
-    """(HEADINGS, 3) N, N, N m of mean drift in axes of the body, at headings from 0 round, in a `Sea`.
+    """(HEADINGS, 3) N, N, N m of mean drift in axes of the body, at headings from 0 all round, in a `Sea`.
 
     forces : `mooring.motion.wave_loads.WaveForces` with drift
-    carrier : `mooring.on_current.waves.Carrier` of the waves in `depth` m, of which D + B V is taken; None for none
+    carrier : `mooring.on_current.waves.Carrier` of the waves in `depth` m, which gives D + B V; None for none
     """
     headings = np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
     density = np.asarray(sea.spectrum.density(forces.omega))
@@ -70,7 +70,7 @@ def mean_drift(forces, sea, carrier=None, depth=np.inf, gravity=9.80665):
         return np.stack([sea.directional(headings + heading) @ mean for heading in headings])
     own = np.clip(
         carrier.own(forces.omega, sea.direction, depth, gravity), forces.omega[0], forces.omega[-1]
-    )  # of a spread sea that of its mean direction
+    )  # a spread sea counts as one of its mean direction
     drift, B = drift_damping(forces, own, depth, gravity)
     mean, damping = (2 * np.trapezoid((of.T * density).T, forces.omega, axis=0) for of in (drift, B))
     towards, speed, rows = np.arctan2(carrier.velocity[1], carrier.velocity[0]), np.hypot(*carrier.velocity), []

@@ -112,7 +112,7 @@ def _weibull(heights, share):
         if not x[0] < 1:
             return 1e6 * (1 + x[0])
         left = np.exp(-((np.maximum(edges - low, 0.0) / scale) ** shape))
-        left[0] = 1.0  # what is lower than the table is in its first class
+        left[0] = 1.0  # heights below the table belong to its first class
         return -share[there] @ np.log(np.maximum(left[:-1] - left[1:], 1e-300)[there])
 
     start = 0.0, np.log(share @ heights / share.sum()), np.log(1.3)

@@ -33,7 +33,7 @@ def _warn_of_floating(line, time, z):
     """Of nodes that rise above still water and both ends: nothing but their buoyancy, or a whip, holds them there."""
     above = z[:, 1:-1] - np.maximum(0.0, np.maximum(z[:, 0], z[:, -1]))[:, None]
     limit = max(segment.diameter for segment in line.segments)
-    top = 0 if above[0].max() > limit else int(np.argmax(above.max(axis=1)))  # at rest counts first
+    top = 0 if above[0].max() > limit else int(np.argmax(above.max(axis=1)))  # the state at rest has priority
     node = 1 + int(np.argmax(above[top]))
     if above[top, node - 1] > limit:
         warnings.warn(

@@ -170,7 +170,7 @@ def _line_findings(result):
     rest, mean = result.rest.lines, result.equilibrium.lines
     beyond = lines.status == State.BEYOND_REACH
     laid = np.ones(len(names), bool)
-    laid[list(result.system.hawsers)] = False  # on an anchor that may lift
+    laid[list(result.system.hawsers)] = False  # hawsers: their anchor may lift
     groups = (
         (rest.status == State.SLACK, "slack at rest"),
         ((mean.status == State.SLACK) & (rest.status != State.SLACK), "slack under the steady forces"),

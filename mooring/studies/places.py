@@ -59,7 +59,7 @@ def off_the_mesh(system, body, mesh):
     points = mesh.whole().vertices.reshape(-1, 3)
     low, high = points.min(axis=0), points.max(axis=0)
     length = float(np.max(high[:2] - low[:2]))
-    high[2] = np.inf  # of the freeboard a wetted hull says nothing
+    high[2] = np.inf  # unbounded: a wetted hull has no freeboard
     own = [point for point in system.points if isinstance(point, Fairlead) and point.body == body]
     away = [np.linalg.norm(np.maximum(np.maximum(low - p.position, p.position - high), 0.0)) for p in own]
     off = [f"{point.name} {out:.3g} m" for point, out in zip(own, away, strict=True) if out > NEAR * length]

@@ -212,7 +212,7 @@ def _expected_largest(values, gaussian, speed, duration):
     sigma = np.sqrt(np.sum(values**2) + gaussian)
     if not sigma > 0:
         return 0.0
-    width = 2 * np.pi / (2 * REACH * sigma)  # of the steps of the characteristic function
+    width = 2 * np.pi / (2 * REACH * sigma)  # step of the characteristic function
     t = width * np.arange(POINTS // 2 + 1)
     phi = np.exp(
         -0.5 * gaussian * t**2 - np.sum(1j * values * t[:, None] + np.log(1 - 1j * values * t[:, None]), axis=1)

@@ -31,7 +31,7 @@ def berth(study, database, output, plot):
 
 
 def show_measured():
-    """Print the fifty berthings of Ueda (1981) beside the method; returns 0"""
+    """Print the fifty berthings of Ueda (1981) with the results of the method; returns 0"""
     from .measured import measured
 
     return printed(measured())

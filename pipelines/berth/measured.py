@@ -1,4 +1,4 @@
-"""The fifty berthings of Ueda (1981) beside the kinetic-energy method."""
+"""The fifty berthings of Ueda (1981), compared with the kinetic-energy method."""
 
 from __future__ import annotations
 

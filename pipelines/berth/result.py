@@ -40,12 +40,12 @@ TAKEN = "the same energy, with a fender that differs from its catalogue"
 
 
 def berth(study: File | Tables | BerthStudy, database: File | Database | None = None) -> Result:
-    """Energy of a ship that berths, what the fender that it meets first does with it, and its course in time.
+    """Energy of a berthing ship, compression of the fender that it meets first, and its course in time.
 
     study : path of a berthing, its tables as a dictionary, or a `study.BerthStudy`
     database : path of the ship's database, or an open one, for the memory of the water
     returns : Result, in SI; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where
-        the fenders do not stand it
+        the fenders cannot absorb the energy
     raises : ValueError, one line
     """
     study, text = given(study, BerthStudy, read_berth, lambda raw: typed(raw, BerthStudy, StudyError))
@@ -235,7 +235,7 @@ def _failures(study, approach, course):
     if course is None:
         return
     given = study.approach
-    factors = given.softness * given.configuration * given.abnormal  # that the course in time knows nothing of
+    factors = given.softness * given.configuration * given.abnormal  # factors that the course in time does not contain
     for k, (fender, x, _) in enumerate(approach.meetings):
         if not (found and k == approach.first):
             taken = factors * float(fender.energy(course.deflection[:, k].max()))

@@ -36,15 +36,15 @@ MOST_FENDERS = 200
 
 
 class ShipTable(Table):
-    """The ship that berths
+    """Dimensions and mass of the ship that berths
 
-    length : m, over all
-    beam : m
-    draft : m
-    displacement : t; or give block
-    block : coefficient; or give displacement
-    gyration : m, radius in yaw [length/4]
-    center : m, of the centre of gravity ahead of midship, for a database
+    length : m, length over all
+    beam : m, beam of the ship
+    draft : m, draft of the ship
+    displacement : t, displaced mass; or give block
+    block : block coefficient; or give displacement
+    gyration : m, radius of gyration in yaw; by default a quarter of the length
+    center : m, distance of the centre of gravity ahead of midship, for a database
     """
 
     length: float
@@ -58,11 +58,11 @@ class ShipTable(Table):
 
 
 class SpeedsTable(Table):
-    """Speeds of a berth, of a Weibull distribution
+    """Weibull distribution of the berthing speeds
 
-    mean : m/s
-    deviation : m/s, standard
-    contacts : how many the speed is reached once in
+    mean : m/s, mean berthing speed
+    deviation : m/s, standard deviation of the berthing speed
+    contacts : number of berthings in which the design speed is reached once on average
     """
 
     mean: float
@@ -71,16 +71,17 @@ class SpeedsTable(Table):
 
 
 class ApproachTable(Table):
-    """How the ship comes
+    """Speed, angle and energy factors of the approach
 
-    speed : m/s, across the berth; or give speeds
-    angle_deg : between ship and berth, bow nearer above 0
-    offset : m, of the contact from the centre of gravity, in place of the x of the first fender
-    eccentricity : coefficient, in place of the offset
-    virtual_mass : ueda, vasco_costa, older or pianc, or a number
-    softness : C_s
-    configuration : C_c
-    abnormal : factor on the energy
+    speed : m/s, speed normal to the berth; or give speeds
+    angle_deg : angle between ship and berth; above 0 the bow is nearer
+    offset : m, distance of the contact from the centre of gravity along the ship; by default from the x of the first
+        fender
+    eccentricity : eccentricity coefficient C_E, in place of the offset
+    virtual_mass : method of the virtual mass coefficient C_M: ueda, vasco_costa, older or pianc; or its value
+    softness : softness coefficient C_s
+    configuration : berth configuration coefficient C_c
+    abnormal : factor on the energy for abnormal berthing
     """
 
     speed: float | None = None
@@ -97,8 +98,8 @@ class ApproachTable(Table):
 class BerthFender(FenderTable, kw_only=True):
     """A fender of the berth
 
-    x : m, ahead of midship, where the ship meets it
-    gap : m, behind the foremost
+    x : m, distance ahead of midship where the ship meets it
+    gap : m, distance of its face behind that of the foremost fender
     """
 
     x: float | None = None
@@ -106,9 +107,9 @@ class BerthFender(FenderTable, kw_only=True):
 
 
 class BerthStudy(Table):
-    """A ship, how it comes, and the fenders that it meets
+    """A berthing ship, its approach and the fenders that it meets
 
-    depth : m, of the water at the berth
+    depth : m, water depth at the berth
     """
 
     ship: ShipTable
@@ -119,9 +120,10 @@ class BerthStudy(Table):
 
 
 class Approach(msgspec.Struct, frozen=True):
-    """What a study says in SI: ship : `energy.Ship`; speed : m/s; offset : m of the first contact from the centre of
-    gravity; eccentricity, virtual_mass, energy (J, with all factors) of the method chosen
-    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) of each; first : which is met first
+    """Values of a study in SI: ship : `energy.Ship`; speed : m/s; offset : m of the first contact from the centre of
+    gravity; eccentricity, virtual_mass, energy (J, with all factors) of the chosen method
+
+    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) of each; first : number of the first
     """
 
     ship: energy.Ship

@@ -1,4 +1,4 @@
-"""Measured transmission and tensions beside a study: CSV with columns `period_s,transmission`.
+"""Measured transmission and tensions for a study: CSV with columns `period_s,transmission`.
 
 `front_kN_per_m2` and `back_kN_per_m2`, where they are known, are amplitudes of tension per metre and m of amplitude.
 """
@@ -17,7 +17,7 @@ NEEDED, MORE = ("period_s", "transmission"), ("front_kN_per_m2", "back_kN_per_m2
 
 
 def read_measured(path):
-    """{column: (n,) numbers, nan where there is none} of a CSV file, # lines left out.  Raises StudyError."""
+    """{column: (n,) numbers, nan for empty cells} of a CSV file, without # lines.  Raises StudyError."""
     text = read_text(Path(path), StudyError, largest=1)
     rows = list(csv_rows(text))
     names = list(rows[0]) if rows else []

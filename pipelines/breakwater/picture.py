@@ -1,4 +1,4 @@
-"""Picture of a breakwater: transmission and tensions over period beside measurements, the section, the sea behind."""
+"""Picture of a breakwater: transmission and tensions over period with measurements, the section, the sea behind."""
 
 from __future__ import annotations
 

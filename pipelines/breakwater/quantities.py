@@ -94,7 +94,7 @@ def _pretension(asked, held):
 
 
 def anchors_of(asked, found):
-    """What anchors have to be, and what is provided"""
+    """Required sizes of anchors, and those provided"""
     if not found.anchors:
         return {}, {}
     units = tuple(one.unit for one in found.anchors)

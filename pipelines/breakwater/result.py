@@ -1,4 +1,4 @@
-"""`hakobune.breakwater`: what a floating breakwater lets pass, what its lines carry, how large its anchors are."""
+"""`hakobune.breakwater`: transmission of a floating breakwater, tensions of its lines, sizes of its anchors."""
 
 from __future__ import annotations
 

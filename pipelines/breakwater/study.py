@@ -1,4 +1,4 @@
-"""A study of a breakwater read and checked; every fault is one line that names key, value and what is allowed."""
+"""A study of a breakwater, read and checked; every fault is one line with the key, the value and the allowed values."""
 
 from __future__ import annotations
 

@@ -12,10 +12,10 @@ from ..site.link import SiteLink
 
 
 class WaterTable(Table):
-    """Water of the place
+    """Water at the breakwater
 
-    depth : m, at mean level
-    tide : m, above and below it
+    depth : m, water depth at mean level
+    tide : m, amplitude of the tide above and below mean level
     """
 
     depth: float
@@ -25,14 +25,15 @@ class WaterTable(Table):
 
 
 class SectionTable(Table):
-    """Section of the breakwater
+    """Cross-section of the breakwater
 
-    shape : rectangle, circle or outline
-    draft : m, on its lines, at mean level
-    beam : m, of a rectangle
-    height : m, of a rectangle
-    diameter : m, of a circle
-    points : m, [y, z] or [y, z, bulge of the edge to the next], … of an outline, ending where they began
+    shape : shape of the section: rectangle, circle or outline
+    draft : m, draft on the lines at mean level
+    beam : m, beam of a rectangle
+    height : m, height of a rectangle
+    diameter : m, diameter of a circle
+    points : m, corners [y, z] of an outline, or [y, z, bulge of the edge to the next corner]; the last corner is the
+        first
     """
 
     shape: str
@@ -44,12 +45,12 @@ class SectionTable(Table):
 
 
 class BodyTable(Table):
-    """Weight of the section, not for a fixed one
+    """Mass of the section; not needed for a fixed one
 
-    center_of_gravity : m, above the lowest point
-    gyration : m, radius in roll
-    mass_t_per_m : of breakwater; or free_draft, or lines.pretension_kN_per_m
-    free_draft : m, without lines
+    center_of_gravity : m, height of the centre of gravity above the lowest point
+    gyration : m, radius of gyration in roll
+    mass_t_per_m : mass for each metre of breakwater; or give free_draft or lines.pretension_kN_per_m
+    free_draft : m, draft without lines, from which the mass follows
     """
 
     center_of_gravity: float
@@ -61,14 +62,14 @@ class BodyTable(Table):
 class LinesTable(Table):
     """Pairs of taut lines
 
-    angle_deg : with the bed; above 90 they cross
-    attachment : m, half the distance of their upper ends
-    attachment_height : m, above the lowest point of the body
-    length : m, by default to the bed
-    spacing : m, of breakwater between pairs
-    pretension_kN_per_m : of breakwater, in place of the weight of the body
-    allowable_kN : of one line
-    axial_stiffness_kN : of one line, for holding "elastic"
+    angle_deg : angle between line and bed; lines with an angle above 90 cross
+    attachment : m, half the distance between the upper ends of a pair
+    attachment_height : m, height of the upper ends above the lowest point of the body
+    length : m, length of a line; by default the distance to the bed
+    spacing : m, length of breakwater for each pair
+    pretension_kN_per_m : pretension for each metre of breakwater, in place of the body's mass
+    allowable_kN : allowable tension of one line
+    axial_stiffness_kN : axial stiffness EA of one line, for the holding "elastic"
     """
 
     angle_deg: float
@@ -82,7 +83,7 @@ class LinesTable(Table):
 
 
 class SpanTable(Table, rename={"first": "from", "last": "to"}):
-    """Evenly spaced numbers, both ends included"""
+    """A range of evenly spaced numbers, both ends included"""
 
     first: float
     last: float
@@ -92,9 +93,9 @@ class SpanTable(Table, rename={"first": "from", "last": "to"}):
 class WavesTable(Table):
     """Regular waves
 
-    height : m, crest to trough
-    periods : s, a list or a span
-    obliquity_deg : of their way with the normal
+    height : m, wave height, crest to trough
+    periods : s, wave periods, a list or a range
+    obliquity_deg : angle between the wave direction and the normal of the breakwater
     """
 
     height: float
@@ -103,10 +104,10 @@ class WavesTable(Table):
 
 
 class SeaTable(SpectrumTable):
-    """An irregular sea; one period of it
+    """An irregular sea with one of the periods
 
-    obliquity_deg : of the mean direction with the normal
-    duration_hours : of the largest tension
+    obliquity_deg : angle between the mean wave direction and the normal of the breakwater
+    duration_hours : duration of the sea whose largest tension is computed
     """
 
     spectrum: str = "bretschneider"
@@ -122,11 +123,11 @@ class SeaTable(SpectrumTable):
 class SinkerTable(Table):
     """A block on the bed under each line
 
-    friction : coefficient on the bed
-    width : m
-    unit_weight_kN_per_m3 : in air
-    weight_kN_per_m : submerged, of what is there, if it is known
-    lifted : whether the line's upward pull is carried too
+    friction : coefficient of friction between block and bed
+    width : m, width of the block
+    unit_weight_kN_per_m3 : unit weight of the block in air
+    weight_kN_per_m : submerged weight of an existing block for each metre of breakwater, to be checked
+    lifted : whether the block also has to carry the upward pull of the line
     """
 
     friction: float
@@ -139,10 +140,10 @@ class SinkerTable(Table):
 class CommonSinkerTable(Table):
     """One block on the bed under both lines
 
-    friction : coefficient on the bed
-    width : m
-    unit_weight_kN_per_m3 : in air
-    weight_kN_per_m : submerged, of what is there, if it is known
+    friction : coefficient of friction between block and bed
+    width : m, width of the block
+    unit_weight_kN_per_m3 : unit weight of the block in air
+    weight_kN_per_m : submerged weight of an existing block for each metre of breakwater, to be checked
     """
 
     friction: float
@@ -154,11 +155,11 @@ class CommonSinkerTable(Table):
 class PileTable(Table):
     """Piles as anchors
 
-    diameter : m
-    length : m, in the ground
-    cohesion_kPa : undrained, of the ground
-    safety : factor asked for
-    spacing : m, between piles, if it is known
+    diameter : m, diameter of a pile
+    length : m, length of a pile in the ground
+    cohesion_kPa : undrained shear strength of the ground
+    safety : required factor of safety
+    spacing : m, distance between existing piles, to be checked
     """
 
     diameter: float
@@ -169,11 +170,11 @@ class PileTable(Table):
 
 
 class HoldingTable(Table):
-    """Anchors of a known capacity
+    """Anchors of known holding capacity
 
-    capacity_kN : of an anchor along its line
-    spacing : m, between anchors
-    safety : factor asked for
+    capacity_kN : holding capacity of an anchor along its line
+    spacing : m, distance between anchors
+    safety : required factor of safety
     """
 
     capacity_kN: float
@@ -182,7 +183,7 @@ class HoldingTable(Table):
 
 
 class AnchorsTable(Table):
-    """What holds the lines on the bed; any of them"""
+    """Anchors that are sized or checked for the lines; any number of kinds"""
 
     sinker: SinkerTable | None = None
     common_sinker: CommonSinkerTable | None = None
@@ -191,13 +192,14 @@ class AnchorsTable(Table):
 
 
 class MapTable(Table):
-    """Waves around units of finite length, of a database of one, its length along x
+    """Wave heights around units of finite length, from the database of one unit with its length along x
 
-    period : s, of regular waves of the study's obliquity; without, the sea is taken
-    units : in a row
-    gap : m, between them
-    x, y : m, from and to, along the row and to leeward, about the middle
-    points : of the map along each
+    period : s, period of regular waves with the study's obliquity; by default the map is that of the sea
+    units : number of units in a row
+    gap : m, gap between two units
+    x : m, first and last x of the map, along the row, from its middle
+    y : m, first and last y of the map, to leeward, from the middle of the row
+    points : number of map points along each axis
     """
 
     period: float | None = None
@@ -209,23 +211,23 @@ class MapTable(Table):
 
 
 class LossTable(Table):
-    """Head that the flow under the keel loses, in potential flow; of moving bodies with its tensions for rectangles
+    """Head loss of the flow under the keel, in potential flow; moving bodies and their tensions need a rectangle
 
-    coefficient : C of C U²/2g
+    coefficient : coefficient C of the head loss C U²/2g
     """
 
     coefficient: float
 
 
 class OptimisationTable(Table):
-    """The least wave behind for every tension, over ranges [from, to]
+    """Designs with the least wave behind for each tension, over ranges [from, to]
 
-    draft : m
-    width : m, beam or diameter
-    angle_deg : of the lines
-    samples : designs that are tried first, a power of two from 4 to 4096
-    limits : how many tensions, under which the wave behind is lowered, 1 to 100
-    behind : m, or K_T without a sea, that is wanted
+    draft : m, range of the draft
+    width : m, range of the beam of a rectangle or the diameter of a circle
+    angle_deg : range of the angle between line and bed
+    samples : number of designs tried first, a power of two from 4 to 4096
+    limits : number of tension limits, 1 to 100; for each of them the wave behind is minimised
+    behind : target, in m of wave height behind the breakwater, or of the transmission K_T without a sea
     """
 
     draft: tuple[float, float] | None = None
@@ -237,10 +239,10 @@ class OptimisationTable(Table):
 
 
 class DesignTable(Table):
-    """The curve that tensions and anchors are sized for
+    """The computed curve that tensions and anchors are sized with
 
-    holding : one of holdings, by default the last
-    theory : "potential flow" or "long waves"
+    holding : one of the holdings of the study; by default the last
+    theory : theory of that curve: "potential flow" or "long waves"
     """
 
     holding: str | None = None
@@ -250,10 +252,10 @@ class DesignTable(Table):
 class BreakwaterStudy(Table):
     """A taut-moored floating breakwater, per metre of its length
 
-    name : for results and pictures
-    holdings : that are compared: fixed, free, taut, elastic
-    theories : that are compared: "potential flow", "long waves"
-    measured : CSV of tank tests beside the study, drawn in the pictures
+    name : name of the breakwater in results and pictures
+    holdings : ways to hold the breakwater that are compared: fixed, free, taut, elastic
+    theories : theories that are compared: "potential flow", "long waves"
+    measured : CSV file of tank tests beside the study, drawn in the pictures
     """
 
     water: WaterTable

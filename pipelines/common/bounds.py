@@ -76,7 +76,7 @@ class Pace:
         """One more piece is done.  Raises TooMuchError."""
         self.done += 1
         now = time.perf_counter()
-        if self.done == 1:  # which loads and compiles
+        if self.done == 1:  # the first piece also loads and compiles
             self.begin = now
         if now - self.begin < self.FIRST or (self.spoken and now - self.spoken < self.EVERY):
             return

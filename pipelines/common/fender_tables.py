@@ -19,29 +19,30 @@ from .quantities import StudyError, Table, below, positive
 LARGEST = 20.0  # m, a height or diameter
 WIDEST = 50.0  # m, of what an inclined face presses
 MOST = 1000  # fenders side by side
-BATCH = ("manufacture",)  # what fenders of one batch differ by: 0.9 to 1.1, Ueda (1981), section 6
+BATCH = ("manufacture",)  # causes of scatter within a batch: 0.9 to 1.1, Ueda (1981), section 6
 
 
 class FenderTable(Table):
-    """A generic fender of a family, or the table of its maker, and the dolphin behind it
+    """A fender of a generic family or with its maker's table, and the dolphin behind it
 
-    family : cell, v, h, cone, foam, tyre or pneumatic; or give table, as of π and cylindrical ones
-    table : CSV of the maker, of deflection and reaction, beside the study
-    height : m, in the direction it is pressed; the diameter of a pneumatic one
-    length : m, along the quay
-    rated_reaction : kN, at the rated deflection, in place of the family's
-    pressure : kPa, at rest, of a pneumatic one
-    overload : kN/m, stiffness beyond the last deflection
-    rated_strain : deflection over height at which a maker's table is rated
-    allowable_strain : deflection over height that a maker's table allows
-    return_length : m, over which a fender of a maker's table falls back to its unloading curve
-    count : fenders side by side, 1 to 1000
-    factor : on the reaction
-    causes : what softest and stiffest differ by: manufacture, ageing, velocity, repetition, temperature; by default all
-    angle_deg : inclination of the face that presses it, 0 to 45
-    width : m, over which that face presses it, across the inclination; its length where that is given
-    dolphin : kN/m, stiffness of the dolphin behind it
-    dolphin_yield : kN, at which the dolphin yields or the ground softens
+    family : generic family: cell, v, h, cone, foam, tyre or pneumatic; or give table, as for π and cylindrical fenders
+    table : CSV file of the maker beside the study, with deflection and reaction
+    height : m, height in the direction of compression; the diameter of a pneumatic fender
+    length : m, length along the quay
+    rated_reaction : kN, reaction at the rated deflection, in place of that of the family
+    pressure : kPa, initial pressure of a pneumatic fender
+    overload : kN/m, stiffness beyond the last deflection of the curve
+    rated_strain : rated deflection over height, with a maker's table
+    allowable_strain : allowable deflection over height, with a maker's table
+    return_length : m, deflection over which a fender with a maker's table falls back to its unloading curve
+    count : number of fenders side by side, 1 to 1000
+    factor : factor on the reaction
+    causes : causes of scatter between the softest and the stiffest fender: manufacture, ageing, velocity, repetition,
+        temperature; by default all
+    angle_deg : inclination of the face that presses the fender, 0 to 45
+    width : m, width of that face across the inclination; by default the length, where it is given
+    dolphin : kN/m, stiffness of the dolphin behind the fender; by default rigid
+    dolphin_yield : kN, force at which the dolphin yields or the ground softens
     dolphin_beyond : kN/m, stiffness of the dolphin beyond that force
     """
 

@@ -18,7 +18,7 @@ STORING = (
     "simulate",
     "design",
     "downtime",
-)  # whose files the same command completes
+)  # commands that complete their own interrupted file
 
 
 def interrupted(command, arguments):

@@ -22,9 +22,9 @@ class MaterialTable(Table):
     """Submerged weight, axial stiffness EA and breaking load, each in one of its units
 
     catalogue : name in the catalogue, such as "R3 studless 76 mm", for values that are not given
-    weight : submerged, for each metre
-    axial_stiffness : EA; left out: inextensible
-    breaking_load : of a new line
+    weight : submerged weight for each metre
+    axial_stiffness : axial stiffness EA; by default the line is inextensible
+    breaking_load : breaking load of a new line
     termination : end of a wire rope, which reduces its breaking load: "socket", "swaged socket", "sleeve", "splice",
         "wedge socket" or "clips"
     efficiency : efficiency of the termination, above 0, at most 1, in place of its name
@@ -65,11 +65,11 @@ class TypeTable(MaterialTable):
 
 
 class SegmentTable(Table):
-    """A segment of a line, counted from its anchor up
+    """A segment of a line, counted from the anchor upwards
 
     type : name of one of the types
-    length : m, unstretched
-    elements : number of elements of a moving line; by default 40 over its whole length
+    length : m, unstretched length
+    elements : number of elements of a line in motion; by default 40 over its whole length
     """
 
     type: str
@@ -78,14 +78,14 @@ class SegmentTable(Table):
 
 
 class AttachedTable(Table):
-    """A clump or a buoy between two segments of a line
+    """A clump weight or a buoy between two segments of a line
 
-    after_segment : number of the segment at whose upper end it is, from 1
-    mass : kg
+    after_segment : number of the segment with the body at its upper end, from 1
+    mass : kg, mass of the body
     volume : m³, volume of the displaced water
     weight_N : N, weight in water, negative for a buoy; by default from mass and volume in the water of the study
-    drag_area : m², C_d A, of a line that moves
-    added_mass : added mass of a moving line, over the displaced mass
+    drag_area : m², drag area C_d A, for a line in motion
+    added_mass : added mass over the displaced mass, for a line in motion
     """
 
     after_segment: int
@@ -97,10 +97,10 @@ class AttachedTable(Table):
 
 
 class OwnBedTable(Table):
-    """The bed under a line
+    """The sea bed under a line
 
-    friction : by default that of the types of its segments
-    points : m, [x, z], … from the anchor along the line; by default flat
+    friction : coefficient of friction; by default that of the types of its segments
+    points : m, points [x, z], … of the bed, x from the anchor along the line; by default flat
     """
 
     friction: float | None = None
@@ -111,7 +111,7 @@ class LineTable(Table):
     """Either type and length of a uniform line, or segments with the bodies between them
 
     type : name of one of the types
-    length : m, unstretched
+    length : m, unstretched length
     """
 
     type: str | None = None
@@ -246,7 +246,7 @@ def hawser_of(where, name, kind_name, kind, length, ends=("", "")):
 def hawser_at_tension(where, name, kind_name, kind, distance, tension):
     """The Hawser that pulls with a tension, N, between points at a distance, m"""
     place = f"types.{kind_name}"
-    if kind.spring_kN_per_m is None:  # of a table in shares of the length: one of unit length says the strain
+    if kind.spring_kN_per_m is None:  # table of elongations: the strain follows from a rope of unit length
         length = distance / (1 + elongation_at(_pull(place, name, kind, 1.0)[0], tension))
     else:
         length = distance - tension / (1e3 * positive(f"{place}.spring_kN_per_m", kind.spring_kN_per_m))

@@ -50,7 +50,7 @@ class Preparing:
         if now - self.told < self.EVERY:
             return
         self.told, share = now, self.share
-        if share == 1.0:  # what comes now, of the coarser mesh, is little
+        if share == 1.0:  # the coarser mesh, which follows, takes little time
             return
         trusted = TRUST * self.seconds
         pace = (now - self.started + trusted) / (share * self.seconds + trusted)

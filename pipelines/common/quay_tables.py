@@ -31,15 +31,15 @@ FARTHEST = 10.0  # m, of a fender from the hull at rest
 
 
 class QuayFenderTable(FenderTable, kw_only=True):
-    """A fender of the berth, met by the flat side of the hull that it stands before
+    """A fender of the berth in front of a flat side of the hull
 
-    name : for results and messages
+    name : name of the fender in results and messages
     position : m, x, y, z of its face with the body at rest
-    on : name of the dolphin that it stands on
-    friction : coefficient μ of its face
-    shear : kN/m, stiffness along the face, up to friction
-    body : name of the one that leans on it, of several
-    to : name of the one that carries it, in whose coordinates its position is
+    on : name of the dolphin that carries it
+    friction : coefficient of friction μ of its face
+    shear : kN/m, stiffness along the face, up to the friction force
+    body : name of the body that presses it, where there are several
+    to : name of the body that carries it, in whose coordinates its position is
     """
 
     name: str
@@ -54,10 +54,10 @@ class QuayFenderTable(FenderTable, kw_only=True):
 class DolphinTable(Table):
     """A dolphin that carries a fender
 
-    name : that a fender calls it by, with its key on
-    stiffness : kN/m
-    yield_force : kN, at which it yields or the ground softens
-    stiffness_beyond : kN/m, beyond that force
+    name : name of the dolphin, for the key on of a fender
+    stiffness : kN/m, horizontal stiffness of the dolphin
+    yield_force : kN, force at which it yields or the ground softens
+    stiffness_beyond : kN/m, stiffness beyond that force
     """
 
     name: str
@@ -69,20 +69,20 @@ class DolphinTable(Table):
 class RopeTable(Table):
     """A rope from a bollard to the hull, with or without a tail
 
-    name : for results and messages
-    fairlead : m, x, y, z on the body at rest
-    bollard : m, x, y, z in space
-    breaking_load_kN : of the new rope
-    break_strain : at its breaking load, 0.1 is 10 %
-    pretension_kN : at rest
-    exponent : n of T ∝ εⁿ
-    hardening : factor on the stiffness by use
-    tail_length : m, 0 without a tail
-    tail_breaking_load_kN : by default that of the rope
-    tail_break_strain : at its breaking load
-    tail_exponent : n of T ∝ εⁿ
-    body : name of the one that has the fairlead, of several, in its coordinates
-    to : name of the one that has the bollard, in whose coordinates it is
+    name : name of the rope in results and messages
+    fairlead : m, x, y, z of the fairlead with the body at rest
+    bollard : m, x, y, z of the bollard in space
+    breaking_load_kN : breaking load of the new rope
+    break_strain : strain at the breaking load, 0.1 for 10 %
+    pretension_kN : tension at rest
+    exponent : exponent n of T ∝ εⁿ
+    hardening : factor on the stiffness of a used rope
+    tail_length : m, length of the tail, 0 without one
+    tail_breaking_load_kN : breaking load of the tail; by default that of the rope
+    tail_break_strain : strain of the tail at its breaking load
+    tail_exponent : exponent n of T ∝ εⁿ of the tail
+    body : name of the body with the fairlead, in its coordinates, where there are several
+    to : name of the body with the bollard, in whose coordinates the bollard is
     """
 
     name: str
@@ -245,16 +245,17 @@ def _rope(table):
 
 
 class HingeTable(Table):
-    """A hinge between two bodies, a ball joint, a slider or a rigid link, exact
+    """A hinge, ball joint, slider or rigid link between two bodies, without play
 
-    name : for results
-    bodies : names of two; one of them may be fixed, or "space"; a body that is alone is "body"
-    position : m, in the coordinates of the first, of "space" in those of the scene
-    axis : free to turn about, of a slider to move along, in axes of the first
-    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
-    damping : kN s/m along the axis of a slider, kN m s about that of a hinge
-    stiffness : kN/m of a spring along the axis of a slider, kN m/rad about that of a hinge
-    rest : m of a slider, ° of a hinge, its travel from the places given at which the spring pulls nothing
+    name : name of the hinge in results
+    bodies : names of the two bodies; one of them may be fixed, or "space"; a single body is called "body"
+    position : m, x, y, z in the coordinates of the first body, or of the scene where the first is "space"
+    axis : axis of rotation of a hinge or of motion of a slider, in the axes of the first body
+    kind : "hinge", rotation about its axis; "ball", rotation about all axes; "rigid", no rotation; or "slider", motion
+        along its axis without rotation
+    damping : linear damping, kN s/m along the axis of a slider, kN m s about that of a hinge
+    stiffness : spring stiffness, kN/m along the axis of a slider, kN m/rad about that of a hinge
+    rest : travel at which the spring is unloaded, from the given positions, m of a slider, ° of a hinge
     """
 
     name: str

@@ -1,7 +1,8 @@
-"""The smallest change that passes, of each way of changing a mooring, found by running the cases that govern.
+"""The smallest change that passes, for each way of changing a mooring, found by running the governing cases.
 
-Each change is laid anew: a heavier line hangs and pulls otherwise.  Of a way the changes are tried by doubling steps,
-then between the last that failed and the first that passed, so that the one below what is advised was run and fails.
+Each change is a new layout: a heavier line hangs and pulls in another way.  The changes of one way are tried first in
+doubling steps, then between the last that failed and the first that passed.  So the change just below the advised one
+was run, and it failed.
 """
 
 from __future__ import annotations
@@ -49,10 +50,10 @@ class Advice(NamedTuple):
 
 
 def advise(read, judged, cases, others, paths, folder, step):
-    """The Advice on what is not met, empty where all is
+    """The Advice on criteria that are not met; empty where all are met.
 
     judged : of all criteria; cases : {name: LoadCase} of all that ran; others : quantities of the project
-    paths : {level: database}; step : called with the number of changes tried, how many there may be and the change
+    paths : {level: database}; step : called with the number of changes tried, their largest number and the change
     """
     fixed = {*others, *(one.quantity for one in read.project.values)}
     beyond = _beyond(judged, cases.values(), fixed)

@@ -38,7 +38,7 @@ class LoadCase(NamedTuple):
 
     @property
     def lines(self):
-        """intact or one lost, as criteria say it"""
+        """ "intact" or "one lost", as in criteria"""
         return "one lost" if self.lost else "intact"
 
 
@@ -97,8 +97,8 @@ def file_name(case):
 def check_cases(read, scenes):
     """Raises StudyError for a load case that could not be run; scenes : {level: Scene}, {} without a scene
 
-    Cases in which wind and current alone come from elsewhere stand for one another.  Whether lines reach their anchors
-    at another level of the water is a result, and told of the case.
+    One case is checked for all cases that differ in the direction of wind and current alone.  Whether lines reach their
+    anchors at another water level is a result of the case, not an error.
     """
     bodies = _bodies(read, scenes)
     base = read.kind.base(read.study, bodies[MEAN])

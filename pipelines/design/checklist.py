@@ -1,7 +1,7 @@
-"""What a simulation of a mooring has to have in it, as the rules compared in the SR179 report (1982) ask, chapter 4.
+"""What a simulation of a mooring has to include, according to the rules compared in the SR179 report (1982), chapter 4.
 
-The list is that of its comparison of rules: a hull in three dimensions, lines and fenders by their whole
-characteristic, directional spectra, gusts, a steady current, slow drift that knows the depth, earthquakes.
+The list follows the report's comparison of rules: a hull in three dimensions, lines and fenders with their complete
+characteristics, directional spectra, gusts, a steady current, slow drift in finite depth, earthquakes.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 
 class Requirement(NamedTuple):
-    """text : what is asked; met : True, False, or None where it does not apply; how : by what"""
+    """text : the requirement; met : True, False, or None where it does not apply; how : how it is met"""
 
     text: str
     met: bool | None

@@ -1,4 +1,4 @@
-"""`hakobune design`: databases, load cases, verdict and report of a project, in a folder; again, only what is new."""
+"""`hakobune design`: databases, load cases, verdict and report of a project, in a folder; completes an earlier run."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""What every rule set of the tables says to the same load cases, side by side (as Table 4.3 of SR179, 1982, does).
+"""Verdicts of every rule set in the tables on the same load cases, side by side (as Table 4.3 of SR179, 1982).
 
-A rule set speaks of several subjects, chain or hawser, one kind of anchor or another: each stands by itself, where the
-study has such a thing.  Motions that are allowed are those of a ship with its cargo, and stand here only where the
-project has chosen them.
+A rule set has several subjects, such as chain or hawser, or one of several kinds of anchor.  Each subject has a row of
+its own where the study has such a part.  Limits on motions are those of a ship with its cargo; they appear only where
+the project has chosen them.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from hakobune.mooring.lines.catalogue import FIBRE
 
 
 class RuleSet(NamedTuple):
-    """name : with its edition; subject : what it is about; chosen : whether of it some criterion judges the project
+    """name : with its edition; subject : what it applies to; chosen : whether one of its criteria judges the project
 
-    judged, known : how many of its criteria; criterion, use : that governs of those judged, with its Use; unread : how
-    many of them are not of a source that was read
+    judged, known : number of its criteria that are judged, and of all; criterion, use : the governing one of those
+    judged, with its Use; unread : number of criteria whose source has not been read
     """
 
     name: str

@@ -1,12 +1,13 @@
-"""Fatigue of the lines over the service life, of the tensions that the load cases have in time.
+"""Fatigue of the lines over the service life, from the tensions of the load cases in time.
 
     D = Σ_cases p t_life / t_record  Σ nᵢ / N(sᵢ)       rainflow cycles of the kept records, Miner's sum
 
-The whole lines alone: a state with `share` of the time has it in equal parts in all its directions and levels.  Asked
-is factor · D ≤ 1.  The record is that of the fairlead, in the section of each type with the curve's own reference.
+Only intact lines count.  The `share` of the time of a state is divided equally among its directions and levels.  The
+criterion is factor · D ≤ 1.  The record is that of the fairlead, with the reference strength of the curve for the
+section of each type.
 
-Fewer cycles that carry the damage than `mooring.motion.extremes.FEWEST` have no interval of 90 %: then nothing is said,
-as of a regular wave, whose cycles are none of a sea.  A slow motion that a run has few of carries it in as few cycles.
+No interval of 90 % is computed where fewer cycles than `mooring.motion.extremes.FEWEST` carry the damage, as in a run
+with few slow oscillations, or for a regular wave, whose cycles are not those of a sea.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ QUANTITY = "factor x fatigue damage over the service life"
 
 
 def fatigue(read, ran):
-    """Judged of the damage of the lines of a Read project by its Ran cases; None where no fatigue is asked for"""
+    """Judged of the line damage of a Read project from its Ran cases; None where the project has no [fatigue]"""
     if read.project.fatigue is None:
         return None
     own = read.project.fatigue

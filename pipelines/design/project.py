@@ -7,18 +7,18 @@ study = "moor_chain_12.toml"        # layout, hull and lines, or a berth, a sing
                                     # own weather is not used
 scene = "series_box_20m.toml"       # its database is made for every water level; or database = "box.h5"
 service_life = 20.0                 # years
-probability = 0.8                   # that the extreme state is not exceeded in them
+probability = 0.8                   # probability that the extreme state is not exceeded in them
 
 [levels]                            # m above the water of the study, where they differ from it
 high = 1.5
 
 [[states]]
 name = "extreme"
-state = "abnormal"                  # or normal
+state = "abnormal"                  # normal or abnormal
 incidence_deg = [0, 30, 60, 90]     # wind, current and waves; wind_off_deg, current_off_deg turn them away from it
 levels = ["mean", "high"]
 lines = ["intact", "one lost"]
-wind = { speed = 50.0 }             # as in a mooring study, without direction
+wind = { speed = 50.0 }             # tables of a mooring study, without direction
 current = { speed_knots = 3.0 }
 waves = { height = 4.5, period = 10.0 }
 
@@ -30,7 +30,7 @@ seeds = 5
 rule = "JSCE"
 subject = "chain of a multi-point mooring"
 
-[[limits]]                          # of one's own
+[[limits]]                          # your own limit
 quantity = "surge"
 at_most = 2.0
 source = "the owner"
@@ -76,10 +76,10 @@ DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
 class Read(msgspec.Struct, frozen=True):
-    """A project with what it names: raw, nested dictionaries of the project; study, raw tables of its study
+    """A project with the files it names: raw, nested dictionaries of the project; study, raw tables of its study
 
-    kind : of `kinds`, the module that knows such studies; study_text, text : of the files
-    criteria : chosen of the rules; folder : paths are from there
+    kind : module of `kinds` for such studies; study_text, text : of the files
+    criteria : chosen from the rules; folder : start of relative paths
     """
 
     project: Project

@@ -1,6 +1,6 @@
-"""Pictures of a report as addresses of data: plans of the cases that govern, the body's curves, what is used.
+"""Pictures of a report as data addresses: plans of the governing cases, curves of the body, utilisations.
 
-They are kept in `pictures/` beside the report.
+They are stored in `pictures/` next to the report.
 """
 
 from __future__ import annotations

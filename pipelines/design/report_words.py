@@ -44,15 +44,15 @@ def _used_by(use, criterion):
 
 
 def percent(used):
-    """A utilisation in words, never "100 %" of what is beyond its limit"""
+    """A utilisation in words; never "100 %" for a value beyond its limit"""
     whole = f"{100 * used:.0f} %"
     return f"{100 * used:.4g} %" if (whole == "100 %" and used > 1) else whole
 
 
 def advice_words(advice, verdict):
-    """What to change, a sentence for each way that was tried; () without advice
+    """The advised changes, a sentence for each way that was tried; () without advice
 
-    advice : of `advice.advise`, None where it was not asked for
+    advice : of `advice.advise`, None where the user did not request it
     """
     if advice is None or verdict.word != FAILS:
         return ()
@@ -139,8 +139,8 @@ def state_row(state):
 
 
 def line_rows(read, verdict):
-    """Cells of a line of the table of lines, ropes and hawsers, as they are in the first case that ran, and the largest
-    tension of all cases, with what it uses of the breaking load, and of that times the study's `allowable`, the WLL
+    """Cells of a row in the table of lines, ropes and hawsers: its properties in the first case that ran, and the
+    largest tension of all cases, over the breaking load and over the WLL, which is the study's `allowable` times it
     """
     allowable = read.study.get("allowable")
     pulled, used = {}, {}
@@ -174,7 +174,7 @@ def _used_of(used, breaking, allowable):
 
 
 def part_table(read, verdict):
-    """Head and rows, cells, of what the cases find beyond tensions: the worst of each quantity, and of what"""
+    """Head and rows, cells, of the results other than tensions: the worst value of each quantity and its part"""
     ran = [one for one in verdict.ran if one.numbers is not None and one.numbers.parts]
     quantities = list(dict.fromkeys(quantity for one in ran for quantity in one.numbers.parts))
     least = {one.quantity for one in (*read_rules(), *read.criteria) if one.sense == "at least"}

@@ -1,4 +1,4 @@
-"""`hakobune.design`: a project through all its load cases, judged, and what is kept of it."""
+"""`hakobune.design`: all load cases of a project, judged, and the stored results."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ CRITERIA, CASES = "criteria", "load cases"
 def design(
     project: File, output: File, *, executor: str = "local", advice: bool = True, console: Console | None = None
 ) -> Result:
-    """A mooring through all load cases of a site, judged by rule sets, as one page.
+    """A mooring in all load cases of a site, judged by rule sets, as one page.
 
     project : path of a project; output : path of the folder of its page, load cases and databases
-    executor : local or processes:N; advice : try other sizes and pretensions where it fails; console : told how far
+    executor : local or processes:N; advice : try other sizes and pretensions where it fails; console : for progress
     returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
     raises : ValueError, one line, before anything is solved
     """

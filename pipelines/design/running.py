@@ -1,7 +1,7 @@
-"""Databases of the water levels and results of the load cases, in a folder; what is there and fits is not made again.
+"""Databases of the water levels and results of the load cases, in a folder; existing files that fit are used again.
 
-databases/LEVEL.h5     as `hakobune solve` makes them
-cases/NAME.toml, .h5   the study of a case, and its result as the door of its kind writes it
+databases/LEVEL.h5     as `hakobune solve` writes them
+cases/NAME.toml, .h5   the study of a case, and its result as the command of its kind writes it
 cases/NAME_runs.h5     its runs in time as `hakobune simulate` writes them, where the project has [simulation]
 """
 
@@ -209,7 +209,7 @@ def _lost(read, group, names):
         return
     lost = names
     if state.lost == "worst":
-        if intact.numbers is None:  # which is the worst is not known; the intact case is named as one that did not run
+        if intact.numbers is None:  # the worst line is unknown; the intact case is reported as one that failed
             return
         lost = [worst_of(intact, names)]
     for name in lost:

@@ -16,18 +16,19 @@ class ProjectTable(Table):
     """What is designed, and for how long
 
     name : title of the report
-    study : beside this file: a mooring study, one of a berth (with fenders or ropes), a single point or a breakwater
-    scene : file of the body's scene, solved at every level; or give database
-    database : file of the solved body; or give scene; a single point and a breakwater need none
-    site : file of values of a site, by hakobune site, for weather, levels and service life
-    service_life : years
-    probability : that the value of an extreme state is not exceeded in them
-    note : of the report
-    author : of the report
-    client : whom it is for
-    revision : of the report, as "B"
-    date : of the report, as "31 March 2026"
-    other_rules : whether the report says what rule sets that were not asked for say to the same cases
+    study : file beside this one: a mooring study, with or without a berth (fenders, ropes), a single point or a
+        breakwater
+    scene : file of the body's scene, solved at every water level; or give database
+    database : file of the solved body; or give scene; optional for a single point and a breakwater
+    site : file of site values, written by hakobune site, for weather, levels and service life
+    service_life : years, service life of the mooring
+    probability : probability that the value of an extreme state is not exceeded during the service life
+    note : note printed in the report
+    author : author of the report
+    client : client of the report
+    revision : revision of the report, as "B"
+    date : date of the report, as "31 March 2026"
+    other_rules : whether the report also lists the verdicts of rule sets that the project does not name
     """
 
     name: str
@@ -46,18 +47,18 @@ class ProjectTable(Table):
 
 
 class StateTable(Table):
-    """A state of weather, its directions, water levels and lines
+    """A state of weather with its directions, water levels and lines
 
-    name : for results
-    state : normal or abnormal, as the rules have it
-    incidence_deg : of waves; wind and current come from there too, and from as many degrees off as are listed
-    wind_off_deg : of the wind from the waves
-    current_off_deg : of the current from the waves
-    levels : names of water levels, "mean" for the study's own
-    lines : "intact", "one lost"; a rope of a berth counts as a line
-    lost : the "worst" line of the intact case, or "each"
+    name : name of the state in results
+    state : class of the state in the rules: normal or abnormal
+    incidence_deg : wave directions; wind and current come from the same direction, plus each of the offsets listed
+    wind_off_deg : offsets of the wind direction from the wave direction
+    current_off_deg : offsets of the current direction from the wave direction
+    levels : names of water levels; "mean" is that of the study
+    lines : conditions of the lines: "intact", "one lost"; a rope of a berth counts as a line
+    lost : which line is lost: the "worst" of the intact case, or "each" in turn
     weather : name of a state of the site, for wind, current and waves that are not given here
-    share : of the service life with this weather, for fatigue
+    share : fraction of the service life with this weather, for fatigue
     """
 
     name: str
@@ -76,12 +77,12 @@ class StateTable(Table):
 
 
 class RuleTable(Table):
-    """A rule set and what of it applies
+    """A rule set and the part of it that applies
 
-    rule : its name
-    subject : what of it applies, by default all
-    file : of rules of one's own in place of the tables
-    confirmed : whether criteria that nobody has checked in the book are judged; has to be said where there are any
+    rule : name of the rule set
+    subject : part of the rule set that applies; by default all of it
+    file : file of your own rules, in place of the tables of hakobune
+    confirmed : whether criteria that have not been checked against the book are used; needed where the rule set has any
     """
 
     rule: str
@@ -91,17 +92,17 @@ class RuleTable(Table):
 
 
 class LimitTable(Table):
-    """A limit of one's own, beside rule sets
+    """Your own limit, in addition to the rule sets
 
-    quantity : as rule sets name it: "surge", "fender strain, total", "transmitted wave height", …
-    at_most : in the unit of the quantity; or at_least
-    at_least : likewise
-    unit : that of the quantity, which it is if left out; another is refused
-    state : normal, abnormal or any
-    lines : intact, one lost or any
-    subject : "hawser" for tensions of hawsers; without, of all other lines
-    statistic : largest, or of motions amplitude or peak to peak
-    source : who asks for it
+    quantity : name of the quantity as in rule sets: "surge", "fender strain, total", "transmitted wave height", …
+    at_most : upper limit, in the unit of the quantity; or give at_least
+    at_least : lower limit, in the unit of the quantity; or give at_most
+    unit : unit of the limit, a check: a unit other than that of the quantity is refused
+    state : states it applies to: normal, abnormal or any
+    lines : conditions of the lines it applies to: intact, one lost or any
+    subject : "hawser" for the tensions of hawsers; by default those of all other lines
+    statistic : statistic that is limited: largest, or for motions amplitude or peak to peak
+    source : origin of the limit, as "the owner"
     """
 
     quantity: str
@@ -116,13 +117,13 @@ class LimitTable(Table):
 
 
 class ValueTable(Table):
-    """A value that no load case finds, from elsewhere, for a criterion that asks for it
+    """A value computed elsewhere, for a criterion that no load case gives a value for
 
-    quantity : as rule sets name it: "bending stress / yield stress", "gust factor", …
-    value : in the unit of the criterion
-    source : where it is from, such as a calculation
-    state : that it is of: normal, abnormal or any
-    lines : intact, one lost or any
+    quantity : name of the quantity as in rule sets: "bending stress / yield stress", "gust factor", …
+    value : the value, in the unit of the criterion
+    source : origin of the value, such as a calculation
+    state : states it applies to: normal, abnormal or any
+    lines : conditions of the lines it applies to: intact, one lost or any
     """
 
     quantity: str
@@ -135,8 +136,8 @@ class ValueTable(Table):
 class EarthquakeCase(Table):
     """An earthquake at the dolphins of a berth, as a load case of the abnormal state
 
-    name : for results
-    study : beside this file, of hakobune earthquake; without [body] it has that of the database
+    name : name of the case in results
+    study : file of a hakobune earthquake study beside this one; without [body] the body is that of the database
     """
 
     name: str
@@ -144,10 +145,10 @@ class EarthquakeCase(Table):
 
 
 class WearTable(Table):
-    """What chain loses of its diameter
+    """Loss of chain diameter by wear and corrosion
 
-    mm_per_year : of diameter
-    years : by default the service life
+    mm_per_year : loss of diameter in a year
+    years : years, time of wear; by default the service life
     """
 
     mm_per_year: float
@@ -157,8 +158,8 @@ class WearTable(Table):
 class AnchorsTable(Table):
     """Holding capacity of the anchors
 
-    holding_kN : of an anchor
-    lines : kN, {name of a line = capacity of its anchor}, where it is another
+    holding_kN : holding capacity of an anchor
+    lines : kN, {name of a line = holding capacity of its anchor}, for anchors that differ
     """
 
     holding_kN: float
@@ -166,15 +167,16 @@ class AnchorsTable(Table):
 
 
 class FatigueTable(Table):
-    """Fatigue of the lines by their tensions in time
+    """Fatigue of the lines from their tensions in time
 
-    curve : name of a curve of cycles to failure, such as "DNV studless chain"; or give one's own, N = a s^−m
-    exponent : m of one's own
-    constant : a of one's own
-    basis : of its s: "stress", MPa over the nominal area, of both legs of a chain; "share", the tension range over the
-        breaking load, of a chain over that of grade ORQ of its size
-    chain : whether one's own is of chain
-    factor : by which the damage over the service life is multiplied, at least 1
+    curve : name of a curve of cycles to failure, such as "DNV studless chain"; or give exponent and constant of N = a
+        s^−m
+    exponent : exponent m of your own curve
+    constant : constant a of your own curve
+    basis : range s that your own curve uses: "stress", in MPa over the nominal area, both legs of a chain; or "share",
+        the tension range over the breaking load, for chain over that of grade ORQ of the same size
+    chain : whether your own curve is for chain
+    factor : factor on the damage over the service life, at least 1
     """
 
     curve: str | None = None
@@ -186,9 +188,9 @@ class FatigueTable(Table):
 
 
 class Project(Table):
-    """A site, its states of weather and the rules that judge them
+    """A site, its states of weather and the rules that judge a mooring there
 
-    levels : m, {name = above the water of the study}
+    levels : m, {name = height above the water level of the study}
     """
 
     project: ProjectTable

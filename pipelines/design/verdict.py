@@ -18,7 +18,7 @@ PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
 
 
 class Verdict(NamedTuple):
-    """ran : all Ran; broken : what fails in a case or a database beside the criteria, a line each
+    """ran : all Ran; broken : failures of a case or a database other than criteria, a line each
     judged : a Judged for each criterion; return_period : years, None where it is not given
 
     word : passes, fails, or cannot be signed where a criterion is not judged or a case could not be run
@@ -47,8 +47,9 @@ def judged_project(read, ran, of_databases=()):
 
 
 def broken_in(ran):
-    """What the studies of load cases themselves say fails, lines that part or fenders beyond what they stand: a line
-    for each kind, of the first case in which it does; multiples of the motions, which rules ask for, break nothing"""
+    """Failures that the studies of load cases report themselves, lines that part or fenders beyond their capacity: a
+    line for each kind, of the first case with it; tensions at the multiples of motions in rules are no such failures
+    """
     found = {}
     for one in (one for one in ran if one.case.factor == 1):
         for text in failing(one.numbers.warnings) if one.numbers is not None else ():

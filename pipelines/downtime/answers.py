@@ -25,10 +25,10 @@ NORMAL = 1.645  # standard deviations of an interval of 90 %
 
 
 class Verdicts(NamedTuple):
-    """known, down : (n, o) of hours and operations; chance : (n, o) that an hour stops it, 0 or 1 where that is sure
+    """known, down : (n, o) of hours and operations; chance : (n, o) that an hour stops it, 0 or 1 where that is certain
 
-    used, beyond : (n, l) share used of each limit, and the chance that it is gone beyond
-    error : (o,) share of the time, standard deviation of the sum of chances that is beside the scatter of years
+    used, beyond : (n, l) utilisation of each limit, and the probability that it is exceeded
+    error : (o,) share of the time, standard deviation of the sum of probabilities, without the scatter of years
     """
 
     known: np.ndarray
@@ -80,7 +80,7 @@ def _three(head, table, axes, three, words, unit="", share=True):
 
 def _whole(chance, known, hindcast, years, error):
     three = share_with_interval(*by_group(chance, known, hindcast.year, years))
-    if error.any():  # what is not known of these hours, beside the scatter of years
+    if error.any():  # uncertainty of these hours, in addition to the scatter of years
         share, *ends = three
         three = (
             share,
@@ -131,7 +131,7 @@ def _by_year(down, known, hindcast, years):
     above, below = by_group(down, known, hindcast.year, years)
     with np.errstate(invalid="ignore"):
         share = above / below
-    shown = YEARS if len(years) <= FEW else ""  # of more there are the picture, the page and the file
+    shown = YEARS if len(years) <= FEW else ""  # a longer list is in the picture, the page and the file only
     return {"year.share": Quantity(share, ("year", "operation"), "", "down,", shown, True)}
 
 

@@ -1,8 +1,8 @@
-"""What operations can bear, and how much of it each hour uses.
+"""Limits of operations, and the utilisation of each limit in each hour.
 
 motion, point           mean largest amplitude of an hour, the significant one, or peak to peak
 air gap                 clearance less the largest rise of the water at a point
-under-keel clearance    water at rest, its level with it, less the largest drop of the bottom, the least of its points
+under-keel clearance    water at rest, with the level of the hour, less the largest drop of the bottom; the least
 simulated               motions, tensions, fenders of the moored body, with [simulation], in place of all these
 the hindcast            significant height, and each of its columns
 """
@@ -31,8 +31,8 @@ READ_IN = {"rad": ("deg", np.pi / 180), "m/s²": ("m/s²", 1.0)}
 class Limit(NamedTuple):
     """operation : its number; criterion : of `mooring.criteria.rules`; label : for tables
 
-    kind : "response", "air gap", "keel", "weather" or SIMULATED; names : of the responses that it asks for
-    rest : (p,) m at rest of what is left, an air gap or the water under points of the keel
+    kind : "response", "air gap", "keel", "weather" or SIMULATED; names : of the responses that it needs
+    rest : (p,) m at rest, an air gap or the depth of water under points of the keel
     """
 
     operation: int
@@ -56,8 +56,8 @@ class Hours(NamedTuple):
 def limits_of(study, points, responses, moored=None):
     """[Limit] of a DowntimeStudy.
 
-    points : of its body; responses : {name: unit} of all that the body has
-    moored : {name: unit} of what simulations of the moored body give, in place of these; None without
+    points : of its body; responses : {name: unit} of all responses of the body
+    moored : {name: unit} of the results of simulations of the moored body, in place of these; None without
     raises : StudyError
     """
     found = []
@@ -157,7 +157,7 @@ def _used(criterion, value):
 
 
 def value_of(limit, hours, hindcast):
-    """(n,) of what a limit is on, in its unit"""
+    """(n,) values of the limited quantity, in its unit"""
     quantity, statistic = limit.criterion.quantity, limit.criterion.statistic
     if limit.kind == "weather":
         return hindcast.height if quantity == "significant height" else hindcast.columns[quantity]

@@ -1,4 +1,4 @@
-"""Downtime of a moored body: what simulated states say of every hour, of other moorings, of seas at the limit."""
+"""Downtime of a moored body: simulated states give that of every hour, of other moorings, and of seas at the limit."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Detail(NamedTuple):
 
 
 class Found(NamedTuple):
-    """detail; quantities, axes : beside those of `answers`; findings, notes : lines"""
+    """detail; quantities, axes : in addition to those of `answers`; findings, notes : lines"""
 
     detail: Detail
     quantities: dict

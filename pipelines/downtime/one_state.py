@@ -20,7 +20,7 @@ UNITS = {
     **dict.fromkeys(MOTIONS[:3], "m"), **dict.fromkeys(MOTIONS[3:], "deg"), "tension / breaking load": "",
     "breaking load / tension": "", "fender deflection": "m", "fender reaction": "kN",
 }  # fmt: skip
-_kept = {}  # of this process: the database of a study, open, and its wave forces
+_kept = {}  # cache of this process: the open database of a study and its wave forces
 OF_MOTION = "largest", "significant", "peak to peak"
 
 

@@ -57,14 +57,14 @@ def downtime(
     executor: str = "local",
     say: Callable[[str], None] | None = None,
 ) -> Result:
-    """Hours of downtime, windows of weather, limiting seas and return values of a body from a record of years.
+    """Hours of downtime, weather windows, limiting seas and return values of a body from a record of several years.
 
-    study : path of a downtime study, its tables as a dictionary, or a `DowntimeStudy`; files lie beside it
+    study : path of a downtime study, its tables as a dictionary, or a `DowntimeStudy`, with files relative to it
     database : path of the body's database, or an open one; None with [lee]
-    states : path of the file of simulated states, which goes on where it stopped; None to keep none
-    executor : as of the command, for these; say : is told the progress, line by line
+    states : path of the file of simulated states, continued where it stopped; None to keep none
+    executor : of the simulations, as in the command; say : called with each line of progress
     returns : Result, in SI; its `detail` is a Detail
-    raises : ValueError, one line; KeyboardInterrupt, states that were done are kept
+    raises : ValueError, one line; KeyboardInterrupt, finished states are kept
     """
     read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()

@@ -131,8 +131,9 @@ def _features(hindcast, rows):
 
 
 def columns_of(hindcast, rows):
-    """Numbers [(r,), …] and angles [(r,), …] of which features are made: height, period and direction of each system of
-    waves, and speed and direction of wind and current where there are both"""
+    """Numbers [(r,), …] and angles [(r,), …] from which features are computed: height, period and direction of each
+    wave system, and speed and direction of wind and current where both are known
+    """
     numbers, angles = [], []
     for one in hindcast.waves:
         calm = ~(one.height[rows] > 0)
@@ -230,7 +231,7 @@ def _weather_used(limit, hindcast):
 
 
 class Fit(NamedTuple):
-    """The interpolant of what an operation uses of its simulated limits together, and what it says of all hours"""
+    """The interpolant of the utilisation of all simulated limits of an operation, and its values in all hours"""
 
     name: str
     fit: object

@@ -1,7 +1,7 @@
-"""The file of simulated states: a line for each, written when it is done; killed at any instant, whole lines are kept.
+"""The file of simulated states: a line for each, written when it is finished; a kill at any time keeps all whole lines.
 
-The first line says of what the states are; each further one is JSON with a CRC-32 of itself.  A line that a kill cut in
-two is taken off; one that is damaged is refused.
+The first line describes the states; each further one is JSON with a CRC-32 of itself.  A line that a kill cut in two is
+removed; a damaged line is an error.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ def is_states(path):
 
 
 def read(path, identity):
-    """{number of the hour: what its seeds gave} of a file, whose cut end is taken off; {} where there is none.
+    """{number of the hour: results of its seeds} of a file, without a last line that was cut; {} without a file.
 
-    Raises StudyError for a file of other states, or one that is damaged.
+    Raises StudyError for a file of other states, or a damaged one.
     """
     path = Path(path)
     if not path.exists():

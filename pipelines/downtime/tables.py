@@ -1,8 +1,8 @@
 """A downtime study as typed TOML: a hindcast, a body, and what operations can bear.
 
 [hindcast]
-file = "hindcast.csv"            # beside the study; netCDF too
-x_axis_compass_deg = 60.0        # what the bow heads
+file = "hindcast.csv"            # CSV or netCDF file beside the study
+x_axis_compass_deg = 60.0        # compass heading of the bow
 [[hindcast.waves]]               # a system of waves; more of them for wind sea and swell
 height = "hs"                    # names of columns
 peak_period = "tp"
@@ -11,7 +11,7 @@ spreading = "cosine:4"
 [hindcast.columns]
 "wind speed" = "wind"
 
-[body]                           # as in a response study, with [[points]] and [keel]
+[body]                           # tables of a response study, with [[points]] and [keel]
 damping_ratio = { roll = 0.02 }
 
 [[operations]]
@@ -31,12 +31,16 @@ PASSING = {"passing surge": "kN", "passing sway": "kN", "passing yaw": "kN m"}
 
 
 class WavesColumns(Table):
-    """Columns of a system of waves: a height, one period, a direction; and the shape that its spectrum has
+    """Columns of one wave system, with one height, one period and one direction, and its spectrum
 
-    height : column, m, significant
-    mean_period : column, s; or one of zero_crossing_period, energy_period, peak_period, significant_period
-    direction_from : column, degrees of the compass that waves come from; or direction_to
-    direction_to : column, degrees of the compass that waves travel to
+    height : name of the column of the significant height, m
+    mean_period : name of the column of the mean period T₀₁, s; or give another of the periods
+    zero_crossing_period : name of the column of the zero-crossing period T₀₂, s
+    energy_period : name of the column of the energy period T₋₁₀, s
+    peak_period : name of the column of the peak period, s
+    significant_period : name of the column of the significant period T₁/₃, s
+    direction_from : name of the column of the compass direction that waves come from, degrees; or give direction_to
+    direction_to : name of the column of the compass direction that waves travel to, degrees; or give direction_from
     """
 
     height: str
@@ -53,17 +57,17 @@ class WavesColumns(Table):
 
 
 class HindcastTable(Table):
-    """A record of years of weather
+    """A weather record of several years
 
-    file : CSV, netCDF, NDBC or a table of SWAN beside the study; "era5_*.nc" for several, one after the other
-    waves : systems of waves in columns; none where the file has a spectrum of each hour (netCDF)
-    time : column, ISO 8601
-    location : number of the place, from 1, in netCDF of several, the last of its axes fastest
-    zone : of times without an offset: UTC, +09:00 or a name such as Europe/Berlin
-    x_axis_compass_deg : what the x axis of the body heads
-    level_at_rest : m, what the column level has at the water level of the database
-    columns : {quantity = column}: "wind speed", "wind from", "current speed", "current to", or "wind east", "wind
-        north", "current east", "current north" in place of these, level, ice, and any other that a limit is on
+    file : CSV, netCDF, NDBC or SWAN table beside the study; a pattern such as "era5_*.nc" joins several files
+    waves : columns of the wave systems; left out where a netCDF file has a spectrum for each hour
+    time : name of the column of times, ISO 8601
+    location : number of the place, from 1, in a netCDF file of several, the last of its axes fastest
+    zone : time zone of times without an offset: UTC, +09:00 or a name such as Europe/Berlin
+    x_axis_compass_deg : compass heading of the body's x axis
+    level_at_rest : m, value of the column level at the water level of the database
+    columns : {quantity = column}, for "wind speed", "wind from", "current speed", "current to", or in their place "wind
+        east", "wind north", "current east", "current north"; also for level, ice and any other quantity with a limit
     """
 
     file: str
@@ -77,14 +81,16 @@ class HindcastTable(Table):
 
 
 class LimitTable(Table):
-    """What an operation can bear
+    """A limit on an operation
 
-    quantity : a motion as "roll"; with [simulation] that of the moored body, also "tension / breaking load", "fender
-        deflection" and "fender reaction"; without, a response of a point as "bow acceleration z", "air gap NAME" or
-        "under-keel clearance"; or of the hindcast "significant height" or a column
-    at_most : m, degrees, m/s2, or the unit of a column
-    at_least : likewise, of what is left: an air gap, water under the keel
-    statistic : of a motion: largest, the mean largest amplitude of an hour; significant; peak to peak
+    quantity : a motion such as "roll", with [simulation] that of the moored body; with [simulation] also "tension /
+        breaking load", "fender deflection" and "fender reaction"; without it also a response of a point, as "bow
+        acceleration z", "air gap NAME" or "under-keel clearance"; or the "significant height" or a column of the
+        hindcast
+    at_most : upper limit, in m, degrees, m/s², or the unit of a column; or give at_least
+    at_least : lower limit in the same units, for an air gap, an under-keel clearance or a column; or give at_most
+    statistic : statistic of a motion: "largest", the mean of the largest amplitude in an hour; "significant"; or "peak
+        to peak"
     """
 
     quantity: str
@@ -94,13 +100,13 @@ class LimitTable(Table):
 
 
 class OperationTable(Table):
-    """A kind of operation, and its limits
+    """A kind of operation and its limits
 
-    name : for results
-    rule : rule set of `mooring/criteria/tables` whose limits are taken too, as "PIANC"
-    subject : of the rule set, as "freighter, coaster; quay cranes"
-    window_hours : h, that it needs without a break
-    allowed_hours : h a year, above which the study fails
+    name : name of the operation in results
+    rule : name of a rule set whose limits apply in addition, as "PIANC"
+    subject : part of the rule set that applies, as "freighter, coaster; quay cranes"
+    window_hours : time that the operation needs without interruption
+    allowed_hours : allowed downtime in h a year; the study fails above it
     """
 
     name: str
@@ -112,10 +118,10 @@ class OperationTable(Table):
 
 
 class LeeTable(Table):
-    """The lee of a floating breakwater, in place of a body: limits on "wave height behind"
+    """The lee of a floating breakwater in place of a body, for limits on "wave height behind"
 
-    study : breakwater study beside this one, whose transmission is taken of waves from all directions
-    holding : one of its holdings, by default that of its [design], or the last
+    study : file of a breakwater study beside this one, whose transmission applies to waves from all directions
+    holding : one of its holdings; by default that of its [design], or the last
     """
 
     study: str
@@ -123,11 +129,13 @@ class LeeTable(Table):
 
 
 class PassagesTable(Table):
-    """Ships that pass: limits on "passing surge", "passing sway" (kN) and "passing yaw" (kN m), the most of each hour
+    """Passing ships, for limits on "passing surge" (kN), "passing sway" (kN) and "passing yaw" (kN m) in each hour
 
-    file : list beside this one, a row for each passage
-    study : study of a passing ship, whose distance and speed are those of each passage
-    time, distance, speed : its columns; m between the centre lines, and m/s
+    file : list of passages beside this one, with a row for each
+    study : file of a study of a passing ship, used at the distance and speed of each passage
+    time : name of the column of the time of the passage
+    distance : name of the column of the distance between the centre lines, m
+    speed : name of the column of the ship's speed through the water, m/s
     """
 
     file: str
@@ -138,11 +146,11 @@ class PassagesTable(Table):
 
 
 class AlternativeTable(Table):
-    """Another mooring of the same body, to compare
+    """Another mooring of the same body, for comparison
 
-    name : for results
-    study : mooring study beside this one: the next fender, line or pretension
-    turned_deg : clockwise, by which the body with its mooring lies otherwise
+    name : name of the alternative in results
+    study : file of a mooring study beside this one, with another fender, line or pretension
+    turned_deg : clockwise rotation of the body with its mooring
     """
 
     name: str
@@ -151,16 +159,18 @@ class AlternativeTable(Table):
 
 
 class StatesTable(Table):
-    """Limits on a moored body, simulated in states that stand for all hours
+    """A moored body simulated in selected sea states, from which all hours are interpolated
 
-    study : mooring study beside this one; its waves are those of each hour, and its wind where the hindcast has one
-    states : how many to begin with, by maximum dissimilarity
-    most_states : beyond which none is added
-    batch : states that are added at once where verdicts may change
-    seeds : of each state
-    duration_hours : h, of a run
-    tolerance_hours : h a year, of the hours of each operation, for the interpolant alone
-    alternatives : each simulated in states of its own, whose files stand beside that of the states
+    study : file of a mooring study beside this one; its waves are replaced by those of each hour, and its wind where
+        the hindcast has one
+    states : number of states at the start, selected by maximum dissimilarity
+    most_states : largest number of states
+    batch : number of states added at a time, where verdicts may change
+    seeds : number of simulations of each state
+    duration_hours : duration of a simulation
+    tolerance_hours : tolerated error of the interpolation, in h a year of downtime of each operation
+    alternatives : other moorings, each simulated in selected states of its own, stored in a file beside that of the
+        states
     """
 
     study: str
@@ -174,11 +184,11 @@ class StatesTable(Table):
 
 
 class DowntimeStudy(Table):
-    """Hours at a berth that operations cannot use
+    """Downtime at a berth from years of weather
 
-    windows_hours : h, lengths of windows that are counted
-    return_years : of the largest responses
-    turned_deg : degrees clockwise by which the body lies otherwise, to compare
+    windows_hours : lengths of the weather windows that are counted
+    return_years : years, return period of the extreme responses
+    turned_deg : degrees, clockwise rotations of the body that are compared with the berth as it is
     """
 
     hindcast: HindcastTable

@@ -37,11 +37,11 @@ LARGEST_COEFFICIENT = 2.0
 
 
 class BodyTable(Table):
-    """The body, where no database gives it
+    """Mass, added mass and damping of the body, where no database is given
 
-    mass : t
-    added_mass : t, of the motion
-    damping : kN s/m, of the motion
+    mass : t, mass of the body
+    added_mass : t, added mass in the direction of motion
+    damping : kN s/m, linear damping in the direction of motion
     """
 
     mass: float
@@ -50,21 +50,22 @@ class BodyTable(Table):
 
 
 class SideFender(FenderTable, kw_only=True):
-    """The fenders of one side; the other side has the same
+    """The fenders on one side of the body; the other side has the same
 
-    count : fenders on each side, 1 to 1000
-    clearance : m, from the body at rest
+    count : number of fenders on each side, 1 to 1000
+    clearance : m, gap between fender and body at rest
     """
 
     clearance: float = 0.0
 
 
 class RecordTable(Table):
-    """A record of the ground, corrected so that it ends at rest
+    """A ground acceleration record, corrected so that the ground ends at rest
 
-    file : CSV beside the study, of time_s and acceleration_m_s2 or acceleration_gal, equally spaced
-    scale : on its accelerations
-    after : s, that the ground stands still behind it
+    file : CSV file beside the study with the columns time_s and acceleration_m_s2 or acceleration_gal, equally spaced
+        in time
+    scale : factor on the accelerations
+    after : s, time without ground motion that is simulated after the record
     """
 
     file: str
@@ -75,9 +76,9 @@ class RecordTable(Table):
 class SpectrumTable(Table):
     """A response spectrum
 
-    periods : s, rising; straight between
-    acceleration : m/s², of each period
-    damping_ratio : that it is given for
+    periods : s, rising periods, with straight lines between the points
+    acceleration : m/s², spectral acceleration at each period
+    damping_ratio : damping ratio of the spectrum
     """
 
     periods: list[float]
@@ -86,10 +87,10 @@ class SpectrumTable(Table):
 
 
 class EarthquakeStudy(Table):
-    """A floating body between dolphins, and what is known of the earthquake
+    """A floating body between dolphins during an earthquake
 
-    motion : sway, across the dolphins, or surge
-    coefficient : seismic coefficient, as the values of a site have it; or give rule
+    motion : direction of motion: "sway", across the dolphins, or "surge"
+    coefficient : seismic coefficient, as a site study gives it; or give rule
     """
 
     fender: SideFender

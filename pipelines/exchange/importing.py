@@ -64,7 +64,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     values, agreed, doubts = believed(values, panels, correct)
     values, remarks = on_hull(with_headings_once(values), panels, weight)
     remarks = (*remarks, *agreed, *_remarks(place, said, values))
-    with made_beside(output) as partial:  # what was there stays until all of this is
+    with made_beside(output) as partial:  # an existing file stays until the new one is complete
         store(values, panels, partial, f"{kind_name}: {place}")
         groups = _store_pairs(partial, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")

@@ -68,7 +68,7 @@ def animate(
 
         from .of_database import film_of_database
 
-        open_database(file)  # what is none is told as that
+        open_database(file)  # another kind of file is refused here
         _check_none(of_run, "a simulation", file, "a database")
         frames, findings = film_of_database(file, output, **_given(regular))
     print(f"{output}: {frames} frames")

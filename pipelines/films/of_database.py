@@ -89,7 +89,7 @@ def _frames(db, around, amplitude, coloured):
     x, y = np.meshgrid(found.x, found.y)
     plotter = new_plotter()
     sea = pyvista.StructuredGrid(*(grid[..., None] for grid in (x, y, np.zeros_like(x))))
-    order = np.arange(x.size).reshape(x.shape).ravel(order="F")  # in which VTK counts
+    order = np.arange(x.size).reshape(x.shape).ravel(order="F")  # order of points in VTK
     hull = pyvista.PolyData.from_regular_faces(whole.points, whole.corners)
     parts = [hull] + ([_topsides(around, db.mesh.draft)] if around.pierces else [])
     rests = [part.points - center for part in parts]

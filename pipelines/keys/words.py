@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 COMMON = {
-    "angle_deg": "degrees",
+    "angle_deg": "degrees, angle",
     "count": "number of values, both ends included",
     "coefficients": "drag coefficients in place of the tables of a box",
-    "density": "kg/m³, of the water",
-    "direction_deg": "direction travelled to, 0 → +x, 90 → +y; or give incidence_deg",
-    "energy_period": "s, T₋₁₀",
+    "density": "kg/m³, density of the water",
+    "direction_deg": "direction of travel, 0 → +x, 90 → +y; or give incidence_deg",
+    "energy_period": "s, energy period T₋₁₀",
     "from": "first value",
-    "gamma": "peak factor, of jonswap and tma",
-    "gravity": "m/s²",
-    "incidence_deg": "direction come from, off the bow: 0 from ahead (angle χ of the reports); or give direction_deg",
-    "mean_period": "s, T₀₁",
-    "peak_period": "s",
-    "significant_period": "s, T₁/₃",
+    "gamma": "peak factor γ, for jonswap and tma",
+    "gravity": "m/s², acceleration of gravity",
+    "incidence_deg": "direction of origin off the bow, 0 from ahead (χ of the SR179 report); or give direction_deg",
+    "mean_period": "s, mean period T₀₁",
+    "peak_period": "s, peak period",
+    "significant_period": "s, significant period T₁/₃",
     "spectrum": "spectrum of the sea: issc, jonswap, tma, bretschneider …",
-    "speed_knots": "in place of speed",
-    "spreading": "over directions: cosine:N, half_cosine:S, mitsuyasu:SMAX or wrapped_normal:DEGREES [long crests]",
+    "speed_knots": "speed in knots, in place of speed",
+    "spreading": "spreading: cosine:N, half_cosine:S, mitsuyasu:SMAX or wrapped_normal:DEGREES; by default long crests",
     "to": "last value",
-    "zero_crossing_period": "s, T₀₂",
+    "zero_crossing_period": "s, zero-crossing period T₀₂",
 }
-# in the order they are looked for: the longest endings first
+# endings in the order of the search, the longest first
 ENDINGS = {
     "_kg_per_m": "kg/m",
     "_kN_m2": "kN m²",

@@ -1,4 +1,4 @@
-"""`hakobune line-dynamics`: one line whose fairlead moves → tensions, slack, work, regime, statics beside them."""
+"""`hakobune line-dynamics`: one line with a moving fairlead → tensions, slack, work, regime, and its statics."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ FRAMES = 20  # frames per cycle; a run without cycles has at least 200
 
 
 def frames_of(study, course):
-    """Number of frames asked for, or about 20 for each cycle"""
+    """Requested number of frames, or about 20 for each cycle"""
     if study.frames is not None:
         if not 2 <= study.frames <= 100_000:
             raise StudyError(f"frames is {study.frames}; allowed: 2 to 100000")
@@ -40,9 +40,9 @@ def check_finest(study):
 
 
 def check_effort(study, line, course, wave, frames, stations=0):
-    """Raise TooMuchError for a run that nobody can wait for or store, and say what a long one takes.
+    """Raise TooMuchError for a run that is too long or too large to store, and announce the time of a long one.
 
-    Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
+    The number of steps depends on the tolerance, an estimate within a factor of three: most in snapping lines.
     """
     from hakobune.mooring.lines.dynamics.run import finer
     from hakobune.mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD

@@ -10,7 +10,7 @@ from ..common.units import KN
 from ..printing.number import significant
 
 STEADY = 0.02  # change of the largest tension between the last two cycles
-DYNAMIC = 0.1  # over the largest quasi-static tension, below which inertia and drag are reported as negligible
+DYNAMIC = 0.1  # share of the largest quasi-static tension; less inertia and drag is reported as negligible
 INSIDE = 0.05  # excess over the largest end tension from which a tension between the ends is reported
 BALANCE = 0.01  # error of the energy balance, over the work at the ends, that is accepted
 

@@ -1,9 +1,9 @@
-"""One line of a MoorDyn file as the study of a moving line: water, segments, bodies, anchor, and where its fairlead is.
+"""One line of a MoorDyn file as the study of a moving line: water, segments, bodies, anchor, and place of its fairlead.
 
-The line goes on through free points that join two lines, which become the bodies between its segments, and ends at an
-anchor and at the point that moves, whatever that is attached to in the file.  Damping BA is kept as it stands, or,
-where negative, as the fraction of critical damping that MoorDyn takes it for.  Parts out of the water weigh as in air
-and feel none, as in MoorDyn.
+The line includes the free points that join two lines, which become the bodies between its segments.  It ends at an
+anchor and at the moving point, whatever that is attached to in the file.  Damping BA keeps its value or, where
+negative, its meaning in MoorDyn, a fraction of critical damping.  Parts out of the water have their weight in air and
+no water loads, as in MoorDyn.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ BED = {"stiffness_kPa_per_m": ("kBot", "kb"), "damping_kPa_s_per_m": ("cBot", "c
 
 
 def with_moordyn(study, folder):
-    """The study with its line read from the file that `moordyn` names, beside it in `folder`.
+    """The study with its line read from the file that `moordyn` names, in the folder `folder`.
 
-    warns : of what of the file is left out
+    warns : of the parts of the file that are not used
     raises : StudyError, FormatError for a file that cannot be read
     """
     from hakobune.mooring.formats.moordyn import read_moordyn

@@ -27,9 +27,9 @@ class Course:
     cycle: float | None
 
     def window(self, begin=None):
-        """Begin and end (s) of what is measured, and how many cycles it holds: whole ones, back from the end.
+        """Begin and end (s) of the statistics, and their number of cycles: whole ones, counted back from the end.
 
-        begin : s, not before which; the end of the ramp by default.  Raises StudyError where nothing is left.
+        begin : s, earliest begin; the end of the ramp by default.  Raises StudyError where no cycle remains.
         """
         begin = self.ramp if begin is None else begin
         least = 0.0 if self.cycle is None else self.cycle

@@ -17,7 +17,7 @@ from ..common.weather.seas import mean_period
 from .study import BedTable
 
 ELEMENTS = 40  # elements of a line whose segments give no number; at least 4 each
-LEVELS = 41  # at which a current over the depth is sampled
+LEVELS = 41  # heights at which a current over the depth is sampled
 FEWEST, MOST = 10, 1000  # components of a sea
 
 

@@ -33,13 +33,13 @@ def _history(axes, name, result, found, strength):
         axes.axhline(
             found.fairlead.quasi_static / KN, color="C0", ls="--", lw=1, label="fairlead, largest quasi-static"
         )
-    top = max(top, *_breaking_loads(axes, strength, 1.5 * top)) or KN  # of a line that lies without tension
+    top = max(top, *_breaking_loads(axes, strength, 1.5 * top)) or KN  # KN for a line without tension
     axes.axvspan(found.begin, found.end, color="0.92", zorder=0, label="evaluated time")
     axes.plot([found.fairlead.time], [found.fairlead.largest / KN], "o", color="C0", ms=5)
     axes.set(xlabel="t, s", ylabel="tension, kN", xlim=(result.time[0], result.time[-1]), ylim=(0, 1.12 * top / KN))
     axes.set_title(name, loc="left")
     axes.grid(alpha=0.3)
-    # above the axes: the patch of the grey span would be lost on the span itself
+    # text above the axes, since the grey span would hide it
     axes.legend(frameon=False, fontsize=8, ncols=6, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
 
 

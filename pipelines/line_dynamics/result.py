@@ -1,4 +1,4 @@
-"""`hakobune.line_dynamics`: one line whose fairlead moves, its tensions, slack and work, with statics beside them."""
+"""`hakobune.line_dynamics`: one line with a moving fairlead, its tensions, slack and work, and its statics."""
 
 from __future__ import annotations
 

@@ -26,14 +26,15 @@ class WaterTable(water.WaterTable):
 
 
 class BedTable(Table):
-    """An elastic bed, a plane or hills and valleys under the line
+    """An elastic sea bed under the line, flat, sloping or uneven
 
-    friction : coefficient
-    points : m, [x, z], … from its anchor along the line, in place of a slope
-    slope_deg : upwards
-    uphill_deg : where to, 0 → +x; of points the way they go, by default to the fairlead's mean position
-    stiffness_kPa_per_m : times diameter
-    damping_kPa_s_per_m : times diameter
+    friction : coefficient of friction between line and bed
+    points : m, points [x, z], … of the bed, x from the anchor along the line; in place of a slope
+    slope_deg : slope of the bed, positive upwards along uphill_deg
+    uphill_deg : direction in which the bed rises, or in which x of the points increases, 0 → +x; for points by default
+        towards the mean position of the fairlead
+    stiffness_kPa_per_m : stiffness of the bed for each metre of line, over the line's diameter
+    damping_kPa_s_per_m : damping of the bed for each metre of line, over the line's diameter
     """
 
     friction: float = 0.0
@@ -45,18 +46,20 @@ class BedTable(Table):
 
 
 class DynamicTypeTable(MaterialTable):
-    """What a line that moves is made of
+    """Material of a line in motion
 
-    mass_kg_per_m : in air
-    diameter : m, of the displaced volume
-    drag_normal : coefficient on D; not given: the catalogue's, and 1.2 without one
-    drag_tangential : coefficient on πD; not given: the catalogue's, and 0.1 without one
-    added_normal : coefficient of added mass across the line; not given: the catalogue's, and 1 without one
-    added_tangential : coefficient of added mass along the line; not given: the catalogue's, and 0 without one
-    damping_ratio : structural damping over that which is critical for one element, or a fortieth of its segment
-    bending_stiffness : EI, between hinged ends
-    elongation_percent : % of its length, from 0 on, of a rope whose stiffness is no number; straight between the points
-    tension : of such a rope, at each elongation, from 0 on
+    mass_kg_per_m : mass in air; by default that of the catalogue
+    diameter : m, diameter of the displaced volume; by default that of the catalogue
+    drag_normal : normal drag coefficient, over D; by default that of the catalogue, or 1.2
+    drag_tangential : tangential drag coefficient, over πD; by default that of the catalogue, or 0.1
+    added_normal : normal added mass coefficient; by default that of the catalogue, or 1
+    added_tangential : tangential added mass coefficient; by default that of the catalogue, or 0
+    damping_ratio : structural damping over the critical damping of one element, or of a fortieth of the segment where
+        elements are shorter
+    bending_stiffness : bending stiffness EI, with hinged ends
+    elongation_percent : %, elongations from 0 on of a rope with nonlinear stiffness, with straight lines between the
+        points
+    tension : tension of such a rope at each elongation, from 0 on
     """
 
     mass_kg_per_m: float | None = None
@@ -75,9 +78,9 @@ class DynamicTypeTable(MaterialTable):
 class HarmonicTable(Table):
     """A harmonic motion of the fairlead
 
-    amplitude : m, along x, y, z
-    period : s
-    phase_deg : lag of each behind the time origin
+    amplitude : m, amplitudes along x, y, z
+    period : s, period of the motion
+    phase_deg : phase lags along x, y, z behind the time origin
     """
 
     amplitude: tuple[float, float, float]
@@ -86,11 +89,11 @@ class HarmonicTable(Table):
 
 
 class FairleadTable(Table):
-    """Either a position with harmonic motions about it, or a table of positions
+    """Motion of the fairlead: a mean position with harmonic motions, or a table of positions
 
-    position : m, x, y, z of its mean
-    table : CSV of t,x,y,z in s and m, beside this file
-    ramp : s, in which the motion fades in from rest; by default the longest period, and none for a table
+    position : m, x, y, z of the mean position
+    table : CSV file beside this one with the columns t,x,y,z in s and m
+    ramp : s, time in which the motion grows from rest; by default the longest period, and 0 for a table
     """
 
     position: tuple[float, float, float] | None = None
@@ -102,10 +105,10 @@ class FairleadTable(Table):
 class CurrentTable(Table):
     """A current over the depth
 
-    speed : m/s, at the surface; or speed_knots
-    exponent : α of U(z) = U₀ (1 + z/h)^α
-    z : m, rising from the bed, in place of an exponent
-    speeds : m/s, at each z
+    speed : m/s, speed at the surface; or give speed_knots
+    exponent : exponent α of the profile U(z) = U₀ (1 + z/h)^α
+    z : m, heights of the given speeds, rising from the bed; in place of an exponent
+    speeds : m/s, speed at each z
     """
 
     speed: float | None = None
@@ -120,17 +123,17 @@ class CurrentTable(Table):
 class WaveTable(water.WaveTable):
     """A regular wave
 
-    phase_deg : lag at the origin
+    phase_deg : phase lag at the origin
     """
 
     phase_deg: float = 0.0
 
 
 class LineSeaTable(SeaTable):
-    """An irregular sea, in place of a wave
+    """An irregular sea, in place of a regular wave
 
-    seed : of its phases and frequencies; the same seed gives the same sea
-    components : regular waves that it is made of
+    seed : random seed of phases and frequencies; the same seed gives the same sea
+    components : number of wave components
     """
 
     seed: int = 1
@@ -140,9 +143,9 @@ class LineSeaTable(SeaTable):
 class MoorDynTable(Table):
     """A line of a MoorDyn file, in place of water, types, segments, bodies and anchor
 
-    file : beside this one
-    line : its number there, as 1; any of those joined by free points
-    depth : m, for a file that does not say it
+    file : MoorDyn file beside this one
+    line : number of the line in that file; where free points join several lines, the number of any of them
+    depth : m, water depth, for a file without it
     """
 
     file: str
@@ -153,13 +156,15 @@ class MoorDynTable(Table):
 class LineDynamicsStudy(Table):
     """One mooring line and the motion of its fairlead
 
-    anchor : m, x, y, z in space
-    name : for results and pictures
-    duration : s, by default to the end of a table or twelve of the longest period; to be given with a sea
-    tolerance : error of a step in any tension, of the largest
-    surface : whether parts above still water weigh as in air and feel no water; by default only of a MoorDyn file
-    measure_from : s, where the figures begin, by default at the end of the ramp
-    frames : pictures of the line that are stored, by default about 20 for each cycle
+    anchor : m, x, y, z of the anchor in space
+    name : name of the line in results and pictures
+    duration : s, duration of the simulation; by default to the end of a table, or twelve times the longest period;
+        needed with a sea
+    tolerance : error of any tension in a step, relative to the largest tension
+    surface : whether parts above still water have their weight in air and no water loads; by default only for a MoorDyn
+        file
+    measure_from : s, time from which statistics are computed; by default the end of the ramp
+    frames : number of stored pictures of the line; by default about 20 for each cycle
     """
 
     fairlead: FairleadTable

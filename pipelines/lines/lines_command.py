@@ -30,7 +30,7 @@ def lines_command(file, depth, output, picture, moordyn, **asked):
     try:
         result = lines_of(given, **asked)
     except ValueError:
-        tell(given.said)  # what may be why
+        tell(given.said)  # the possible cause
         raise
     written = _written(result, output, picture, moordyn, exported)
     status = printed(result)

@@ -59,7 +59,7 @@ def at_rest(state):
 
 
 def stiffness_on(state, name):
-    """Forces on a body for each metre and radian that it moves; what is rounding beside the others is 0"""
+    """Forces on a body for each metre and radian of its motion; rounding errors of the others are set to 0"""
     from hakobune.mooring.studies.system_at_rest import mooring_stiffness
 
     K = mooring_stiffness(state, name)
@@ -99,7 +99,7 @@ def curves_at(curves):
 
 
 def lost(state, losses, name):
-    """The system after the loss of each line; name : of the body whose shift is told; nan without an equilibrium"""
+    """The system after the loss of each line; name : of the body with the reported shift; nan without an equilibrium"""
     from hakobune.mooring.studies.system_at_rest import body_number
 
     i = None if name is None else body_number(state.system, name)

@@ -45,9 +45,9 @@ def lines(
     """Equilibrium of a system of lines.
 
     system : path of a TOML, MoorDyn or MoorPy file, its tables as a dictionary, or a
-        `mooring.lines.system.graph.System`; depth : m, for a MoorDyn or MoorPy file that does not say it
-    body : name of that which `force` (Fx, Fy in N, Mz in N m) acts on and offsets are of, by default the first
-    offset : m, up to which it is held to both sides along `directions`, rad
+        `mooring.lines.system.graph.System`; depth : m, for a MoorDyn or MoorPy file without it
+    body : name of the body that `force` (Fx, Fy in N, Mz in N m) and offsets are for, by default the first
+    offset : m, largest offset to both sides along `directions`, rad
     characteristic : name of a line, for its forces from slack to taut; broken : whether each line is lost in turn
     database : path of the body's, or an open one, for natural periods
     returns : Result, in SI; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without

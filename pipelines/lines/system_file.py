@@ -30,12 +30,12 @@ YAML, TOML = (".yaml", ".yml"), (".toml",)
 class BodyTable(Table):
     """A body that lines hold
 
-    name : that fairleads call it by
+    name : name of the body, for the key body of fairleads
     position : m, x, y, z at rest
-    heading_deg : of its x axis, 0 → +x
-    freedom : Surge, Sway, Heave, Roll, Pitch, Yaw: what loads may move
-    force_kN : steady, along x, y, z
-    moment_kNm : steady, about x, y, z
+    heading_deg : heading of its x axis, 0 → +x
+    freedom : motions that are free under load: Surge, Sway, Heave, Roll, Pitch, Yaw
+    force_kN : steady force along x, y, z
+    moment_kNm : steady moment about x, y, z
     """
 
     name: str
@@ -49,7 +49,7 @@ class BodyTable(Table):
 class AnchorTable(Table):
     """A fixed end of lines
 
-    name : that lines call it by
+    name : name of the anchor, for the keys from and to of lines
     position : m, x, y, z in space
     """
 
@@ -58,10 +58,10 @@ class AnchorTable(Table):
 
 
 class FairleadTable(Table):
-    """A point of a body that lines end at
+    """A point of a body where lines end
 
-    name : that lines call it by
-    body : its name
+    name : name of the fairlead, for the keys from and to of lines
+    body : name of its body
     position : m, x, y, z in the axes of the body
     """
 
@@ -73,11 +73,11 @@ class FairleadTable(Table):
 class PointTable(Table):
     """A buoy, sinker or joint, free to move
 
-    name : that lines call it by
-    position : m, x, y, z where the search begins
-    mass : kg
-    volume : m³, of the water it displaces
-    height : m, over which it comes out of the water
+    name : name of the point, for the keys from and to of lines
+    position : m, x, y, z where the search for equilibrium starts
+    mass : kg, mass of the buoy or sinker
+    volume : m³, volume of the displaced water
+    height : m, height of a buoy, over which it emerges from the water
     """
 
     name: str
@@ -90,9 +90,9 @@ class PointTable(Table):
 class SystemLineTable(LineTable, kw_only=True):
     """A line between two anchors, fairleads or points
 
-    name : for results and messages
-    from : name of the point it begins at
-    to : name of the point it ends at
+    name : name of the line in results and messages
+    from : name of the point at its first end
+    to : name of the point at its second end
     """
 
     name: str
@@ -114,9 +114,9 @@ class SystemTable(Table):
 
 @dataclass(frozen=True)
 class Given:
-    """What a system is read from, once.
+    """A system as it is read from a file.
 
-    text : of the file; said : what was warned of in it; moordyn : MoorDynFile where it is one
+    text : of the file; said : warnings about it; moordyn : MoorDynFile where it is one
     """
 
     system: System
@@ -126,9 +126,9 @@ class Given:
 
 
 def read_system(path, depth=None) -> System:
-    """The System of a file, by its suffix: .toml, .yaml or .yml, anything else is MoorDyn's.
+    """The System of a file, by its suffix: .toml, .yaml or .yml, otherwise MoorDyn.
 
-    depth : m, for a MoorDyn or YAML file that does not say it.  Warns of anchors where there are none.
+    depth : m, for a MoorDyn or YAML file without it.  Warns of a file without anchors.
     Raises ValueError, one line.
     """
     given = read_given(path, depth)

@@ -32,7 +32,7 @@ MOST = 1000  # members
 
 
 class WaterTable(DepthTable):
-    """Water of the place"""
+    """Water at the place"""
 
     density: float = 1025.0
 
@@ -40,8 +40,8 @@ class WaterTable(DepthTable):
 class CurrentTable(Table):
     """A current
 
-    speed : m/s, at the surface
-    exponent : of its profile over the depth, 0 for the same all the way down, 0.143 of tides, 1 of wind drift
+    speed : m/s, speed at the surface
+    exponent : exponent of the profile over the depth: 0 for a uniform current, 0.143 for tides, 1 for wind drift
     """
 
     speed: float
@@ -51,10 +51,10 @@ class CurrentTable(Table):
 
 
 class WindTable(Table):
-    """Wind, at 10 m
+    """Wind at 10 m above the sea
 
-    speed : m/s
-    exponent : of its profile over the height, without it by the table of the SR179 report
+    speed : m/s, mean wind speed
+    exponent : exponent of the profile over the height; by default the table of the SR179 report
     """
 
     speed: float
@@ -64,16 +64,16 @@ class WindTable(Table):
 
 
 class MemberTable(Table):
-    """A straight member in the water, from the bed up or as far as it reaches
+    """A straight member in the water, partly or wholly submerged
 
-    name : for results
-    shape : circular, square (moved along a side) or plate (across the flow)
-    width : m, diameter or side, clean
+    name : name of the member in results
+    shape : shape of the section: circular, square (moved along a side) or plate (across the flow)
+    width : m, diameter or side without marine growth
     start : m, x, y, z of one end, z up from still water
-    end : m, x, y, z of the other
-    drag : C_D on width and growth
-    inertia : C_M, by default that of potential flow: 2 circular, 2.19 square, 1 plate
-    growth : m, thickness of what grows on it
+    end : m, x, y, z of the other end
+    drag : drag coefficient C_D, over the width with growth
+    inertia : inertia coefficient C_M; by default that of potential flow: 2 for circular, 2.19 for square, 1 for plate
+    growth : m, thickness of the marine growth
     """
 
     name: str
@@ -89,11 +89,12 @@ class MemberTable(Table):
 class WindMemberTable(Table):
     """A member in the wind
 
-    name : for results
-    shape : sphere, cylinder, hull side, deck house, isolated member …; or drag
-    drag : coefficient in place of a shape
-    area : m², seen along the wind
-    position : m, x, y, z of its middle
+    name : name of the member in results
+    shape : shape that gives the drag coefficient: sphere, cylinder, hull side, deck house, isolated member …; or give
+        drag
+    drag : drag coefficient, in place of a shape
+    area : m², projected area along the wind
+    position : m, x, y, z of the centre of the area
     """
 
     name: str
@@ -104,7 +105,7 @@ class WindMemberTable(Table):
 
 
 class MembersStudy(Table):
-    """Members of a structure, and the water and the wind that they stand in"""
+    """Members of a structure in waves, current and wind"""
 
     water: WaterTable
     wave: WaveTable | None = None

@@ -1,4 +1,4 @@
-"""Anchors of lines as tables of a study, what is found of them, in quantities and in words.
+"""Anchors of lines as tables of a study, and their results in quantities and in words.
 
 [[anchors]]                [[anchors]]                 [[anchors]]
 kind = "drag"              kind = "sinker"             kind = "pile"
@@ -6,7 +6,7 @@ type = "stockless"         friction = 0.5              holding_kN = 1500.0
 soil = "sand"              weight_kN = 400.0           uplift_kN = 600.0
 mass = 9000.0              lines = ["fore 1"]          safety = 2.0
 
-Without mass or weight_kN an anchor is sized: what its pull asks for stands in the result.
+Without mass or weight_kN an anchor is sized: the result has the size that its pull needs.
 """
 
 from __future__ import annotations
@@ -31,19 +31,19 @@ OF_KIND = {
 class AnchorTable(Table):
     """The anchors of lines, of one kind and size
 
-    kind : "drag", "sinker" or "pile"
-    lines : names of the lines that end at such an anchor; by default all on the bed that no other table names
-    safety : factor on the pull, above 0
-    type : of a drag anchor in the charts, such as "stockless", "Danforth", "Stevin", "Stevpris Mk6"
-    soil : of a drag anchor in the charts: "mud", "sand" or "medium clay"
-    mass : kg in air, mass of a drag anchor in the charts; without it the size is computed
+    kind : kind of anchor: "drag", "sinker" or "pile"
+    lines : names of the lines with this anchor; by default all lines on the bed that no other table names
+    safety : required factor of safety on the pull, above 0
+    type : type of a drag anchor in the charts, such as "stockless", "Danforth", "Stevin", "Stevpris Mk6"
+    soil : soil of a drag anchor in the charts: "mud", "sand" or "medium clay"
+    mass : kg, mass in air of a drag anchor in the charts; by default the size is computed
     holding_kN : horizontal capacity of a pile, or of a drag anchor that is not in the charts
-    uplift_kN : of a pile
-    friction : coefficient of a sinker on the bed
-    weight_kN : weight of a sinker in water; without it the size is computed
+    uplift_kN : uplift capacity of a pile
+    friction : coefficient of friction between a sinker and the bed
+    weight_kN : submerged weight of a sinker; by default the size is computed
     girth : m, girth of a friction pile, in place of uplift_kN
-    length : m, length in the bed
-    cohesion_kPa : cohesion of the soil along it
+    length : m, length of a pile in the bed
+    cohesion_kPa : cohesion of the soil along a pile
     """
 
     kind: str
@@ -139,7 +139,7 @@ def quantities_of_anchors(anchors, along, up):
     if all(one is None for one in anchors):
         return {}
     rows = list(zip(anchors, along, up, strict=True))
-    of_kind = {  # what is asked for, nan of other kinds
+    of_kind = {  # size or capacity that is needed, NaN for other kinds
         kind: np.array([np.nan if one is None or one.kind != kind else one.needed(h, v) for one, h, v in rows], float)
         for kind in KINDS
     }

@@ -17,13 +17,13 @@ SYMMETRY = {"box": "xy", "buoy": "xy", "ship": "y"}  # planes of the shapes of a
 
 
 class Body(NamedTuple):
-    """What is known of a body before its waves are solved.
+    """Properties of a body that are known before its waves are solved.
 
-    name : of its database or scene, for messages; dimensions : {name: m}, of a mesh file none
+    name : of its database or scene, for messages; dimensions : {name: m}, empty for a mesh file
     rotation_center : (3,) m; density : kg/m³; gravity : m/s²; water_depth : m
-    omega : (n,) rad/s, of which the first and last are its band; wall : m, y, or None
-    ring : `Ring` of the waves that are solved for, None where symmetry is not known, of a mesh file
-    stored : names of what is solved for; has_inertia : whether its radii of gyration are known
+    omega : (n,) rad/s, the first and last are its band; wall : m, y, or None
+    ring : `Ring` of the waves that are solved, None where symmetry is not known, for a mesh file
+    stored : names of the quantities that are solved; has_inertia : whether its radii of gyration are known
     """
 
     name: str
@@ -40,7 +40,7 @@ class Body(NamedTuple):
 
     @property
     def sizes(self):
-        """As of a database: what is known before the hull is meshed"""
+        """Dimensions known before the hull is meshed, as those of a database"""
         return self.dimensions
 
 
@@ -64,7 +64,7 @@ def body_of_scene(name, scene):
 
 
 def check_stored(body, in_waves):
-    """Raises StudyError where the motions of a Body, or the drift of waves, cannot follow from what is solved for"""
+    """Raises StudyError where the solved quantities do not give the motions of a Body, or the drift of waves"""
     if not body.has_inertia:
         raise StudyError(f"{body.name}: the radii of gyration are missing; give gyration (m) and solve the body again")
     lacking = [name for name in (*RADIATION, "excitation_force") if name not in body.stored]

@@ -2,9 +2,8 @@
 
     lines_file = "moorings.dat"      # MoorDyn, MoorPy, RAFT or OrcaFlex, beside the study
 
-A line goes from an anchor to the one body of the file, which is the hull of the study, of several the one that
-`lines_body` names.  The study has its numbers from
-then on: a state of a design and a result have them too.
+Each line runs from an anchor to the only body of the file, the hull of the study; where the file has several bodies,
+`lines_body` names it.  The tables become part of the study, of a state of a design and of a result.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What is said of a mooring study beside its tables."""
+"""Findings and notes on a mooring study in addition to its tables."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def notes(made):
 
 
 def resonant(made, db):
-    """Findings on resonances of the free body that the stored frequencies do not tell, where there are waves"""
+    """Findings on resonances of the free body outside the stored frequencies, where there are waves"""
     return tuple(resonance_lines(resonances(db.bodies_reader))) if made.conditions.waves else ()
 
 

@@ -12,7 +12,7 @@ from ..common.picture import draw_streams, save
 
 LABEL = 0.3  # place of a label on a line from its anchor, where lines are apart
 SHORT = 0.1  # length of a short line over the plan
-AT_SURFACE = 1e-3  # of the draft
+AT_SURFACE = 1e-3  # fraction of the draft
 UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
 
 

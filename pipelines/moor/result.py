@@ -1,4 +1,4 @@
-"""`hakobune.moor`: a mooring study on a database, by the simplified method, and what is kept of it."""
+"""`hakobune.moor`: a mooring study on a database, by the simplified method, and its stored results."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def _at_anchors(made):
 def result_of(made, hull, text, db, first=(), anchors=()):
     """Result of a MultiPoint and its hull or hulls
 
-    text : of its study; db : of the body; first : said before all; anchors : `Study.anchors_on` its lines
+    text : of its study; db : of the body; first : findings printed first; anchors : `Study.anchors_on` its lines
     """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)

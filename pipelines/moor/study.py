@@ -1,10 +1,10 @@
-"""A mooring study: water, hull, lines and the weather they have to stand, as typed TOML.
+"""A mooring study: water, hull, lines and the weather that acts on them, as typed TOML.
 
 `[simulation]`, gusts and the spectrum of the waves are for `simulate` alone (`pipelines.simulate.study`).
 
-Quantities carry their unit in the key where it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and
-waves have either `direction_deg`, travelled to, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from
-ahead: direction = incidence + 180°.  Every fault is one line that names key, value and what is allowed.
+A key contains the unit where it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and waves have either
+`direction_deg`, the direction of travel, 0 → +x, or `incidence_deg`, the angle χ of the SR179 report, 0 from ahead:
+direction = incidence + 180°.  Every fault is one line with the key, the value and the allowed values.
 """
 
 from __future__ import annotations
@@ -48,9 +48,9 @@ MOST_LINES = 500  # largest number of lines of a study; they take three seconds
 class Study(Table):
     """A moored body: water, hull, lines and weather
 
-    hulls : table [hull] of each of several bodies that move, by name
+    hulls : a table like [hull] for each moving body by name, where there are several
     lines_file : file of lines of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines`, in place of types and lines
-    lines_body : the one of several bodies that these lines hold
+    lines_body : name of the body that these lines hold, where there are several
     allowable : fraction of the breaking load that a line may carry, above 0, at most 1
     """
 
@@ -181,7 +181,7 @@ class Study(Table):
         return berth_between(self.fender, self.dolphin, self.rope, afloat(db, hulls), db.bodies)
 
     def without_berth(self, command):
-        """Itself.  Raises StudyError where fenders, ropes, hinges or a quay would be left out by a command."""
+        """The study itself.  Raises StudyError for fenders, ropes, hinges or a quay, which the command excludes."""
         if self.hinges:
             raise StudyError(f"{command} does not support [[hinges]]; use hakobune simulate")
         if self.at_berth:
@@ -342,7 +342,7 @@ def read_study(path):
 
 
 def read_raw(path):
-    """Nested dictionaries and text of a TOML file, with what it takes of a site and of files.  Raises StudyError."""
+    """Nested dictionaries and text of a TOML file, with its values of a site and of other files.  Raises StudyError."""
     return with_files(*with_lines(*read_study_at_site(Path(path), "a study"), path), path)
 
 

@@ -14,9 +14,9 @@ class HullTable(SuperstructureTable, kw_only=True):
     """The hull in wind and current
 
     freeboard : m, height of the deck above still water; needed with wind
-    length : m, by default that of the database
-    beam : m, by default that of the database
-    draft : m, by default that of the database
+    length : m, length of the hull; by default that of the database
+    beam : m, beam of the hull; by default that of the database
+    draft : m, draft of the hull; by default that of the database
     """
 
     freeboard: float | None = None
@@ -28,10 +28,11 @@ class HullTable(SuperstructureTable, kw_only=True):
 class Spread(LineTable, kw_only=True):
     """Lines from the four corners of the hull
 
-    corner_headings_deg : angles from the x axis, 0 to 90, of the lines at the corner +x, +y; the others are mirrored
-    pretension : horizontal, at rest
-    fairlead_z : m, above still water
-    body : name of one of several bodies, whose corners they are
+    corner_headings_deg : angles from the x axis, 0 to 90, of the lines at the corner +x, +y; the other corners mirror
+        them
+    pretension : horizontal tension at rest
+    fairlead_z : m, height of the fairleads above still water
+    body : name of the body whose corners are used, where there are several
     """
 
     corner_headings_deg: list[float]
@@ -42,16 +43,16 @@ class Spread(LineTable, kw_only=True):
 
 
 class OneLine(LineTable, kw_only=True):
-    """A line to an anchor, along a heading to where it carries the pretension, to a bollard, or to another body
+    """A line from a fairlead to an anchor, a bollard or another body, or along a heading up to its pretension
 
-    name : for results and messages
+    name : name of the line in results and messages
     fairlead : m, x, y, z on the body at rest
     anchor : m, x, y on the bed
-    bollard : m, x, y, z, still, in place of an anchor; a hawser to it has a length or a pretension
-    heading_deg : from the fairlead to the anchor, 0 → +x
-    pretension : horizontal, at rest
-    body : name of one of several bodies, in whose coordinates the fairlead is
-    to : name of another of them, in whose coordinates the bollard is
+    bollard : m, x, y, z of a fixed bollard in place of an anchor; a hawser to it needs a length or a pretension
+    heading_deg : direction from the fairlead to the anchor, 0 → +x
+    pretension : horizontal tension at rest
+    body : name of the body in whose coordinates the fairlead is, where there are several
+    to : name of another body, in whose coordinates the bollard is
     """
 
     name: str
@@ -66,10 +67,10 @@ class OneLine(LineTable, kw_only=True):
 
 
 class LostTable(Table):
-    """A line that breaks
+    """A line that breaks during the simulation
 
-    line : its name in results
-    time : s, from the end of the ramp
+    line : name of the line in results
+    time : s, time of the break, from the end of the ramp
     """
 
     line: str
@@ -77,10 +78,10 @@ class LostTable(Table):
 
 
 class GivenForceTable(Table):
-    """A given force on the body
+    """A force on the body from a file
 
-    file : CSV beside the study, of t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m) on the body
-    body : name of the one it acts on, of several
+    file : CSV file beside the study with the columns t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m)
+    body : name of the body that the force acts on, where there are several
     """
 
     file: str
@@ -88,10 +89,11 @@ class GivenForceTable(Table):
 
 
 class RecordTable(Table):
-    """A measured record of the waves at the body's place, in place of [waves]; every seed has the same waves
+    """A measured wave record at the body's place, in place of [waves]; every seed has the same waves
 
-    file : CSV beside the study, of time_s and elevation_m, equally spaced, as long as ramp and duration
-    shortest : s, period below which waves are left out, by default that of the highest stored frequency
+    file : CSV file beside the study with the columns time_s and elevation_m, equally spaced in time, at least as long
+        as ramp and duration
+    shortest : s, shortest wave period that is kept; by default that of the highest stored frequency
     """
 
     file: str
@@ -101,36 +103,37 @@ class RecordTable(Table):
 
 
 class SimulationTable(Table):
-    """A run in time, for simulate
+    """Settings of a simulation in time
 
-    duration : s, duration of the statistics
-    duration_hours : the same in hours
+    duration : s, duration of the statistics, after the ramp
+    duration_hours : duration of the statistics, in hours
     ramp : s, time before the duration, in which every load grows from 0
-    step : s, between samples
+    step : s, sampling interval of the records
     tolerance : error of the motions, relative to their standard deviations
     seeds : number of seeds, from 1 on, or a list of them
     keep_series : number of seeds whose records are stored
-    components : wave components of each sea, by default chosen by duration and bandwidth
-    slow_drift : "newman", "half-waves" of the SR179 report, "mean" or "none"
-    wave_drift_damping : whether slow velocities change the drift (wave drift damping)
-    qtf : slow force of pairs of waves: "auto" for what the database has of it where Newman's rule is not enough,
-        "newman", "bound-wave", "body" or "full", as in a response study
-    motions : names of the motions that are free, by default all; the others are held at rest and need no
-        hydrodynamics
-    memory : "states", or "constant" for added mass and damping at one frequency
+    components : number of wave components of each sea; by default chosen by duration and bandwidth
+    slow_drift : method of the slow drift force: "newman", "half-waves" of the SR179 report, "mean" or "none"
+    wave_drift_damping : whether slow velocities change the drift force (wave drift damping)
+    qtf : method of the slow force of pairs of waves: "newman", "bound-wave", "body" or "full", as in a response study,
+        or "auto", the part stored in the database, where Newman's approximation is not accurate enough
+    motions : names of the motions that are free, by default all; the others are held at rest and need no hydrodynamics
+    memory : method of the radiation force: "states", or "constant" for added mass and damping at one frequency
     constant_period : s, period of that frequency; by default the mean period of the waves
-    dynamic_lines : which lines have inertia, drag and a motion of their own: "auto" for all where a trial asks for it,
-        "all", "none", or names; the others hang in their static shape.  They are uniform, of a catalogue type
-    dynamic_elements : of each of these
-    dynamic_water : what moves the water around these: "still" for nothing, or "sea" for waves and current
-    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off, and a third to a
+    dynamic_lines : lines simulated with inertia, drag and their own motion: "auto" for all lines where a trial run
+        shows the need, "all", "none", or a list of names; the others have their static shape; dynamic lines are
+        uniform, of a catalogue type
+    dynamic_elements : number of elements of each dynamic line
+    dynamic_water : water motion around dynamic lines: "still" for none, or "sea" for waves and current
+    estimate_error : whether the error is estimated with a second run at a tenth of the tolerance, and a third at a
         hundredth where the second differs by more than a third of the tolerance
-    damping_ratio : {motion = share of critical}, beyond waves, as in a response study
-    linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
-    quadratic_damping : kN s²/m², {motion = B₂}, kN m s² of rotations, as `hakobune damping` finds it
-    spring : kN/m, {motion = K}, kN m of rotations, about the place at rest in calm water: a test rig, a power take-off
-    offset : m, {motion = x}, degrees of rotations, from its place at rest at the start; with a ramp of 0 a free decay
-    velocity : m/s, {motion = v}, degrees/s of rotations, at the start
+    damping_ratio : {motion = share of critical damping}, in addition to radiation, as in a response study
+    linear_damping : kN s/m, {motion = B₁}, kN m s for rotations, as `hakobune damping` computes it
+    quadratic_damping : kN s²/m², {motion = B₂}, kN m s² for rotations, as `hakobune damping` computes it
+    spring : kN/m, {motion = K}, kN m for rotations, about the position at rest in calm water: a test rig, a power
+        take-off
+    offset : m, {motion = x}, degrees for rotations, initial displacement from rest; with a ramp of 0 a free decay
+    velocity : m/s, {motion = v}, degrees/s for rotations, initial velocity
     """
 
     duration: float | None = None
@@ -164,9 +167,9 @@ class SimulationTable(Table):
 
 
 class HarbourTable(Table):
-    """The harbour of a berth
+    """Natural periods of the harbour of a berth
 
-    periods : s, natural periods of the harbour; natural periods of the moored body near them are named
+    periods : s, natural periods; natural periods of the moored body near them are reported
     """
 
     periods: list[float]
@@ -176,8 +179,8 @@ class QuayTable(Table):
     """A vertical quay along x that reflects all waves, for simulate
 
     y : m, y of its face with the body at rest, as y of fenders
-    method : "far-field" makes it of a database of open water, with all but the waves that decay between hull and quay;
-        "panels" takes a database that was solved with --wall at y.  By default whichever fits the database
+    method : "far-field", for a database of open water, without the waves that decay between hull and quay; or "panels",
+        for a database solved with --wall at y; by default whichever fits the database
     """
 
     y: float

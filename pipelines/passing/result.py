@@ -28,8 +28,8 @@ from .study import SHIPS, PassingStudy, check_apart, make_study, read_study, siz
 BROKEN = 1.5  # 1/√(1 − Fₕ²) from which no linear theory is an estimate
 LARGEST = {"surge": 0, "sway": 1, "yaw": 5}
 UNITS = ("N", "N", "N", "N m", "N m", "N m")
-MOST = 4  # times as many panels of a mesh file as are asked for
-FINE = 6  # times as many places where they cost little
+MOST = 4  # largest number of panels of a mesh file over the requested one
+FINE = 6  # factor on the number of places where they cost little
 
 
 def passing(study: File | Tables | PassingStudy) -> Result:

@@ -33,7 +33,7 @@ FASTEST = 40.0  # m/s
 
 
 class WaterTable(DepthTable):
-    """Water of the place"""
+    """Water at the place"""
 
     density: float = 1025.0
 
@@ -41,11 +41,11 @@ class WaterTable(DepthTable):
 class TrackTable(Table):
     """Track of the passing ship, parallel to the moored one
 
-    distance : m between the centre lines, positive to port of the moored ship
-    speed : m/s over the ground
-    opposite : whether it goes towards the stern of the moored ship
-    current : m/s, positive towards the bow of the moored ship
-    lengths : of the mean ship, of track before and behind the moored ship
+    distance : m, distance between the centre lines, positive to port of the moored ship
+    speed : m/s, speed over the ground
+    opposite : whether the ship heads towards the stern of the moored ship
+    current : m/s, current along the track, positive towards the bow of the moored ship
+    lengths : length of track before and behind the moored ship, over the mean ship length
     """
 
     distance: float
@@ -58,11 +58,11 @@ class TrackTable(Table):
 class PassingStudy(Table):
     """A ship that passes a moored one
 
-    method : panels, wang (slender ships, 1975) or kriebel (tests in tanks, 2005)
-    panels : on each hull
-    wall : m, y of a vertical quay wall along the moored ship, for panels
-    quay : whether a vertical quay is beside the moored ship, for kriebel
-    peaks : coefficients of surge, sway and yaw in deep water, for kriebel, in place of those of Wang's theory
+    method : "panels", "wang" (slender ships, 1975) or "kriebel" (model tests, 2005)
+    panels : number of panels on each hull, for the method panels
+    wall : m, y of a vertical quay wall along the moored ship, for the method panels
+    quay : whether the moored ship lies at a vertical quay, for the method kriebel
+    peaks : coefficients of surge, sway and yaw in deep water for the method kriebel, in place of those of Wang's theory
     """
 
     water: WaterTable

@@ -34,5 +34,5 @@ def significant(value, digits=DIGITS):
     """A number as text: 0.01323, 13.2, 13230; never a power of ten between 1e-4 and 1e15"""
     if not math.isfinite(value):
         return NOTHING
-    whole = 10**digits - 0.5 <= abs(value) < 1e15  # where a power of ten would stand
+    whole = 10**digits - 0.5 <= abs(value) < 1e15  # the format g would print a power of ten here
     return f"{value + 0.0:.0f}" if whole else f"{value + 0.0:.{digits}g}"

@@ -14,7 +14,7 @@ from ..scene.scene import numbers
 
 FREQUENCIES = 41, 48  # default numbers of frequencies over the stored band
 SHARE = 0.4  # default largest difference over the mean frequency of the band
-EVEN = 1e-6  # of the step between frequencies
+EVEN = 1e-6  # largest deviation of a frequency step, over the step
 SAME = 1e-9  # rad/s, rad: between frequencies and headings that are one
 ENOUGH = 0.05  # largest part of the force that the level "auto" leaves out
 A_WAVE = 3.0  # panels along the wave of a sum, which is up to four times as short as those of the pair
@@ -149,7 +149,7 @@ def _headings(given):
     headings = np.asarray(given, float)
     if not len(headings) or not np.all(np.isfinite(headings)):
         raise ValueError(f"--heading is {_said(np.degrees(headings))}; allowed: one or more, finite, degrees")
-    turned = np.exp(1j * headings)  # of those that are one by full circles the first is kept
+    turned = np.exp(1j * headings)  # headings that differ by full circles count once
     return headings[[np.abs(turned[:n] - turned[n]).min(initial=1.0) > SAME for n in range(len(headings))]]
 
 

@@ -8,13 +8,13 @@ RESPONSES = 18, 13  # responses of a body, and of a point
 BYTES = 500 * 16.0 * 5  # bytes of a response at one heading: 500 frequencies, with results (3.7 to 5.8)
 HEADINGS = 36  # headings of short-crested waves
 BYTES_OF_STATE = 60.0  # bytes of a response in a sea state
-SECONDS_OF_POINT = 0.04  # with its rows of the table
+SECONDS_OF_POINT = 0.04  # s, time of a point with its rows of the table
 SECONDS_OF_SEA, SECONDS_OF_STATE = 1.5e-4, 3e-7  # s of a response in a sea, and in a state; measured
 WAY_OUT = "give fewer points, directions or classes"
 
 
 def check_effort(read, scatter=None):
-    """Raise TooMuchError for a ResponseStudy that does not fit, and say what a long one takes.
+    """Raise TooMuchError for a ResponseStudy that does not fit in memory, and announce the time of a long one.
 
     scatter : `mooring.environment.scatter.Scatter` of a climate
     """

@@ -1,4 +1,4 @@
-"""What a reader has to know of a response: what fails, and what its tables do not say."""
+"""Findings on a response: failures, and limits of its tables."""
 
 from __future__ import annotations
 

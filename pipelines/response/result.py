@@ -1,4 +1,4 @@
-"""`hakobune.response`: a body of a database in a sea or a climate, and what is kept of it."""
+"""`hakobune.response`: a body of a database in a sea or a climate, and its stored results."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def _of_depth(read, db):
 
 def of_sea(found, radius, bodies=()):
     """Quantities of a SeaState and the labels of their axes; radius : m, of the hull; bodies : of several"""
-    excited = np.flatnonzero(~(found.sigma <= 0))  # what is not known is no zero
+    excited = np.flatnonzero(~(found.sigma <= 0))  # an unknown value is not zero
     units, axis = tuple(found.units[i] for i in excited), ("response",)
     columns = {
         "sigma": (found.sigma, units, "σ"),

@@ -62,12 +62,12 @@ ONE_BODY = words_of(())
 
 
 class SeaTable(common.SystemsTable):
-    """A sea of one system of waves, or of several at once
+    """A sea with one wave system or several
 
-    duration_hours : of the largest motions
-    qtf : slow force of pairs of waves: "newman", "bound-wave" (with the long waves bound to them), "body" (all that
-    `hakobune qtf` stores but the forcing of the surface), "full" (with it) or "auto" (the cheapest that is enough);
-    above "newman" of one system of waves, "bound-wave" of long crests only
+    duration_hours : duration of the sea whose largest motions are computed
+    qtf : method of the slow force of pairs of waves: "newman"; "bound-wave", with the long waves bound to them; "body",
+        with all that `hakobune qtf` stores except the forcing of the free surface; "full", including it; or "auto", the
+        cheapest that is accurate enough; all but "newman" need one wave system, and "bound-wave" needs long crests
     """
 
     duration_hours: float = 3.0
@@ -77,7 +77,7 @@ class SeaTable(common.SystemsTable):
 class DirectionTable(Table):
     """A direction of the climate
 
-    share : of the time with waves of this direction
+    share : fraction of the time with waves of this direction
     """
 
     share: float
@@ -86,10 +86,10 @@ class DirectionTable(Table):
 
 
 class ClimateTable(Table):
-    """All seas of a place and how often they come
+    """Wave scatter of a place and its directions
 
-    scatter : CSV file beside the study
-    years : return period of the extremes
+    scatter : CSV file of the scatter table, beside the study
+    years : years, return period of the extremes
     """
 
     scatter: str
@@ -101,12 +101,12 @@ class ClimateTable(Table):
 
 
 class PointTable(Table):
-    """A point of the body whose motion is wanted
+    """A point of the body whose motion is computed
 
-    name : for results
-    position : m, x, y, z with the body at rest
-    clearance : m, above still water, of what has to stay dry
-    body : name of one of several bodies, in whose coordinates the point is
+    name : name of the point in results
+    position : m, x, y, z of the point with the body at rest
+    clearance : m, height above still water of a part that has to stay dry, for the air gap
+    body : name of the body whose coordinates the position is in, where there are several
     """
 
     name: str
@@ -116,10 +116,10 @@ class PointTable(Table):
 
 
 class StationTable(Table):
-    """Sections of a beam that bends, whose deflection, bending moment, shear and torsion are wanted
+    """Sections of a flexible beam, for deflection, bending moment, shear and torsion
 
-    x : m, in coordinates of the body
-    body : name of one of several bodies
+    x : m, places of the sections along the body
+    body : name of the body, where there are several
     """
 
     x: list[float]
@@ -147,10 +147,10 @@ class StationTable(Table):
 
 
 class RelativeTable(Table):
-    """Two points of two bodies whose relative motion is wanted: a gangway, a hose, a fender
+    """Relative motion of two points on two bodies: a gangway, a hose, a fender
 
-    name : for results
-    points : names of two of the points; the motion is of the second from the first, in axes of the first's body
+    name : name of the relative motion in results
+    points : names of the two points; the motion is that of the second from the first, in the axes of the first's body
     """
 
     name: str
@@ -158,11 +158,11 @@ class RelativeTable(Table):
 
 
 class KeelTable(Table):
-    """Water under the bottom
+    """Under-keel clearance
 
-    tide : m, level above that of the database's depth
-    extra_draft : m, beyond the hull's
-    points : m, [x, y, z], … of the bottom, by default the corners of the hull's deepest part
+    tide : m, water level above that of the database's depth
+    extra_draft : m, draft in addition to that of the hull
+    points : m, points [x, y, z], … of the bottom; by default the corners of the hull's deepest part
     """
 
     tide: float = 0.0
@@ -171,12 +171,13 @@ class KeelTable(Table):
 
 
 class BodyTable(Table):
-    """What acts on the body beside the waves
+    """Damping and stiffness in addition to those of the database
 
-    viscous : damping that grows with the motion, linearised in the sea, in place of that of the database's scene
-    damping_ratio : {motion = share of critical}, beyond radiation; of several bodies {"barge roll" = share}
-    damping : 6 × 6 in SI units, added; of several bodies six rows for each that moves
-    stiffness : 6 × 6 in SI units, added; of several bodies six rows for each that moves
+    viscous : viscous damping that grows with the motion, linearised in the sea; replaces that of the database's scene
+    damping_ratio : {motion = share of critical damping}, in addition to radiation; of several bodies {"barge roll" =
+        share}
+    damping : additional damping, a 6 × 6 matrix in SI units; with several bodies six rows for each that moves
+    stiffness : additional stiffness, a 6 × 6 matrix in SI units; with several bodies six rows for each that moves
     """
 
     viscous: Laws | None = None
@@ -186,10 +187,10 @@ class BodyTable(Table):
 
 
 class CarryingTable(Table):
-    """A uniform current that carries the waves of [sea]; a mooring study has its force on the hull
+    """A uniform current that carries the waves of [sea]; its force on the hull is part of a mooring study
 
-    speed : m/s; or speed_knots
-    waves : as in a mooring study: "intrinsic", "absolute" or "still"
+    speed : m/s, current speed; or give speed_knots
+    waves : how the spectrum was measured, as in a mooring study: "intrinsic", "absolute" or "still"
     """
 
     speed: float | None = None
@@ -200,7 +201,7 @@ class CarryingTable(Table):
 
 
 class ResponseStudy(Table):
-    """A body of a database in one sea, or in a climate"""
+    """Response of a solved body in one sea or in a climate"""
 
     site: SiteLink | None = None
     sea: SeaTable | None = None
@@ -265,7 +266,7 @@ def read_response_study(path):
 
 
 def make_response_study(raw, name="the study"):
-    """The ResponseStudy of nested dictionaries; name : of what they are of.  Raises StudyError."""
+    """The ResponseStudy of nested dictionaries; name : of their source.  Raises StudyError."""
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"

@@ -32,6 +32,6 @@ def write_result(result, path):
 def _is_one(path, kind):
     if path.suffix.lower() == CSV:
         return opening(path)[0].startswith(f"{MARK}{kind}")
-    from hakobune.bem.database.results import has_schema  # which loads h5py
+    from hakobune.bem.database.results import has_schema  # imported here, since it loads h5py
 
     return has_schema(path, schema(kind))

@@ -258,7 +258,7 @@ def _check_wall(scene):
         return
     if not abs(scene.wall) <= EXTENT[1]:
         raise SceneError(f"wall is {scene.wall:g}; allowed: a number from {-EXTENT[1]:g} to {EXTENT[1]:g}, m")
-    if scene.several:  # where they lie is seen on their panels
+    if scene.several:  # overlaps of several bodies are found on their panels
         return
     half = 0.0 if scene.body.shape == "mesh" else scene.beam / 2
     if abs(scene.wall) <= half:

@@ -51,7 +51,7 @@ def fixed_part(scene, mesh_file=None):
     for body in raw["bodies"]:
         del body["trimmed"]  # no number depends on it
         if not body["fixed"]:
-            del body["fixed"]  # which files from before do not know
+            del body["fixed"]  # older files do not have this key
         if body["file"] is not None:
             body["file"] = next(contents, "") or content(body["file"])
     for mode in raw["modes"] or ():

@@ -34,18 +34,18 @@ from .tables import (
 )
 
 
-class Scene(SceneTable, dict=True):  # where derived quantities are kept
-    """One floating body or several, with their water, their waves and the results that are wanted
+class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached in it
+    """One or several floating bodies with their water, their waves and the results that are computed
 
     want : names or groups of results; by default everything
     tolerance : relative error of the coefficients [0.01]; or give panels
     panels : number of panels on the whole hull, in place of tolerance
-    method : auto, panel, contour, pressure, strip or inverse-strip
+    method : solution method: auto, panel, contour, pressure, strip or inverse-strip
     rotation_center : m, x, y, z of the point of rotations and moments
-    lid : whether there is an interior lid against irregular frequencies
+    lid : whether an interior lid removes irregular frequencies
     wall : m, y of a vertical wall along x that reflects all waves
-    damping_lids : lids on the water between hulls or in moonpools that take energy
-    modes : shapes in which bodies bend or twist, by panels
+    damping_lids : damping lids on the water between hulls or in moonpools
+    modes : shapes in which bodies bend or twist, with the panel method
     """
 
     water: Water

@@ -28,7 +28,7 @@ class SceneTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_onl
 
 
 class Span(SceneTable):
-    """Evenly spaced numbers, both ends included"""
+    """A range of evenly spaced numbers, both ends included"""
 
     first: float = msgspec.field(name="from")
     last: float = msgspec.field(name="to")
@@ -36,10 +36,10 @@ class Span(SceneTable):
 
 
 class Band(SceneTable):
-    """A band of frequencies, as many as the tolerance needs
+    """A band of frequencies; their number follows from the tolerance
 
-    from : rad/s
-    to : rad/s
+    from : rad/s, lowest frequency
+    to : rad/s, highest frequency
     """
 
     first: float = msgspec.field(name="from")
@@ -47,9 +47,9 @@ class Band(SceneTable):
 
 
 class Water(SceneTable):
-    """Water of the place
+    """Water at the place
 
-    depth : m, inf for deep water
+    depth : m, water depth, inf for deep water
     """
 
     depth: float
@@ -58,28 +58,29 @@ class Water(SceneTable):
 
 
 class BodyTable(SceneTable):
-    """The floating body, or one of several
+    """A floating or fixed body
 
-    shape : box, buoy (vertical cylinder), ship or mesh
-    length : m, of a box or ship
-    beam : m, of a box or ship
-    draft : m, of a box, buoy or ship
-    radius : m, of a buoy
-    block : coefficient of a ship
-    bow : fullness of the waterplane of a ship at this end
-    stern : fullness of the waterplane of a ship at this end
+    shape : shape of the body: box, buoy (vertical cylinder), ship or mesh
+    length : m, length of a box or ship
+    beam : m, beam of a box or ship
+    draft : m, draft of a box, buoy or ship
+    radius : m, radius of a buoy
+    block : block coefficient of a ship
+    bow : fullness of the waterplane of a ship at the bow
+    stern : fullness of the waterplane of a ship at the stern
     waterplane : waterplane coefficient of a ship, in place of bow and stern
     file : mesh file beside the scene: .gdf .msh .vtu .pnl …
-    mass : kg, by default that of the displaced water
-    center_of_gravity : m, x, y, z; z above still water
+    mass : kg, mass of the body; by default that of the displaced water
+    center_of_gravity : m, x, y, z of the centre of gravity, z up from still water
     GM : m, transverse metacentric height, in place of z of the centre of gravity
-    gyration : m, [kxx, kyy, kzz] about the centre of gravity; without them no motions
-    trimmed : whether the body is held in its drawn trim, though its weight would turn it
-    name : name of one of several bodies, a prefix of the names of its motions
-    place : m, m, degrees; place of the origin of one of several bodies, and its heading
-    rotation_center : m, x, y, z from the origin of one of several bodies, the point of its rotations and moments
-    fixed : whether one of several bodies is fixed and scatters waves, as a caisson or a pier
-    viscous : damping of one of several bodies; [viscous] of the scene has the wave height
+    gyration : m, radii of gyration [kxx, kyy, kzz] about the centre of gravity; without them no motions are computed
+    trimmed : whether the body is held in its drawn trim, although its weight would turn it
+    name : name of the body, a prefix of the names of its motions, where there are several
+    place : m, m, degrees, x and y of the origin of the body and its heading, where there are several
+    rotation_center : m, x, y, z from the origin of the body, the point of its rotations and moments, where there are
+        several
+    fixed : whether the body is fixed and scatters waves, as a caisson or a pier, where there are several
+    viscous : viscous damping of the body, where there are several; [viscous] of the scene has the wave height
     """
 
     shape: str = "box"
@@ -105,21 +106,22 @@ class BodyTable(SceneTable):
 
 
 class ModeTable(SceneTable):
-    """Shapes in which a body bends or twists: the lowest of a free beam along x, or one from a file
+    """Shapes in which a body bends or twists: the lowest modes of a free beam along x, or a shape from a file
 
-    kind : "vertical bending", "horizontal bending", "torsion" or "file"
-    body : name of one of several bodies; by default a shape in a file belongs to all that move
-    count : number of shapes of a beam, the lowest first
-    EI : N m², of bending
-    GJ : N m², of torsion
+    kind : kind of shape: "vertical bending", "horizontal bending", "torsion" or "file"
+    body : name of the body, where there are several; by default a shape in a file belongs to all moving bodies
+    count : number of modes of a beam, the lowest first
+    EI : N m², bending stiffness
+    GJ : N m², torsional stiffness
     length : m, length of the beam about the middle of the hull; by default that of the hull
-    mass_per_length : kg/m, by default mass over length
-    inertia_per_length : kg m, of torsion, left out: mass times kxx² over length
+    mass_per_length : kg/m, mass of the beam for each metre; by default mass over length
+    inertia_per_length : kg m, torsional moment of inertia for each metre; by default mass times kxx² over length
     axis_height : m, z of the neutral axis, or for torsion of the shear centre
-    damping : ratio to critical damping, of each shape in air
-    file : rows x, y, z (m, of the body, or of the scene), ux, uy, uz of a unit of the shape, and mass (kg) where known
-    name : of the shape in a file
-    stiffness : N/m, of the shape in a file
+    damping : damping ratio of each shape in air
+    file : file with rows x, y, z (m, of the body, or of the scene), ux, uy, uz for a unit of the shape, and mass (kg)
+        where it is known
+    name : name of the shape in a file
+    stiffness : N/m, stiffness of the shape in a file
     mass : kg, mass of the shape in a file without masses
     """
 
@@ -140,10 +142,10 @@ class ModeTable(SceneTable):
 
 
 class DampingLidTable(SceneTable):
-    """A lid on the water between hulls or in a moonpool that takes energy, for the loss in eddies
+    """A damping lid on the water between hulls or in a moonpool, for the energy lost in eddies
 
-    damping : epsilon of g phi_z = omega^2 (1 + i epsilon) phi; tests with gaps and moonpools give 0.02 to 0.07
-    corners : m, [[x, y], …] corners of a convex polygon on the water; by default all moonpools of the bodies
+    damping : damping ε in g φ_z = ω² (1 + i ε) φ; 0.02 to 0.07 in model tests with gaps and moonpools
+    corners : m, corners [[x, y], …] of a convex polygon on the water; by default all moonpools of the bodies
     """
 
     damping: float
@@ -153,11 +155,11 @@ class DampingLidTable(SceneTable):
 class Waves(SceneTable):
     """Frequencies, in one of four ways, and headings
 
-    omegas : rad/s, a list or a span
-    periods : s, a list or a span
-    xi_B : ω²B/2g, a list or a span
-    band : band of frequencies, as many as the tolerance needs
-    headings_deg : degrees the waves travel to, 0 → +x, 90 → +y, a list or a span
+    omegas : rad/s, wave frequencies, a list or a range
+    periods : s, wave periods, a list or a range
+    xi_B : dimensionless frequencies ω²B/2g, a list or a range
+    band : band of frequencies; their number follows from the tolerance
+    headings_deg : directions that the waves travel to, degrees, 0 → +x, 90 → +y, a list or a range
     """
 
     omegas: list[float] | Span | None = None

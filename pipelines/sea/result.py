@@ -106,7 +106,7 @@ def _analysed(file, step, reading):
     from hakobune.mooring.seas.record_faults import faults
 
     size = file.stat().st_size if file.is_file() else 0
-    if size <= LARGEST * 1e6:  # what is wrong with it otherwise, the reader says
+    if size <= LARGEST * 1e6:  # the reader reports other faults of the file
         told(f"{file} of {size / 1e6:.0f} MB takes", OF_BYTE * size)
     read = read_record(file, step, reading.column)
     estimated = estimate(read.elevation, read.step, reading.segment)

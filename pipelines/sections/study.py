@@ -26,16 +26,16 @@ DAMPING = 10.0
 
 
 class SectionTable(Table):
-    """One of several rectangles, long across the waves
+    """A rectangular section, long across the waves
 
-    name : of its motions
-    beam : m
-    draft : m
-    y : m, of its middle
-    mass : kg/m, left out: that of the displaced water
-    center_of_gravity : m, z of it; above still water positive
-    gyration : m, about the centre of gravity, left out: that of a solid of the wetted part's beam and draft
-    fixed : whether it scatters waves and does not move
+    name : name of the section in the names of its motions
+    beam : m, beam of the section
+    draft : m, draft of the section
+    y : m, y of its middle
+    mass : kg/m, mass for each metre of length; by default that of the displaced water
+    center_of_gravity : m, z of the centre of gravity, positive above still water
+    gyration : m, radius of gyration about the centre of gravity; by default that of a solid with the beam and the draft
+    fixed : whether the section scatters waves without moving
     """
 
     name: str
@@ -49,11 +49,11 @@ class SectionTable(Table):
 
 
 class SectionHinge(Table):
-    """What holds two sections together
+    """A link between two sections
 
-    sections : names of two
-    position : m, y and z
-    kind : hinge, or rigid
+    sections : names of the two sections
+    position : m, y and z of the hinge
+    kind : kind of link: hinge or rigid
     """
 
     sections: tuple[str, str]
@@ -64,10 +64,10 @@ class SectionHinge(Table):
 class SectionsStudy(Table):
     """Sections side by side in beam waves towards +y
 
-    omegas : rad/s
-    sections : rectangles side by side
-    hinges : what holds them together
-    damping : epsilon of the water in all gaps; tests give 0.02 to 0.07
+    omegas : rad/s, wave frequencies
+    sections : rectangular sections side by side
+    hinges : links between sections
+    damping : damping ε of the water in all gaps, 0.02 to 0.07 in model tests
     """
 
     water: WaterTable

@@ -1,4 +1,4 @@
-"""What is told of a ship at a berth: natural periods beside those of the harbour, its fenders, windows of a record."""
+"""Results for a ship at a berth: natural periods next to those of the harbour, fenders, windows of a record."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def findings_on_periods(file):
 
 
 def fender_strains(file):
-    """Largest strain of each fender itself, without what a dolphin behind it yields, and what it may be strained; None
-    where a file does not know
+    """Largest strain of each fender, without the deflection of a dolphin behind it, and the allowable strain; None for
+    a file without fender heights
     """
     if "fender_strains" not in file.attrs:
         return None
@@ -43,7 +43,7 @@ def fender_strains(file):
 
 
 def findings_on_fenders(file):
-    """What fails: fenders beyond what they may be strained"""
+    """Failures: fenders beyond their allowable strain"""
     for name, share, allowable in zip(fender_names(file), *(fender_strains(file) or ((), ())), strict=False):
         if share > allowable:
             yield fails(
@@ -56,8 +56,8 @@ def by_design_spectrum(study, db, body, hull, fenders):
     """A line of the design spectrum method on fenders that alone hold a body; "" where it has no answer or there are
     ropes or lines.
 
-    study : `Study`; body : `Reader`, before a quay where there is one
-    fenders : sequence of `QuayFender`, of which those count that the steady loads across push to
+    study : `Study`; body : `Reader`, in front of a quay where there is one
+    fenders : sequence of `QuayFender`; those count that the steady lateral loads push the body against
     """
     from hakobune.mooring.dolphins.at_quay import at_quay
     from hakobune.mooring.dolphins.design_spectrum import STATIC, TOTAL, DolphinError

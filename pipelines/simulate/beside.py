@@ -1,6 +1,6 @@
-"""What stands beside the runs: the simplified method, slow motion by spectra, and what a berth and its fenders are.
+"""Results stored next to the runs: the simplified method, slow motion by spectra, a berth and its fenders.
 
-All of it is known before the first run and stored with it.
+All of them are known before the first run and stored with it.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def _slow(study, db, hull, found):
         return np.full(3, np.nan)
     try:
         return np.asarray(long_period(db, hull, found, gusts_of(study.wind)).by_spectrum, float)
-    except ValueError:  # of a database without drift or a spectrum it does not reach
+    except ValueError:  # database without drift, or a spectrum outside its frequencies
         return np.full(3, np.nan)
 
 

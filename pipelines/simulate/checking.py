@@ -11,9 +11,9 @@ from .file import opened, summary_is_whole, whole_rows
 
 
 def check_run(path, say):
-    """Tell which seeds are there, missing and damaged; returns 0 if all are whole, else 1.
+    """Print which seeds are stored, missing and damaged; returns 0 if all are whole, else 1.
 
-    raises : `VersionError` for a file of another version, of which nothing is known
+    raises : `VersionError` for a file of another version, whose contents are unknown
     """
     try:
         with opened(path) as file:

@@ -16,9 +16,9 @@ NOTHING = "interrupted before a seed was finished; nothing is stored yet, and th
 
 def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", window=None,
              methods=False, division=None):  # fmt: skip
-    """Exit status: 0, 1 where a seed, a line or a fender fails, 130 interrupted.  Raises ValueError before anything.
+    """Exit status: 0, 1 where a seed, a line or a fender fails, 130 interrupted.  Raises ValueError before any output.
 
-    window : s, of which the first record is told one by one
+    window : s, length of the windows in which the first record is reported
     methods, division : of `methods.compared`
     """
     from ..printing.console import new_console

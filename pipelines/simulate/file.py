@@ -67,13 +67,13 @@ ROWS = {
 
 @dataclass(frozen=True, eq=False)
 class Header:
-    """What is known before the first run.
+    """Contents of the file that are known before the first run.
 
-    identity : hash of all that results depend on but the seeds; study : its text; attributes : further ones, numbers
+    identity : hash of all inputs that results depend on, except the seeds; study : its text; attributes : numbers
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
-    hinges : names of what is told of them, as of `bem.hinges.told_of`
+    hinges : names of their quantities, as of `bem.hinges.told_of`
     """
 
     identity: str
@@ -109,7 +109,7 @@ class Header:
 
 
 def create(path, header, seeds, kept, old=None):
-    """A new file for seeds, with records of the first `kept`; rows of `old`, an open file, are taken over."""
+    """A new file for seeds, with records of the first `kept`; rows of `old`, an open file, are copied."""
     with beside(path, (*header.datasets, *FILLED)) as file:
         _lay_out(file, header, np.array(seeds), min(kept, len(seeds)))
         for row in () if old is None else np.flatnonzero(whole_rows(old)):
@@ -197,7 +197,7 @@ def is_run(path):
 
 
 def row_values(file, row):
-    """{name: what is stored} of a row"""
+    """{name: stored value} of a row"""
     return {name: file[name][row] for name in _stored_names(file, row)}
 
 
@@ -228,7 +228,7 @@ def whole_rows(file):
 
 
 def told(file):
-    """Lines of text on what was chosen for the runs of an open file, and what they leave out"""
+    """Lines of text on the methods chosen for the runs of an open file, and on effects that are not included"""
     return tuple(filter(None, str(file.attrs.get("told", "")).split("\n")))
 
 
@@ -276,7 +276,7 @@ def summary_of(file, quantity):
 
 
 def first_what_is_left_out(findings):
-    """Findings, each once, those on what is left out first: they say what the others are worth"""
+    """Findings, each once, with those on effects that are not included first: they limit the value of the others"""
     return tuple(sorted(dict.fromkeys(findings), key=lambda line: not line.startswith(LEFT_OUT)))
 
 
@@ -293,7 +293,7 @@ def summary_is_whole(file):
 
 
 def summary_is_of_today(path):
-    """Whether a file, if it is there, has the statistics over all runs that are told today; older ones have others"""
+    """Whether a file, if it exists, has the present set of statistics over all runs; older files have another set"""
     if not Path(path).exists():
         return True
     with opened(path) as file:

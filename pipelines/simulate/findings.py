@@ -1,4 +1,4 @@
-"""What a reader has to know of the runs of a simulation: their length, slow motion, and which method applies."""
+"""Findings on the runs of a simulation: their length, slow motion, and which method applies."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .over_runs import differ, rare_findings
 
 UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°")}
 SMALL = 50.0  # m, length of a hull that is none of the report's floaters
-FAR, NOTABLE = 2.0, 0.5  # times the spectral σ of slow motion; of the σ of motion with the waves
+FAR, NOTABLE = 2.0, 0.5  # factor on the spectral σ of slow motion; fraction of the σ of motion with the waves
 NOTHING = 1e-5  # slow motion over the hull length, or rad, that counts as zero
 LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
 PLANE = ("surge", "sway", "yaw")

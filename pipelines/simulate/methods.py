@@ -1,13 +1,13 @@
-"""A moored ship in one record of waves by the four methods of Shiraishi et al. beside each other.
+"""A moored ship in one record of waves by the four methods of Shiraishi et al., side by side.
 
 1  memory, domain division in three dimensions: here the contour method, which divides the water at the plan and under
    the keel, for a box of the ship's main dimensions, from a database of its own; mass and restoring are the ship's
-2  memory, singularities on the hull: the panel method, or whatever the database was solved by
+2  memory, singularities on the hull: the panel method, or the method of the database
 3  constant added mass and damping at the significant period of the waves
-4  the same at the natural period of the berth, of surge or where nothing restores it of sway or yaw
+4  the same at the natural period of the berth, in surge, or in sway or yaw where nothing restores surge
 
-The paper takes 3 and 4 from strips by multipole expansion; here they are of the database, so that the methods differ in
-the memory alone.
+The paper computes 3 and 4 from strips by multipole expansion; here they are from the database, so that the methods
+differ in the memory alone.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ SIGNIFICANT = 0.9  # mean over significant period, of the spectra of the report
 
 
 def compared(result, study, database, duration=None, division=None):
-    """A Result with the methods beside each other, on the waves of its first seed.
+    """A Result with the methods side by side, on the waves of the first seed.
 
     study, database : as of `result.simulate`; duration : s of the run, None for the study's
     division : path of a database by the contour method, or None
@@ -86,7 +86,7 @@ def _row(body, plan, changed, seed):
     from hakobune.mooring.motion.simulation import simulate, with_memory
 
     settings = replace(plan.settings, **changed)
-    if settings.memory != "constant" and not body.memory.states:  # of a study before a quay
+    if settings.memory != "constant" and not body.memory.states:  # database solved in front of a quay
         body = with_memory(body)
     with warnings.catch_warnings():  # energy outside the stored frequencies, which the plan tells
         warnings.simplefilter("ignore")
@@ -105,7 +105,7 @@ def _divided(study, body, path):
     method = db.attributes["method"]
     if method != "contour":
         raise StudyError(f"--division is {path}, solved by the {method} method; allowed: contour")
-    study.hull_of(db.sizes)  # of the same length, beam and draft
+    study.hull_of(db.sizes)  # checks that length, beam and draft agree
     water, here = db.reader, body.reader
     if not np.allclose(water.rotation_center, here.rotation_center, atol=1e-6) or water.depth != here.depth:
         raise StudyError(f"--division is {path}, with another depth or rotation centre; allowed: those of the database")

@@ -1,4 +1,4 @@
-"""What all runs of a simulation say together: the largest of all, what it uses, in how many runs, how sure it is."""
+"""Statistics over all runs of a simulation: the largest value, its utilisation, the number of runs, the uncertainty."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ..moor.study import make_study
 from .beside import differ as differ_by
 from .file import STATISTICS, told, whole_rows
 
-OF_LINES = "left out: inertia and drag"  # what `mooring.motion.simulation.trial` says of lines in their static shape
+OF_LINES = "left out: inertia and drag"  # start of the finding of `mooring.motion.simulation.trial` on static lines
 MOVE = (
     "run the lines in motion first (dynamic_lines): snaps of static lines do not justify a larger size or more "
     "pretension"
@@ -25,7 +25,7 @@ MOVE = (
 
 
 def largest_in_runs(file, kind):
-    """(runs, q) largest in each run of the quantities of a kind, as "tension", and the (q,) names of what has them"""
+    """(runs, q) largest in each run of the quantities of a kind, as "tension", and the (q,) names of their parts"""
     names = [name.partition(" ") for name in file["quantity"].asstr()[()]]
     chosen = [i for i, (word, _, _) in enumerate(names) if word == kind]
     rows = file["statistics"][()][whole_rows(file)]
@@ -38,9 +38,9 @@ def used_in_runs(file):
 
 
 def overloads(file, allowable=None):
-    """What fails of lines and ropes: those that part, or use more than is allowable, in any run, and in how many
+    """Failures of lines and ropes: those that part, or exceed the allowable tension, in any run, and in how many
 
-    allowable : share of the breaking load in place of the study's, 1 where others judge what lines use
+    allowable : share of the breaking load in place of the study's, 1 where the utilisation is judged elsewhere
     """
     used, allowable = used_in_runs(file), float(file.attrs["allowable"] if allowable is None else allowable)
     names, most = file["line"].asstr()[()], used.max(axis=0)
@@ -65,7 +65,7 @@ def anchors_in_runs(file):
 
 
 def on_anchors(file):
-    """What fails, and what has to be known, of the anchors"""
+    """Failures and findings of the anchors"""
     found = anchors_in_runs(file)
     return tuple(anchor_findings(list(file["line"].asstr()[()]), *found, "in the runs")) if found else ()
 

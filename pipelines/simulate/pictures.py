@@ -22,7 +22,7 @@ MOST_POINTS = 20_000
 
 
 def draw(file, output):
-    """Write the pictures beside the file of a run; returns their names.  None where no record is whole."""
+    """Write the pictures next to the file of a run; returns their names.  None where no record is whole."""
     kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
     if not len(kept):
         return []
@@ -38,7 +38,7 @@ def draw(file, output):
 
 
 class Motions(NamedTuple):
-    """Of one body: its number, and what is before the names of its motions"""
+    """Motions of one body: its number, and the prefix of their names"""
 
     body: int
     before: str

@@ -1,4 +1,4 @@
-"""`hakobune.simulate`: a mooring study in time, and what the file of its runs has in it."""
+"""`hakobune.simulate`: a mooring study in time, and the contents of the file of its runs."""
 
 from __future__ import annotations
 
@@ -82,13 +82,13 @@ def simulate(
     window: float | None = None,
     console: Console | None = None,
 ) -> Result:
-    """A moored body in time, or several moored to each other too, seed by seed.
+    """Motions of a moored body in time, or of several bodies moored to each other, seed by seed.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
-    output : path of the file of all runs, which goes on where it stopped; None to keep no file
-    seeds : how many; duration : s of a run; both in place of the study's; fresh : replace a file that is there
-    executor : as of the command; window : s, of which the first record is told one by one; console : told the progress
+    output : path of the file of all runs, continued where it stopped; None to keep no file
+    seeds : number of seeds; duration : s of a run; both in place of the study's; fresh : replace an existing file
+    executor : as of the command; window : s, of the windows reported for the first record; console : for the progress
     returns : Result, in SI; records are in the file
     raises : ValueError, one line, before anything is written; KeyboardInterrupt, whole seeds are kept
     """
@@ -168,7 +168,7 @@ def _statistics(head, table, axis, rows, units):
         own = own[0] if len(set(own)) == 1 and unit is None else own
         made[f"{head}.{key}"] = Quantity([row[key] for row in rows], (axis,), own, words, table if shown else "")
     ends = ["lower" if abs(row["lower_median"]) > abs(row["upper_median"]) else "upper" for row in rows]
-    for part, words in END.items():  # of the end that lies further from zero
+    for part, words in END.items():  # words for the end that is further from zero
         further = [row[f"{end}_{part}"] for row, end in zip(rows, ends, strict=True)]
         own = made[f"{head}.largest"].unit
         made[f"{head}.extreme_{part}"] = Quantity(
@@ -193,7 +193,7 @@ def _of_lines(file, rows):
         share = np.asarray(file.attrs["simplified_utilisation"], float)
         made["tension.used_simplified"] = Quantity(share, ("line",), "", "used, simplified", LINES, share=True)
     breaking = np.asarray(file.attrs["breaking_load"], float)
-    berth, allowable = "fender_height" in file.attrs, float(file.attrs["allowable"])  # of fenders or ropes
+    berth, allowable = "fender_height" in file.attrs, float(file.attrs["allowable"])  # whether it has fenders or ropes
     word, table = ("MBL", LINES) if berth else ("breaking load", "")
     made["line.breaking_load"] = Quantity(breaking, ("line",), "N", word, table)
     if berth:

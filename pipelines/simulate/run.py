@@ -1,4 +1,4 @@
-"""A simulation into its file: what is missing is made, seed by seed, and stored as it comes."""
+"""A simulation into its file: missing seeds are run, one by one, and each is stored when it is finished."""
 
 from __future__ import annotations
 
@@ -71,9 +71,9 @@ def input_of(study):
 
 @dataclass(frozen=True)
 class Outcome:
-    """made : seeds of this run; there : whole rows; total : seeds asked for; failures : (seed, reason)
+    """made : seeds of this run; there : whole rows; total : seeds of the study; failures : (seed, reason)
 
-    interrupted : by Ctrl-C, also where it came in the last of them: what was to follow is not wanted either
+    interrupted : by Ctrl-C, even in the last seed: later steps are not wanted either
     """
 
     made: int
@@ -86,9 +86,9 @@ class Outcome:
 def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None):
     """Complete the file of a simulation; returns its Outcome.
 
-    asked : Input of the study; database : open; console : that tells how far it is, None for none
-    seeds : how many, in place of the study's; duration : s, likewise; fresh : leave what is there
-    windows : s, that a record is to be told in, for which it has to be stored
+    asked : Input of the study; database : open; console : for the progress, None for none
+    seeds : number of seeds in place of the study's; duration : s, likewise; fresh : replace existing runs
+    windows : s, length of windows of a record, which then has to be stored
     raises : ValueError, one line, before anything is written
     """
     output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]
@@ -147,7 +147,7 @@ def summary(file):
 def _identity(study, files, duration):
     """Hash of what results depend on beside the seeds, after the mark of how it is made"""
     words = differing(study)
-    words.pop("harbour", None)  # what is read off runs that are there
+    words.pop("harbour", None)  # the harbour only affects how results are read
     simulation = words.get("simulation", {})
     for name in (*ASKED, *OF_MOVING_LINES):
         simulation.pop(name, None)
@@ -338,7 +338,7 @@ class _Progress:
         self.started = self.told = time.perf_counter()
 
     def inside(self, share):
-        """Called within a run with the share of it that is done; KeyboardInterrupt leaves it where that is asked for"""
+        """Called during a run with the finished share; raises KeyboardInterrupt after a request to stop"""
         if self.stop.asked:
             raise KeyboardInterrupt
         if time.perf_counter() - self.told > AFTER and 0 < share < 1:

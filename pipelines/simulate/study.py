@@ -1,4 +1,4 @@
-"""What `[simulation]`, gusts and a spectrum of waves make of a mooring study: weather, settings, seeds.
+"""Weather, settings and seeds of a mooring study with `[simulation]`, gusts and a spectrum of waves.
 
 [simulation]                     [waves]                              [wind]
 duration_hours = 3.0             height = 4.5                         speed = 30.0
@@ -46,8 +46,8 @@ class Plan:
 
     mean_period : s, of the waves, None without; findings : one line each
     sides : `mooring.fenders.gaps.Side` of several bodies
-    told : what was chosen and what is left out, one line each; pace : s of computing a simulated second, on static and
-        on moving lines, nan where it is not known: both once a body is prepared
+    told : methods chosen and effects that are not included, one line each; pace : s of computing for a simulated second
+        on static and on moving lines, nan where it is not known: both once a body is prepared
     """
 
     weather: Weather
@@ -65,9 +65,9 @@ class Plan:
 def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY):
     """The Plan of a `Study` on a database with frequencies omega (n,) rad/s and motions called `words`.
 
-    seeds : how many, in place of those of the study; duration : s, in place of that of the study
-    folder : that files of forces lie in, None to leave such forces out
-    raises : StudyError for what cannot be simulated
+    seeds : number of seeds, in place of those of the study; duration : s, in place of that of the study
+    folder : of the files of forces, None to omit such forces
+    raises : StudyError for a study that cannot be simulated
     """
     table = study.simulation
     if table is None and duration is None:
@@ -118,7 +118,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
 
 
 def level_of_pairs(study, seas, drift):
-    """Of `mooring.response.pair_levels`, what a study asks for beside Newman's rule, "auto" where that may be more
+    """Level of `mooring.response.pair_levels` that a study needs besides Newman's rule, "auto" where that may be more
 
     seas : whether there are irregular waves; drift : slow_drift of the settings.  Raises StudyError.
     """

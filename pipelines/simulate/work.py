@@ -240,8 +240,8 @@ def largest_use(body, motion, tension):
 
 
 def anchor_pulls(body, motion, tension):
-    """(lines, 2) N: pull along the bed and up at the anchor of each line, where its pull on the body is largest; nan of
-    ropes.  As `largest_use`; static ones, times what the largest tension is over the static one if that is less.
+    """(lines, 2) N: pull along the bed and up at the anchor of each line, where its pull on the body is largest; nan
+    for ropes.  As `largest_use`: static pulls, times the ratio of the largest tension to the static one, at least 1.
     """
     found = np.full((tension.shape[1], 2), np.nan)
     for i in range(0 if body.system is None else len(body.system.lines)):

@@ -1,1 +1,1 @@
-"""`hakobune single-point`: a body on a buoy or turret, where it lies, whether it slews, what it pulls."""
+"""`hakobune single-point`: a body on a buoy or turret, its equilibrium, its slewing and its mooring loads."""

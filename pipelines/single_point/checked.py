@@ -1,4 +1,4 @@
-"""A single-point study checked whole before anything is solved, on what is known of its body by then."""
+"""Checks of a whole single-point study before anything is solved, with the properties of its body known by then."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def checked(study, body=None):
     known = study
     if body is not None:
         check_database(study, body)
-        if study.mass is None:  # that of the body follows from its waves
+        if study.mass is None:  # with a database the mass of the body follows from its waves
             hull = msgspec.structs.replace(study.hull, center=float(body.rotation_center[0]))
             known = msgspec.structs.replace(study, mass=MassTable(0.0, 0.0, 0.0), hull=hull)
         if study.waves is not None and study.waves.drift_tonf_per_m2 is None:

@@ -121,7 +121,7 @@ def yaw_of(one):
 
 
 def lines_at(found):
-    """Lines at the heading it comes to, and what they use of their breaking load where that is most"""
+    """Lines at the final heading, and their largest utilisation of the breaking load"""
     one = found.best
     lines = one.lines.lines
     shares = used(found.study, one, found.cycle, found.run)

@@ -38,7 +38,7 @@ def check(study, db=None):
 
 
 def run(study, steady, db=None) -> Run:
-    """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
+    """Run of a Study from near one of its equilibria.  Raises StudyError or SinglePointError."""
     check(study, db)
     s, waves = study.slewing, _with_waves(study, db)
     times = Times(s.duration, s.step, s.slow_step, s.waves_after, np.radians(s.offset_deg), s.tolerance, s.seed)
@@ -134,7 +134,7 @@ def draw(study, run: Run, path):
     hawser.set_ylabel("hawser, kN" if run.steady.point.lengths[0] else "pull on buoy, kN")
     worst = int(np.argmax(run.record.lines.max(axis=0)))
     lines.plot(run.record.time, run.record.lines[:, worst] / KN, lw=0.8, color="tab:red")
-    for axes in (heading, hawser, lines):  # what does not vary is a level line
+    for axes in (heading, hawser, lines):  # a constant record is drawn as a level line
         low, high = axes.dataLim.intervaly
         least = STILL * max(1.0, abs(low), abs(high))
         if high - low < least:

@@ -33,14 +33,14 @@ from ..site.link import SiteLink
 
 
 class HullTable(SuperstructureTable, kw_only=True):
-    """The hull
+    """Dimensions and mass of the hull
 
-    length : m
-    beam : m
-    draft : m
-    freeboard : m
-    displacement : t, of the box if not given
-    center : m, of mass ahead of midship
+    length : m, length of the hull
+    beam : m, beam of the hull
+    draft : m, draft of the hull
+    freeboard : m, height of the deck above still water; needed with wind unless wind.file is given
+    displacement : t, mass of the hull; by default that of a box of length, beam and draft
+    center : m, distance of the centre of mass ahead of midship
     """
 
     length: float
@@ -52,12 +52,12 @@ class HullTable(SuperstructureTable, kw_only=True):
 
 
 class MassTable(Table):
-    """Added mass of slow motion, over the body's own, in place of the database's
+    """Added mass of slow motion as shares of the body's own mass, in place of the database's
 
-    added_surge : over the mass
-    added_sway : over the mass
-    added_yaw : over the moment of inertia
-    gyration : m, in yaw, of a uniform box if not given
+    added_surge : added mass in surge over the mass
+    added_sway : added mass in sway over the mass
+    added_yaw : added moment of inertia in yaw over the moment of inertia
+    gyration : m, radius of gyration in yaw; by default that of a uniform box
     """
 
     added_surge: float
@@ -67,11 +67,11 @@ class MassTable(Table):
 
 
 class AttachmentTable(Table):
-    """Where hawser or buoy is made fast to the hull
+    """Point of the hull where the hawser or the buoy is attached
 
-    x : m, from midship
-    y : m, from the middle line
-    z : m, over the water, in waves
+    x : m, distance ahead of midship
+    y : m, distance from the centre line, positive to port
+    z : m, height above still water, used with waves
     """
 
     x: float
@@ -80,15 +80,15 @@ class AttachmentTable(Table):
 
 
 class HawserTable(Table):
-    """The hawser; without one the buoy touches the hull, as a turret does
+    """The hawser between buoy and hull; without this table the buoy touches the hull, as a turret does
 
-    length : m, of each
-    count : 1 or 2
-    spacing : m, between the ends of two on the hull
-    axial_stiffness : EA, for the scheme "full"
-    breaking_load : B of T = B (ε/strain)^exponent, for the scheme "full"
-    strain : at the breaking load
-    exponent : of T = B (ε/strain)^exponent
+    length : m, length of each hawser
+    count : number of hawsers, 1 or 2
+    spacing : m, distance between the two ends on the hull
+    axial_stiffness : axial stiffness EA, for the scheme "full"
+    breaking_load : breaking load B in T = B (ε/strain)^exponent, for the scheme "full"
+    strain : strain at the breaking load, 0.1 for 10 %
+    exponent : exponent in T = B (ε/strain)^exponent
     """
 
     length: float
@@ -103,13 +103,14 @@ class HawserTable(Table):
 
 
 class BuoyTable(Table):
-    """The buoy; with mass, diameter and height it rises and sinks
+    """The buoy that the lines hold; with mass, diameter and height it also rises and sinks
 
-    z : m, where the lines are made fast, below 0
-    mass : t
-    diameter : m
-    height : m
-    hawser_z : m over the water, where hawsers are made fast: it tilts under their pull, for the scheme "full"
+    z : m, height of the lines' upper ends above still water, below 0
+    mass : t, mass of the buoy
+    diameter : m, diameter of the buoy
+    height : m, height of the buoy
+    hawser_z : m, height of the hawsers' ends above still water; the buoy then tilts under their pull in the scheme
+        "full"
     """
 
     z: float
@@ -122,11 +123,11 @@ class BuoyTable(Table):
 class MooringTable(LineTable, kw_only=True):
     """Equal lines from the buoy at rest
 
-    headings_deg : of each, 0 → +x; or give count
-    count : of lines, evenly around
-    first_deg : heading of the first of count
-    pretension : horizontal, at rest; or give top_tension
-    top_tension : of a uniform line, along it at the buoy
+    headings_deg : heading of each line, 0 → +x; or give count
+    count : number of lines, evenly spaced around the buoy; or give headings_deg
+    first_deg : heading of the first line when count is given
+    pretension : horizontal tension of each line at rest; or give top_tension
+    top_tension : tension of a uniform line along itself at the buoy, at rest; or give pretension
     """
 
     headings_deg: list[float] | None = None
@@ -139,11 +140,11 @@ class MooringTable(LineTable, kw_only=True):
 
 
 class TurningTable(Table):
-    """Turning tests of a box; proportions in place of the hull's own
+    """Current forces from turning tests of a box; proportions given here replace those of the hull
 
-    length_over_beam : L/B
-    beam_over_draft : B/d
-    depth_over_draft : h/d
+    length_over_beam : ratio L/B
+    beam_over_draft : ratio B/d
+    depth_over_draft : ratio h/d
     """
 
     length_over_beam: float | None = None
@@ -152,10 +153,10 @@ class TurningTable(Table):
 
 
 class YawRateTable(Table):
-    """Force by the yaw rate of a ship, linear, beside coefficients or file; those of Clarke et al. (1983) if not given
+    """Linear force due to the yaw rate of a ship, for coefficients or a file; by default after Clarke et al. (1983)
 
-    Y_r : Y'_r over ½ρL³V, of side force
-    N_r : N'_r over ½ρL⁴V, of yaw moment, at most 0
+    Y_r : coefficient Y'_r of the side force, over ½ρL³V
+    N_r : coefficient N'_r of the yaw moment, over ½ρL⁴V, at most 0
     """
 
     Y_r: float | None = None
@@ -163,11 +164,12 @@ class YawRateTable(Table):
 
 
 class CurrentTable(UniformTable):
-    """Current on the hull, by one of turning, coefficients and file
+    """Current on the hull: turning tests, coefficients or a file, one of the three
 
-    yaw_drag : kN m s², N₂, by default that of the cross flow on a box; turning tests contain it
-    sway_damping : kN s/m, beside coefficients or file alone
-    yaw_damping : kN m s, beside coefficients or file alone
+    yaw_drag : kN m s², yaw moment N₂ over the square of the yaw rate; by default that of the cross flow on a box; not
+        with turning tests, which contain it
+    sway_damping : kN s/m, linear damping of sway, only with coefficients or a file
+    yaw_damping : kN m s, linear damping of yaw, only with coefficients or a file
     """
 
     turning: TurningTable | None = None
@@ -178,18 +180,19 @@ class CurrentTable(UniformTable):
 
 
 class WavesTable(SystemsTable):
-    """The sea; it needs no period where the drift is not that of a database
+    """The sea; its period may be left out where drift_tonf_per_m2 is given
 
-    drift_tonf_per_m2 : of the square of the height, along the waves at every heading, in place of the database's drift
+    drift_tonf_per_m2 : drift force over the square of the wave height, along the waves at every heading, in place of
+        the database's drift
     """
 
     drift_tonf_per_m2: float | None = None
 
 
 class AxisTable(Table):
-    """A number of the study that is varied
+    """One number of the study that is varied over a range
 
-    key : its name, as "hawser.length" or "hull.length_over_beam" (of the same volume)
+    key : name of the number, as "hawser.length" or "hull.length_over_beam" (at constant volume)
     """
 
     key: str
@@ -199,10 +202,10 @@ class AxisTable(Table):
 
 
 class MapTable(Table):
-    """Growth of slewing over one or two numbers of the study
+    """A map of the growth rate of slewing over one or two numbers of the study
 
-    x : the first number
-    y : the second number
+    x : the number along the horizontal axis
+    y : the number along the vertical axis; by default the map is a curve over x
     """
 
     x: AxisTable
@@ -210,19 +213,19 @@ class MapTable(Table):
 
 
 class SlewingTable(Table):
-    """A run in time
+    """A simulation of slewing in time
 
-    duration : s
-    step : s, of the record [1 s, of waves a thirtieth of their period]
-    offset_deg : of the heading at its start from that of rest
-    waves_after : s, when the waves are added
-    scheme : "two_scale", with waves, "slow", without, or "full": slow and wave motion in one equation, with slow
-        drift, and on a hawser the buoy as a body and the hawser elastic; by default the first where there are waves and
-        a database
-    slow_step : s, of the slow motion with waves
-    tolerance : of place and heading, of the schemes slow and full
-    components : of the waves
-    seed : of gusts and waves
+    duration : s, length of the simulation
+    step : s, sampling interval of the record; by default 1 s, with waves a thirtieth of their period
+    offset_deg : initial heading relative to the heading at rest
+    waves_after : s, time at which the waves set in
+    scheme : "two_scale", slow motion and waves apart, for a study with waves; "slow", slow motion alone; or "full",
+        slow and wave motion in one equation, with slow drift, and on a hawser with the buoy as a body and an elastic
+        hawser; by default "two_scale" where there are waves and a database, otherwise "slow"
+    slow_step : s, step of the slow motion in the scheme "two_scale"
+    tolerance : error of position and heading in the schemes "slow" and "full"
+    components : number of wave components
+    seed : seed of the random phases of gusts and waves; the same seed gives the same record
     """
 
     duration: float = 1200.0
@@ -239,7 +242,7 @@ class SlewingTable(Table):
 class Study(Table):
     """A hull on a buoy or turret
 
-    allowable : fraction of the breaking load a line may carry, above 0, at most 1
+    allowable : fraction of the breaking load that a line may carry, above 0, at most 1
     """
 
     water: DepthTable

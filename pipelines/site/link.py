@@ -3,11 +3,11 @@
     [site]
     file = "bay_values.toml"
     state = "extreme"          # wind, current and waves of the study then need directions alone
-    level = "high"             # by default mean water
-    leave_out = ["current"]    # of the state
+    level = "high"             # name of the level; by default mean water
+    leave_out = ["current"]    # part of the state
 
-A value has one source: one that study and site both give is a fault.  What a study becomes holds all numbers of the
-site, so that a result kept with its study says them, and another site is another study.
+A value has one source: a value in both study and site is a fault.  The resulting study contains all numbers of the
+site, so that a stored result shows them, and a change of site changes the study.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ MEAN = "mean"
 
 
 class SiteLink(Table):
-    """Values of a site from `hakobune site`
+    """Link to site values written by `hakobune site`
 
     file : file of the values, beside this file
-    state : of weather there
-    level : of the water there
-    leave_out : those of wind, current and waves that are not taken
+    state : name of the state of weather that is used; by default none
+    level : name of the water level that is used
+    leave_out : parts of the state that are not used: "wind", "current", "waves"
     """
 
     file: str
@@ -78,10 +78,10 @@ class _SiteFile(msgspec.Struct):
 
 
 def read_study_at_site(path, what, taken=MOORED):
-    """Nested dictionaries and text of a study (TOML), with what it takes of its [site] laid in.
+    """Nested dictionaries and text of a study (TOML), with the values of its [site].
 
-    Tables of fenders that lie beside the study have their whole paths in the dictionaries, not in the text.
-    raises : StudyError where the site lacks what is asked for, or study and site give the same
+    Fender tables next to the study have their whole paths in the dictionaries, not in the text.
+    raises : StudyError where the site lacks a value, or study and site give the same one
     """
     raw, text = _laid(path, what, taken)
     return with_tables_in(raw, path.parent), text
@@ -160,14 +160,14 @@ def _depth(link, values):
 
 
 def named(key, name, values):
-    """values[name].  Raises StudyError that says which there are."""
+    """values[name].  Raises StudyError with the known names."""
     if name not in values:
         raise StudyError(f"{key} is {name!r}; allowed: {', '.join(values)}")
     return values[name]
 
 
 def laid_in(name, own, given):
-    """The table `own` with what the site gives.  Raises StudyError where both have a key."""
+    """The table `own` with the values of the site.  Raises StudyError where both have a key."""
     twice = [key for key in given if key in own or f"{key}_knots" in own]
     if twice:
         raise StudyError(f"{name}.{twice[0]} is given by the study and by its site; leave one out")

@@ -1,7 +1,7 @@
-"""What is known of a site, as typed TOML, and the values a mooring has to stand there.
+"""Measurements of a site, as typed TOML, and the design values of a mooring there.
 
     R = 1/(1 − q^(1/T))                       return period from service life T and probability q
-    U₁₀ = U(h, 10 min)/C_H(h)                 after the mean over another time became one of 10 minutes
+    U₁₀ = U(h, 10 min)/C_H(h)                 after conversion of the averaging time to 10 minutes
     high = spring tide + surge,  tsunami high, low = spring tide ± tsunami
 
 SR179 report (1982), chapter 4, sections 3.2 to 3.10.
@@ -28,14 +28,14 @@ from .states import Climate, climate_of, extreme_state, levels_of, operating_sta
 
 
 class PlaceTable(Table):
-    """The place, and how rare a value has to be
+    """The place and the probability or return period of its extreme values
 
-    name : for results
-    depth : m, at mean water
-    service_life : years
-    probability : that the extreme state is not exceeded in them; or give return_period
-    return_period : years; or give probability
-    confidence : of the intervals of return values
+    name : name of the place in results
+    depth : m, water depth at mean water
+    service_life : years, service life of the structure
+    probability : probability that the extreme state is not exceeded during the service life; or give return_period
+    return_period : years, return period of the extreme state; or give probability
+    confidence : confidence level of the intervals of return values
     """
 
     name: str
@@ -49,10 +49,10 @@ class PlaceTable(Table):
 class MaximaTable(Table):
     """Yearly maxima
 
-    maxima : one a year; or give file
-    file : CSV beside the site; or give maxima
-    column : of the file, by default its last
-    family : gumbel, weibull or gev
+    maxima : list of maxima, one a year; or give file
+    file : CSV file of maxima beside the site; or give maxima
+    column : name of the column in the file; by default the last
+    family : distribution that is fitted: gumbel, weibull or gev
     """
 
     maxima: list[float] | None = None
@@ -62,13 +62,13 @@ class MaximaTable(Table):
 
 
 class SiteWindTable(MaximaTable, kw_only=True):
-    """Wind of the extreme state, from yearly maxima in m/s or given
+    """Wind of the extreme state, given or from yearly maxima in m/s
 
-    speed : m/s at height, in place of maxima
-    averaging_s : s, over which maxima or speed are means
-    height : m above the sea, where they are measured
-    exponent : of the profile; by default the report's table
-    heights : m, of the profile that the page shows
+    speed : m/s, speed at the height, in place of maxima
+    averaging_s : s, averaging time of the maxima or of the speed
+    height : m, height above the sea of the maxima or of the speed
+    exponent : exponent of the wind profile; by default the table of the SR179 report
+    heights : m, heights of the profile in the page
     """
 
     speed: float | None = None
@@ -79,10 +79,10 @@ class SiteWindTable(MaximaTable, kw_only=True):
 
 
 class SiteWavesTable(MaximaTable, kw_only=True):
-    """Waves of the extreme state, from yearly maxima of the significant height in m or given
+    """Waves of the extreme state, given or from yearly maxima of the significant height in m
 
-    height : m, significant, in place of maxima
-    period : s, mean, with the extreme height; without, the median of [climate]
+    height : m, significant height, in place of maxima
+    period : s, mean period at the extreme height; by default the median of [climate]
     """
 
     period: float | None = None
@@ -90,11 +90,11 @@ class SiteWavesTable(MaximaTable, kw_only=True):
 
 
 class SiteClimateTable(Table):
-    """All seas of the place: their joint law, and the contour of the return period
+    """Wave scatter of the place, its joint distribution of height and period, and the contour of the return period
 
-    scatter : CSV file beside the site, as of a response study
-    hours : that a sea lasts
-    spectrum : by which its kind of period becomes a mean period
+    scatter : CSV file of the scatter table beside the site, as in a response study
+    hours : h, duration of a sea
+    spectrum : spectrum that converts the period of the scatter table to a mean period
     """
 
     scatter: str
@@ -105,11 +105,11 @@ class SiteClimateTable(Table):
 class SiteCurrentTable(Table):
     """Current in the extreme state
 
-    speed : m/s at the surface, of tide and sea
-    wind_driven : whether 0.01 of the wind is added
-    exponent : of the profile (1 + z/h)^exponent of tide and sea; that of the wind has 1
-    draft : m, over which studies have the uniform current of the same pressure; without, that of the surface
-    depths : m below the surface, of the profile that the page shows
+    speed : m/s, surface speed of the tidal and ocean current
+    wind_driven : whether a current of 0.01 times the wind speed is added
+    exponent : exponent of the profile (1 + z/h)^exponent of tidal and ocean current; the wind-driven current has 1
+    draft : m, draft over which studies get the uniform current of equal pressure; by default they get the surface speed
+    depths : m, depths below the surface of the profile in the page
     """
 
     speed: float
@@ -120,13 +120,13 @@ class SiteCurrentTable(Table):
 
 
 class LevelsTable(Table):
-    """Levels, m above mean water
+    """Water levels in m above mean water
 
-    spring_high : mean high water of spring tides
-    spring_low : mean low water of spring tides
-    surge : largest deviation by storms
-    tsunami : largest deviation by tsunamis, up and down
-    tsunami_period : s; with it a state "tsunami" has the current of a long wave of that deviation
+    spring_high : m, mean high water of spring tides
+    spring_low : m, mean low water of spring tides
+    surge : m, largest storm surge
+    tsunami : m, largest deviation in a tsunami, up and down
+    tsunami_period : s, period of the tsunami; adds a state "tsunami" with the current of a long wave of that deviation
     """
 
     spring_high: float = 0.0
@@ -137,10 +137,10 @@ class LevelsTable(Table):
 
 
 class EarthquakeTable(Table):
-    """Seismic coefficient of a rule
+    """Seismic coefficient from a rule of the SR179 report
 
-    rule : A, C, E or F of the report
-    factors : {name = value} of the rule
+    rule : letter of the rule: A, C, E or F
+    factors : {name = value} of the factors in the rule
     """
 
     rule: str
@@ -148,12 +148,12 @@ class EarthquakeTable(Table):
 
 
 class OperatingTable(Table):
-    """Weather in which the place is used
+    """Weather of the operating state
 
-    wind : m/s at 10 m, mean of 10 minutes
-    current : m/s
-    wave_height : m, significant
-    wave_period : s, mean
+    wind : m/s, ten-minute mean wind speed at 10 m
+    current : m/s, current speed
+    wave_height : m, significant wave height
+    wave_period : s, mean wave period
     """
 
     wind: float | None = None
@@ -163,7 +163,7 @@ class OperatingTable(Table):
 
 
 class SiteStudy(Table):
-    """A site: its measurements, levels and rules"""
+    """Measurements, water levels and rules of a site"""
 
     site: PlaceTable
     wind: SiteWindTable | None = None
@@ -177,10 +177,9 @@ class SiteStudy(Table):
 
 class SiteValues(NamedTuple):
     """years : return period; probability : not exceeded in the service life; wind : as measured; waves : height
-
     climate : Climate, or None; wind_10 : m/s, ten minutes at 10 m; profile : `CurrentProfile` or None
     levels : {name: m}; states : tables by name as studies have them; seismic : coefficient or None
-    findings : lines that a reader has to know
+    findings : one line each
     """
 
     years: float

@@ -24,7 +24,7 @@ from hakobune.mooring.criteria.failing import fails
 
 FIRST = 12  # frequencies before an error is estimated
 MOST = 120  # frequencies in a band; more means that the solver's own error is above the tolerance
-PLACES = 400  # in a band, equally far apart
+PLACES = 400  # equally spaced places in a band
 # standard deviations: of 17 bodies, 14 of them random or held out, 16 end within a tolerance of half a per cent, one at
 # 0.52 %; 1.35, which three boxes of the series calculations need, left 8 beyond it, the worst at 1.02 %
 # (tests/bench/fit_interpolation.py)

@@ -20,16 +20,16 @@ from ..common.progress import duration
 from ..scene.scene import SceneError
 
 PER_PANEL = 4  # nodes
-# frequencies times nodes^1.5 of a symmetric part from which the preparation pays: on 576, 944 and 1976 nodes it takes
-# as long as 38, 17 and 6 frequencies take more by themselves
+# least number of frequencies times nodes^1.5 of a symmetric part at which preparing a band pays: on 576, 944 and 1976
+# nodes the preparation takes the time that 38, 17 and 6 single frequencies take more
 WORTH_SHARING = 5e5
-# from WORTH_COMPRESSING nodes on a frequency alone is compressed (`bem.panels.compressed`), and the preparation takes
-# as long as 6 of them on 2 200 nodes, 8 on 3 900
+# most nodes for each frequency of a shared preparation: single frequencies are compressed from WORTH_COMPRESSING nodes
+# on (`bem.panels.compressed`), and the preparation takes as long as 6 of them on 2 200 nodes, 8 on 3 900
 NODES_PER_FREQUENCY = 450
 MOST_SHARED = 10_000  # nodes: factors of 3.5 GB; on more every frequency is compressed
 FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
-# on an axisymmetric body (`bem.panels.axisymmetric`): it takes as long as 115 of 1 000 or 4 000 panels, with two
-# threads 190 and 145
+# least number of frequencies on an axisymmetric body (`bem.panels.axisymmetric`): the preparation takes as long as 115
+# frequencies of 1 000 or 4 000 panels, with two threads 190 and 145
 WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 27  # frequencies that an adaptive band takes, about
 NODES_WORTH_TELLING = 3000

@@ -19,8 +19,8 @@ MAKERS = {"box": (box, box_counts), "buoy": (buoy, buoy_counts), "ship": (ship, 
 LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 3, 3)}  # a buoy of twelve sides has a yaw of its own
 LONGEST = 7  # breadths, up to which panels across were counted
 COARSE = 0.71  # factor on the counts of edges: about half as many panels
-FEWEST = 2  # in a direction of the coarse mesh
-FINER = 2**0.5  # times the counts: about twice as many panels
+FEWEST = 2  # panels in a direction of the coarse mesh
+FINER = 2**0.5  # factor on the counts: about twice as many panels
 SHIP = 800.0  # panels of a ship at one per cent
 TOO_CLOSE = 0.8  # share of panels above which a coarse mesh gives no estimate of the error
 

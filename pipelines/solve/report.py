@@ -25,9 +25,9 @@ CHECKED = {
     "damping": "by its own size",
 }
 ESTIMATED = ("estimated_error", "damping")  # checks that are errors, not laws
-# Where panels are given no tolerance is promised.  Of 900 frequencies of random boxes and buoys on 24 to 80 panels, in
-# waves longer than two of them, with half a draft and more under the keel, the worst breaks a law by 0.16; with a tenth
-# of a draft under it, of which the mesh findings warn, by 0.39: there the numbers are unusable.
+# Largest defect of a law where a number of panels is given, for which no tolerance holds.  Of 900 frequencies of random
+# boxes and buoys on 24 to 80 panels, in waves longer than two panels, with half a draft and more under the keel, the
+# worst defect is 0.16; with a tenth of a draft it is 0.39, and the results are unusable; the mesh findings warn of it.
 BROKEN = 0.25
 RESIDUAL = 1e-6  # residual of a linear system; four digits below the finest useful tolerance
 

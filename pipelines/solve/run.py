@@ -36,7 +36,7 @@ from .large import Telling, announced
 from .plan import KOCHIN, planned, resumed
 from .work import limit_one, solve_one
 
-FOLLOWS = {"rao", "drift_force"}  # from coefficients and Kochin functions
+FOLLOWS = {"rao", "drift_force"}  # quantities computed from coefficients and Kochin functions
 EVERY = 0.5  # s: what is solved meanwhile is stored together, and what a kill can take
 
 

@@ -39,7 +39,7 @@ def _prepare(problem):
     from hakobune.bem.methods.panel_problem import prepare
 
     for known, prepared in _prepared.values():
-        if known is problem:  # in the process that made it nothing need be compared
+        if known is problem:  # the process that made it need not compare
             return prepared
     key = _key(problem)
     if key not in _prepared:

@@ -1,4 +1,4 @@
-"""`hakobune sweep`: its file, its executor, its table and picture, and what is said at the end."""
+"""`hakobune sweep`: its file, its executor, its table and picture, and its last lines."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PRINTED = 8  # quantities of a table that is printed where none is asked for
 
 
 def sweep(study, output, executor, fresh, plot=None):
-    """Run what is pending, print a table of all cases; 1 where a case has a status above 0 or was not done.
+    """Run the pending cases, print a table of all; 1 where a case has a status above 0 or was not run.
 
     plot : picture of the quantities over the first key
     """

@@ -24,7 +24,7 @@ def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
     app = import_module(main_of).app
     words = [command, "study.toml", *arguments]
     if "output" in _needed(app, command) and "--output" not in arguments:
-        words += ["--output", "none.h5"]  # of a command that always writes a file
+        words += ["--output", "none.h5"]  # file name for a command that always writes a file
     _, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
     taken = inspect.signature(function_of(command)).parameters
     given = {name: value for name, value in bound.arguments.items() if name not in ("study", "scene", "system")}

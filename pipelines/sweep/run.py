@@ -41,7 +41,7 @@ def sweep(table, text, folder, output, executor, say, fresh=False):
     check_keys(table.command, varied(raw, keys, values[0]))
     given = given_to(table.command, table.arguments)
     if given.get("database") is not None:
-        database_of(given["database"])  # which every case would open
+        database_of(given["database"])  # every case would open it
     texts = {"sweep": text, "study": study_text}
     if output.exists() and not fresh:
         _check_same(output, texts)

@@ -25,10 +25,9 @@ from ..common.bounds import check_count
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
-# of a sweep of scenes one file has all coefficients, (case, frequency, …)
 SAMPLINGS = ("grid", "latin-hypercube")
 MOST = 100_000  # cases
-SOLVE = "solve"
+SOLVE = "solve"  # sweep of scenes, with the coefficients (case, frequency, …) of all cases in one file
 COMMANDS = (
     SOLVE,
     "moor",
@@ -44,11 +43,12 @@ COMMANDS = (
 
 
 class VaryTable(Table):
-    """A key that is varied, by values or a range
+    """A key that is varied, over values or a range
 
-    key : its place in the study, as "waves.height" or "lines[0].length"; "rope[*].hardening" is that of every rope
-    values : that it takes; or give from and to
-    count : how many numbers of a grid, both ends included
+    key : path of the key in the study, as "waves.height" or "lines[0].length"; "rope[*].hardening" is that of every
+        rope
+    values : values of the key; or give from and to
+    count : number of values of a grid, both ends included
     """
 
     key: str
@@ -61,15 +61,16 @@ class VaryTable(Table):
 class SweepTable(Table):
     """Many cases of one study
 
-    command : solve, of which study is a scene, moor, response, lines, line-dynamics, single-point, berth,
-        breakwater or simulate
+    command : command that is run: solve, with a scene as study, moor, response, lines, line-dynamics, single-point,
+        berth, breakwater or simulate
     study : file beside this one whose keys are varied
-    arguments : of the command after the study, as ["--database", "box.h5"], seen from where the sweep is run
-    sampling : grid, every combination, or latin-hypercube, samples evenly over ranges
-    samples : how many, of a Latin hypercube
-    seed : of a Latin hypercube
-    keep : names of quantities that are kept of each case, as ["tension[*].largest", "surge.sigma"]; by default all
-        that are numbers or short lists
+    arguments : arguments of the command after the study, as ["--database", "box.h5"]; paths are relative to the folder
+        where the sweep is run
+    sampling : "grid", every combination, or "latin-hypercube", samples spread evenly over ranges
+    samples : number of samples of a Latin hypercube
+    seed : random seed of a Latin hypercube
+    keep : names of the quantities kept for each case, as ["tension[*].largest", "surge.sigma"]; by default all that are
+        numbers or short lists
     """
 
     command: str

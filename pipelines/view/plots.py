@@ -34,7 +34,7 @@ TICKS = 5  # spaces between those of a curve, at most; frequencies have them onc
 FREQUENCIES = 8, 4  # spaces between ticks of frequencies, at most, of wide and narrow columns
 GRID = {"color": "0.9", "linewidth": 0.6}
 HEADINGS = 5  # largest number of headings drawn; more colours cannot be distinguished
-HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
+HIGH = 5  # factor on the motion away from a sharp resonance; a higher peak is labelled and cut off
 ROWS = {
     "A and B/ω": ("added_mass", "radiation_damping"),
     "excitation": ("excitation_force",),

@@ -18,9 +18,12 @@ def test_the_doctor_finds_what_is_installed_and_names_what_is_not(capsys, monkey
     assert "FAILS: no-such-library is missing: pip install no-such-library" in capsys.readouterr().out
 
 
-def test_the_version_is_that_of_the_distribution(capsys):
+def test_the_version_is_that_of_the_citation_and_of_the_changelog(capsys):
     assert cli.main(["--version"]) == 0
-    assert capsys.readouterr().out.strip() == metadata.version("hakobune")
+    version, root = capsys.readouterr().out.strip(), Path(__file__).parents[2]
+    assert f"version: {version}" in (root / "CITATION.cff").read_text(encoding="utf-8").splitlines()
+    sections = [one for one in (root / "CHANGELOG.md").read_text(encoding="utf-8").splitlines() if one[:3] == "## "]
+    assert sections[0].split()[1] == version
 
 
 def test_the_doctor_tells_where_the_package_is_and_names_what_an_old_installation_left(tmp_path, capsys, monkeypatch):

@@ -207,7 +207,7 @@ def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smalle
                         dx = image[0] * (panel[3] + r * panel[5]) - x[i]
                         dy = image[1] * (panel[4] + r * panel[6]) - y[i]
                         d = np.hypot(dx, dy)
-                        if ends_here:  # on the target's own line, without cancellation
+                        if ends_here:  # point on the target's own line, without cancellation
                             stretch = t * t + t * t0 + t0 * t0 if panel[2] > 1 else 1.0
                             d = panel[1] * abs(step) * stretch
                         where[0, n + q], where[1, n + q], where[2, n + q] = i, p, g

@@ -26,7 +26,7 @@ from .fixed import Fixed
 from .one_frequency import SeveralFrequency
 from .senders import Kernel, sender
 
-NARROWEST = 0.005  # of half the width of a body, a gap: with a hundredth a frequency takes minutes
+NARROWEST = 0.005  # smallest gap over half the width of a body; a hundredth takes minutes a frequency
 
 
 def prepare_several(shapes, places, depth, tolerance=1e-3):

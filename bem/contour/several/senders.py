@@ -171,5 +171,5 @@ def _on_circle(kernel, R, r, last):
             one = np.where(out, jv(m, x) * hankel1(m, y), hankel1(m, x) * jv(m, y))
             two = np.where(out, jvp(m, x) * hankel1(m, y), h1vp(m, x) * jv(m, y))
             found = 0.5j * np.pi * R * one, 0.5j * np.pi * x * two
-    # where I and J are below the smallest number and K and H above the largest, powers are what is left of them
+    # powers replace the functions where I and J underflow and K and H overflow
     return tuple(np.where(np.isfinite(part) & (part != 0), part, limit) for part, limit in zip(found, far, strict=True))

@@ -100,7 +100,7 @@ def _finding(values, own):
 def _two(values, own):
     """The two causes, one after the other, that leave the least, as one, and what they leave; the first has to help"""
     best, left, before = None, np.inf, gaps(values, own)
-    groups = _about_units, _about_directions, _about_points  # of water each second cause would need its own solutions
+    groups = _about_units, _about_directions, _about_points  # water is no second cause: it would need its own solutions
     for one, other in itertools.product((*groups, _about_water), groups):
         for first in one(values, own):
             part = first.correct(values)
@@ -210,7 +210,7 @@ def _about_units(values, own):
     }
     ratio = {name: _factor([three]) for name, three in straight.items()}
     a, x = ratio.get("added_mass", 1.0), ratio.get("excitation_force")
-    lengths = ([np.sqrt(abs(x)), abs(a / x)] if x else []) + [abs(a) ** (1 / 3)]  # by forces, by both, by added mass
+    lengths = ([np.sqrt(abs(x)), abs(a / x)] if x else []) + [abs(a) ** (1 / 3)]  # by forces, both, added mass
     for length in _apart(lengths, LENGTHS):
         yield Cause(
             f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken",

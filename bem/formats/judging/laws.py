@@ -168,7 +168,7 @@ def haskind_ratios(values):
             & (rows[:, i] > np.maximum(0.03 * rows[:, part].max(axis=1), arm * (i > 2)))
         )
         C = values.get("hydrostatic_stiffness")
-        if i == HEAVE and C is not None:  # where waves above and below a hull cancel, a small difference is left
+        if i == HEAVE and C is not None:  # heave forces above and below a hull cancel and leave a small difference
             clear &= rows[:, HEAVE] > 0.3 * C[2, 2]
         if clear.sum() >= few:
             found[i] = (B[clear, i] / np.maximum(far[clear], 1e-300), values.omega[clear])
@@ -259,9 +259,7 @@ def _why(ratio, slope, ratios):
 
 def _long_waves(values):
     X, C = values.get("excitation_force"), values.get("hydrostatic_stiffness")
-    if (
-        X is None or not X[:, :, HEAVE].any() or values.others
-    ):  # beside others the water does not move as it would alone
+    if X is None or not X[:, :, HEAVE].any() or values.others:  # next to other bodies the water moves in another way
         return None
     _, kL = _waves(values)
     n = int(np.argmin(kL))
@@ -302,7 +300,7 @@ def _surge(values, n, heave, kL, floats):
     beta = values.wave_direction
     X = values.get("excitation_force")[kL <= max(LONG, kL[n])].sum(
         axis=0
-    )  # of all long waves, against what is noise in one
+    )  # sum over all long waves, against noise in one
     ahead = int(np.argmax(np.abs(np.cos(beta))))
     if abs(np.cos(beta[ahead])) < 0.5 or not abs(X[ahead, SURGE]) > 1e-6 * abs(heave):
         return []
@@ -326,7 +324,7 @@ def _causality(values):
         return None
     low, high = values.get("added_mass_zero"), values.get("added_mass_infinity")
     lines, tested = [], False
-    for i in (SURGE, SWAY):  # of heave there is no limit in finite depth, and moonpools have narrow peaks
+    for i in (SURGE, SWAY):  # not heave: it has no limit in finite depth, and moonpools have narrow peaks
         b, a = B[:, i, i], A[:, i, i]
         if np.abs(b[-1]) > 0.1 * np.abs(b).max() or not np.abs(b).max() > 0:
             continue

@@ -23,7 +23,7 @@ READABLE = 4.0  # the same, above which the lowest frequency of a set is not a l
 MOST_PANELS = 2500  # largest number of panels of the symmetric part; 8 s on one core
 MOST_HEADINGS = 5
 SMALL = 0.1  # forces of a mode below this fraction of the largest are compared with the largest
-CANCELS = 0.05  # of the arm
+CANCELS = 0.05  # fraction of the lever arm
 FAINT = 0.05  # the same for damping, over ω A
 WANT = ("added_mass", "radiation_damping", "excitation_force")
 
@@ -47,7 +47,7 @@ class Own:
         known = self.solved.get(key)
         if known is None or not set(turned.tolist()) <= set(known[2]):
             wanted = np.unique(np.concatenate([turned, np.round(np.mod(_images(turned), 2 * np.pi), 6)]))
-            wanted = wanted if len(wanted) else np.zeros(1)  # of a set without forces
+            wanted = wanted if len(wanted) else np.zeros(1)  # any heading, for a set without forces
             result = self._prepared().run(float(omega), wanted, frozenset(WANT), None, _dofs()).result()
             A, B, X = (result[name] for name in WANT)
             known = self.solved[key] = (A, B, dict(zip(wanted.tolist(), X, strict=True)))

@@ -19,7 +19,8 @@ TIMED_RUNS, TIMED_ROWS, TIMED_UNKNOWNS = 3, 16, 1500
 BYTES_OF_PROGRAM = 400e6  # memory of the interpreter, libraries and tables, bytes
 BYTES_PER_PAIR = 54  # bytes per pair of nodes and symmetry class: Rankine and wave matrices, factors and blocks
 BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine rows, wave rows and all harmonics
-# of compressed equations, for a node and each doubling of their number: 45 kB a node of 5 000, 57 kB of 50 000
+# bytes of compressed equations for a node and each doubling of their number: 45 kB a node at 5 000 nodes, 57 kB at
+# 50 000
 BYTES_PER_DOUBLING = 3.4e3
 # evaluations of G and ∇G, or the equivalent time; fitted to 5 000, 20 000 and 50 000 panels
 EVALUATIONS_PER_DOUBLING = 600

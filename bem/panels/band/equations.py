@@ -36,7 +36,7 @@ class BandEquations(NamedTuple):
     unit columns: of m, of −v and of Kφ'
     """
 
-    geometry: object  # with or without lid
+    geometry: object  # `Geometry`, with or without lid
     accuracy: float
     low_rank: object  # `bem.panels.band.low_rank_waves.LowRankWaves`
     unit_potentials: np.ndarray  # (c, n, u) φ of the unit columns, (2π − D₀)⁻¹ [X, S₀V, S₀ of the lid]
@@ -46,7 +46,7 @@ class BandEquations(NamedTuple):
     on_lid: np.ndarray  # (c, l, u) D₀φ + [X, S₀V, S₀] on the lid; the last l columns are T
     from_lid: np.ndarray  # (q, l) Y of the lid nodes
     pairs: object  # `bem.panels.wave_influence.Pairs` of points and sources
-    test_pairs: object  # of the test points and samples of `bem.panels.band.error_test`
+    test_pairs: object  # pairs of the test points and samples in `bem.panels.band.error_test`
 
     @classmethod
     def empty(cls, geometry, accuracy, low_rank):

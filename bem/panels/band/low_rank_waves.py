@@ -57,7 +57,7 @@ class LowRankWaves(NamedTuple):
     Y: np.ndarray  # (q, n)
     velocities: np.ndarray  # (c, hull nodes, v) V of each class: its motions, as many as of any class, then Z
     M: np.ndarray  # (c, h, v)
-    error_test: ErrorTest  # of every frequency that is solved
+    error_test: ErrorTest  # error test of every solved frequency
 
 
 def low_rank_waves(geometry, band, gravity, accuracy):
@@ -66,7 +66,7 @@ def low_rank_waves(geometry, band, gravity, accuracy):
     accuracy : of W relative to 2π, of S_w and of ∂φ_I/∂n relative to their norms
     """
     g, snapshots = geometry, Snapshots(geometry, band, gravity)
-    # of one row; errors of different rows add up like the root of their number
+    # tolerance of one row; errors of different rows add up like the root of their number
     tolerance = 2 * np.pi * accuracy * min(1.0, np.sqrt(FEW_NODES / g.hull))
     root, column_scale = snapshots.root, snapshots.column_scale
     # the smaller tolerance costs few columns, and forces are small differences of the flux

@@ -70,7 +70,7 @@ class BandRun(CompressedRun):
             wave_error = error_test.wave_error(exact, low_rank, potentials, self.velocity, self.wanted)
             error = np.maximum(wave_error, error_test.flux_error(*self.flux))
         self._timed("solve", start)
-        return solution if error < ALLOWED * equations.accuracy else self.rejected(error)  # of NaN too
+        return solution if error < ALLOWED * equations.accuracy else self.rejected(error)  # a NaN is rejected too
 
     def checked(self, solve):
         """What `solve` gives, a `ReducedSolution`.  Raises FloatingPointError if it is not finite"""

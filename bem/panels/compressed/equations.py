@@ -52,7 +52,7 @@ def solved(geometry, velocities, mirror, table, depth_values, tolerance):
     columns = Columns(on_all[tree.nodes], np.array(signs).T)
     equations = CompressedEquations(tree, table, mirror, depth_values, columns, tolerance)
     x, left = gmres(equations, Preconditioner(equations), columns, RESIDUAL, ITERATIONS)
-    if not left <= 10 * RESIDUAL:  # of NaN too
+    if not left <= 10 * RESIDUAL:  # written so that a NaN raises too
         raise FloatingPointError(
             f"{len(tree.nodes)} compressed equations: {left:.1e} are left of the right-hand sides after {ITERATIONS} "
             f"iterations; allowed: {10 * RESIDUAL:g}; give fewer panels (--panels)"
@@ -62,7 +62,7 @@ def solved(geometry, velocities, mirror, table, depth_values, tolerance):
     ends = np.cumsum([len(v) for v in given.values()])[:-1]
     potentials = dict(zip(given, np.split(in_mesh.T, ends), strict=True))
     compression = max(tolerance, _left_of_full(geometry, potentials, given, mirror, table, depth_values))
-    if not compression <= ALLOWED:  # of NaN too
+    if not compression <= ALLOWED:  # written so that a NaN raises too
         raise FloatingPointError(
             f"{len(tree.nodes)} compressed equations are {compression:.1e} off; allowed: {ALLOWED:g}; "
             "give fewer panels (--panels)"

@@ -94,8 +94,8 @@ class Columns(NamedTuple):
 class LowRankPart(NamedTuple):
     """All far blocks: T = V x of the sources, cluster by cluster and image by image, y = U T of the targets"""
 
-    sources: list  # of (image, slice of nodes, V (rank, nodes)); their ranks follow each other in T
-    targets: list  # of (slice of nodes, U (nodes, rank), places (rank,) in T)
+    sources: list  # (image, slice of nodes, V (rank, nodes)) each, in the order of their ranks in T
+    targets: list  # (slice of nodes, U (nodes, rank), places (rank,) in T) each
     rank: int
 
     @classmethod
@@ -138,7 +138,7 @@ class CompressedEquations:
     x are φ on the hull and φ' on the lid, as in `bem.panels.influence`
     """
 
-    KEPT = np.complex64  # of the blocks
+    KEPT = np.complex64  # number type of the stored blocks
 
     def __init__(self, tree, table, mirror, depth_values, velocities, tolerance):
         """velocities : `Columns` of normal velocities, zero on the lid; tolerance : of A relative to 2π"""

@@ -115,7 +115,7 @@ def _in_direction(mesh, exponents, adjacency, minus, plus):
     """`Stencils` in one direction, and those of every panel alone"""
     one, two = exponents[:, minus], exponents[:, plus]
     own, zero, open_ = np.arange(len(mesh)), np.zeros(len(mesh), int), np.full(len(mesh), np.inf)
-    sharp, free = (one < 1) ^ (two < 1), (one == 1) & (two == 1)  # between two edges straight lines are all there is
+    sharp, free = (one < 1) ^ (two < 1), (one == 1) & (two == 1)  # between two edges: straight lines only
     end, mu = np.where(sharp & (two < 1), 1, -1), np.where(sharp, np.minimum(one, two), 1.0)
     middles = mesh.flat_vertices + np.roll(mesh.flat_vertices, -1, axis=1)
     size = np.linalg.norm(middles[:, plus] - middles[:, minus], axis=1) / 2

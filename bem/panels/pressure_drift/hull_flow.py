@@ -55,7 +55,7 @@ class Surface(Points):
 
     def __init__(self, geometry, flow, normals):
         q = flow.points.shape[1]
-        members = [[d for d in geometry.members(cls) if d < 6] for cls in geometry.classes]  # of any body
+        members = [[d for d in geometry.members(cls) if d < 6] for cls in geometry.classes]  # rigid motions of any body
         parts = flow.points.reshape(-1, 3), np.repeat(normals, q, axis=0), flow.weights.ravel()
         super().__init__(geometry.images, geometry.all_signs, members, *parts)
         self.flow = flow

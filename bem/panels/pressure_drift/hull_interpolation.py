@@ -138,7 +138,7 @@ def _factors(stencil, lengths):
         values = _powers(at_nodes(lengths[here, :panels]), stencil.mu[here])[0][..., :m]
         values[..., 1] *= 1 + missed[here, :m]
         out[here, :m, :m] = np.linalg.inv(values)
-    sliver = (stencil.count == 1) & (missed[:, 0] >= SLIVER)  # whose second node alone is right
+    sliver = (stencil.count == 1) & (missed[:, 0] >= SLIVER)  # only the second node is usable
     out[sliver] = 0.0
     out[sliver, 0, 1] = 1.0
     return out

@@ -20,8 +20,8 @@ from ...drift import about
 from .edges import coarsest_at_gap
 from .hull_flow import hull_surfaces, unit_displacements, wave_flow
 
-# largest length of panels next to the keel over the gap: box, gap 2 m, resonant roll, near and far field differ by 4 %
-# of the largest force on the fixed body with panels of 1.2 m, 9 % with 2.5 m, all of it with 7.3 m
+# largest length of panels next to the keel over the gap.  Box, gap 2 m, resonant roll: near and far field differ by 4 %
+# of the largest force on the fixed body with panels of 1.2 m, by 9 % with 2.5 m, by 100 % with 7.3 m
 LONGEST_PER_GAP = 1.5
 
 

@@ -102,7 +102,7 @@ def grounded_jacobian(H, S, length, weight, flexibility, slope, friction):
     z_H = stretch * tan + flexibility * S * tan - 2 * half**2 / (weight * cos)
     x_S = -2 * math.sin(slope + 0.5 * delta) * half + flexibility * (H - end * cos)
     z_S = 2 * math.cos(slope + 0.5 * delta) * half + flexibility * (V - end * cos * tan)
-    if pulled < length - S and slides(slope, friction):  # what a bight loses moves its lift-off up by as much again
+    if pulled < length - S and slides(slope, friction):  # loss in the bight raises the lift-off by the same length
         by_H = (2 - flexibility * end) / (weight * (math.sin(slope) + friction * cos))
         x_H, x_S, z_H, z_S = x_H + by_H, x_S + 2 * cos, z_H + by_H * tan, z_S + 2 * math.sin(slope)
     return x_H, x_S, z_H, z_S

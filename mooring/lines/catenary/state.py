@@ -18,7 +18,7 @@ class State(IntEnum):
     UNSOLVED = 5
 
 
-SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED, UNSOLVED = map(int, State)  # for kernels
+SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED, UNSOLVED = map(int, State)  # whole numbers for kernels
 HEAP = 1e-300  # λ of a piece in a heap, which has no extent
 
 

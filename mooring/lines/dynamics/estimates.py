@@ -17,7 +17,7 @@ from ...criteria.failing import fails
 from .run import DynamicLineError, run_esdirk
 from .start import start
 
-COARSER = 2.0  # times as long as the run's are the steps beside it
+COARSER = 2.0  # factor on the steps of the run, for the comparison run
 NONE = 1e-6  # tension that is rounding, relative to the larger of both and to the heaviest node
 PARTS = 10  # parts of a run whose largest tensions are compared
 

@@ -15,7 +15,7 @@ from .surroundings import FairleadMotion
 ROWS = 1000  # rows of history that are computed at a time
 SHORTEST = 1e-8  # shortest step, over the longest
 FIRST = 0.02  # first step, over the longest
-FINER = 4  # times as short are the longest steps where friction acts: its work goes with the cube of a pull
+FINER = 4  # divisor of the longest step where friction acts: its work goes with the cube of a pull
 FREE = 0.01  # largest error of a node's place in a step, over the line's length times the tolerance
 
 

@@ -9,7 +9,7 @@ from ..catenary.state import LineError, State
 from .lumped import system as lumped
 
 LIGHTEST = 1e-6  # least weight of a line in the first guess, as a share of all weights
-SOFT = 1e4  # times the weight: axial stiffness that Newton's method takes from the first guess
+SOFT = 1e4  # axial stiffness over the weight, in the first guess for Newton's method
 LOOSE = 1e3  # m, slip that mobilises friction: it then acts as a force, not as a spring
 MANY = 1000  # elements: of a chain of 315 m in 60 m they come to rest, 2300 do not
 LEAST_PACKED = 0.5  # least initial length of slack elements on the bed, over their length
@@ -29,7 +29,7 @@ def start(line, fairlead, water):
     else:
         q = _guess(line, fairlead)
     q[0], q[-1] = line.anchor, fairlead
-    # with its true stiffness friction would keep the nodes where the guess has them
+    # with its true stiffness, friction would keep the nodes at the positions of the guess
     loose = line.system._replace(bed_slip=LOOSE)
     good = _settled(loose, water, q, slip)
     if good and loose.bed_friction > 0:

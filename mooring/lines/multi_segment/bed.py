@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-STEEPER = 1e-12  # than its friction, a slope on which a line slides: rounding
+STEEPER = 1e-12  # excess of the slope over the friction that makes a line slide; less is rounding
 
 
 @dataclass(frozen=True)

@@ -128,7 +128,7 @@ def march_span(line, e, facet, load, target, unknown, rows):
     mix(g, END, 0.0, S, 0.0, S)
     if unknown >= 0:
         g[END, unknown] = 1.0
-    for _ in range(rows.shape[0]):  # and no longer, in a trial without numbers
+    for _ in range(rows.shape[0]):  # a bounded number of rounds, for a trial with NaN
         weight = line.segments[at[0], 1]
         row, ds = free_table_row(line, q, at[0])
         stop, is_load = next_stop(line, at)
@@ -201,7 +201,7 @@ def step_on_bed(line, e, step, index, load, rows):
         unknown = next_unknown(e)
         if load >= 0:
             write_equation(e, q[S] - line.loads[load, 0], 1.0, S, 0.0, S)
-            # what lies between the sinker and the vertex is nothing but rounding, and has no tension
+            # the piece between the sinker and the vertex is rounding and has no tension
             last = min(e.at[2], rows.shape[0]) - 1
             if last >= 0 and rows[last, 2] <= CORNER * line.length:
                 rows[last, 5], rows[last, 6] = 0.0, 0.0
@@ -227,7 +227,7 @@ def step_on_bed(line, e, step, index, load, rows):
     else:
         if step == TO_SINKER:
             last_load = load
-        # beyond the anchor's place, where a buoy has lifted something from the heap
+        # place beyond the anchor, where a buoy has lifted a part of the heap
         if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0] or slides_down(line, e.at, 0, q[T])):
             amount = amount if step == OFF_FACET else q[S]
         march_on_facet(line, q, g, e.at, index, amount, unknown, last_load, rows)

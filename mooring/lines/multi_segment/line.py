@@ -239,7 +239,7 @@ class StaticLine:
         return StaticSolution(self, x[()], z[()], *row[:4], stiffness, slack[0], row[9], states, pieces)
 
     def _check(self, x, z):
-        if x.ndim == 0:  # at once, without arrays
+        if x.ndim == 0:  # scalar: without arrays
             one, height = float(x), float(z)
             good = 0 <= one < np.inf and -np.inf < height < np.inf
             if good and (self.bed is None or self.bed.depth_below(one, height) > 0):
@@ -254,7 +254,7 @@ class StaticLine:
                 raise ValueError(f"the fairlead is {-under.min():g} m below the bed; allowed: above it")
 
     def _judge(self, x, z, found, status):
-        if x.size == 1 and found[0, 9] <= RESIDUAL and status[0] != BEYOND_REACH:  # at once, without arrays
+        if x.size == 1 and found[0, 9] <= RESIDUAL and status[0] != BEYOND_REACH:  # scalar: without arrays
             return
         good = (found[:, 9] <= RESIDUAL) & (status != BEYOND_REACH)
         if not good.all():

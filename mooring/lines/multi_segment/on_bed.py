@@ -40,7 +40,7 @@ def bed_piece(line, q, g, at, angle, slides, folds):
     """dT/ds and row of the tension table here; length for which they hold; what ends it; kept tension reached."""
     segment = at[0]
     rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
-    if rate < 0 and q[X] <= line.bed[0, 0] and not folds:  # what lies in a heap at the anchor does not pull there
+    if rate < 0 and q[X] <= line.bed[0, 0] and not folds:  # a line in a heap at the anchor does not pull there
         rate = 0.0
     if q[T] <= 0 and rate > 0 and not slides:
         q[T], rate = 0.0, 0.0

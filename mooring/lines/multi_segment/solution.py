@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 FORCES = [0, 2]  # columns of `newton.store` that turn with x: H at both ends
-STIFFNESS = [6, 7]  # and ∂H/∂z, ∂V/∂x
+STIFFNESS = [6, 7]  # further columns that turn with x: ∂H/∂z, ∂V/∂x
 
 
 class LineState(NamedTuple):

@@ -72,7 +72,7 @@ def first_contact(line, q, g, at, facet, states, load_weights):
     returns : gap (m, normal; negative where it penetrates, else the least on the way), step, index; q and at are left
         there
     """
-    # what touches at once is the start itself, seen through rounding
+    # an immediate contact is the start itself, within rounding
     least, begin, rounding = math.inf, q[S] - 1e-6 * line.length, ROUNDING * line.length
     for _ in range(WALK):
         if clears(line, q, at, facet):

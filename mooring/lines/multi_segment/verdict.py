@@ -128,7 +128,7 @@ def balanced(line, q, below, load, states, slack, idle, far, stray):
         return False
     if idle:
         return True
-    if load < 0:  # over a vertex
+    if load < 0:  # line over a vertex
         upper, lower = math.hypot(q[H], q[V]), math.hypot(below[H], below[V])
         turn = math.atan2(abs(q[H] * below[V] - q[V] * below[H]), q[H] * below[H] + q[V] * below[V])
         if abs(upper - lower) > math.expm1(line.friction * turn) * min(upper, lower) + stray:
@@ -161,7 +161,7 @@ def heaps(line, rows, count, far, stray):
         if piece[0] == 1 and piece[3] <= line.bed[0, 0] and piece[5] > stray:
             return False
     last = rows[count - 1]
-    if slides_on(line, 0) and last[0] == 1 and last[5] - last[6] * last[2] > stray:  # what is pulled is no heap
+    if slides_on(line, 0) and last[0] == 1 and last[5] - last[6] * last[2] > stray:  # a pulled end is no heap
         return False
     return last[3] <= line.bed[0, 0] + far or last[0] == 1
 

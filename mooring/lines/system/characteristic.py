@@ -12,7 +12,7 @@ import numpy as np
 
 from .parts import EquilibriumError, LineSystemError
 
-OVER = 4.0  # times the tension at rest, where no breaking load is known
+OVER = 4.0  # largest tension over that at rest, where no breaking load is known
 SLACK = 1e-3  # horizontal pull at the begin of the curve, over that at its end
 ROUNDS = 60  # halvings, down to rounding
 

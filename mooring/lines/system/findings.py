@@ -119,7 +119,7 @@ def freedom_name(system, index):
 
 def culprit(system, rows, starts, ends, where):
     """Message on the first line without a solution between its ends, (n, 3) m in space each, which are `where`."""
-    bad = int(np.argmax(rows[:, 0]))  # beyond reach, below the bed, unsolved
+    bad = int(np.argmax(rows[:, 0]))  # a line beyond reach, below the bed or unsolved
     line, a, b = system.lines[bad], starts[bad], ends[bad]
     if isinstance(line, CompositeLine):
         one = next(one for one in system.composites if one.number == bad)

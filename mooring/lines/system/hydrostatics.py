@@ -37,7 +37,7 @@ def add_hydrostatics(force, K, first, stiffness, sinkage, R):
     h = c * (s * rr + c * rp) - s * (s * pr + c * pp)
     m = s * (c * rr - s * rp) + c * (c * pr - s * pp)
     n = s * (s * rr + c * rp) + c * (s * pr + c * pp)
-    # against (sinkage, −y, x)
+    # columns for sinkage, −y, x
     up, about_x, about_y = a * sinkage - b * y + d * x, e * sinkage - g * y + h * x, f * sinkage - m * y + n * x
     force[first + 2] -= up
     force[first + 3] -= about_x

@@ -15,7 +15,7 @@ import numpy as np
 from hakobune.bem.kernels.jit import kernel
 
 FOUND, INDEFINITE = 0, 1
-LONGER = 1.02  # times the length asked for, at most
+LONGER = 1.02  # largest step over the requested length
 
 
 @kernel()

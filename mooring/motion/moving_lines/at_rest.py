@@ -1,4 +1,4 @@
-"""Moving lines at rest: how they pull, and what a run of them begins with."""
+"""Moving lines at rest: their pull, and their state at the start of a run."""
 
 from __future__ import annotations
 

@@ -60,15 +60,16 @@ class Room(NamedTuple):
 
 
 class MovingWork(NamedTuple):
-    """What a run keeps of m moving lines of n nodes in all; arrays are changed in place.
+    """State of m moving lines with n nodes in all during a run; arrays are changed in place.
 
-    position, velocity, acceleration, slip : (2, n, 3), [0] at the end of the last step of the body, [1] of one on trial
-    step : (2, m) s, their next own steps; course : (m, 3, 2, 3) place and velocity of each fairlead at begin, middle
+    position, velocity, acceleration, slip : (2, n, 3), [0] at the end of the last step of the body, [1] of a trial step
+    step : (2, m) s, their next own steps; course : (m, 3, 2, 3) position and velocity of each fairlead at begin, middle
     and end of a step; time : (m, ROWS) s, pull, slope : (m, ROWS, 3) N, N/s at the ends of own steps, of which used
-    (m,) are there
-    before : (m, 4) time and pull before the first of them; foreseen : (N, 12) poses and velocities by the pull foreseen
-    last : (lines, TERMS, 3) N, of every line of the system, moving or not, by which it pulled in the last step of the
-    body, length : (1,) s of that; pose : (N, 18), push : (6N,), room : `Room` for work
+    (m,) are filled
+    before : (m, 4) time and pull before the first of them; foreseen : (N, 12) poses and velocities with the predicted
+        pull
+    last : (lines, TERMS, 3) N, pull of every line of the system, moving or not, in the last step of the body,
+    length : (1,) s of that step; pose : (N, 18), push : (6N,), room : `Room` work arrays
     tension : (samples, m) N; steps : (m,) own steps; stuck : (1,) a line that stopped, or −1
     """
 

@@ -15,8 +15,8 @@ from .packed import moving_lines
 # than its static shape
 FIRM = {"stiffness": 3e6, "damping": 3e5}
 
-# of the tolerance of a run: what a step of a line may miss, and its pull by a course foreseen wrongly.  Errors of
-# smooth motion add up: steps that miss a whole tolerance each leave three in a regular wave, these one
+# share of the tolerance of a run, allowed for a step of a line and for its pull on a wrongly predicted course.  Errors
+# of smooth motion add up: steps with a whole tolerance each leave three in a regular wave, these one
 OF_LINE = 0.25
 
 
@@ -74,9 +74,9 @@ def ends_of(line, system):
 
 
 def dynamic_line(line, anchor, system, elements, surface=True):
-    """DynamicLine of a UniformLine, which weighs as in air above the water.
+    """DynamicLine of a UniformLine, with its weight in air above the water.
 
-    raises : ValueError for what its type does not know
+    raises : ValueError for a property that its type does not have
     """
     kind = line.type
     for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):

@@ -1,14 +1,14 @@
-"""The sea around moving lines: sums of all waves at the places of their nodes, for a second or two at a time.
+"""The sea around moving lines: sums of all waves at the positions of their nodes, for a second or two at a time.
 
 A line-dynamics run adds up its waves at every node and stage (`lines.dynamics.lumped.surroundings.water_at`), which for
-hundreds of waves costs fifty times what the line itself does.  Here a table holds, at six times, the velocity of the
-water and its gradient at places where the nodes are foreseen for the middle of these times.  The water at a node that
-is δ from there is
+hundreds of waves costs fifty times the line itself.  Here a table has, at six times, the velocity of the water and its
+gradient at the positions predicted for the nodes in the middle of these times.  The water at a node at a distance δ
+from there is
 
-    u(r + δ, t) = u(r, t) + (δ·∇)u,   ∂u/∂t likewise,   a polynomial of fifth degree in time,
+    u(r + δ, t) = u(r, t) + (δ·∇)u,   ∂u/∂t in the same way,   a polynomial of fifth degree in time,
 
-which leaves out (kδ)²/2 of a wave.  The flow has a potential: its gradient has five numbers.  The waves are those that
-come in, as if the body did not scatter them.
+with an error of (kδ)²/2 of a wave.  The flow has a potential: its gradient has five numbers.  The waves are the
+incident ones, without those scattered by the body.
 
 The sums are products of small matrices in single precision.  Sines and exponentials are polynomials to 3e-7: a loop
 over waves is then vector instructions, 10 ns a wave and node in place of 35.
@@ -105,7 +105,7 @@ def water_of(sea, count, most):
 
 @kernel()
 def line_water(water, first, last):
-    """`Water` at nodes `first` … `last` − 1 of all; what stands behind them may be read, eight at a time"""
+    """`Water` at nodes `first` … `last` − 1 of all; values after them may be read, eight at a time"""
     begin, end = (SAMPLES * OF_PLACE * first, SAMPLES * OF_PLACE * last) if water.table.size > 0 else (0, 0)
     return Water(
         water.level, water.current, water.amplitude, water.omega, water.wavenumber, water.heading, water.phase,
@@ -179,7 +179,7 @@ def foresee_place(sea, position, velocity):
     for i in range(3):
         speed += velocity[i] * velocity[i]
     speed = np.sqrt(speed)
-    if speed * later > sea.farthest:  # of a line that whips, which will not go on so
+    if speed * later > sea.farthest:  # a whipping line does not keep such a speed
         later = sea.farthest / speed
     x, y, z = position[0] + later * velocity[0], position[1] + later * velocity[1], position[2] + later * velocity[2]
     return x, y, min(z, 0.0)

@@ -1,14 +1,14 @@
-"""All moving lines over one step of the body: along the course of their fairleads, and what they do to the body.
+"""All moving lines over one step of the body: along the course of their fairleads, and their forces on the body.
 
-A fairlead goes from where its line has it to where the body will be, by two cubics through places and velocities at
-begin, middle and end.  A line takes as many own steps as its tolerance asks for (`lines.dynamics.lumped.esdirk`), and
-pulls with F(t), a cubic between their ends with slopes of parabolas through three of them.  The body feels the
-polynomial of third degree
+A fairlead moves from its position in the line to that on the body, along two cubics through positions and velocities at
+begin, middle and end.  A line takes as many own steps as its tolerance requires (`lines.dynamics.lumped.esdirk`).  Its
+pull F(t) is a cubic between their ends with slopes of parabolas through three of them.  The body feels the polynomial
+of third degree
 
     F(s) = Σ_k c_k P_k(2s − 1),   c_k = (2k + 1) ∫₀¹ F P_k(2s − 1) ds,   s = (t − t₀)/h
 
-with Legendre's P_k: the impulse of F and its first three moments are kept, so that jerks of a line that are shorter
-than the body's step do to the body what they have to, and the body's own error estimate sees a smooth force.
+with Legendre's P_k.  It keeps the impulse of F and its first three moments, so that jerks of a line that are shorter
+than the body's step have their full effect on the body, while the body's own error estimate sees a smooth force.
 """
 
 from __future__ import annotations

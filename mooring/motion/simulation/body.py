@@ -1,4 +1,4 @@
-"""`equation.Body` of a run: mass, restoring forces, damping and memory of the water, and what is given in time."""
+"""`equation.Body` of a run: mass, restoring forces, damping, memory of the water, and forces given in time."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def body_of(moored, weather, settings, components, drag, munk):
 
 
 def of_each(matrix):
-    """(N, 6, 6) of a matrix (6N, 6N), without what is between bodies"""
+    """(N, 6, 6) of a matrix (6N, 6N), without the coupling of bodies"""
     return np.array([matrix[i : i + 6, i : i + 6] for i in range(0, len(matrix), 6)])
 
 

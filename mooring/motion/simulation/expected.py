@@ -13,8 +13,8 @@ STILL = 0.1  # m, scale of a body without waves
 def expected_motion(moored, components):
     """(N, 12) standard deviations of motions and velocities of the linear bodies, none below a share of the largest.
 
-    Everything is taken at the frequencies of `moored.waves`: seeds differ in theirs, and what the database keeps of
-    each would grow with their number.
+    All are computed at the frequencies of `moored.waves`: seeds have different frequencies, and the values that the
+    database stores for each would grow in number with them.
     """
     reader, waves = moored.reader, moored.waves
     inertia = np.diag(reader.inertia).reshape(-1, 6)

@@ -1,4 +1,4 @@
-"""Why a run cannot go on, in one line: when, where, what, and the way out."""
+"""Why a run stops, in one line: when, where, what, and the way out."""
 
 from __future__ import annotations
 

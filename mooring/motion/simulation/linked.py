@@ -8,7 +8,7 @@ from ..links import rows_at
 
 TOGETHER = 1e-12  # m, rad: apart by less is rounding
 TRIES = 50
-OUT = 1e-6  # of the stiffest motion, below which a negative restoring is rounding
+OUT = 1e-6  # fraction of the stiffest motion; smaller negative restoring is rounding
 
 
 def check_held(stiffness, body):

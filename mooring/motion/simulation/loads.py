@@ -1,4 +1,4 @@
-"""What moves a body in a run: components of its waves, streams of wind and current, forces given beside them."""
+"""Loads on a body in a run: components of its waves, streams of wind and current, given forces."""
 
 from __future__ import annotations
 
@@ -93,9 +93,9 @@ def streams(moored, weather, seed, end):
 
 
 def pairs(moored, weather, settings, components):
-    """The force of pairs of waves beside Newman's, of a run, as a GivenForce of each sea that has one
+    """The force of pairs of waves in addition to Newman's, of a run, as a GivenForce of each sea that has one
 
-    components : of all seas of the weather, one behind the other
+    components : of all seas of the weather, one after another
     """
     known, first = moored.waves.drift is not None, 0
     for sea, forces in zip(weather.seas, weather.beside_newman, strict=bool(weather.beside_newman)):

@@ -26,21 +26,21 @@ from .linked import check_held
 from .memory import fitted_memory
 
 FLOATS = [2, 3, 4]  # heave, roll, pitch
-LOOSE = 1e-5  # of the stiffest motion, below which a restoring holds nothing: a period 300 times as long
-CAPSIZED = 1e-6  # of the stiffest motion, below which a negative restoring is rounding
+LOOSE = 1e-5  # fraction of the stiffest motion; smaller restoring holds nothing (a period 300 times as long)
+CAPSIZED = 1e-6  # fraction of the stiffest motion; smaller negative restoring is rounding
 
 
 @dataclass(frozen=True, eq=False)
 class Moored:
-    """A body on its lines, or several, ready to be moved; n motions, six for each.
+    """A body on its lines, or several, ready for a run; n motions, six for each.
 
     reader : `bem.database.reader.Reader`; system : its `System`, None for bodies without lines
     hull : `ExposedBox` that wind and current act on, of several bodies {name: ExposedBox}, None for none
     memory : `bem.time_domain.memory.Memory`
-    start : (n,) m, rad of the equilibrium at rest from the places given, in space
-    spring, damping : (n, n) linear, beside lines, along the axes of the bodies
+    start : (n,) m, rad of the equilibrium at rest from the given positions, in space
+    spring, damping : (n, n) linear, in addition to lines, along the axes of the bodies
     quadratic : (n,) N₂ of drag on each motion; stiffness : (n, n) of water, lines and springs at rest, along these axes
-    slow_added_mass : (n, n) of the lowest frequency known; waves : WaveForces
+    slow_added_mass : (n, n) of the lowest known frequency; waves : WaveForces
     tables : of lines with segments (`line_loads.tables_of`); findings : one line each
     berth : `contacts.Berth`, fenders and ropes; buoy : `buoy.BuoyOnLines` on hawsers, None for none
     free : numbers of the motions that are not held, by default all
@@ -95,13 +95,15 @@ def moored(
     """`Moored` of an opened database or `Reader`, a `System` of its bodies, axes at their rotation centres, and hulls
 
     hull : ExposedBox, of several bodies {name: ExposedBox}; the drag of the water is that of the box tests where they
-    reach
+    apply
     berth : `contacts.Berth`, fenders and ropes
     waves : WaveForces, memory : a Memory, by default those of the database
-    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; both beside the viscous damping of the database's scene
-    linearised_in : waves as of `response.viscous.in_time`, for what of that is no drag, and for the drift
-    motions : numbers of those that are not held where it rests, None for all
-    raises : ValueError naming what is missing or does not fit
+    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; both in addition to the viscous damping of the database's
+        scene
+    linearised_in : waves as of `response.viscous.in_time`, for the part of that damping that is not drag, and for the
+        drift
+    motions : numbers of the motions that are not held at rest, None for all
+    raises : ValueError with the name of the part that is missing or does not fit
     """
     reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()
     body, viscous = reader.floating(), in_time(reader, linearised_in, damping, quadratic)

@@ -76,7 +76,7 @@ class Course(NamedTuple):
 
 
 def realisation_of(moored, settings, seed, begun, course):
-    """`Realisation` of a seed from what it began with (`run.Begun`) and the Course of its body"""
+    """`Realisation` of a seed from its start (`run.Begun`) and the Course of its body"""
     samples, clock, lines = course.samples, course.clock, begun.scene.lines
     clocked = settings.step * np.arange(len(samples))
     tension = np.zeros((len(samples), len(lines.lost)))
@@ -108,7 +108,7 @@ def motion_of(samples, at_rest):
 
 
 def along_axes(poses, at_rest):
-    """(n, k N) of poses (n, N, k), of which x, y are in space and the last is the heading, along the axes at rest"""
+    """(n, k N) of poses (n, N, k), with x, y in space and the heading last, along the axes at rest"""
     out = np.array(poses)
     for i, heading in enumerate(at_rest[:, 5]):
         if heading != 0.0:
@@ -147,10 +147,10 @@ def _of_buoy(buoy, course):
 
 
 class Doubt(NamedTuple):
-    """What runs to smaller tolerances say of the motions of a `Realisation`.
+    """Errors of the motions of a `Realisation`, from runs with smaller tolerances.
 
-    error : (n,) m, rad, root mean square difference from the run to the smallest tolerance
-    bound : (n,) m, rad, what the true error may be; spread : (n,) standard deviations of the motions
+    error : (n,) m, rad, root mean square difference from the run with the smallest tolerance
+    bound : (n,) m, rad, bound of the true error; spread : (n,) standard deviations of the motions
     """
 
     error: np.ndarray
@@ -190,9 +190,9 @@ def doubt_of(found, finer, finest=None):
 
 
 def with_error(found, doubt, tolerance, words, runs="a run to a tenth of the tolerance"):
-    """A Realisation with the errors of a `Doubt`, told where they may be beyond the tolerance
+    """A Realisation with the errors of a `Doubt`, and a finding where they may exceed the tolerance
 
-    words : (n,) names of the motions; runs : that told them
+    words : (n,) names of the motions; runs : number of runs of the estimate
     """
     share, findings = doubt.share(doubt.bound), found.findings
     worst = int(np.argmax(share))

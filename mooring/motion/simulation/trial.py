@@ -1,13 +1,14 @@
-"""Whether lines of a body may hang in their static shape: a short run with them so, beside one with lines that move.
+"""Whether lines of a body may have their static shape: a short run with static lines, and one with lines that move.
 
 A line in its static shape has neither inertia nor drag.  It snaps where a line in water gives way, and takes no energy
-out of slow motion: chains in shallow water let a symmetric body surge and yaw by themselves under waves from abeam
-(Mathieu's instability of a spring that stiffens), which the drag of the same chains damps.  So both runs are of the
-whole body, in the same waves and gusts, and both begin a little off its place, since what grows by itself would take
-hours to grow out of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.
+out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's
+instability of a spring that stiffens), and the drag of the same chains damps this.  So both runs are of the whole body,
+in the same waves and gusts.  Both start a little off the equilibrium, since an instability would take hours to grow out
+of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.
 
-The regimes of the simplified method (`mooring.lines.regimes`) were tried for this: of random chains, wires and ropes
-that they call quasi-static, every second pulled more than a tenth otherwise in a run (`tests/bench/line_regimes.py`).
+The regimes of the simplified method (`mooring.lines.regimes`) were tried for this decision: of random chains, wires and
+ropes in their quasi-static regime, every second one differed by more than a tenth in a run
+(`tests/bench/line_regimes.py`).
 """
 
 from __future__ import annotations
@@ -25,11 +26,12 @@ from ..moving_lines.prepare import dynamic_line, ends_of
 from .failures import SimulationError
 
 LONGEST = 600.0  # s of a trial
-# of the largest tension, of σ of a slow motion.  On chains in 14 and 20 m of water, from calm to storm, a trial saw
-# more than this wherever an hour changed by more than a fifth; tensions of an hour changed up to twice as much
+# largest negligible change, over the largest tension or σ of a slow motion.  On chains in 14 and 20 m of water, from
+# calm to storm, a trial changed by more wherever an hour changed by more than a fifth; tensions of an hour changed up
+# to twice as much
 NEGLIGIBLE = 0.05
 NUDGE = 2e-3  # initial offset of both trial runs, over the distance to the fairleads
-# of the largest slow motion, below which one is not compared, and none that is less than what it began with
+# share of the largest slow motion; smaller motions, and those that stay below their start, are not compared
 MINOR = 0.1
 PLANE = (0, 1, 5)
 FEW = 3  # names that are told
@@ -54,7 +56,7 @@ class Choice(NamedTuple):
 
 
 class Difference(NamedTuple):
-    """What moving changes: share, of what is largest with one of the two; words : it in numbers"""
+    """Effect of the motion of lines: share, of the largest value with one of the two; words : the effect in numbers"""
 
     share: float
     words: str

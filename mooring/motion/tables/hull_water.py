@@ -42,14 +42,14 @@ class HullWater(NamedTuple):
 
 NO_HULL_WATER = HullWater(
     np.zeros((0, 15)), 0.0, 0.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), np.zeros((4, 3)), 0.0
-)  # of a body that does not slew: the same types, for which the same kernels serve
+)  # values of a body that does not slew, of the same types for the same kernels
 
 
 class OnHull(NamedTuple):
-    """Coefficients of a hull all the way round, about the centre of its motion, in place of those of a box.
+    """Coefficients of a hull for all directions, about the centre of its motion, in place of those of a box.
 
-    wind : (n, 6) N s²/m², N s² of unit speed over the angle that the wind blows to, None for none
-    water : HullWater; turning : whether it is of turning tests, which hold the inertia of the turn
+    wind : (n, 6) N s²/m², N s² of unit speed over the direction that the wind blows to, None for none
+    water : HullWater; turning : whether it is from turning tests, which contain the inertia of the turn
     quadratic : N₂ of yaw, N m s²
     """
 

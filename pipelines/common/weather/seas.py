@@ -16,10 +16,10 @@ PERIODS = ("period", "mean_period", "zero_crossing_period", "energy_period", "pe
 
 
 class SpectrumTable(Table):
-    """A sea of a height and one period of any kind
+    """A sea with a significant height and one period
 
-    height : m, significant
-    period : s, mean, as mean_period
+    height : m, significant wave height
+    period : s, mean period, as mean_period
     """
 
     height: float | None = None
@@ -35,12 +35,12 @@ class SpectrumTable(Table):
 
 
 class SeaTable(SpectrumTable):
-    """A sea of one system of waves, as swell; a height and one period, or a file of a spectrum
+    """A sea of one wave system, as swell, with a height and one period, or from a file of a spectrum
 
-    file : of a spectrum (SWAN, NDBC, WAVEWATCH III, CSV) beside the study, in place of height and period
-    x_axis_compass_deg : what the x axis heads, for nautical directions of a file
-    time : which of the spectra of a file
-    location : which of the places of a file, from 1
+    file : file of a spectrum (SWAN, NDBC, WAVEWATCH III, CSV) beside the study, in place of height and period
+    x_axis_compass_deg : compass heading of the x axis, for nautical directions of a file
+    time : time of the spectrum, of a file with several
+    location : number of the place, from 1, of a file with several
     """
 
     direction_deg: float | None = None
@@ -64,20 +64,21 @@ class SeaTable(SpectrumTable):
 
 
 class SystemsTable(SeaTable):
-    """A sea of one system of waves or several
+    """A sea of one wave system or several
 
-    swell : further systems of waves, each with a direction of its own
+    swell : further wave systems, each with a direction of its own
     """
 
     swell: list[SeaTable] = msgspec.field(default_factory=list)
 
 
 class WavesTable(SystemsTable):
-    """The sea, or a regular wave
+    """An irregular sea, or a regular wave
 
-    method : "irregular", waves of a spectrum, or "regular_wave" of this height and mean period as in the SR179 report
-    duration_hours : of the largest motions
-    motion_factor : by which the motions are multiplied before lines are tightened by them, 1.5 in some rules
+    method : "irregular", waves of a spectrum, or "regular_wave", a regular wave of this height and mean period as in
+        the SR179 report
+    duration_hours : duration of the sea whose largest motions are computed
+    motion_factor : factor on the motions before lines are tightened by them, 1.5 in some rules
     """
 
     method: str = "irregular"

@@ -23,11 +23,12 @@ AREAS = ("area_x", "area_y", "area_n", "length")
 
 
 class SuperstructureTable(Table):
-    """What stands on the deck, for the wind
+    """Wind area above the deck
 
     superstructure_front : m², area of superstructures, seen from ahead
     superstructure_side : m², area of superstructures seen from abeam
-    superstructure_z : m, middle of these areas above still water, by default on the deck, spread all along the hull
+    superstructure_z : m, height of the middle of these areas above still water; by default they are on deck, spread
+        along the hull
     """
 
     superstructure_front: float = 0.0
@@ -36,19 +37,19 @@ class SuperstructureTable(Table):
 
 
 class Coefficients(Table):
-    """Coefficients of a stream on a hull
+    """Force and moment coefficients of wind or current on a hull
 
-    angles_deg : 0 to 90, between stream and x axis, for a box; or of where the stream goes, from the bow towards port,
-        0 to 180 for a hull that is alike on both sides, or 0 to 360
-    x : coefficients of the force along x, on the front
-    y : coefficients of the force along y, on the side
-    lever : of the moment over the length, with angles to 90
-    n : of the moment about z on side times length, with angles to 180 or 360
-    area_x : m², area of the force along x; by default the front of the hull in the stream
-    area_y : m², by default the side
+    angles_deg : angles 0 to 90 between stream and x axis, for a box; or directions that the stream goes to, from the
+        bow towards port, 0 to 180 for a hull with port and starboard alike, or 0 to 360
+    x : coefficients of the force along x, over the frontal area
+    y : coefficients of the force along y, over the lateral area
+    lever : lever of the moment over the length, with angles to 90
+    n : coefficients of the moment about z, over lateral area times length, with angles to 180 or 360
+    area_x : m², area of the force along x; by default the frontal area of the hull in the stream
+    area_y : m², area of the force along y; by default the lateral area of the hull in the stream
     area_n : m², area of the moment; by default area_y
-    length : m, by default that of the hull
-    height : height of the force above still water, m, if it is known
+    length : m, length of the moment; by default that of the hull
+    height : m, height of the force above still water, if it is known
     """
 
     angles_deg: list[float]
@@ -66,9 +67,9 @@ class Coefficients(Table):
 class StreamTable(Table):
     """A uniform stream
 
-    speed : m/s; or speed_knots
-    file : CSV of coefficients over 0 to 180° or 360°, in the form of OCIMF's, beside this file
-    center_z : height of the force above still water, m; by default the middle of the exposed area
+    speed : m/s, speed of the stream; or give speed_knots
+    file : CSV file of coefficients over 0 to 180° or 360° beside this file, in the form of OCIMF's curves
+    center_z : m, height of the force above still water; by default the middle of the exposed area
     """
 
     speed: float | None = None
@@ -83,22 +84,22 @@ class StreamTable(Table):
 class CurrentTable(StreamTable):
     """A uniform current
 
-    waves : how the spectrum was measured that the current carries: "intrinsic", in the moving water, as wave models
-        give it; "absolute", at a place at rest, as a moored buoy; "still", waves without current
+    waves : how the spectrum of the waves in this current was measured: "intrinsic", in the moving water, as wave models
+        give it; "absolute", at a fixed place, as by a moored buoy; or "still", in water without current
     """
 
     waves: str = "intrinsic"
 
 
 class WindTable(StreamTable):
-    """Wind, at 10 m
+    """Wind at 10 m above the sea
 
     ship : type of the ship whose coefficients are used (Blendermann 1994), as "tanker, loaded"
-    gusts : davenport, hino, npd or kaimal, about the mean wind, for simulate
-    surface_drag : K, if the gust spectrum has it
-    gust_height : m, if the gust spectrum has it
-    gust_exponent : exponent of the profile, if the gust spectrum has it
-    gust_intensity : of turbulence, if the gust spectrum has it
+    gusts : gust spectrum about the mean wind, for simulate: davenport, hino, npd or kaimal
+    surface_drag : surface drag coefficient K of the gust spectrum, where it has one
+    gust_height : m, height of the gust spectrum, where it has one
+    gust_exponent : exponent of the wind profile in the gust spectrum, where it has one
+    gust_intensity : turbulence intensity of the gust spectrum, where it has one
     """
 
     ship: str | None = None

@@ -10,26 +10,26 @@ GRAVITY = 9.80665
 
 
 class DepthTable(Table):
-    """Water of the place
+    """Water at the place
 
-    depth : m
+    depth : m, water depth
     """
 
     depth: float
 
 
 class WaterTable(DepthTable):
-    """Water of the place"""
+    """Water at the place"""
 
     density: float = 1025.0
     gravity: float = 9.80665
 
 
 class WaveTable(Table):
-    """One regular wave
+    """A regular wave
 
-    height : m, crest to trough
-    period : s
+    height : m, wave height, crest to trough
+    period : s, wave period
     """
 
     height: float

@@ -1,6 +1,6 @@
-"""What runs in time at a berth give: strains, energy and reaction of fenders beside tensions of ropes and lines.
+"""Results in time at a berth: strain, energy and reaction of fenders in addition to tensions of ropes and lines.
 
-strain, total    largest of all runs, of the fender alone where it stands on a dolphin, over its height
+strain, total    largest of all runs, over the height; on a dolphin, of the fender without the dolphin
 strain, steady   largest mean of ten minutes in the kept records (the report's limit is of "periods of 10 min and
                  longer", SR179 1982, chapter 4, 3.2.5)
 """
@@ -113,7 +113,7 @@ def _of_fenders(file, made, berth):
         try:
             out[OF_ENERGY][one.name] = float(fender.energy(alone[0])) / fender.rated_energy
             reaction = one.fender.largest_reaction(largest)
-        except FenderError:  # beyond the table
+        except FenderError:  # deflection beyond the table
             out[OF_ENERGY][one.name], reaction = np.inf, np.inf
         if yields and np.isfinite(yields[1]) and reaction > 0:
             out[DOLPHIN][one.name] = yields[1] / reaction

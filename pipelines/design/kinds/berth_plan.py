@@ -1,7 +1,7 @@
-"""Plan of a berth: the hull between its fenders and on its ropes, coloured by what is used of them.
+"""Plan of a berth: the hull between its fenders and on its ropes, coloured by utilisation.
 
-Names stand in rows, those of ropes beyond the bollards of their side and those of fenders within the hull, so that none
-lies over another.
+Names are in rows, those of ropes beyond the bollards of their side and those of fenders within the hull, so that they
+do not overlap.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ SIDES = (1, -1)
 
 
 def draw_berth(made, db, numbers, path):
-    """Write the plan of a Study with the body of a database and what `Numbers` of a load case say"""
+    """Write the plan of a Study with the body of a database and the `Numbers` of a load case"""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure

@@ -1,8 +1,8 @@
-"""A floating breakwater: `hakobune breakwater`, each state of the project as the sea that comes to it.
+"""A floating breakwater: `hakobune breakwater`, each state of the project as the incident sea.
 
-A state's waves are the sea; the regular waves beside it, which anchors and the tide are sized by, are as high as its
-highest in the duration, H₁/₃ √(½ ln N) of N waves of Rayleigh's law.  Incidence is the angle with the normal, levels
-are those of the study's tide.
+The waves of a state are the sea.  Anchors and tide are sized with regular waves of the largest height in the duration,
+H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle with the normal, levels are those of the
+study's tide.
 """
 
 from __future__ import annotations
@@ -130,7 +130,7 @@ def lost(study):
 
 
 def without(study, name):
-    """Never asked for"""
+    """Not used: a breakwater has no case with a lost line"""
     raise StudyError(f"{name}: a lost line is not a load case of a breakwater")
 
 

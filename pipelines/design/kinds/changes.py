@@ -23,14 +23,14 @@ TENSIONS = tuple(f"{name}_{unit}" for name in ("pretension", "top_tension") for 
 
 
 class Changed(NamedTuple):
-    """words : what is changed, to what; study : raw tables"""
+    """words : the change and the new value; study : raw tables"""
 
     words: str
     study: dict
 
 
 def ways(study):
-    """{name of the way: [Changed]}; ways that the study has nothing for are left out"""
+    """{name of the way: [Changed]}, with the ways that the study has parts for"""
     found = {
         "size": list(_sizes(study)) or list(_stronger_ropes(study)),
         "less pretension": list(_tensions(study, SLACKER)),

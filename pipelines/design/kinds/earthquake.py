@@ -1,8 +1,8 @@
 """An earthquake as a load case of a berth: `hakobune earthquake`, with the body of the project's database.
 
-Every method that its study has values for (seismic coefficient, response spectrum, record in time) gives the reaction
-and the deflection of the fenders of one side; criteria are judged by all of them.  It tells nothing of ropes and
-motions, so criteria on those are not of this case.
+Every method for which its study has values (seismic coefficient, response spectrum, record in time) gives the reaction
+and the deflection of the fenders of one side; criteria are judged by all of them.  The case gives no rope tensions and
+no motions, so criteria on those are not judged by it.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""A load case in time: its runs by `hakobune simulate`, and what criteria ask of them: the largest of all runs.
+"""A load case in time: its runs by `hakobune simulate`, and the largest values of all runs for the criteria.
 
-Some rules take the tension at a multiple of the dynamic displacement: there the body is moved from its mean by the
-multiple of where it is at the largest tension of a line, in each run that is kept, and statics give the tension, times
-what the largest simulated is over that of statics at the displacement itself; a multiple above 1 never gives less than
-what was simulated.
+Some rules require the tension at a multiple of the dynamic displacement.  For these the body is moved from its mean, to
+the multiple of its displacement at the largest tension of a line, in each kept run; the tension is the static one there
+times the ratio of the largest simulated tension to the static tension at the displacement itself.  A multiple above 1
+never gives less than the simulated tension.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from .stored import kept, key_of
 
 
 def simulated(study, database, path, factors):
-    """Numbers of a load case in time, run where the file does not have it; kept in NAME_extremes.json beside it.
+    """Numbers of a load case in time, run where the file does not have it; stored in NAME_extremes.json next to it.
 
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
-        (n,) N at the anchor with it, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their means,
-        "excursion": m, largest horizontal distance from rest, "findings"}
+        (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their
+        means, "excursion": m, largest horizontal distance from rest, "findings"}
     raises : ValueError, one line, where it cannot be run
     """
     texts = study.read_text(encoding="utf-8"), repr(factors), "excursion"
@@ -45,7 +45,7 @@ def _plain(runs):
     return plain | {"findings": list(runs["findings"])}
 
 
-READ = {  # what of JSON is not an array
+READ = {  # JSON values that are no arrays
     "largest": lambda pairs: {factor: np.array(values) for factor, values in pairs},
     "cycles": lambda pairs: [(time, Cycles(*map(np.array, parts))) for time, parts in pairs],
     "excursion": float,
@@ -72,7 +72,7 @@ def _simulated(study, database, path, factors):
         load, used = np.asarray(file.attrs["breaking_load"], float), used_in_runs(file).max(axis=0)
     largest = {1.0: np.array([row["largest"] for row in rows])}
     held, along, up = _moved(study, database, motion, tension, 1.0)
-    more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # of runs that are not kept, and of lines in motion
+    more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # factor for simulated runs and dynamic lines
     for factor in factors:
         if factor != 1:
             further = more * _moved(study, database, motion, tension, factor)[0]
@@ -110,7 +110,7 @@ def _run(study, database, path):
     asked, db = input_of(study), database_of(database)
     try:
         return simulate(asked, db, path, None, Here())
-    except DatabaseError:  # of another study, or damaged: made anew
+    except DatabaseError:  # file of another study, or a damaged one: simulate again
         return simulate(asked, db, path, None, Here(), fresh=True)
 
 

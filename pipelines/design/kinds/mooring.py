@@ -31,7 +31,7 @@ from .numbers import Numbers, strength, types_of
 from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "mooring study", "needed", True
-HELD = ("lines", "rope")  # what may be lost
+HELD = ("lines", "rope")  # parts of the study that may be lost
 STILL = ("lines", "bollard"), ("rope", "bollard"), ("fender", "position")  # they do not rise with the water
 LAYING = (
     "corner_headings_deg", "pretension_tonf", "pretension_kN", "fairlead_z", "heading_deg", "anchor", "bollard", "name",
@@ -83,9 +83,9 @@ def check(project, raw):
 
 
 def base(raw, db):
-    """Tables of a study with its lines by fairlead and anchor; db : of the water they are laid in
+    """Tables of a study with its lines by fairlead and anchor; db : of the water in which they are laid
 
-    What a line may carry is a matter of the project's criteria; the study says where it parts.
+    The allowable tension is part of the project's criteria; the study gives the breaking loads.
     """
     kept = {key: deepcopy(value) for key, value in raw.items() if key in KEPT}
     of_hull = {where: {key: raw[where][key] for key in OF_HULL if key in raw.get(where, {})} for where in STREAMS}

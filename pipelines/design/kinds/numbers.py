@@ -38,9 +38,9 @@ class Numbers(NamedTuple):
 
 
 def strength(breaking, largest, used):
-    """(n,) N: breaking loads (n,), or less where a line uses more than its largest pull on the body (n,), N, says
+    """(n,) N: breaking loads (n,), reduced where the utilisation exceeds that of the largest pull on the body (n,), N
 
-    used : (n,) largest share of any of its segments; below a buoy a line pulls more than at the body
+    used : (n,) largest utilisation of any segment; below a buoy the tension of a line exceeds its pull on the body
     """
     held = np.divide(largest, used, out=np.full(len(used), np.inf), where=np.isfinite(used) & (used > 0))
     return np.where(held < breaking * (1 - 1e-9), held, breaking)

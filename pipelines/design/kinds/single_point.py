@@ -1,7 +1,7 @@
 """A body on a buoy or turret: `hakobune single-point`, at rest and, where the study has [slewing], in time.
 
-The lines are laid once, in the water of the study; at another level they end at the same anchors.  What of wind,
-current and waves belongs to the hull (coefficients, turning tests, drift) is the study's, the weather the project's.
+The lines are laid once, in the water of the study; at another level they end at the same anchors.  Properties of the
+hull in wind, current and waves (coefficients, turning tests, drift) come from the study, the weather from the project.
 """
 
 from __future__ import annotations

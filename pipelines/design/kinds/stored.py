@@ -1,7 +1,7 @@
-"""What a load case gives, kept beside its results, so that a second run neither follows nor draws it again.
+"""Results of a load case, stored next to its other files, so that a second run neither computes nor draws them again.
 
-A kept file names what it was made of (texts, databases, results, versions of the libraries, the code that made it) and
-has a seal of its own: of other inputs, by other code, or damaged, it is made anew.
+A stored file names its inputs (texts, databases, results, versions of the libraries, the code that made it) and has a
+checksum.  With other inputs, other code, or damage, it is computed again.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ def key_of(*parts):
 
 
 def kept(place, key, made):
-    """Values of JSON: those of the file `place` where it has this key and is undamaged, else what `made()` gives, kept
+    """JSON values of the file `place` where it has this key and is undamaged, else those of `made()`, which are stored
 
-    key : () → a digest, or OSError where what it is of is not there yet; asked again after `made`
+    key : () → a digest, or OSError where one of its inputs does not exist yet; called again after `made`
     """
     with suppress(OSError, ValueError, KeyError, TypeError):
         stored = json.loads(place.read_text(encoding="utf-8"))

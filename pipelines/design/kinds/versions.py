@@ -20,7 +20,7 @@ def versions():
 
 @cache
 def code():
-    """Digest of the source files of the packages in `CODE`: a page is made anew by code that was changed"""
+    """Digest of the source files of the packages in `CODE`; code that changes draws a page again"""
     from importlib import import_module
 
     key = hashlib.sha256()

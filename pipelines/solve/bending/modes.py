@@ -63,7 +63,7 @@ def with_modes(known, scene, hulls):
         if of:
             place = [*range(6 * i, 6 * i + 6), *(rigid + j for j in of)]
             for whole, part in zip((water, mass), _matrices(scene, i, hulls, [modes[j] for j in of]), strict=True):
-                part[:6, :6] = 0  # of rigid motions, which are known
+                part[:6, :6] = 0  # rigid motions, whose coefficients are known
                 whole[np.ix_(place, place)] += part
     _check_strained(scene, modes, hulls)
     _with_own_mass(scene, modes, mass, rigid)
@@ -148,7 +148,7 @@ def _matrices(scene, number, hulls, modes):
 def _with_own_mass(scene, modes, mass, rigid):
     """Put the mass of shapes without masses on the diagonal of `mass`.  Raises SceneError where there is none."""
     for j, (mode, table) in enumerate(zip(modes, _tables(scene), strict=True), rigid):
-        first = next(one for one in modes if set(one.moves) & set(mode.moves))  # whose masses are those of the body
+        first = next(one for one in modes if set(one.moves) & set(mode.moves))  # mode with the masses of the body
         if isinstance(mode.shape, Table) and first.shape.masses is None:
             if scene.motions_known and table.mass is None:
                 raise SceneError(

@@ -17,7 +17,7 @@ import numpy as np
 from hakobune.meshing.surface.patches import moonpools
 
 NARROW = 1.0  # width above which a gap does not trap its water, over the draft
-SPREAD = 1.15  # between the frequency by the formulas and the true one
+SPREAD = 1.15  # largest ratio of the frequency by the formulas to the true one
 
 
 def resonant_water(scene, mesh, gaps=()):

@@ -16,7 +16,7 @@ from ...common.bounds import told
 from ...printing.verdict import tell
 from ...scene.flags import _flag
 
-SECONDS = 15.0  # of a job, about
+SECONDS = 15.0  # s, approximate time of a job
 
 
 def _plain(text):

@@ -11,11 +11,11 @@ from .measure import MORE, PASSES, SECONDS
 from .peers.repeated import SETTLE
 
 LEVELS = (0.03, 0.01, 0.003, 0.001, 1e-4, 1e-5)
-FREQUENCIES = 40  # over which the preparation of a band is shared out
+FREQUENCIES = 40  # frequencies that share the preparation of a band
 EQUAL = 0.8, 1.07  # panels of the other program over ours that count as equal: rather to its advantage
 LEAST = 900  # panels
 PEER = "capytaine"
-# and with which symmetry of the other program: panels take the rotation of a cylinder where frequencies share nothing
+# symmetries of the other program for comparison: single frequencies use the rotation of a cylinder
 OURS = {"panel, band": ("2 planes", "rotation"), "panel": ("rotation",)}
 SOURCE = "exact solutions of cylinders, and the contour method at 1e-7 of boxes"
 NOTES = (

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 TOLERANCES, PANELS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6), (60, 120, 250, 500, 1000)
 SHARED = (250, 1000, 4000)  # panels of frequencies that share their work
 ALL = ("cylinder-15", "cylinder-30", "cylinder-100", "box-12", "box-20", "box-100")
-CHOSEN = ("cylinder-30", "box-20")  # with two threads too, and with the settings that do worse
+CHOSEN = ("cylinder-30", "box-20")  # cases run with two threads too, and with less favourable settings
 PROGRAMS = ("hakobune", "capytaine", "pyhams")
 GAUSS = "Gauss-Legendre 2"
 

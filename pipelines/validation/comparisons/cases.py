@@ -12,8 +12,8 @@ from .report_units import travel
 
 SCENES = Path(__file__).parents[2] / "scenes"
 BEAM, DRAFT, HEIGHT = 50.0, 10.0, 20.0  # m, of every box of the series
-XI = (0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 2.75)  # of the report
-CLOSE_XI = tuple(sorted({*XI, *(round(0.05 * i, 2) for i in range(2, 56))}))  # for curves without corners
+XI = (0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 2.75)  # values of the SR179 report
+CLOSE_XI = tuple(sorted({*XI, *(round(0.05 * i, 2) for i in range(2, 56))}))  # close values for curves without corners
 CHI = (0, 30, 45, 60, 90)
 DEPTH_DRAFT = (1.2, 1.4, 2.0, 5.0, 10.0, math.inf)
 LENGTH_BEAM = (1.0, 1.5, 2.0, 4.0, 8.0)

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 PAIRS = ("11", "22", "33", "44", "55", "66", "15", "24", "42", "51")
-QUIET = 1e-6  # of a mode's largest value over all headings: below lies rounding, and symmetry makes it zero
+QUIET = 1e-6  # fraction of the largest value of a mode over all headings; less is rounding
 
 
 class Results(NamedTuple):

@@ -26,7 +26,7 @@ from . import models, series
 from .report_units import in_report_units
 
 SOURCE = "SR179 report (1982), chapter 2; boxes of length L, beam B, draft d in water of depth H"
-SECONDS = {"contour": 0.1, "panel": 1.0, "strip": 0.02, "inverse-strip": 0.02, "pressure": 1.0}  # of a frequency, about
+SECONDS = {"contour": 0.1, "panel": 1.0, "strip": 0.02, "inverse-strip": 0.02, "pressure": 1.0}  # s, for a frequency
 SETS = {"depth-series": series.DepthSeries(), "length-series": series.LengthSeries(), "sections": series.Sections(),
         "motions": series.Motions(), "models": models.Models()}  # fmt: skip
 

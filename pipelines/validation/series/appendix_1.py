@@ -40,7 +40,7 @@ LENGTHS = {"chain": (7.530,), "sinker": (3.957 + 0.085, 3.355 + 0.085)}  # m, fr
 SINKER_AIR, SINKER_WATER = 3.26, 2.87  # kg
 LINES = {"bow starboard": (1, -1), "bow port": (1, 1), "stern port": (-1, 1), "stern starboard": (-1, -1)}
 WAVES_AT_45 = {"0.9": 2.994, "0.7": 2.252, "0.5": 1.802}  # cm
-HOURS = 3.0  # of each run, at the size of the prototype
+HOURS = 3.0  # h, duration of each run at full scale
 KEYS = "source", "line", "incidence_deg", "gain"
 VARIANTS = {"full": ("states", "newman"), "report": ("constant", "half-waves")}
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
@@ -78,7 +78,7 @@ def make(folder, only=None, seeds=1, fresh=False):
     rows = read_tests(only)
     for row, variant in [(row, variant) for row in rows for variant in VARIANTS]:
         keep(folder / "cases" / f"{name_of(row)}_{variant}.toml", simulation_of(row, variant, seeds))
-    with warnings.catch_warnings(action="ignore"):  # of M3B's printed radius of gyration in yaw, larger than can be
+    with warnings.catch_warnings(action="ignore"):  # M3B's printed radius of gyration in yaw is impossibly large
         solved = {model: database(make_scene(scene_of(model)), folder / f"{model}.h5", fresh) for model in MODELS}
     resting = [at_rest(model, line, solved[model]) for model, line in MEASURED_PERIODS]
     moved = bodies(solved["M3B"])
@@ -199,7 +199,7 @@ def computed(row, variant, body, seeds):
     from ...moor.study import make_study
     from ...simulate.study import plan_of
 
-    with warnings.catch_warnings(action="ignore"):  # of lines and seas, told by `simulate`
+    with warnings.catch_warnings(action="ignore"):  # warnings of lines and seas, which `simulate` reports
         plan = plan_of(make_study(simulation_of(row, variant, seeds)), body.reader.omega)
         runs = [simulate(body, plan.weather, plan.settings, seed) for seed in plan.seeds]
     squares = []

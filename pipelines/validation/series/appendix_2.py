@@ -43,7 +43,7 @@ BUOY = {"mass": 0.0058, "diameter": 0.33, "height": 0.11, "hawser_z": 0.05}  # t
 DURATION = 360.0  # s
 SEAS, LIFTED = np.linspace(1.6, 4.0, 13), 1.0  # s; kgf, of hawsers of 4 kgf that rise by 14°
 MEASURED = ("pitch_deg", "hawser_kgf", "buoy_kgf", "short_s", "long_s")
-SCALE, SAFETY, LARGEST_KGF = 26.0, 4.0, 1.5  # to the prototype; on the largest line tension of the model
+SCALE, SAFETY, LARGEST_KGF = 26.0, 4.0, 1.5  # length scale; safety factor; kgf, largest line tension of the model
 HAWSERS = {"hawser_kgf": "of a hawser at the bow", "buoy_kgf": "on the buoy"}
 REPORT_CHAINS = {"2": 42, "3": 36, "R3S": 32}  # mm; R3S for the report's grade 4, which has no formula there
 
@@ -126,7 +126,7 @@ def computed(row, db, seed=1):
     with warnings.catch_warnings(action="ignore"):
         made = run(study, best, db)
         record = made.record
-        late = record.time > record.time[-1] / 3  # in the first third the heading settles
+        late = record.time > record.time[-1] / 3  # the first third settles the heading
         if waves and contact:
             pitch = pitch_amplitude(db, study.waves.height)
         elif waves:
@@ -158,7 +158,7 @@ def pitch_amplitude(db, height, period=PERIOD, area=BUOY_AREA):
     s = -1j * omega[:, None, None]
     Z = s**2 * (body.inertia + A) + s * (B + body.damping) + body.stiffness
     k = wavenumber(omega, db.water_depth, db.gravity)
-    lifted = spring * np.exp(-1j * k * PIVOT)[:, None] * lever  # by waves towards π
+    lifted = spring * np.exp(-1j * k * PIVOT)[:, None] * lever  # moment of waves towards π
     force = body.forces(omega, [np.pi])[:, 0] + lifted
     X = np.abs(np.linalg.solve(Z[:, plane][:, :, plane], force[:, plane, None])[:, 2, 0])
     density = issc(height, mean_period=period).density(omega)

@@ -17,11 +17,11 @@ from . import multi_point_statistics as statistics
 from .multi_point_cases import BASES, KINDS, STRENGTH, cases, scene, study
 
 SOURCE = "SR179 report (1982), section 3.5.5, tonf a line"
-MODES = {"surge_m": 1.0, "sway_m": 1.0, "yaw_deg": np.pi / 180}  # of the slow motion: their unit
+MODES = {"surge_m": 1.0, "sway_m": 1.0, "yaw_deg": np.pi / 180}  # slow motions and the unit of each
 SLOW = ("quick", "spectrum", "slow", "total", "waves_alone")
 NONE = np.full(3, np.nan)
 OVER = {"height_m": "significant height, m", "depth_m": "depth, m", "period_s": "mean period, s", "lines": "lines"}
-ALLOWED = 0.4  # of the breaking load
+ALLOWED = 0.4  # fraction of the breaking load
 
 
 def make(folder, only=None, seeds=1, hours=3.0, fresh=False):
@@ -60,7 +60,7 @@ def computed(case, db, folder, hours, seeds):
 
     def answer(words, made, *given):
         try:
-            with warnings.catch_warnings(action="ignore"):  # of lines and seas, kept in the files of the case
+            with warnings.catch_warnings(action="ignore"):  # warnings of lines and seas, kept in the files of the case
                 return made(*given)
         except ValueError as error:
             notes.append(f"{words}: {' '.join(str(error).split())}")

@@ -42,7 +42,7 @@ CALCULATIONS = {  # T₀₁ over the printed period, EA over that of both legs, 
     "full": (OF_MEAN, 1.0, {}),
 }
 MOVED = {"printed, both legs": 1.0, "printed, one leg": 0.5}
-SIGNS = np.array([-1.0, -1.0, 1.0, -1.0, -1.0, 1.0])  # of the printed mean motions: here waves go to −x, −y
+SIGNS = np.array([-1.0, -1.0, 1.0, -1.0, -1.0, 1.0])  # signs of the printed mean motions: here waves travel to −x, −y
 
 
 def printed_rows(kind):
@@ -65,7 +65,7 @@ def table_rows(kind, db, hours=1.0, calculations=(*CALCULATIONS, *MOVED)):
             continue
         body = moored(db, system, hull, memory=memory)
         memory = body.memory
-        with warnings.catch_warnings(action="ignore"):  # of lines and seas, told by `simulate`
+        with warnings.catch_warnings(action="ignore"):  # warnings of lines and seas, which `simulate` reports
             run = simulate(body, plan.weather, replace(plan.settings, **settings), 1)
         late = run.time >= 0
         for i, quantity in enumerate(QUANTITIES):

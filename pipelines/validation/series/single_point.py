@@ -24,7 +24,7 @@ from .single_point_cases import FLOATERS, PRINTED, read_cases, scene_of, study_o
 
 HIGHEST = 3.5  # rad/s of the waves that drift is summed over
 SOURCE = "SR179 report (1982), tables 3.6.5.3 to 3.6.5.5, tonf per line"
-ALLOWED = 0.4  # of the breaking load
+ALLOWED = 0.4  # fraction of the breaking load
 OVER = {"depth_m": "depth, m", "wind_m_s": "wind, m/s", "current_deg": "current from, °"}
 # cases are one curve over a column where they agree in the others, but for the sea, which grows with the wind
 ALIKE = ("lines", "system", "pretension_tonf", "current_kn", "mean_period_s", "depth_m", "wind_m_s", "current_deg")
@@ -106,7 +106,7 @@ def drift_of(case, db):
     stored = db.reader.drift(omega, [np.pi])[:, 0, 0]
     fine = np.linspace(omega[0], HIGHEST, 4000)
     density = sea_of("waves", sea, np.pi, db.water_depth).spectrum.density(fine)
-    drift = PchipInterpolator(omega, stored)(np.minimum(fine, omega[-1]))  # as in the shortest stored waves beyond
+    drift = PchipInterpolator(omega, stored)(np.minimum(fine, omega[-1]))  # beyond: that of the shortest waves
     mean = 2 * float(np.trapezoid(density * drift, fine))
     return f.drift / f.computed * abs(mean) / TONF / sea.height**2
 

@@ -13,7 +13,7 @@ from .rotated import rotated
 from .scenes import drawn
 from .solved import solved
 
-STEP = 1e-3  # of every parameter, and of a radian in the phase of the waves over the hull
+STEP = 1e-3  # step of every parameter, and in radians of the phase of the waves over the hull
 
 
 class Row(NamedTuple):

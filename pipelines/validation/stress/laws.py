@@ -17,7 +17,7 @@ from __future__ import annotations
 import numpy as np
 
 FLOOR = 1e-8
-CURVATURE = 30.0  # of Z and X, relative; up to 3 was found with the contour method at 1e-4
+CURVATURE = 30.0  # largest relative curvature of Z and X; up to 3 with the contour method at 1e-4
 ALLOWED = {"reciprocity": 2, "Haskind": 2, "energy": 3, "dissipation": 2}
 
 

@@ -25,8 +25,8 @@ from .solved import QUANTITIES, scaled
 
 COUNTS = (2, 9), (2, 5), (2, 5)  # panels along half the length, half the beam and the draft
 LONGEST_ASPECT = 200.0
-TABLES = 1e-5  # of the wave part, relative
-MOST_PANELS = 220  # of the whole hull
+TABLES = 1e-5  # relative error of the wave part
+MOST_PANELS = 220  # largest number of panels of the whole hull
 
 
 def rotated(scene, seed):

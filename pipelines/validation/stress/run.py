@@ -19,7 +19,7 @@ from ...results.output import write_result
 from .. import beside
 from .campaign import row_of
 
-SECONDS = 0.5  # of a scene, about
+SECONDS = 0.5  # s, approximate time of a scene
 EVERY = 30.0  # s between lines of progress, at which what is there is written
 SHOWN = 5  # scenes that are named at the end
 USELESS = 0.3  # an estimated error above which a result is of little use
@@ -32,7 +32,7 @@ def run(questions, output, executor):
     printed = start
     with ctrl_c(_say) as stop:
         for _, row in in_order_until(stop, executor, [(row_of, *question) for question in questions]):
-            if isinstance(row, Exception):  # of a process that died; a scene that fails is a row
+            if isinstance(row, Exception):  # crash of a process; a scene that fails gives a row
                 raise row
             rows.append(row)
             if row.verdict:

@@ -40,7 +40,7 @@ def tableau():
     third = np.array([(1 - w) / 3, (3 * w + 1) / 3, d / 3])
     made = a, a[-1] - third, a.sum(axis=1)
     for array in made:
-        array.flags.writeable = False  # as constants of kernels are: for others each kernel would be compiled once more
+        array.flags.writeable = False  # kernels use these as constants; writeable, each kernel would be compiled again
     return made
 
 
@@ -220,7 +220,7 @@ def run(system, sea, course, control, scheme, state, until, rows, frame_times, f
         mark(station_rows[used], stations, work.T, last)
         used += 1
         keep(0, K, V, power, a, v, work.power)
-        if again:  # what has just been refused would be again
+        if again:  # the same step would be refused again
             factor_h, again = min(factor_h, 1.0), False
         h = max(h, step * factor_h) if step < h else step * factor_h
         h = min(h, control.longest)

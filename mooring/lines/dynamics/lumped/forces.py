@@ -132,7 +132,7 @@ def half_water(known, w, slot, t, x, a, du, cv):
     dn, dt = normal * speed, load_vector(known, DRAG_TANGENTIAL * w + slot) * more(along, -along)
     an, at = load_vector(known, ADDED_NORMAL * w + slot), load_vector(known, ADDED_TANGENTIAL * w + slot)
     moved = an + load_vector(known, DISPLACED * w + slot)
-    # what the tangential part of the accelerations of line and water has less, or more, than the normal part
+    # difference between the tangential and the normal part of the accelerations of line and water
     c = (an - at) * dot(a, t) - (moved - at) * dot(du, t)
     drag = combine(dn, x, dt * along, t)
     ix, iy, iz = combine(moved, du, c, t)

@@ -101,7 +101,7 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
         node_forces(s, work, a, slip, since, cq, cv)
         if tension <= tension_limit and distance <= distance_limit:
             return CONVERGED, iteration + 1
-        # what is left of the equations, by the matrix at hand, shows whether another one is needed
+        # the residual with the present matrix shows whether another matrix is needed
         left, astray = correction(work, last, cq)
         if left <= tension_limit and astray <= distance_limit:
             return CONVERGED, iteration + 1

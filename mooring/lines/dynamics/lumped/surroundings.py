@@ -20,7 +20,7 @@ from hakobune.bem.kernels.simd import WIDTH, address, load_vector, repeated
 
 from .vectors import combine, less, load_three, minus, store_three
 
-SAMPLES = 6  # times of a table, through which a polynomial goes
+SAMPLES = 6  # number of table times in a polynomial
 OF_PLACE = 8  # u, v, w; ∂u/∂x, ∂u/∂y, ∂v/∂y, ∂u/∂z, ∂v/∂z, the others of a potential follow
 SHARES = 1.0 / np.array([-120.0, 24.0, -12.0, 12.0, -24.0, 120.0])  # 1 / Π (i − m) over m ≠ i
 
@@ -42,7 +42,7 @@ def ramp_at(t, ramp):
 def fairlead_at(motion, t, p, v, a):
     """Position, velocity and acceleration of the fairlead, into p, v, a (3,)."""
     k, beyond = 0, motion.cubics.shape[0]
-    while k + 1 < beyond:  # by halves, to the last knot at or before t
+    while k + 1 < beyond:  # bisection to the last knot at or before t
         half = (k + beyond) // 2
         if motion.knots[half] <= t:
             k = half

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
 
-TINY = 1e-300  # under a root that is divided by
+TINY = 1e-300  # added under a root in a denominator
 
 
 @kernel(inline=True)
