@@ -95,7 +95,7 @@ MESHES = {
 }
 OUTPUTS = {
     f"{BODY} --omega 1 --output .": ("is a folder",),
-    f"{BODY} --omega 1 --output nowhere/x.h5": ("nowhere/x.h5 cannot be written", "no folder nowhere"),
+    f"{BODY} --omega 1 --output nowhere/x.h5": ("nowhere/x.h5 cannot be written", "the folder nowhere does not exist"),
     f"{BODY} --omega 1 --output text.h5/x.h5": ("text.h5/x.h5 cannot be written",),
     f"{BODY} --omega 1 --output text.h5": ("text.h5 is not an HDF5 file",),
     f"{BODY} --omega 1 --output text.h5 --fresh": (
@@ -152,7 +152,7 @@ STUDIES = {  # what is replaced in the study, by what
     ("pretension_tonf", "pretenson_tonf"): ("spreads[0].pretenson_tonf is unknown", "pretension_tonf"),
     ('type = "chain_142"', 'type = "chain_143"'): ("spreads[0].type is 'chain_143'", "chain_142"),
     ("[30, 45, 60]", "[]"): ("corner_headings_deg is empty", "at least one"),
-    ("[30, 45, 60]", "[" + "45, " * 200 + "]"): ("the study has 800 lines", "up to 500", "as one"),
+    ("[30, 45, 60]", "[" + "45, " * 200 + "]"): ("the study has 800 lines", "up to 500", "into one"),
     ("[30, 45, 60]", "[30, 130]"): ("corner_headings_deg is 130", "0 to 90"),
     ("weight_kg_per_m = 406.0", "weight_kg_per_m = -406.0"): ("weight_kg_per_m is -406", "above 0"),
     ("weight_kg_per_m = 406.0", 'weight_kg_per_m = "light"'): ("weight_kg_per_m is text", "a number"),

@@ -268,7 +268,7 @@ def test_a_missing_quantity_is_named_with_the_way_to_add_it(path):
         db.require("added_mass", "drift_force_fixed")
     with pytest.raises(DatabaseError, match=r"contains no rao; .*--gyration"):
         db["rao"]
-    with pytest.raises(DatabaseError, match="no database holds 'drfit'"):
+    with pytest.raises(DatabaseError, match="'drfit' is not a quantity of a database"):
         db.require("drfit")
 
 

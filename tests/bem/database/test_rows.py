@@ -99,7 +99,7 @@ def test_what_a_database_is_is_said_in_one_line(tmp_path):
         db["added_mass_infinity"]
     with pytest.raises(AttributeError, match="a database contains no 'displacement'"):
         _ = db.displacement
-    with pytest.raises(DatabaseError, match="holds no 'periods'; it holds: "):
+    with pytest.raises(DatabaseError, match="contains no 'periods'; it contains: "):
         db["periods"]
 
 

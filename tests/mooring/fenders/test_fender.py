@@ -148,7 +148,10 @@ X, UP = [0.0, 0.2, 0.5], np.array([0.0, 1e6, 1.5e6])
             lambda: fender_of_points("f", 1, X, UP, [0, 1.2e6, 1e6]),
             "at 0.2 m it unloads with 1200 kN, above the loading curve",
         ),
-        (lambda: fender_of_points("f", 1, [0, 0.5, 0.2], UP), "deflections go from 0.5 to 0.2; allowed: rising from 0"),
+        (
+            lambda: fender_of_points("f", 1, [0, 0.5, 0.2], UP),
+            "deflections go from 0.5 to 0.2; allowed: increasing from 0",
+        ),
         (lambda: fender_of_points("f", 1, X, UP, rated=0.6), "rated strain is 0.6; allowed: above 0, at most 0.5"),
         (lambda: fender_of_points("f", 1, X, [0, np.nan, 1]), "not a number"),
         (lambda: fender_of_points("f", 1, X, UP).reaction(0.6), "beyond its table, which ends at 0.5 m"),

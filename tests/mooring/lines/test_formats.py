@@ -394,7 +394,7 @@ FAULTS = [
     ("122.54     653.3E6", "abc     653.3E6",
      "line 6, section LINE TYPES: mass is 'abc'; allowed: a number"),
     ("1        2        250.5     25       p", "1        9        250.5     25       p",
-     "section LINES: line 1: its end 9 is no point"),
+     "section LINES: line 1: its end 9 is not a point"),
     ("1    chain     1 ", "1    chane     1 ", "section LINES: line 1: type 'chane' is unknown; allowed: chain, rope"),
     ("250.5     25 ", "250.5     2.5 ", "segments is 2.5; allowed: a whole number"),
     ("2    Free        -60     0       -30     2.5d3   0.4     0      0", "2  Free",
@@ -403,7 +403,7 @@ FAULTS = [
      "section POINTS: 8 entries, Ca missing"),
     ("2    Free  ", "1    Free  ", "section POINTS: id 1 is used twice"),
     ("- LINES -", "- LNIES -", "section LNIES"),
-    ("- OUTPUTS -", "- LINES -", "section LINES: is there twice"),
+    ("- OUTPUTS -", "- LINES -", "section LINES: appears twice"),
     ("70       WtrDpth  water depth (m)", "70", "section OPTIONS: '70' is not a value and a name"),
     ("- LINES -", "- OUTPUTS -", "appears twice, first at line"),
 ]  # fmt: skip

@@ -276,7 +276,8 @@ def test_a_trial_compares_slow_motions_that_are_not_small(monkeypatch):
     one, other = (SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.0, 0.01], [2.0, 0.0, 0.02]))
     found = _of_slow_motion(body, one, other)
     assert (
-        found.share == pytest.approx(0.5) and "slow yaw has σ 0.573 ° on static lines, 1.15 ° on moving" in found.words
+        found.share == pytest.approx(0.5)
+        and "slow yaw has σ 0.573 ° with static lines and 1.15 ° with moving" in found.words
     )
     one, other = (SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([0.099, 0.0, 0.0], [0.05, 0.0, 0.0]))
     assert _of_slow_motion(body, one, other).share == 0.0  # below 2e-3 of the arm, by which both were nudged

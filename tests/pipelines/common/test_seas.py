@@ -164,7 +164,7 @@ def test_what_the_study_says_of_directions_goes_before_what_a_file_says_but_not_
     monkeypatch.setattr(spectra_files, "read_sea", lambda *_: Sea(spectrum, 0.5, PLANE))
     if more:
         with pytest.raises(
-            StudyError, match=r"waves: sea\.spec has directions of its own; leave direction and spreading"
+            StudyError, match=r"waves: sea\.spec contains directions; leave out direction and spreading"
         ):
             table.sea("waves", 20.0)
     else:

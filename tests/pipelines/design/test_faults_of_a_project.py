@@ -254,7 +254,9 @@ FAULTS = {
     "weather of no site": ("lines", [(storm("weather"), "extreme")], ("project.site is not given", "give its file")),
     "site": ("lines", [(project("project", "site"), "bay.toml")], ("bay.toml does not exist",)),
     "rule set": ("lines", [(project("rules", 0, "rule"), "JSCEE")], ("rule set 'JSCEE' is unknown", "JSCE, JSRA")),
-    "subject": ("lines", [(project("rules", 0, "subject"), "chains")], ("nothing on 'chains'", "multi-point mooring")),
+    "subject": (
+        "lines", [(project("rules", 0, "subject"), "chains")], ("no criterion for 'chains'", "multi-point mooring")
+    ),
     "file of rules": ("lines", [(project("rules", 1), {"rule": "x", "file": "r.csv"})], ("r.csv does not exist",)),
     "quantity": (
         "lines", [(project("limits"), [{**LIMIT, "quantity": "surg"}])], ("quantity is 'surg'", "surge; sway"),

@@ -83,7 +83,7 @@ def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path)
     for study, given, met, how in (
         ({}, (), None, "lines leave the hull with long natural periods"),
         (fenders, (), False, "not a load case; give [[earthquakes]]"),
-        (fenders, (rule,), False, "no record in time of rule; give [record] in its study"),
+        (fenders, (rule,), False, "no record in time for rule; give [record] in its study"),
         (fenders, (rule, timed), True, "records of timed"),
     ):
         found = asked("earthquakes as", states=[state()], study=study, earthquakes=given, folder=tmp_path)
@@ -241,7 +241,7 @@ def test_advice_is_told_with_what_passes_first_and_what_was_run_in_vain():
     advice = SimpleNamespace(tried=("size", "number", "pretension"), found=(best, enough), beyond="")
     said = report_words.advice_words(advice, SimpleNamespace(word=report_words.FAILS))
     assert said[0].startswith("Passes in the governing cases: chain of 84 mm, which uses 93 % of JSCE")
-    assert said[1].startswith("Not enough alone: 8 lines, the best change of its kind, still uses 107 % of JSCE.")
+    assert said[1].startswith("Not enough alone: 8 lines, the best change of its kind, still uses 107 % of JSCE")
     assert said[2] == "Tried without success, since the largest utilisation does not fall: pretension."
     vain = SimpleNamespace(tried=("size", "number"), found=(), beyond="")
     (said,) = report_words.advice_words(vain, SimpleNamespace(word=report_words.FAILS))

@@ -85,7 +85,7 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     film = tmp_path / "film.gif"
     assert main(["animate", str(run), "--output", str(film), "--length", "2"]) == 0 and film.stat().st_size > 1000
     assert main(["moor", str(SCENE), "--database", str(database)]) == 2
-    assert "moor of one body knows no [[fender]]" in capsys.readouterr().err
+    assert "moor of one body does not support [[fender]]" in capsys.readouterr().err
 
 
 def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(database, tmp_path, monkeypatch, capsys):
@@ -158,7 +158,7 @@ def test_waves_of_a_record_beside_the_study_move_the_ship(tmp_path):
     for change, says in (
         ({"duration": 300.0}, "simulation.record lasts 259 s; allowed: ramp and duration, 350 s"),
         ({"record": {"file": "none.csv", "direction_deg": 90}}, "none.csv does not exist"),
-        ({"record": {"file": "berth.csv"}}, "simulation.record: neither is given; allowed: one of direction_deg"),
+        ({"record": {"file": "berth.csv"}}, "simulation.record: neither is given; give one of direction_deg"),
         ({"constant_period": 60.0}, 'allowed: above 0, with memory = "constant"'),
     ):
         with pytest.raises(StudyError, match=re.escape(says)):

@@ -101,7 +101,7 @@ def test_slow_motion_far_beyond_the_linear_answer_is_told(slow, wave, told):
 
 def test_slow_yaw_is_told_in_degrees():
     said = list(findings.slow_findings(made_up(slow=math.radians(3.0), spectral=(np.nan, np.nan, math.radians(1.0)))))
-    assert said[0].startswith("slow yaw has σ 3 °") and "mean loads give 1 °" in said[0]
+    assert said[0].startswith("slow yaw has σ 3 °") and "mean loads would give 1 °" in said[0]
 
 
 def test_windows_have_half_the_significant_height_and_the_period_of_their_waves():

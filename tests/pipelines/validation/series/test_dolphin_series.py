@@ -70,7 +70,7 @@ def test_a_quay_behind_is_wired_by_the_far_field_and_lowers_the_limits(database,
     monkeypatch.setattr(dolphin, "database", lambda scene, path, fresh: database)
     assert cli.main(["series", "dolphin", "--quay", "25", "--output", str(tmp_path)]) == 0
     told = capsys.readouterr().out
-    assert "quay at y = 50 m: by the far field; 0.0388 % of a wave" in told
+    assert "quay at y = 50 m: by the far field; local waves near the hull, which keep 0.0388 %" in told
     assert {path.name for path in tmp_path.iterdir()} == {"dolphin.csv", "dolphin.png"}
     made = dolphin.make(tmp_path, quay=25.0).detail["case"]
     limits = {(r["period_s"], r["fenders"], r["wind_m_s"]): r["limit_m"] for r in made}
