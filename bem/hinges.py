@@ -91,7 +91,7 @@ def travel_of(reader, link):
 
 
 def told_of(links):
-    """(name, unit, column) of what is told of links: of each force, moment, and of those DRIVEN the travel
+    """(name, unit, column) of the results of links: of each force and moment, and of the travel of those DRIVEN
 
     column : of SHOWN numbers for each link
     """

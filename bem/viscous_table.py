@@ -25,11 +25,11 @@ MODES = ("heave", "roll", "pitch")
 
 
 class Law(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """Damping of one motion: drag, or b at amplitudes
+    """Viscous damping of one motion: drag, or b at amplitudes
 
-    drag : N s²/m², or N m s², force or moment over the square of the velocity
-    b : coefficient b of the SR179 report (1982), eq. 2.1.4.6, at each of the amplitudes
-    amplitudes : m, rising, of heave
+    drag : drag over the square of the velocity, N s²/m² in heave, N m s² in roll and pitch
+    b : damping coefficient b of the SR179 report (1982), eq. 2.1.4.6, at each amplitude
+    amplitudes : m, rising amplitudes of heave
     amplitudes_deg : degrees, rising amplitudes of roll or pitch
     """
 
@@ -40,11 +40,11 @@ class Law(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True)
 
 
 class Laws(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """Viscous damping by motion; at least one
+    """Viscous damping of one or several motions
 
-    heave : law of heave
-    roll : law of roll, or "Yamashita" for boxes in deep water with B/d from 5 to 10
-    pitch : law of pitch
+    heave : law of the damping of heave
+    roll : law of the damping of roll, or "Yamashita" for boxes in deep water with B/d from 5 to 10
+    pitch : law of the damping of pitch
     """
 
     heave: Law | None = None

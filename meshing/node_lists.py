@@ -25,7 +25,7 @@ PANEL_OF = {"203": 3, "204": 4}  # corners of Salome's types
 
 
 def read_dat(path):
-    """The panels of a `.dat` of Nemoh, Salome, Diodore or AQWA, told apart by what is in it.  Raises ValueError."""
+    """The panels of a `.dat` of Nemoh, Salome, Diodore or AQWA, distinguished by its contents.  Raises ValueError."""
     text = read_text(path, errors="replace")
     first = text.split("\n", 1)[0].split()
     if re.search(r"^\s*\d*\s*COOR\s*$", text, re.MULTILINE):

@@ -1,4 +1,4 @@
-"""Seals of result files: a CRC-32 of all that is in one, which tells whether it is still what was written.
+"""Seals of result files: a CRC-32 of the contents, which shows whether the file is as it was written.
 
 HDF5   a block before the file, which HDF5 leaves to its user: a line with the CRC-32 of every byte after it,
        then a line for each dataset, with which damage is named.  Where numbers are filled in later, their places

@@ -72,7 +72,7 @@ def write_gdf(mesh, path, gravity=9.80665):
 
 
 def write_nemoh(mesh, path):
-    """Write a PanelMesh for Nemoh, which knows the mirror plane y = 0 only; x = 0 is written out."""
+    """Write a PanelMesh for Nemoh, whose only mirror plane is y = 0; x = 0 is written out."""
     if "x" in mesh.symmetry:
         whole = mesh.whole()
         if mesh.symmetry == "xy":
@@ -128,7 +128,7 @@ def read_obj(path):
 
 
 def read_stl(path):
-    """Triangles of a text .stl: three lines `vertex x y z` each, whatever stands between them; coordinates in m
+    """Triangles of a text .stl: three lines `vertex x y z` each, with any lines between them; coordinates in m
 
     raises : ValueError naming the word that is no number, and vertices that are no threes
     """

@@ -326,7 +326,7 @@ def main(arguments=None):
 
 
 def _one_line(error):
-    """Its message, in which a file of one long word is not told whole"""
+    """Its message, with a file of one long word shortened"""
     return re.sub(r"\S{500,}", lambda word: f"{word[0][:100]}…", " ".join(str(error).split()))[:5000]
 
 

@@ -1,4 +1,4 @@
-"""`hakobune doctor`: what the command stands on: libraries, threads, memory, the folder of compiled kernels."""
+"""`hakobune doctor`: the environment of the command: libraries, threads, memory, the folder of compiled kernels."""
 
 from __future__ import annotations
 

@@ -130,7 +130,7 @@ class _Sides:
         carried = along[0].conj() * (sums.one @ slope) + along[1].conj() * (sums.z @ slope)
         carried += up.conj() * (sums.top @ g - sums.keel @ g)
         elevation = 1j * omega / gravity * (sums.top @ g) - up
-        # ∂φ/∂n = −iω X·n stands in ½|∇φ|² and, twice and negative, in X·∇φ_t
+        # ∂φ/∂n = −iω X·n is in ½|∇φ|² and, twice and negative, in X·∇φ_t
         moved = 0.25 * rho * omega**2 * _square(*normal, freq.body.draft)
         waterline = 0.25 * rho * gravity * np.abs(elevation) ** 2
         return 0.25 * rho * square + 0.5 * rho * (-1j * omega * carried).real - moved - waterline

@@ -40,7 +40,7 @@ ENDS = 0.2  # share of the plan that lies at its ends
 NUGGET = 1e-10  # regularisation of the kernel, relative to its diagonal
 KEPT = 4  # sums over the ring whose weights are kept
 NEAR = 1e-4  # rad, below which sin x / x is its series: as a difference of products it would lose digits
-LONGEST = 2.0  # ka of the longest wave κ is taken for: of longer ones it would see nothing but a constant
+LONGEST = 2.0  # ka of the longest wave with an own κ: for longer ones κ would be a constant
 MIRRORS = {
     "y": (lambda beta: -beta, np.array([1, -1, 1, -1, 1, -1]), np.array([1, -1, -1])),
     "x": (lambda beta: np.pi - beta, np.array([-1, 1, 1, 1, -1, -1]), np.array([-1, 1, -1])),
@@ -172,12 +172,12 @@ class AtHeadings:
 
     @cached_property
     def _turns(self):
-        """(p,) rad, from the stored heading that each of `wanted` is taken from by a round body"""
+        """(p,) rad, from the stored heading used for each of `wanted` on a round body"""
         return _wrapped(self.wanted - self.folded[self.source])
 
     @cached_property
     def _folds(self):
-        """{plane: (p,) whether a heading is taken from its image there}: images agree to the last digit"""
+        """{plane: (p,) whether the image of a heading in it is used}: images agree to the last digit"""
         c, s = np.cos(self.wanted), np.sin(self.wanted)
         folds = {plane: (s if plane == "y" else c) < -SAME for plane in self.ring.images}
         return folds if self.ring.wall is None else {**folds, "wall": self.ring.reflected(self.wanted)}
@@ -189,7 +189,7 @@ class AtHeadings:
 
     @property
     def source(self):
-        """(p,) which of `folded` each heading wanted is taken from"""
+        """(p,) number in `folded` used for each heading wanted"""
         return self._once[1]
 
     @cached_property

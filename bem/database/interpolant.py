@@ -32,7 +32,7 @@ from ..waves import wavenumber
 RINGING = 100.0  # variance of water that rings, at the node where it is largest
 NUGGET = 1e-9  # regularisation relative to the kernel's diagonal; its factorisation keeps about seven digits
 ROUNDING = 2 * NUGGET  # variance, relative, that is not distinguished from none: nodes have half of it
-LEADS = (1.0, 0.7)  # shares of the `lead` that are taken out
+LEADS = (1.0, 0.7)  # shares of the `lead` that are subtracted
 BLOCK = 256  # places handled at once
 KEPT = 1 << 27  # bytes of rows kept for the next function at the same frequencies
 WINDOW = 64  # nodes that are fitted together

@@ -60,7 +60,7 @@ def read(place, known=None):
 
 
 def _matrix(place, tables, at, name):
-    """(n, 6, 6) of the files of a quantity; what is there of a pair the other way round stands for both"""
+    """(n, 6, 6) of the files of a quantity; the stored one of two pairs in opposite order is used for both"""
     whole = np.zeros((len(at), 6, 6))
     for (kind, mode), rows in tables.items():
         if kind == name:

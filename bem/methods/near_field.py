@@ -1,4 +1,4 @@
-"""Mean drift from the pressure on the hull, where a method knows it: an independent check of the far field.
+"""Mean drift from the pressure on the hull, where a method gives it: an independent check of the far field.
 
     F = −½ρg ∮ ζ_r² n dl + ½ρ ∬ |∇φ|² n dS + ρ ∬ (X·∇φ_t) n dS + α × F₁,        M alike, and α × M₁ + X_c × F₁
 

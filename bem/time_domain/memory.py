@@ -200,7 +200,7 @@ def no_memory(body):
 
 
 def _goal(body, band, motions, stored=True):
-    """`_Goal` of a body in a band (low, high) rad/s; stored : whether A(∞) is taken as it is stored"""
+    """`_Goal` of a body in a band (low, high) rad/s; stored : whether the stored A(∞) is used"""
     omega = np.linspace(*band, POINTS)
     added_mass, damping = (0.5 * (x + x.swapaxes(1, 2)) for x in body.coefficients(omega, motions))
     still = _still(body, omega, added_mass, damping)

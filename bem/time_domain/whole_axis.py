@@ -28,7 +28,7 @@ from ..database.reader import without_rows
 
 LOWEST, DIPOLE, HIGHEST = 1.0, 3.0, 12.0  # powers of ω that are believed
 SIDE = 3.0  # slowest power of ω⁻¹ that is believed
-END = 0.85  # share of the band above which its upper slope is taken
+END = 0.85  # share of the band, above which the upper slope is computed
 CUT = 300.0  # upper limit over Ω; the part beyond it is below 1/CUT² of the part above the band
 BUMPS = ((3, 5), (5, 9))  # powers of Ω/ω of damping that rises and falls beyond the band
 FEEBLE = 0.01

@@ -143,7 +143,7 @@ class _Edges:
 
     @property
     def on_bed_length(self):
-        """m of the edges on which the hull stands, without those of its images"""
+        """m of the edges that the hull stands on, without those of its images"""
         ends = self.points[self.ends[self.at_bed & ~self.on_plane & (self.uses == 1)]]
         return float(np.linalg.norm(np.diff(ends, axis=1), axis=2).sum())
 

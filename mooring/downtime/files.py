@@ -1,7 +1,7 @@
 """Columns of a hindcast by their names, in SI by the units of their heads: CSV, netCDF, NDBC, tables of SWAN.
 
 A head is a name, or a name with its unit in brackets, `hs [cm]`, `wind (knots)`; in netCDF the unit is an attribute, in
-files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) it stands in a line of its own.
+files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) it is in a line of its own.
 Without one a column is in m, s, degrees, m/s.
 """
 

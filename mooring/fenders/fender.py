@@ -79,7 +79,7 @@ class Fender:
         return float(np.sum(half * w * force) + self.unloading.integral(below))
 
     def deflection_at_energy(self, energy):
-        """m at which an energy, J, is taken up.  Raises FenderError where the table ends before."""
+        """m at which an energy, J, is absorbed.  Raises FenderError where the table ends before."""
         last = np.inf if self.overload else self.limit
         most = self.loading.integral(self.limit)
         if energy > most and np.isfinite(last):
@@ -103,7 +103,7 @@ class Fender:
         return float(self.loading(self._grid(deflection)).max())
 
     def own(self, deflection):
-        """m of a deflection, m, that is the fender's own: all of it, where it stands on nothing that yields"""
+        """m of a deflection, m, that is the fender's own: all of it, where its support is rigid"""
         return float(deflection)
 
     def whole(self, own):
@@ -185,7 +185,7 @@ def fender_of_points(name, height, deflection, loading, unloading=None, **marks)
 
 
 def _continued(curve, slope):
-    """A curve that goes on beyond its end with a slope"""
+    """A curve with a straight extension beyond its end"""
     last = [[float(curve(curve.end)), slope, 0.0, 0.0]]
     return Curve(np.append(curve.knots, 2 * curve.end), np.concatenate([curve.coefficients, last]))
 

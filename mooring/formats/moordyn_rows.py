@@ -1,4 +1,4 @@
-"""What stands in the tables of a MoorDyn file: one row type for each section, and the names of its columns.
+"""Contents of the tables of a MoorDyn file: one row type for each section, and the names of its columns.
 
 MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).  Values keep MoorDyn's units.
 """

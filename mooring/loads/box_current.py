@@ -98,7 +98,7 @@ def _across(table, ratio):
 
 
 def _beyond(name, value, taken):
-    """A note where tests of the nearest proportion are taken, "" within them"""
+    """A note where tests of the nearest proportion are used, "" within them"""
     if abs(value / taken - 1) <= SAME:
         return ""
     more = (

@@ -37,7 +37,7 @@ AT_ONCE = 1e-9  # s between instants that are one
 ROUNDING = 2e-9  # uncertainty of sample times, over the step between samples
 # step over the usual step, below which the error of a step over a corner counts in proportion; a corner takes six steps
 CORNER = 0.1
-MEMORY = 20.0  # usual steps, over which their mean is taken
+MEMORY = 20.0  # number of usual steps in their mean
 TIME, STEP, WINDOW, USUAL = range(4)  # places in `Clock.now`
 STEPS, REFUSED, SAMPLES, WINDOWS, SHORT = range(5)  # places in `Clock.counts`
 DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE, BEYOND, STUCK = range(7)

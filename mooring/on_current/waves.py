@@ -19,7 +19,7 @@ from hakobune.bem.waves import group_factor, wavenumber
 
 SPECTRA = ("intrinsic", "absolute", "still")
 FIRST_ORDER = 0.25  # |V|/C_g; in deep water ωV/g = 1/8, half of where waves upstream end
-BLOCKED = 1e-3, 0.05  # share of the energy that is told of, and refused
+BLOCKED = 1e-3, 0.05  # shares of the energy: reported above the first, refused above the second
 MOST = 0.1  # share of the energy beyond FIRST_ORDER that is not named
 FINE = 4001  # frequencies between which the absolute one is inverted, before Newton's steps
 

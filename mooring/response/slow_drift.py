@@ -37,7 +37,7 @@ from hakobune.bem.database.between_frequencies import BetweenError
 
 from .linear import over_headings
 
-MOST_OUTSIDE = 0.01  # share of the energy in components beyond the stored band that is taken at its ends
+MOST_OUTSIDE = 0.01  # largest share of the energy beyond the stored band, for which the drift at its ends is used
 FINE = np.deg2rad(5.0)  # step between directions of the drift of short-crested waves, rad
 HORIZONTAL = [0, 1, 5]  # surge, sway and yaw of six degrees of freedom
 SLOWEST = 0.2, 100.0  # rad/s to which the spectrum of the slow force goes, of a hull of that length, m

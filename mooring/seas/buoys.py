@@ -86,7 +86,7 @@ def datawell(path, text, x_axis, time):
 
 
 def history(path, text, x_axis, time):
-    """Raise TableError: a .his has no densities; its first row, or that of the time, is told"""
+    """Raise TableError: a .his has no densities; the message has its first row, or that of the time"""
     rows = [re.split(r"[,\t ]+", line.strip()) for line in text.splitlines() if line.strip()]
     rows = [row for row in rows if time is None or row[0].startswith(str(time).strip().replace(" ", "T"))]
     if not rows:

@@ -148,7 +148,7 @@ def softest_and_stiffest(table, fender, causes=None):
 
 
 def on_dolphin(pair):
-    """Whether a fender stands on something that yields"""
+    """Whether the support of a fender yields"""
     return bool(pair.own(pair.limit) < pair.limit)
 
 

@@ -1,4 +1,4 @@
-"""Kernels that numba compiles are told of at a terminal and timed; those that come from disk are no event of numba."""
+"""Kernels that numba compiles are announced at a terminal and timed; kernels from disk are no event of numba."""
 
 from __future__ import annotations
 

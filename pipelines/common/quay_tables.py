@@ -156,7 +156,7 @@ def berth_between(fenders, dolphins, ropes, hulls, bodies):
 
 
 def _ends(where, table, moving, bodies):
-    """`bem.modes.Body` of both ends, None for what stands still.  Raises StudyError."""
+    """`bem.modes.Body` of both ends, None for a fixed end.  Raises StudyError."""
     if table.body not in moving:
         raise StudyError(f"{where}: body is {table.body!r}; allowed: one that moves, {', '.join(moving)}")
     if table.to and (table.to == table.body or table.to not in bodies):
@@ -211,7 +211,7 @@ def _fender(where, table, dolphin, hull):
 
 
 def _side(where, face, hull):
-    """Outward normal of the hull's side that a face stands before, and its distance from midship, m"""
+    """Outward normal of the hull's side in front of a face, and its distance from midship, m"""
     half = 0.5 * np.array([hull.length, hull.beam])
     off = np.abs(face[:2]) - half
     across = int(np.argmax(off))

@@ -103,7 +103,7 @@ def _line(message, raw, kind):
 
 
 def _meant(key, keys):
-    """ ", {key} may be meant" of the key that another name or a slip of the pen stands for, "" without"""
+    """ ", {key} may be meant" of the key that another name or a misprint may mean, "" without"""
     other = [name for name, others in OTHER_NAMES.items() if name in keys and key.lower() in others.split()]
     found = other or difflib.get_close_matches(key.lower(), keys, 1, ALIKE)
     return f", {found[0]} may be meant" if found else ""
@@ -115,7 +115,7 @@ def _words(text):
 
 
 def _value(raw, path, got):
-    """What stands at the path; where the path goes through names chosen by the writer, only its kind."""
+    """The value at the path; where the path contains names chosen by the user, only its kind."""
     try:
         for part in re.findall(r"[^.\[\]]+", path):
             raw = raw[int(part)] if isinstance(raw, list) else raw[part]

@@ -71,7 +71,7 @@ KNOWN_OF_PROJECT = "service life", "return period", SCOPE
 # quantities computed by load cases or given by the project
 FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), *KNOWN_OF_PROJECT)
 STATISTICS = ("largest", "amplitude", "peak to peak")
-USED = {"wear": WORN, "anchors": HOLDING}  # tables that one quantity alone knows
+USED = {"wear": WORN, "anchors": HOLDING}  # tables that only one quantity uses
 DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
@@ -348,7 +348,7 @@ def _check_limits(project, found):
 
 
 def _check_own_rules(project, found, folder):
-    """Raises StudyError where a file of one's own has a quantity that no load case, table or value knows: a misprint"""
+    """Raises StudyError where a file of one's own has a quantity that no load case, table or value gives: a misprint"""
     known = {*OF_TENSIONS, *found, *KNOWN_OF_PROJECT, *(value.quantity for value in project.values)}
     known |= {criterion.quantity for criterion in read_rules()}
     for i, table in enumerate(project.rules):

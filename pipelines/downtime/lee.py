@@ -11,7 +11,7 @@ from ..common.quantities import StudyError
 from .limits import limits_of
 
 BEHIND = "wave height behind"
-PERIODS = 1.5, 40.0  # s, from and to which waves are taken; K_T beyond those of the study is that of its first or last
+PERIODS = 1.5, 40.0  # s, shortest and longest waves; K_T beyond those of the study is that of its first or last
 COUNT = 400
 
 

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 KIND = "downtime"
-WAVES = "waves"  # a response of 1, whose m0 tells what of the waves is within the stored frequencies
+WAVES = "waves"  # a response of 1, whose m0 is the part of the waves within the stored frequencies
 TURNED = "the body turned clockwise"
 OF_PLANES = "limiting seas have a JONSWAP spectrum with cos⁴ spreading; the period is the energy period"
 LINEAR = (

@@ -78,7 +78,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
 
 
 def read_set(module, place, known):
-    """The Values; raises FormatError, which names the depth that a set itself tells where none is given"""
+    """The Values; raises FormatError, with the depth stored in a set where none is given"""
     try:
         return module.read(place, known)
     except FormatError as error:
@@ -91,7 +91,7 @@ def read_set(module, place, known):
 
 
 def check_import(kind, known, output, fresh, place):
-    """Raise ValueError for flags that are missing or impossible, and for a place that is taken"""
+    """Raise ValueError for flags that are missing or impossible, and for an existing file"""
     for name in kind.silent:
         if name in ("water_depth", "density", "gravity") and known[name] is not None and not known[name] > 0:
             raise ValueError(f"{name} is {known[name]:g}; allowed: above 0")

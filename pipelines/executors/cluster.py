@@ -29,7 +29,7 @@ class Dask:
 
     def shutdown(self, wait=True, cancel_futures=False):
         """Leave the scheduler, and end a cluster that was made here"""
-        logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it tells at length of connections that close
+        logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it reports closing connections at length
         for one in (self._client, self._cluster):
             if one is not None:
                 one.close()

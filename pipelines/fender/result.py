@@ -32,7 +32,7 @@ BANDS = ("catalogue", "softest", "stiffest")
 
 
 class Pressed(NamedTuple):
-    """pair : the fender and what it stands on; bands : the softest and the stiffest; at : m asked for, or None
+    """pair : the fender and its support; bands : the softest and the stiffest; at : m asked for, or None
 
     straight : the pair under a face that is not inclined, None where it is not
     """

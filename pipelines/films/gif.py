@@ -39,7 +39,7 @@ def new_plotter():
 
 
 def write_film(output, frames, count):
-    """Write pictures (height, width, 3) as a film; their number is told where they take long."""
+    """Write pictures (height, width, 3) as a film; their number is printed where they take long."""
     from PIL import Image
 
     pace = Pace(f"{count} frames take", count, "give a shorter --length or a longer --step")

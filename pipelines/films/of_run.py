@@ -107,7 +107,7 @@ def _waves(file, seed):
     except ValueError:
         return None
     plan = plan_of(make_study(tomllib.loads(file.attrs["study"])), reader.omega, None, float(file.attrs["duration"]))
-    with heard():  # told when the run was made
+    with heard():  # these warnings were printed during the run
         parts = wave_components(SimpleNamespace(reader=reader), plan.weather, plan.settings, seed)
     if parts is None:
         return None

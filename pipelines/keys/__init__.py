@@ -1,1 +1,1 @@
-"""What stands in the files of every command: a reference made of the typed tables, and files to begin with."""
+"""The keys of the files of every command: a reference from the typed tables, and files to begin with."""

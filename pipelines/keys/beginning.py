@@ -1,4 +1,4 @@
-"""A file to begin with: the shipped example of a kind, each key explained by the reference where it first stands."""
+"""A file to begin with: the shipped example of a kind, each key explained by the reference where it first occurs."""
 
 from __future__ import annotations
 

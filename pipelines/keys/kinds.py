@@ -52,7 +52,7 @@ KINDS = {
         ("series_box_20m.toml",),
     ),
     "simulation": Kind(
-        "the same in time",
+        "a moored body, simulated in time",
         "hakobune.pipelines.moor.study:Study",
         "simulate",
         "simulate_chain_12.toml",
@@ -103,7 +103,7 @@ KINDS = {
         ("series_box_20m.toml",),
     ),
     "downtime": Kind(
-        "hours at a berth that operations cannot use, from years of weather",
+        "downtime of operations at a berth, from years of weather",
         "hakobune.pipelines.downtime.tables:DowntimeStudy",
         "downtime",
         "downtime_box_20m.toml",
@@ -132,7 +132,7 @@ KINDS = {
         ("hakobune single-point FILE",),
     ),
     "berth": Kind(
-        "a ship that comes alongside",
+        "a berthing ship and its fenders",
         "hakobune.pipelines.berth.study:BerthStudy",
         "berth",
         "berth_tanker.toml",
@@ -181,7 +181,7 @@ KINDS = {
         ("hakobune sweep FILE --output sweep.h5",),
     ),
     "site": Kind(
-        "what a site asks of a mooring: yearly maxima, levels, earthquake",
+        "design values of a site: yearly maxima, levels, earthquake",
         "hakobune.pipelines.site.study:SiteStudy",
         "site",
         "site_bay.toml",

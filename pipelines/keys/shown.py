@@ -52,7 +52,7 @@ def tables_found(found):
 
 
 def default_of(key):
-    """What stands for a key that is not given, "needed" where it has to be"""
+    """Default of a key, "needed" for a key without one"""
     if key.needed:
         return "needed"
     return "" if key.default is None else toml(key.default)

@@ -17,7 +17,7 @@ from ..results.provenance import provenance
 from ..results.quantity import Quantity, quantities
 from ..results.result import Result, labels
 
-STEEPEST = 1.5  # rad, of a bed that `mooring.catenary` knows
+STEEPEST = 1.5  # rad, steepest bed in `mooring.catenary`
 FLAGS = {  # unit, its size, whether a value is good, what is allowed
     "weight": (" N/m", 1.0, lambda value: 0 < value <= HEAVIEST, f"above 0, at most {HEAVIEST:g}"),
     "stiffness": (" kN", KN, lambda value: value > 0, "above 0"),

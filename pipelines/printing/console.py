@@ -68,7 +68,7 @@ def _kind():
 
     class PipedConsole(Console):
         def on_broken_pipe(self):
-            """Whoever reads has gone: told to the command line like any other, where rich would end with status 1"""
+            """The reader has closed the pipe: an error for the command line, where rich would end with status 1"""
             raise BrokenPipeError
 
     class TableConsole(PipedConsole):

@@ -1,4 +1,4 @@
-"""Pairs of waves solved and stored some frequencies of the force at a time: the next run goes on from them."""
+"""Pairs of waves solved and stored some frequencies of the force at a time: the next run continues from them."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def _of_same_waves(db, question, body):
 
 
 def _begun(stored, question, full):
-    """`StoredForces` with the first frequencies of a question, a multiple of BLOCK, as a run goes on from; or None"""
+    """`StoredForces` with the first frequencies of a question, a multiple of BLOCK, for a run to continue; or None"""
     if stored is None or (stored.forces.surface is not None) != full:
         return None
     forces, coarser = stored.forces, stored.coarser

@@ -242,7 +242,7 @@ def _check_effort(components, count, spreading):
 
 
 def _warn_of_few(components, resolved):
-    """resolved : frequencies that a record of its length tells apart"""
+    """resolved : frequencies that a record of its length can separate"""
     least = max(FEWEST, math.ceil(resolved / APART))
     if components < least:
         warnings.warn(

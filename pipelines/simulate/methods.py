@@ -88,7 +88,7 @@ def _row(body, plan, changed, seed):
     settings = replace(plan.settings, **changed)
     if settings.memory != "constant" and not body.memory.states:  # database solved in front of a quay
         body = with_memory(body)
-    with warnings.catch_warnings():  # energy outside the stored frequencies, which the plan tells
+    with warnings.catch_warnings():  # energy outside the stored frequencies, which the plan reports
         warnings.simplefilter("ignore")
         run = simulate(body, plan.weather, settings, seed)
     late = run.motion[run.time >= -1e-9]

@@ -205,7 +205,7 @@ def _made_again(shorter, longer):
 
 
 def _of_lines(output):
-    """Names of the lines that move in a file that is there, for more seeds of the same, and what it tells"""
+    """Names of the moving lines in an existing file, for further seeds, and its findings on them"""
     if not output.exists():
         return None, ()
     with opened(output) as file:

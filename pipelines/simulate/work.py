@@ -144,7 +144,7 @@ def _remembering(body, db, asked):
 
 
 def _with_pairs(plan, study, db, reader):
-    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and what is to be told of it
+    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and its findings
 
     By default ("auto") it is what the database allows, beside Newman's rule alone.
     """
@@ -186,7 +186,7 @@ def simulate_seed(task, seed, kept, progress=None):
     from hakobune.mooring.motion.simulation import simulate
 
     body, plan, _ = prepared(task)
-    with heard():  # the energy outside the stored frequencies is told once, by the plan
+    with heard():  # the plan reports the energy outside the stored frequencies once
         run = simulate(body, plan.weather, plan.settings, seed, progress)
     late = run.time >= -1e-9
     extreme = 0.0 if plan.weather.regular is not None else 1000 * plan.mean_period if plan.mean_period else None

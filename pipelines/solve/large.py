@@ -130,7 +130,7 @@ def check_database(header, frequencies, headings, names):
 
 @dataclass(frozen=True)
 class Telling:
-    """Callback of `bem.kernels.progress`: a frequency that needs many more panels is told with its time.
+    """Callback of `bem.kernels.progress`: announces a frequency that needs many more panels, with its time.
 
     console : of rich; preparing : callback of everything else, or None
     """

@@ -46,7 +46,7 @@ def chosen(named, only):
 
 
 def one_by_one(cases, name):
-    """Cases, one after the other, each told on the standard error; name : gives that of a case"""
+    """Cases, one after another, each announced on the standard error; name : function of a case that gives its name"""
     for count, case in enumerate(cases, 1):
         print(f"{count}/{len(cases)}  {name(case)}", file=sys.stderr, flush=True)
         yield case

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-MARGINS = 0.05, 0.05, 0.05, 0.22  # left, right, below and above, of half the picture; above stands the caption
+MARGINS = 0.05, 0.05, 0.05, 0.22  # left, right, below and above, of half the picture; the caption is above
 BAR = 0.40  # space on the right for a colour bar
 DEEP = 2.0  # depth of a bed that is drawn, over the hull's diagonal
 

@@ -27,7 +27,7 @@ PLACES = 300  # frequencies of a curve, beside those stored and those about reso
 MARKED = 30  # stored frequencies that are marked; more would be a thick line
 SIZE = 17.0, 2.35  # inches: width of the page, and height of a row of curves with its margins
 ON_PAPER = 11.0, 1.9  # the same for a sheet of paper, on which it shrinks less
-NARROW = 1.5  # inches wide: the name of the first row stands above that of its first column
+NARROW = 1.5  # inches wide: the name of the first row is above that of its first column
 MARGINS = {"left": 0.66, "right": 0.08, "bottom": 0.45, "top": 0.7, "between": 0.78, "rows": 0.42}  # inches
 LABEL = 0.5  # inches from a curve's axis to the name of its unit
 TICKS = 5  # spaces between those of a curve, at most; frequencies have them once a column
@@ -45,7 +45,7 @@ ROWS = {
 
 
 class Curves:
-    """A database at frequencies `omega` (q,) rad/s that show all it knows; `stored` (n,) numbers of the stored ones
+    """A database at frequencies `omega` (q,) rad/s that show all its values; `stored` (n,) numbers of the stored ones
 
     gaps : `gaps.Gaps` of it, in which there are no values
     """
@@ -65,7 +65,7 @@ class Curves:
         self.headings = shown_headings(db.wave_direction, db.mesh.symmetry)
 
     def __getitem__(self, name):
-        """Values (q, …) of the reader; where it knows none between the stored ones, those on straight lines"""
+        """Values (q, …) of the reader; where it has none between the stored ones, those on straight lines"""
         value = np.array(self._value(name))
         for low, high in self.gaps.spans:
             value[(self.omega > low) & (self.omega < high)] = np.nan

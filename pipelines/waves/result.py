@@ -1,4 +1,4 @@
-"""`hakobune.waves`: how high the water stands around a body in regular waves."""
+"""`hakobune.waves`: wave elevation around a body in regular waves."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def waves(
     width: float | None = None,
     at: Sequence[Sequence[float]] = (),
 ) -> Result:
-    """How high the water stands around the body of a database in regular waves, or around several.
+    """Wave elevation around the body of a database in regular waves, or around several bodies.
 
     database : its path, or an open one; period s, or omega rad/s; heading : rad that the waves travel to
     fixed : the body is held; width : m, of the map; at : [(x, y) m], places of their own

@@ -22,7 +22,7 @@ from ...kernels.jit import kernel
 WIDTH, TERMS = 0.5, 12
 LOGARITHMIC = 4  # cells in which ln x is separated
 FEWEST = 64  # cells of J, Y computed first, then twice as many, and so on
-VANISHED = 80  # cells until K₀ < 1e-18 and is taken as zero
+VANISHED = 80  # cells until K₀ < 1e-18, which counts as zero
 
 
 def decaying_pair(x):

@@ -1,4 +1,5 @@
-"""Why a set of another program differs from our own solution of its hull: each cause is tried, the one that fits told.
+"""Why a set of another program differs from our own solution of its hull: each cause is tried, and the one that fits is
+reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
 
-# numpy integers: numba compiles a kernel anew for every Python integer that it meets as a constant argument
+# numpy integers: numba compiles a kernel again for every Python integer that is a constant argument
 H, V, X, Z, S, T, PHI, LENGTH, END, LOW, HIGH = np.arange(11)
 NOTHING = np.int64(-1)
 STATE_ROWS, DERIVATIVE_ROWS, PIECE_COLUMNS = 7, 11, 11
@@ -91,7 +91,7 @@ def slides_on(line, facet):
 
 @kernel(inline=True)
 def next_stop(line, at):
-    """s of the next load or joint below, and whether it is a load; the lowest segment goes on below the anchor."""
+    """s of the next load or joint below, and whether it is a load; the lowest segment continues below the anchor."""
     stop, is_load = -np.inf, False
     if at[0] > 0:
         stop = line.segments[at[0], 0]

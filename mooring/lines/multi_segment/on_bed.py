@@ -31,7 +31,7 @@ def length_for(distance, t, rate, factor, flexibility):
 
 @kernel()
 def length_on(line, q, at, facet):
-    """Length to march on a facet: to its lower end, for which inf stands, and on the first one all that is left."""
+    """Length to march on a facet: to its lower end, given as inf, and on the first facet the whole remaining length."""
     return q[S] if facet == 0 and (not line.to_place or slides_down(line, at, facet, q[T])) else math.inf
 
 

@@ -72,7 +72,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
             if q > max(start, math.log(line.weight)) + 25:
                 return math.exp(q), BEYOND_REACH
         elif math.isinf(low):
-            # slack lines are told by the least tension, which is tried where a little less is not enough
+            # the least tension shows whether a line is slack; it is tried where a little less is not enough
             q = q - step if step < 1.0 and q - step > bottom else bottom
             step *= 2
         elif low == bottom:

@@ -27,7 +27,7 @@ NONE, TO_FACET, TO_VERTEX, TO_ANCHOR, ALONG, OFF_FACET = np.arange(6)
 BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER, MISSED, HEAP_AT_VERTEX, SLID = np.arange(6, 14)
 FROM_FAIRLEAD, FROM_FACET, FROM_VERTEX, FROM_SINKER = np.arange(4)
 ROUNDING = 1e-12  # penetration by which a span may seem to begin, over the length
-WALK = 10_000  # pieces of one span, far above what a line can have: no walk goes on for ever
+WALK = 10_000  # pieces of one span, far more than a line can have: a bound of the walk
 
 
 @kernel(inline=True)

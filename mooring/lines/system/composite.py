@@ -100,7 +100,7 @@ def points_along(one, found, A, B, s):
 
 
 def check_free(system, points, solutions):
-    """Refuse a free line that touches the bed, or whose buoy comes out of the water: its solver knows neither."""
+    """Refuse a free line that touches the bed, or whose buoy comes out of the water: its solver has neither."""
     for one in system.composites:
         if one.anchored:
             continue

@@ -19,7 +19,7 @@ NEARER = "give it its axial stiffness or more length, or bring its ends nearer t
 
 
 def strains(system, tension):
-    """(n,) of the softest segment of each line at tension (n,) N; 0 where it is a table, which knows its own strain"""
+    """(n,) of the softest segment of each line at tension (n,) N; 0 for a table, which contains the strain"""
     stiffness = [
         min((part.axial_stiffness for part in _parts(line) if not np.ndim(part.axial_stiffness)), default=np.inf)
         for line in system.lines

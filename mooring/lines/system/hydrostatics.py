@@ -16,7 +16,7 @@ from hakobune.bem.kernels.jit import kernel
 
 @kernel()
 def heading(R):
-    """ψ, rad: the turn about the vertical that is left when the shortest tilt is taken off."""
+    """ψ, rad: the rotation about the vertical that remains after the shortest tilt."""
     return math.atan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1])
 
 

@@ -96,7 +96,7 @@ def dynamic_line(line, anchor, system, elements, surface=True):
 
 
 def _felt(dynamics):
-    """Keywords of a DynamicSegment for what a `LineDynamics` knows; none for None"""
+    """Keywords of a DynamicSegment with the values of a `LineDynamics`; none for None"""
     if dynamics is None:
         return {}
     damping = "structural_damping" if dynamics.damping >= 0 else "damping_ratio"

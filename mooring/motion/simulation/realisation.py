@@ -17,7 +17,7 @@ from ..streams import gust_at
 
 MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
 CHAOTIC = 0.1  # error over σ of a path that is chance
-SLOWEST = 0.9  # ratio of errors from one tolerance to the next at which they are taken to fall
+SLOWEST = 0.9  # largest ratio of errors from one tolerance to the next that counts as convergence
 
 
 class Realisation(NamedTuple):

@@ -34,7 +34,7 @@ NUDGE = 2e-3  # initial offset of both trial runs, over the distance to the fair
 # share of the largest slow motion; smaller motions, and those that stay below their start, are not compared
 MINOR = 0.1
 PLANE = (0, 1, 5)
-FEW = 3  # names that are told
+FEW = 3  # largest number of names in a message
 # what lines do without inertia and drag, by trials of floaters A and three pontoons (tests/bench)
 TOO_LARGE = "slow motion and snap loads are too large, snap loads 1.6 to 9 times on chains in 10 to 20 m of water"
 TOO_SMALL = (

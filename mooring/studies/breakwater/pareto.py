@@ -56,7 +56,7 @@ def front(changed, ranges, samples=64, limits=6):
         return tried[values]
 
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # balance of Sobol's points; what trials warn of is told of those reported
+        warnings.simplefilter("ignore")  # balance of Sobol's points; warnings of trials follow for the reported designs
         for x in qmc.Sobol(len(names), seed=0).random(samples):
             trial(x)
         holding = {x: value for x, value in tried.items() if value is not None}

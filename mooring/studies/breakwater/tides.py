@@ -49,7 +49,7 @@ class Snapping(NamedTuple):
 
 
 def highest(breakwater, period):
-    """(n,) m, the highest wave that stands at a period, (n,) s (Miche)"""
+    """(n,) m, the highest wave that does not break at a period, (n,) s (Miche)"""
     depth = breakwater.depth(0.0)
     k = wavenumber(2 * np.pi / period, depth, breakwater.water.gravity)
     return BREAKING * 2 * np.pi / k * np.tanh(k * depth)
@@ -68,7 +68,7 @@ def breaking(breakwater):
 
 
 def unbroken(breakwater, period):
-    """Those of the periods (n,) s at which a wave of the study's height stands"""
+    """Those of the periods (n,) s at which a wave of the study's height does not break"""
     return period[breakwater.waves.height <= highest(breakwater, period)]
 
 

@@ -1,4 +1,4 @@
-"""Wind and current of a study: what stands in [wind], [current] and [hull], and the loads it means.
+"""Wind and current of a study: the tables [wind], [current] and [hull], and the loads of them.
 
 One table for every study of a hull.  Coefficients are those of a box, of the numbers given, of a file in the form of
 OCIMF's, or, of wind, of a type of ship.  A file is read where its study is, and stands in the study from then on as

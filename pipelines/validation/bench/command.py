@@ -68,7 +68,7 @@ def bench(
 
 
 def _peers(pythons):
-    """{program: (interpreter, version)}; the first interpreter that has a program is taken"""
+    """{program: (interpreter, version)}; the first interpreter with a program is used"""
     from .measure import peers_of
 
     found = {}

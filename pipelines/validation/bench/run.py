@@ -1,4 +1,4 @@
-"""A whole bench: one job after the other, written as it goes on."""
+"""A whole bench: one job after another, each written when it is finished."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ class Case(NamedTuple):
 
     @property
     def together(self):
-        """Lines that one of the six stands for"""
+        """Number of lines that one of the six represents"""
         return max(1, round(self.values["lines"] / 6))
 
     @property

@@ -1,4 +1,6 @@
-"""A campaign from its first scene to its last: failures and time left are told as they come, the result kept."""
+"""A campaign from its first scene to its last: failures and time left are printed during the campaign, and the result
+is stored.
+"""
 
 from __future__ import annotations
 

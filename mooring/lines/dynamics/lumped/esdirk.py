@@ -181,7 +181,7 @@ def run(system, sea, course, control, scheme, state, until, rows, frame_times, f
             copy(k, K[i - 1])
             lead(motion, now, place, qh, vh, k, last)
             begin_stage(work, qh, vh, k, last, cq, cv)
-            # the water is taken where the nodes are expected: an error of order h³
+            # the water is that at the expected positions of the nodes: an error of order h³
             if moving:
                 water_at(water, work.q, last + 1, now, work.u, work.du)
             status, count = solve_stage(s, work, k, slip, q, cq, cv, limit * scale, limit * control.distance)

@@ -97,7 +97,7 @@ class Control(NamedTuple):
 
 
 class State(NamedTuple):
-    """Everything a run goes on from; arrays (N + 1, 3)."""
+    """State from which a run continues; arrays (N + 1, 3)."""
 
     time: float
     position: np.ndarray
