@@ -269,7 +269,7 @@ def test_a_study_that_says_nothing_has_memory_pairs_of_waves_and_lines_that_move
     assert (table.memory, table.dynamic_lines, table.qtf, table.slow_drift) == ("states", "auto", "auto", "newman")
     for kind in KINDS:
         asked = tomllib.loads(commented(kind)).get("simulation", {})
-        rings = {"memory"} if kind == "bridge" else set()  # water in gaps, too sharply for states
+        rings = {"memory"} if kind == "bridge" else set()  # 24 coupled motions, too many for states
         assert not {"memory", "dynamic_lines", "qtf"} & set(asked) - rings, kind
 
 
