@@ -118,7 +118,7 @@ def test_moments_may_have_an_area_of_their_own(tmp_path):
         ("30,0.7", "30,nan", "not all finite"),
         ("180,-0.9,0,0\n", "", "angles run from 0° to 170°"),
         ("180,-0.9,0,0", "180,-0.9,0.1,0", "y is 0 at 0°, 0.1 at 180°"),
-        ("30,0.7", "60,0.7", "increasing"),
+        ("30,0.7", "60,0.7", "rising"),
     ],
 )
 def test_a_file_that_cannot_be_is_refused_in_one_line(tmp_path, old, new, message):
