@@ -172,7 +172,7 @@ class AtHeadings:
 
     @cached_property
     def _turns(self):
-        """(p,) rad, from the stored heading used for each of `wanted` on a round body"""
+        """(p,) rad, angle from the stored heading that is used to each of `wanted`, for a round body"""
         return _wrapped(self.wanted - self.folded[self.source])
 
     @cached_property

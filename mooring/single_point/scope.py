@@ -62,5 +62,5 @@ def highest_third(record):
 
 
 def peak(static, significant_value):
-    """Peak from which `significant` was computed"""
+    """Largest value of a record from its value by `significant`, of which this is the inverse"""
     return static + (significant_value - static) / SIGNIFICANT

@@ -30,7 +30,7 @@ def split_frequency(omega, amplitude):
 
 
 def slow_part(motion, step, split):
-    """Part slower than `split`, rad/s, of a record (n, …) at equal steps, s, without delay: |H|² = 1/(1 + (ω/ω_s)¹⁶)
+    """Part slower than `split`, rad/s, of a record (n, …) at equal steps, s, without delay: gain 1/(1 + (ω/split)¹⁶)
 
     A causal filter has a delay, which would appear as motion in waves.
     """

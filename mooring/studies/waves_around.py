@@ -1,4 +1,4 @@
-"""Wave elevation around a body of a database in regular waves of 1 m: a map about the body, and places."""
+"""Wave elevation around a body of a database in regular waves of 1 m amplitude, on a map and at places."""
 
 from __future__ import annotations
 

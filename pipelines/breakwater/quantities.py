@@ -146,7 +146,7 @@ def snapping_of(asked, found):
     if found.snapping is None:
         return {}, {}
     level, period, snap = found.snapping
-    title = f"snapping lines in time, {period:.4g} s at {level} water"
+    title = f"lines that go slack and snap, in time, {period:.4g} s at {level} water"
     when = {"snap.level": (level, "", "level"), "snap.period": (float(period), "s", "period")}
     return quantities("", when) | quantities(title, {
         "snap.largest": (snap.largest, "N/m", "snaps to"),

@@ -115,7 +115,7 @@ def _words(text):
 
 
 def _value(raw, path, got):
-    """The value at the path; where the path contains names chosen by the user, only its kind."""
+    """The value at the path; where the path contains names chosen by the user, only the type of the value."""
     try:
         for part in re.findall(r"[^.\[\]]+", path):
             raw = raw[int(part)] if isinstance(raw, list) else raw[part]

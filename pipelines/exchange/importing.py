@@ -78,7 +78,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
 
 
 def read_set(module, place, known):
-    """The Values; raises FormatError, with the depth stored in a set where none is given"""
+    """The Values; raises FormatError, which names the depth that fits damping and excitation where none is given"""
     try:
         return module.read(place, known)
     except FormatError as error:

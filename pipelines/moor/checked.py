@@ -40,7 +40,7 @@ class Body(NamedTuple):
 
     @property
     def sizes(self):
-        """Dimensions known before the hull is meshed, as those of a database"""
+        """Dimensions known before the hull is meshed, in place of `sizes` of a database"""
         return self.dimensions
 
 

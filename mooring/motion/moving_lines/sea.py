@@ -105,7 +105,7 @@ def water_of(sea, count, most):
 
 @kernel()
 def line_water(water, first, last):
-    """`Water` at nodes `first` … `last` − 1 of all; values after them may be read, eight at a time"""
+    """`Water` at nodes `first` … `last` − 1 of all; loops read eight values at once and may read beyond the last"""
     begin, end = (SAMPLES * OF_PLACE * first, SAMPLES * OF_PLACE * last) if water.table.size > 0 else (0, 0)
     return Water(
         water.level, water.current, water.amplitude, water.omega, water.wavenumber, water.heading, water.phase,

@@ -76,7 +76,7 @@ class Course(NamedTuple):
 
 
 def realisation_of(moored, settings, seed, begun, course):
-    """`Realisation` of a seed from its start (`run.Begun`) and the Course of its body"""
+    """`Realisation` of a seed from what its run begins with (`run.Begun`) and the Course of its body"""
     samples, clock, lines = course.samples, course.clock, begun.scene.lines
     clocked = settings.step * np.arange(len(samples))
     tension = np.zeros((len(samples), len(lines.lost)))

@@ -16,7 +16,7 @@ PERIODS = ("period", "mean_period", "zero_crossing_period", "energy_period", "pe
 
 
 class SpectrumTable(Table):
-    """A sea with a significant height and one period
+    """A sea with a significant height and one period: mean, zero-crossing, energy, peak or significant
 
     height : m, significant wave height
     period : s, mean period, as mean_period

@@ -82,7 +82,7 @@ def test_lines_without_enough_pretension_are_said_to_go_slack(tmp_path, capsys):
     text = RECTANGLE.replace("free_draft = 3.4", "free_draft = 4.9").replace("1e5", "1e3")
     assert run(tmp_path, text) == 1
     said = capsys.readouterr().out
-    assert "FAILS: lines go slack: front at mean water" in said and "snapping lines in time" in said
+    assert "FAILS: lines go slack: front at mean water" in said and "lines that go slack and snap, in time" in said
     assert all(word in said for word in ("mean of the", "cycles"))
 
 
