@@ -58,6 +58,7 @@ demo: venv
 
 # HAKOBUNE_DOCS_EXECUTE=false leaves the notebooks without their results, half a minute less
 docs: .venv/.docs
+	@rm -f docs/notebooks/*.h5 # of a build that was ended
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
 	@rm -f docs/notebooks/*.h5
 	@echo "build/guide is written; open it with $(BIN)/python -m http.server -d build/guide, or make docs-serve"

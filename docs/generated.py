@@ -36,6 +36,10 @@ def on_config(config):
     return config
 
 
+# what `mkdocs.plugins.event_priority` sets; tests of the pages have no MkDocs.  mkdocstrings looks for build/api later
+on_config.mkdocs_priority = 100
+
+
 def on_files(files, config):
     from mkdocs.structure.files import File
 
