@@ -289,5 +289,5 @@ def warnings(verdict):
     for group in found.values():
         text, name = max(group, key=lambda pair: float((NUMBER.search(pair[0]) or "0")[0]))
         own = ", each with its own numbers" if len({pair[0] for pair in group}) > 1 else ""
-        more = f"; likewise{own}, in {len(group) - 1} more cases" if len(group) > 1 else ""
+        more = f"; likewise{own}, in {len(group) - 1} more case{'s' * (len(group) > 2)}" if len(group) > 1 else ""
         yield {"text": text, "cases": f"{name}{more}"}

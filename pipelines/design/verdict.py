@@ -55,7 +55,7 @@ def broken_in(ran):
         for text in failing(one.numbers.warnings) if one.numbers is not None else ():
             found.setdefault(NUMBER.sub("#", text), []).append(f"{text}; in {one.case.name}")
     for texts in found.values():
-        more = f", and in {len(texts) - 1} more cases" if len(texts) > 1 else ""
+        more = f", and in {len(texts) - 1} more case{'s' * (len(texts) > 2)}" if len(texts) > 1 else ""
         yield texts[0] + more
 
 

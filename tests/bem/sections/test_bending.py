@@ -19,7 +19,7 @@ def test_the_strip_of_wu_watanabe_and_utsunomiya():
     """A plate without draft, as theirs: nine shapes within 1 %, as many as the waves ask for to 1e-3; eight at the
     draft of its weight"""
     found, energy = ends_and_middle()
-    assert found == pytest.approx(PUBLISHED, rel=1e-3) and energy == pytest.approx(1.0, abs=1e-7)
+    assert found == pytest.approx(PUBLISHED, rel=3e-4) and energy == pytest.approx(1.0, abs=1e-7)
     errors = [np.abs(ends_and_middle(shapes=n)[0] / PUBLISHED - 1).max() for n in (6, 9, 14)]
     assert errors[0] > 2 * errors[1] and errors[1] < 0.01 and errors[2] < 1.5e-3
     assert ends_and_middle(shapes=8, draft=None)[0] == pytest.approx(PUBLISHED, rel=0.01)

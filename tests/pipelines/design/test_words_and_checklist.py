@@ -185,8 +185,8 @@ def test_findings_of_cases_that_differ_in_numbers_are_told_once_with_the_largest
     )
     found = {one["text"]: one["cases"] for one in report_words.warnings(verdict)}
     assert found == {
-        "uplift of 30 kN": "b; likewise, each with its own numbers, in 1 more cases",
-        "slack": "b; likewise, in 1 more cases",
+        "uplift of 30 kN": "b; likewise, each with its own numbers, in 1 more case",
+        "slack": "b; likewise, in 1 more case",
     }
 
 

@@ -55,7 +55,7 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
     run = tmp_path / "run.h5"
     made = hakobune.simulate({**STUDY, **TIGHT}, database, run)
     assert made.labels["record"].values[[0, 6]].tolist() == ["ship surge", "barge surge"]
-    assert made.labels["gap"].values.tolist() == ["ship barge"] and made["gap.smallest"][0] < made["gap.mean"][0] < 2.4
+    assert made.labels["gap"].values.tolist() == ["ship barge"] and made["gap.smallest"][0] < made["gap.mean"][0] < 2.2
     assert made.labels["line"].values.tolist()[-2:] == ["tie", "R"] and made["deflection.largest"][0] > 0.005
     with h5py.File(run) as file:
         names = file["dof"].asstr()[()]
