@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-from cyclopts import App, CycloptsError, Parameter
+from cyclopts import App, CycloptsError, MissingArgumentError, Parameter
 
 from hakobune.bem import __version__
 from hakobune.mooring.criteria.failing import fails
@@ -311,6 +311,9 @@ def main(arguments=None):
     except BrokenPipeError:  # who read what is printed has gone, and with it the wish to know
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 128 + signal.SIGPIPE
+    except MissingArgumentError as error:
+        print(f"{name}: {_missing(error)}", file=sys.stderr)
+        return 2
     except (CycloptsError, ValueError, OSError, ImportError) as error:
         print(f"{name}: {_one_line(error)}", file=sys.stderr)
         return 2
@@ -323,6 +326,12 @@ def main(arguments=None):
     finally:
         for line in timing.told() if timed else ():
             print(line, file=sys.stderr)
+
+
+def _missing(error):
+    """A flag or an argument that is not given, or given without its value, with its line of help"""
+    what = "needs a value" if error.keyword or error.argument.tokens else "is missing"
+    return f"{error.argument.name} {what}: {error.argument.parameter.help}"
 
 
 def _one_line(error):

@@ -59,7 +59,7 @@ def test_fenders_side_by_side_add():
 @pytest.mark.parametrize(
     "flags, says",
     [
-        ("", "--height requires an argument"),
+        ("", "--height is missing"),
         ("--height 2", "family and table: neither is given"),
         ("--height 2 --family=", "family '' is unknown"),
         ("--height -2 --family cell", "fender.height is -2; allowed: above 0, at most 20"),

@@ -22,6 +22,7 @@ from hakobune.pipelines.keys.kinds import SCENES
 
 SCALE = 1 / 70
 POWERS = {  # of keys, by their names
+    -0.5: "omegas",
     0.5: "speed speed_knots period periods mean_period significant_period duration wind current tsunami_period "
     "wave_period duration_hours",
     1: "cohesion_kPa dolphin depth length beam draft height freeboard width start end growth position x z diameter "
@@ -37,7 +38,7 @@ PLAIN = (
     "added_yaw headings_deg angles_deg y beam_over_draft count acceleration coefficient drag_normal drag_tangential "
     "phase_deg allowable density gravity service_life probability ground regional averaging_s roll "
     "corner_headings_deg unit_weight_kN_per_m3 wind_driven drift_tonf_per_m2 after_segment "
-    "tolerance panels block"
+    "tolerance panels block surface_drag seeds at_most window_hours"
 )
 POWER = {name: power for power, names in POWERS.items() for name in names.split()} | dict.fromkeys(PLAIN.split(), 0)
 CHAIN = {"weight_kg_per_m": 111.3, "breaking_load_kN": 5000.0, "axial_stiffness_kN": 5e5}
@@ -95,6 +96,11 @@ def slender(tables):
     tables["method"] = "wang"
 
 
+def short(tables):
+    cheap = {"memory": "constant", "dynamic_lines": "none", "qtf": "newman"}
+    tables["simulation"] = {"duration_hours": 0.2, "seeds": 2} | cheap
+
+
 def measured(tables):
     for key in ("maxima", "averaging_s", "family"):
         tables["wind"].pop(key)
@@ -114,6 +120,7 @@ COMMANDS = {  # tables of the study, keywords of the function, flags of the comm
     "single-point": (lambda: of("single_point_A"), {}, ()),
     "site": (lambda: of("site_bay", measured), {}, ("--output", "site.toml")),
     "breakwater": (lambda: of("breakwater_circle", few), {}, ()),
+    "sections": (lambda: of("sections_hinged"), {}, ()),
 }
 
 
@@ -212,6 +219,13 @@ def test_a_body_at_model_scale_is_printed_with_three_digits_and_kept_with_all(
     assert main(["check", "found.csv"]) == 0
     found = hakobune.read("found.h5")
     assert found.quantities == made.quantities and found.told == made.told
+
+
+def test_a_simulation_at_model_scale_is_printed_with_three_digits_and_kept_with_all(capsys, there, tank):
+    (there / "box.h5").symlink_to(tank[0])
+    (there / "study.toml").write_text(tomli_w.dumps(scaled(of("simulate_chain_12", short))))
+    words = "simulate study.toml --database box.h5 --output runs.h5 --fresh"
+    compare(words.split(), hakobune.simulate("study.toml", "box.h5"), capsys)
 
 
 def test_a_sweep_at_model_scale_is_printed_with_three_digits_and_kept_with_all(capsys, there):
