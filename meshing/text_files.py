@@ -27,7 +27,7 @@ def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
     except FileNotFoundError:
         raise error(f"{path} does not exist") from None
     except UnicodeDecodeError:
-        raise error(f"{path} cannot be read: not text") from None
+        raise error(f"{path} cannot be read: not text in UTF-8") from None
     except (OSError, EOFError, zlib.error) as fault:
         raise error(f"{path} cannot be read: {getattr(fault, 'strerror', None) or fault}") from None
     if text_damaged(text):
