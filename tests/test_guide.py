@@ -49,7 +49,7 @@ def blocks(text):
 
 def plain(text):
     """Words alone: no boxes, one space"""
-    return " ".join(re.sub(r"[^\S ]|[│┃║|]", " ", text).split())
+    return " ".join(re.sub(r"[^\S ]|[|\u2500-\u257f]", " ", text).split())
 
 
 def shown_to_fail(printed, page):

@@ -17,14 +17,16 @@ def overused(names, used, allowable, where, help=HELP):
     where : words on the tension, as "at the largest tension"; help : the way out
     """
     used = np.asarray(used, float)
+    parted = used > 1
     kinds = (
-        (used > 1, "beyond the breaking load, limit 100 %, at which they break"),
-        ((used > allowable) & (used <= 1), f"above the allowable {100 * allowable:g} % of the breaking load"),
+        (parted, "beyond the breaking load, limit 100 %, at which they break"),
+        ((used > allowable) & ~parted, f"above the allowable {100 * allowable:g} % of the breaking load"),
     )
     for chosen, text in kinds:
         if np.any(chosen):
             named = shares(names, np.where(chosen, used, np.nan))
-            yield fails(f"{chosen.sum()} of {len(used)} lines {where} {text}: {named}; {help}")
+            more = "more " if chosen is not parted and np.any(parted) else ""
+            yield fails(f"{chosen.sum()} {more}of {len(used)} lines {where} {text}: {named}; {help}")
 
 
 def shares(names, values):

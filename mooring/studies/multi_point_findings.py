@@ -104,11 +104,11 @@ def _undamped(result, db, waves):
         if name not in periods or (mode % 6 != 3 and not (mode in weak and mode % 6 in (2, 4))):
             continue
         period, amplitude = periods[name], result.amplitudes[mode]
-        unit = "m" if mode % 6 == 2 else "rad"
+        size = f"{amplitude:.2g} m" if mode % 6 == 2 else f"{np.degrees(amplitude):.3g}°"
         if amplitude > MOVING * 0.5 * waves.height and low <= period / waves.period <= high:
             yield (
                 f"natural period of {body.words[mode]} {period:.3g} s lies within {low:g} to {high:g} of the wave "
-                f"period {waves.period:g} s: its amplitude {amplitude:.2g} {unit} {NO_DAMPING}; "
+                f"period {waves.period:g} s: its amplitude {size} {NO_DAMPING}; "
                 "motion, drift and tension are too large; give the scene [viscous], or simulate with damping_ratio"
             )
 

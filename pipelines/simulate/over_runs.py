@@ -52,8 +52,10 @@ def overloads(file, allowable=None):
         counts, order = beyond(used, limit), [i for i in np.argsort(-most, kind="stable") if chosen[i]]
         named = [f"{names[i]} {100 * most[i]:.4g} % in {counts[i]} of {len(used)} runs" for i in order]
         if named:
+            more = " more" if limit < 1 and (most > 1).any() else ""
             way = MOVE if any(line.startswith(OF_LINES) for line in told(file)) else HELP
-            yield fails(f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
+            share = f"{len(named)}{more} of {len(names)}"
+            yield fails(f"{share} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
 
 
 def anchors_in_runs(file):

@@ -586,7 +586,7 @@ def test_lines_that_part_come_before_those_above_what_is_allowable_with_names_an
     assert found == [
         "FAILS: 1 of 3 lines in the runs beyond the breaking load, limit 100 %, at which they break: fore 119 "
         "%; way out",
-        "FAILS: 1 of 3 lines in the runs above the allowable 40 % of the breaking load: aft 50 %; way out",
+        "FAILS: 1 more of 3 lines in the runs above the allowable 40 % of the breaking load: aft 50 %; way out",
     ]
     assert not list(overused(["fore"], [0.4], 0.4, "in the runs"))
 

@@ -90,6 +90,8 @@ def test_lines_that_part_and_lines_above_what_is_allowable_are_told_apart():
     assert parted.startswith(
         "FAILS: 1 of 5 lines in the storm beyond the breaking load, limit 100 %, at which they break: d 100.1 %"
     )
-    assert "2 of 5 lines in the storm above the allowable 40 % of the breaking load: c 100 %, b 40.1 %; give" in above
+    assert "2 more of 5 lines in the storm above the allowable 40 % of the breaking load: c 100 %, b 40.1 %;" in above
+    (alone,) = overused(names[:2], [0.4, 0.401], 0.4, "at rest")
+    assert "1 of 2 lines at rest above" in alone
     assert list(overused(names[:1], [0.4], 0.4, "")) == [] and len(list(overused(names[:1], [1.2], 1.0, ""))) == 1
     assert shares(("x", "y"), [np.inf, 0.5]) == "x infinitely, y 50 %"

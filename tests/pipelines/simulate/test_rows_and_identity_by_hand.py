@@ -137,7 +137,7 @@ def test_lines_that_part_and_lines_beyond_what_is_allowable_are_told_with_the_ru
         "1 of 3 lines in the runs beyond the breaking load, limit 100 %, at which they break: c 120 % in 2 of 4 runs"
         in parts
     )
-    assert "1 of 3 lines in the runs above the allowable 50 % of the breaking load: b 70 % in 2 of 4 runs" in over
+    assert "1 more of 3 lines in the runs above the allowable 50 % of the breaking load: b 70 % in 2 of 4 runs" in over
     assert len(list(over_runs.overloads(file, 1.0))) == 1 and over_runs.MOVE not in parts
     monkeypatch.setattr(over_runs, "told", lambda file: (f"{over_runs.OF_LINES} of the lines",))
     assert all(over_runs.MOVE in str(line) for line in over_runs.overloads(file))
