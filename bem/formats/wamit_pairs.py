@@ -5,7 +5,7 @@
 
 with F̄ multiplied by ULEN for forces and by its square for moments; periods in s, headings in degrees that waves
 travel to, phases in degrees: the conjugates of ours.  Pairs of the other order have the conjugate, in .12s the same;
-the files have those with PER₁ ≤ PER₂.
+the files have those with PER₁ ≤ PER₂.  I counts the forces of several bodies from 1 to 6N.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import numpy as np
 
 from hakobune.meshing.whole_files import made_beside
 
+from ..modes import turned
 from ..second_order.kinds import DIFFERENCE, SUM
 from ..second_order.quadratic_forces import QuadraticForces
 from .values import FormatError, table_of
@@ -24,10 +25,15 @@ SUFFIXES = {DIFFERENCE: ".12d", SUM: ".12s"}
 EVEN = 1e-3  # relative variation of the frequency step that counts as even; periods are printed with seven digits
 
 
-def write_pairs(forces, place, weight):
-    """Write NAME.12d or .12s of a `QuadraticForces` and return its path; weight : ρg, N/m³"""
+def write_pairs(forces, place, weight, bodies=()):
+    """Write NAME.12d or .12s of a `QuadraticForces` and return its path
+
+    weight : ρg, N/m³; bodies : `bem.modes.Body` of each of several, whose forces are turned to the axes of the scene
+    """
     path, degrees = Path(place).with_suffix(SUFFIXES[forces.kind]), np.degrees(forces.headings)
     T = forces.total.conj() / weight
+    for i, body in enumerate(bodies):
+        T[..., 6 * i : 6 * i + 6] = T[..., 6 * i : 6 * i + 6] @ turned(body.heading)
     with made_beside(path) as partial, partial.open("w", encoding="ascii") as file:
         for m in range(len(forces.frequency)):
             for higher, lower in zip(*forces.kind.pairs(m, len(forces.omega)), strict=True):
@@ -52,8 +58,8 @@ def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
     if not path.exists():
         return None
     table = table_of(path, (9,))
-    one, two = 2 * np.pi / table[:, 0], 2 * np.pi / table[:, 1]
-    value = weight * length ** (1 + (table[:, 4] > 3)) * (table[:, 7] - 1j * table[:, 8])
+    one, two, mode = 2 * np.pi / table[:, 0], 2 * np.pi / table[:, 1], table[:, 4].astype(int) - 1
+    value = weight * length ** (1 + (mode % 6 > 2)) * (table[:, 7] - 1j * table[:, 8])
     omega, step = _even(path, np.concatenate([one, two]))
     n, l = (np.rint((w - omega[0]) / step).astype(int) for w in (one, two))
     turned = np.round(np.mod(table[:, 2:4] + 180, 360) - 180, 6)  # −180° and 180° are one
@@ -63,9 +69,9 @@ def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
     value = np.where(swapped, second(value), value)
     n, l, a, b = (np.where(swapped, y, x) for x, y in ((n, l), (l, n), (a, b), (b, a)))
     m = n + kind.sign * l
-    shape = m.max() + 1, len(omega), len(degrees), len(degrees), 6
+    shape = m.max() + 1, len(omega), len(degrees), len(degrees), 6 * (mode.max() // 6 + 1)
     out = np.full(shape, np.nan, complex)
-    out[m, l, a, b, table[:, 4].astype(int) - 1] = value
+    out[m, l, a, b, mode] = value
     alike = (np.arange(len(omega)) * (1 + kind.sign), np.arange(len(omega)))  # pairs of a frequency with itself
     alike = tuple(places[alike[0] < shape[0]] for places in alike)
     own = out[alike]

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from .. import DOFS
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
 from ..panels.pressure_drift.turned_loads import rotated_pairs
+from .body_forces import body_forces
 from .kinds import DIFFERENCE, EVEN
 from .long_wave_forces import long_wave_forces, lowest
 from .rotations import first_order_loads, still_water_pairs
@@ -67,6 +67,10 @@ class FirstOrderWaves:
         flow = HullFlow.joined(self.parts)
         return flow, self._squares(flow, self.loads, self.rao)
 
+    def of_moving_hull(self, flow, one, two, made):
+        """(q, 6) about the rotation centre, `body_forces` of pairs; made : as `radiated` gives it"""
+        return body_forces(self.surfaces, flow, one, two, made, self.problem, self.kind) @ self.problem.transform.T
+
     def squares_in_swayed(self):
         """(n, m, n, m, 6) T of squares of first order in the motions `swayed`"""
         parts, loads, rao = zip(*self.in_swayed, strict=True)
@@ -77,7 +81,8 @@ class FirstOrderWaves:
         squares = pressure_pairs(self.surfaces, flow, self.problem, second) @ self.problem.transform.T
         if self.moving:
             squares += rotated_pairs(np.concatenate(loads), rao, second)
-            squares += still_water_pairs(rao, self.problem, self.surfaces.hull, second)
+            roll, weight = self.problem.hydrostatic_stiffness[3, 3], self.problem.density * self.problem.gravity
+            squares += still_water_pairs(rao, self.surfaces.hull, self.problem.rotation_center, roll, weight, second)
         n, m = len(self.rao), len(self.headings)
         return squares.reshape(n, m, n, m, 6)
 
@@ -106,7 +111,7 @@ class PanelWaves(FirstOrderWaves):
     def solve(self, omega):
         again = np.abs(self.of_force - omega).min() <= self.near
         want = self.wanted | ({"added_mass"} if again else set())
-        run = self.prepared.run(omega, self.headings, want, None, DOFS)
+        run = self.prepared.run(omega, self.headings, want, None, self.problem.dofs)
         if again:
             self.radiating.append(run)
         motions = self.take(run, lambda motions: wave_flow(run, self.surfaces, motions))
@@ -116,7 +121,8 @@ class PanelWaves(FirstOrderWaves):
     def radiation(self, omega):
         """Run of a frequency of the force"""
         known = [run for run in self.radiating if abs(run.omega - omega) <= self.near]
-        return known[0] if known else self.prepared.run(max(omega, self.least), [0.0], {"added_mass"}, None, DOFS)
+        dofs = self.problem.dofs
+        return known[0] if known else self.prepared.run(max(omega, self.least), [0.0], {"added_mass"}, None, dofs)
 
     def radiated(self, run):
         """`HullFlow` of the six motions of unit velocity"""
@@ -131,6 +137,6 @@ def _sharing(problem, low, high, count):
     """The problem prepared, its frequencies in a band that shares work where there are many; a round body needs none"""
     problem = replace(problem, coarse=None, finer=None)
     alone = replace(problem, band=None).prepared()
-    if count < MANY or alone.axisymmetric_geometry.sectors:
+    if count < MANY or problem.damping_lids or alone.axisymmetric_geometry.sectors:
         return alone
     return replace(problem, band=(low, high)).prepared()

@@ -52,12 +52,15 @@ def lowest(problem):
 
 
 def long_wave_forces(run, number):
-    """(w, 6) D about the origin, of waves of wavenumbers (w, 2) rad/m at the frequency of a `PanelRun`"""
+    """(w, 6) D about the origin, of waves of wavenumbers (w, 2) rad/m at the frequency of a `PanelRun`
+
+    Of several bodies (w, 6N), of those whose motions the run has solved for
+    """
     g, problem = run.geometry, run.problem
     nodes, weights, normals = run.hull
     size = np.hypot(*number.T)
     Z, slope = (f(nodes[:, 2], size[:, None], problem.depth) for f in (depth_factor, depth_factor_slope))
-    out = np.zeros((len(number), 6), complex)
+    out = np.zeros((len(number), run.count), complex)
     modes = run.prepared.modes
     for image, (sx, sy) in enumerate(g.images):
         phase = np.exp(1j * (number[:, :1] * sx * nodes[:, 0] + number[:, 1:] * sy * nodes[:, 1]))

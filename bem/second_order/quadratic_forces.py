@@ -19,11 +19,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .body_forces import body_forces
 from .bound_waves import bound_waves
 from .first_order_waves import PanelWaves
 from .kinds import DIFFERENCE, EVEN, SUM, Kind
 from .surface_forces import PairsOfOne, SurfaceForces, line_integral
+from .waves_of_bodies import WavesOfBodies
 
 ORDER = 1.4  # order of the error in the number of panels, fitted by `tests/bench/pair_errors.py`
 SIZES = 0.08, 0.33, 1.3  # factors of estimated errors: heave, roll, pitch; surge, sway, yaw; of the motions; fitted too
@@ -134,7 +134,8 @@ class QuadraticRun:
         if swayed is not None:
             more = waves.squares_in_swayed() - self.squares
             self.by_motions = np.array([self._placed(self._of(more, m), m) for m in range(len(self.frequency))])
-        self.added = None if kind is SUM else _by_far_field(self.squares, np.array(waves.far), self.flow)
+        known = kind is DIFFERENCE and not problem.bodies  # the far field knows all bodies together alone
+        self.added = _by_far_field(self.squares, np.array(waves.far), self.flow) if known else None
         self.of_surface = None if waves.around is None else SurfaceForces(waves.around, kind)
 
     def blocks(self, done=0):
@@ -189,9 +190,8 @@ class QuadraticRun:
     def _body(self, pairs, made):
         """(q, m, m, 6) of the moving hull, made : `HullFlow` of its radiated waves, None for none"""
         if made is None:
-            return pairs.shaped(np.zeros((len(pairs.one), 6), complex))
-        body = body_forces(self.waves.surfaces, self.flow, pairs.one, pairs.two, made, self.problem, self.kind)
-        return pairs.shaped(body @ self.problem.transform.T)
+            return pairs.shaped(np.zeros((len(pairs.one), self.squares.shape[-1]), complex))
+        return pairs.shaped(self.waves.of_moving_hull(self.flow, pairs.one, pairs.two, made))
 
     def _tell(self, last):
         """That the pairs of the frequencies up to the number `last` are solved"""
@@ -244,6 +244,8 @@ def _likeness(flow, n, m):
 
 def _waves_of(problem):
     """The class that collects its waves"""
+    if problem.bodies:
+        return WavesOfBodies
     if hasattr(problem, "mesh"):
         return PanelWaves
     from .contour_waves import ContourWaves
@@ -368,7 +370,7 @@ class _Pairs:
         self.waves = (omega[higher[place]], headings[a]), (kind.negative(omega[lower[place]]), headings[b])
 
     def shaped(self, values):
-        return values.reshape(self.count, self.headings, self.headings, 6)
+        return values.reshape(self.count, self.headings, self.headings, -1)
 
 
 def _bound(pairs, run, waves):

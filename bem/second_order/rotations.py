@@ -34,19 +34,21 @@ def turned_twice(motion, second=np.conj):
     return 0.5 * (turns - np.trace(turns, axis1=2, axis2=3)[..., None, None] * np.eye(3))
 
 
-def still_water_pairs(motion, problem, surface, second=np.conj):
+def still_water_pairs(motion, surface, center, roll_stiffness, weight, second=np.conj, axes=None):
     """(f, f, 6) T of the still water on a body of finite rotations, about the rotation centre.
 
-    motion : (f, 6); problem : with its stiffness; surface : `hull_flow.Surface` of the hull
+    motion : (f, 6); surface : `hull_flow.Surface` of the hull; center : (3,) m, rotation centre
+    roll_stiffness : C_44, N m; weight : N/m³, of water; axes : (3, 3), columns are those of the body
     """
-    x = surface.points - np.asarray(problem.rotation_center)
+    x = surface.points - np.asarray(center)
+    x = x if axes is None else x @ axes
     area = -surface.normals[:, 2] * surface.weights  # area of the waterplane above each point
-    x[:, 2] = -problem.rotation_center[2]
-    H, weight = turned_twice(motion, second), problem.density * problem.gravity
+    x[:, 2] = -center[2]
+    H = turned_twice(motion, second)
     lever = np.stack([np.ones(len(x)), x[:, 1], -x[:, 0]])
     out = np.zeros((*H.shape[:2], 6), complex)
     out[..., 2:5] = -weight * H[..., 2, :] @ ((lever * area) @ x).T
-    w = problem.hydrostatic_stiffness[3, 3] - weight * area @ x[:, 1] ** 2
+    w = roll_stiffness - weight * area @ x[:, 1] ** 2
     out[..., 3] -= w * H[..., 1, 2]  # H_yz = ½ α_y α_z
     out[..., 4] += w * H[..., 0, 2]
     return out

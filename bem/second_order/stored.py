@@ -58,6 +58,7 @@ class StoredForces:
     errors : (d, n, m, m, 6) estimated, of the whole, or None; coarser : (d, n, m, m, 6) the whole at a coarser
         resolution, of which the errors are, or None
     asked : rad/s, the largest difference or sum that will be stored, of a run that has not ended, or None
+    names : of the forces, as `influenced_dof` of a database
     """
 
     forces: QuadraticForces
@@ -67,11 +68,18 @@ class StoredForces:
     errors: np.ndarray | None = None
     coarser: np.ndarray | None = None
     asked: float | None = None
+    names: tuple[str, ...] = DOFS
+
+    @property
+    def words(self):
+        """Names of the forces as results have them: "surge", of several bodies "barge surge" """
+        parts = [name.rpartition("__") for name in self.names]
+        return [f"{body} {dof.lower()}".strip() for body, _, dof in parts]
 
 
 def write_forces(path, stored):
     """Put `StoredForces` into a database, in place of what it has of their kind"""
-    forces, unit, names = stored.forces, "N/m2, N m/m2", np.array(DOFS, dtype="S8")
+    forces, unit, names = stored.forces, "N/m2, N m/m2", np.array(stored.names, dtype=np.bytes_)
     name_of_axis = forces.kind.name
     datasets = {
         "omega": (("omega",), "rad/s", forces.omega),
@@ -122,6 +130,7 @@ def read_forces(db, kind=DIFFERENCE):
         values.get(ERRORS),
         values.get(COARSER),
         attributes.get(f"{kind.name}_asked"),
+        tuple(name.decode() for name in values["influenced_dof"]),
     )
 
 

@@ -125,14 +125,24 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
 
 
 def problem_of(db):
-    """The `PanelProblem` of a database's body on its panels.  Raises ValueError for a body beside a wall."""
+    """The `PanelProblem` of a database's bodies on their panels, without damping lids.
+
+    raises : ValueError for bodies beside a wall; DatabaseError for those that bend
+    """
     import tomllib
 
     from hakobune.bem.methods.panel_problem import PanelProblem
 
     if "wall" in tomllib.loads(db.header.scene):
         raise ValueError(f"{db.path} is for a body beside a wall; second-order forces need open water")
-    body = db.reader
+    db.require_rigid()
+    held = {"bodies": db.bodies}
+    if db.bodies:
+        held |= {"inertia_matrix": db.inertia_matrix, "hydrostatic_stiffness": db.stiffness}
+        held |= {"viscous": db.bodies_reader.viscous}
+    else:
+        body = db.reader
+        held |= {"inertia_matrix": body.inertia, "hydrostatic_stiffness": body.stiffness, "viscous": body.viscous}
     return PanelProblem(
         db.mesh,
         db.lid,
@@ -140,9 +150,7 @@ def problem_of(db):
         density=db.density,
         gravity=db.gravity,
         rotation_center=tuple(db.rotation_center),
-        inertia_matrix=body.inertia,
-        hydrostatic_stiffness=body.stiffness,
-        viscous=body.viscous,
+        **held,
     )
 
 

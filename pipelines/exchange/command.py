@@ -91,7 +91,7 @@ def _pairs_written(db, values, output):
 
     weight = values.density * values.gravity
     there = [kind for kind, name in GROUPS.items() if read_group(db, name) is not None]
-    return [write_pairs(read_forces(db, kind).forces, output, weight) for kind in there]
+    return [write_pairs(read_forces(db, kind).forces, output, weight, db.bodies) for kind in there]
 
 
 def format_of(flag, name):

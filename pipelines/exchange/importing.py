@@ -14,7 +14,8 @@ from hakobune.bem.database.schema import DOFS, LIMITS
 from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.judging.laws import depth_of
-from hakobune.bem.formats.values import FormatError, with_headings_once
+from hakobune.bem.formats.values import FormatError, body_of, with_headings_once
+from hakobune.bem.modes import names_of
 from hakobune.meshing.files import read_mesh, wetted
 from hakobune.meshing.quality import findings
 from hakobune.meshing.whole_files import made_beside
@@ -53,7 +54,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
         fails(f"{name} is not finite at {omega} rad/s; these frequencies are not stored: compute them again")
         for name, omega in left_out.items()
     ]
-    pairs = _pairs_of(place, kind_name, values, of_module)
+    pairs = pairs_of(place, kind_name, values, of_module)
     draft = -float(panels.points[:, 2].min())
     if not draft < values.water_depth:
         raise ValueError(
@@ -66,7 +67,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     remarks = (*remarks, *agreed, *_remarks(place, said, values))
     with made_beside(output) as partial:  # an existing file stays until the new one is complete
         store(values, panels, partial, f"{kind_name}: {place}")
-        groups = _store_pairs(partial, pairs, values)
+        groups = store_pairs(partial, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
     print(", ".join([*values.quantities, *groups]))
     stored = open_database(output).rows
@@ -148,23 +149,34 @@ def _sizes(values):
     return np.abs(np.diagonal(values.get("added_mass"), axis1=1, axis2=2)).max(axis=0)
 
 
-def _pairs_of(place, kind_name, values, known):
+def pairs_of(place, kind_name, values, known):
+    """[`QuadraticForces`] beside a set, on the bodies of `Values`"""
     if kind_name != "wamit":
         return []
     from hakobune.bem.formats.wamit_pairs import SUFFIXES, read_pairs
 
     found = (read_pairs(place, values.density * values.gravity, kind, known["length_unit"]) for kind in SUFFIXES)
-    return [forces for forces in found if forces is not None]
+    return [_of_bodies(forces, place, values, known) for forces in found if forces is not None]
 
 
-def _store_pairs(output, pairs, values):
+def _of_bodies(forces, place, values, known):
+    """Those on the bodies of `Values`, all that the file has or one of them"""
+    count = forces.total.shape[-1] // 6
+    if count == max(1, len(values.bodies)):
+        return forces
+    own = slice(6 * (body := body_of(place, count, known)), 6 * body + 6)
+    return replace(forces, **{part: getattr(forces, part)[..., own] for part in ("squares", "bound_wave", "body")})
+
+
+def store_pairs(output, pairs, values):
     """Names of the groups that forces of pairs are stored in"""
     if not pairs:
         return []
     from hakobune.bem.second_order.stored import GROUPS, Held, StoredForces, write_forces
 
     for forces in pairs:
-        write_forces(output, StoredForces(forces, Held("rao" in values.quantities)))
+        held = Held("rao" in values.quantities)
+        write_forces(output, StoredForces(forces, held, names=names_of(values.bodies)))
     return [GROUPS[forces.kind] for forces in pairs]
 
 

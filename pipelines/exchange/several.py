@@ -25,7 +25,7 @@ from hakobune.mooring.criteria.failing import fails
 from ..printing.console import new_console
 from ..printing.verdict import tell
 from .command import FORMATS, format_of
-from .importing import between, check_import, hull_of, read_set, store
+from .importing import between, check_import, hull_of, pairs_of, read_set, store, store_pairs
 
 FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 AROUND = np.arange(12) * (np.pi / 6)
@@ -81,9 +81,13 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False,
     points = [tuple(map(float, one.rotation_center)) for one in parts]
     bodies = tuple(Body(name, point) for name, point in zip(names, points, strict=True))
     mesh = assembled([with_symmetry(folded(hull), "") for hull in hulls])
+    values = replace(values, bodies=bodies, rotation_center=np.zeros(3))
+    pairs = pairs_of(place, kind_name, values, of_module)
     with made_beside(output) as partial:
-        store(replace(values, bodies=bodies, rotation_center=np.zeros(3)), mesh, partial, f"{kind_name}: {place}")
-    print(f"{output}: {', '.join(names)}, {len(values.omega)} frequencies, {len(values.wave_direction)} headings")
+        store(values, mesh, partial, f"{kind_name}: {place}")
+        groups = ", ".join(("", *store_pairs(partial, pairs, values)))
+    what = f"{len(values.omega)} frequencies, {len(values.wave_direction)} headings{groups}"
+    print(f"{output}: {', '.join(names)}, {what}")
     return tell([*remarks, *lost], new_console(stderr=True))
 
 

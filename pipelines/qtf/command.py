@@ -61,7 +61,7 @@ def qtf(
     if plot is not None:
         from .plot import draw
 
-        draw(result.detail.forces, db, result.detail.held.floats, plot)
+        draw(result.detail, db, plot)
     status = printed(result)
     if plot is not None:
         print(plot)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -38,7 +39,7 @@ def bodies(db, method, highest, of_force):
 
     from ..solve.hull import coarse_hull_of
 
-    panels = _with_lid(problem_of(db), max(highest, of_force))
+    panels = replace(_with_lid(problem_of(db), max(highest, of_force)), damping_lids=_damping_lids(db))
     fits = _fits_contour(db, highest)
     if method == "contour" and not fits:
         raise ValueError(
@@ -59,6 +60,16 @@ def bodies(db, method, highest, of_force):
     return Bodies("panel", panels, rough, errors)
 
 
+def _damping_lids(db):
+    """`DampingLid`s of the scene of a database"""
+    from ..common.typed import typed
+    from ..scene.scene import Scene, SceneError
+    from ..solve.gaps.damping_lids import damping_lids_of
+
+    scene = tomllib.loads(db.header.scene)
+    return damping_lids_of(typed(scene, Scene, SceneError), db.mesh) if "damping_lids" in scene else ()
+
+
 def _with_lid(problem, highest):
     """The problem with a lid, where waves up to `highest` rad/s need one that the database has not"""
     from hakobune.bem.panels.irregular_frequencies import lid_needed_from
@@ -74,7 +85,7 @@ def _fits_contour(db, highest):
 
     from ..scene.methods import METHODS as SOLVERS
 
-    if not db.is_round or "radius" not in db.dimensions or not db.water_depth < float("inf"):
+    if db.bodies or not db.is_round or "radius" not in db.dimensions or not db.water_depth < float("inf"):
         return False
     radius, draft = db.dimensions["radius"], db.dimensions["draft"]
     k = float(wavenumber(highest, db.water_depth, db.gravity))

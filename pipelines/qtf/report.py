@@ -11,9 +11,7 @@ from hakobune.mooring.criteria.failing import fails
 from .question import A_WAVE, carried_by
 
 APART = 0.05  # difference of drift by pressure and by far field, over the largest drift, that is accepted
-NAMES = ("surge", "sway", "yaw")
 MODES = [0, 1, 5]
-ALL = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 
 def newman(forces, mode, heading):
@@ -69,10 +67,11 @@ def _carried(db):
 def notes(stored):
     """Lines of text about `StoredForces` beside their table"""
     forces, share = stored.forces, stored.share
+    bodies = "body" if len(stored.names) == 6 else "bodies"
     yield (
-        f"{_held(stored.held)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
+        f"{_held(stored.held)} {bodies}, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
         f"{forces.omega[-1]:.4g} rad/s, {forces.kind.name}s to {forces.frequency[-1]:.3g} rad/s, "
-        f"{len(forces.headings)} headings and all their pairs"
+        + _headings(len(forces.headings))
     )
     if forces.kind is SUM:
         yield from _of_sums(stored)
@@ -86,16 +85,22 @@ def notes(stored):
     if stored.errors is None:
         yield "no estimated error, since there is no mesh with half as many panels"
     else:
-        shares = _relative(forces, stored.errors)
+        shares = _relative(stored)
         yield f"estimated error of the {_way(stored)}, root mean square of the force's: {shares}"
     size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
-    if forces.surface is None:
+    if len(stored.names) > 6:
+        yield "left out: the free-surface forcing around the bodies; of one body alone, --level full includes it"
+    elif forces.surface is None:
         yield (
             f"left out: the free-surface forcing around the body (its size, estimated from few pairs: {size}); "
             f"--level full includes it"
         )
     else:
         yield f"the free-surface forcing around the body is {size}, root mean square"
+
+
+def _headings(count):
+    return "1 heading" if count == 1 else f"{count} headings and all their pairs"
 
 
 def _of_sums(stored):
@@ -107,8 +112,9 @@ def _of_sums(stored):
         each = np.arange(len(forces.headings))
         parts = (np.abs(part[:, :, each, each]) ** 2 for part in (stored.errors, forces.total))
         error, force = (np.sqrt(np.nanmean(part, axis=(0, 1, 2))) for part in parts)
-        size = np.repeat([force[:3].max(), force[3:].max()], 3)
-        shares = (f"{name} {100 * e / s:.3g} %" for name, e, s in zip(ALL, error, size, strict=True) if e > 1e-6 * s)
+        each_body = force.reshape(-1, 2, 3).max(axis=2)
+        named = zip(stored.words, error, np.repeat(each_body.ravel(), 3), strict=True)
+        shares = (f"{name} {100 * e / s:.3g} %" for name, e, s in named if e > 1e-6 * s)
         yield f"estimated error of the {_way(stored)}, of the largest force and moment: {', '.join(shares)}"
     if forces.surface is None:
         yield (
@@ -129,17 +135,18 @@ def _way(stored):
     return "contour method" if stored.method == "contour" else "panels"
 
 
-def _relative(forces, errors):
+def _relative(stored):
     """Root mean square of errors over that of the forces in equal headings, per cent of the larger of surge and sway"""
-    each = np.arange(len(forces.headings))
-    parts = [np.abs(part[:, :, each, each]) ** 2 for part in (errors, forces.total)]
+    forces, words = stored.forces, stored.words
+    each, found = np.arange(len(forces.headings)), []
+    parts = [np.abs(part[:, :, each, each]) ** 2 for part in (stored.errors, forces.total)]
     error, force = (np.sqrt(np.nanmean(part, axis=(0, 1, 2))) for part in parts)
-    size = np.array([max(force[:2])] * 2 + [force[5]])
-    return ", ".join(
-        f"{name} {100 * error[mode] / whole:.3g} %"
-        for name, mode, whole in zip(NAMES, MODES, size, strict=True)
-        if force[mode] > 1e-6 * max(force[:2])
-    )
+    for first in range(0, len(words), 6):
+        largest = max(force[first : first + 2])
+        for mode, whole in zip(MODES, (largest, largest, force[first + 5]), strict=True):
+            if force[first + mode] > 1e-6 * largest:
+                found.append(f"{words[first + mode]} {100 * error[first + mode] / whole:.3g} %")
+    return ", ".join(found)
 
 
 def _held(held):

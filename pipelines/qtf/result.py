@@ -19,7 +19,7 @@ from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .problem import METHODS
 from .question import Question, waves_and_sums_of, waves_of
-from .report import ALL, MODES, NAMES, diagonal_gap, failures, levels, notes, parts_of_sums
+from .report import MODES, diagonal_gap, failures, levels, notes, parts_of_sums
 
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
@@ -52,14 +52,17 @@ def qtf(
     returns : Result, in SI; its `detail` is the `bem.second_order.stored.StoredForces`
     raises : ValueError, one line
     """
-    level, allowed = level or ("full" if sums else "body"), LEVELS[:2] if sums else LEVELS
+    db = database_of(database)
+    level, allowed = level or ("full" if sums and not db.bodies else "body"), LEVELS[:2] if sums else LEVELS
     if level not in allowed:
         raise ValueError(f"--level is {level!r}; allowed: {', '.join(allowed)}")
     if method not in METHODS:
         raise ValueError(f"--method is {method!r}; allowed: {', '.join(METHODS)}")
     if fixed and moored is not None:
         raise ValueError("--fixed and --moored are both given; give one of them")
-    db = database_of(database)
+    if db.bodies and (level == "full" or moored is not None):
+        given = "--moored" if moored is not None else "--level full"
+        raise ValueError(f"{given} is given for {len(db.bodies)} bodies; it is for one body alone; leave it out")
     chosen = any(value is not None for value in (omega, headings, highest))
     held = Held(not fixed, "" if moored is None else str(moored))
     waves = (waves_and_sums_of if sums else waves_of)(db, omega, headings, highest)
@@ -101,10 +104,10 @@ def _stiffness(study, db):
 def result_of(stored, db):
     """Result of `StoredForces` of an open database: root mean square of the force with each next part"""
     forces, sums = stored.forces, stored.forces.kind is SUM
-    rows = list(_rows(forces, sums))
+    rows = list(_rows(stored, sums))
     parts = list(rows[0][3]) if rows else []
     title = f"force of wave pairs at frequency {forces.kind.name}s, root mean square, as parts are added"
-    units = tuple("N m/m2" if name in ("roll", "pitch", "yaw") else "N/m2" for _, name, _, _ in rows)
+    units = tuple("N m/m2" if name.endswith(("roll", "pitch", "yaw")) else "N/m2" for _, name, _, _ in rows)
     made = {
         f"force.{_key(part)}": Quantity([row[3][part] for row in rows], ("force",), units, part, title)
         for part in parts
@@ -125,16 +128,17 @@ def _key(part):
     return part.removeprefix("+ ").lower().replace(" ", "_").replace("_+_", "_and_")
 
 
-def _rows(forces, sums):
+def _rows(stored, sums):
     """(heading, rad; motion; frequency, rad/s; {part: root mean square}) of equal headings"""
-    motions = list(enumerate(ALL)) if sums else list(zip(MODES, NAMES, strict=True))
-    most = 4 if sums else 5
+    forces, most = stored.forces, 4 if sums else 5
+    motions = [(mode, name) for mode, name in enumerate(stored.words) if sums or mode % 6 in MODES]
+    straight = [mode for mode in range(len(stored.names)) if mode % 6 < (3 if sums else 2)]
     chosen = sorted({*np.linspace(0, len(forces.frequency) - 1, most).astype(int)})
     for h, beta in enumerate(forces.headings):
-        whole = np.nanmax(np.abs(forces.total[:, :, h, h, : 3 if sums else 2]))
+        whole = np.nanmax(np.abs(forces.total[:, :, h, h][..., straight]))
         for mode, name in motions:
             found = parts_of_sums(forces, mode, h) if sums else levels(forces, mode, h)
-            if np.nanmax(np.abs(found["+ body"])) < SMALL * whole * (1.0 if mode < 3 else ARM):
+            if np.nanmax(np.abs(found["+ body"])) < SMALL * whole * (1.0 if mode % 6 < 3 else ARM):
                 continue
             for m in chosen:
                 yield (

@@ -55,7 +55,7 @@ def solve(db, question, fresh):
 def _solve(db, question, fresh):
     body = bodies(db, question.method, float(question.omega[-1]), question.highest)
     stored = None if fresh else _of_same_waves(db, question, body)
-    estimated = question.kind is DIFFERENCE and question.level != "full"
+    estimated = question.kind is DIFFERENCE and question.level != "full" and not db.bodies
     share = _share(body.fine, question, stored) if estimated else None
     full = question.adds_surface(share)
     known = _begun(stored, question, full)
@@ -75,7 +75,8 @@ def _solve(db, question, fresh):
             asked = None if block is last else question.highest
             share = share if forces[0].surface is None else share_of(forces[0])
             errors = rough and body.errors(forces[0], coarser[0], _first(rough.by_motions, len(forces[0].frequency)))
-            stored = StoredForces(forces[0], question.held, body.method, share, errors, coarser[0], asked)
+            names = tuple(body.fine.dofs)
+            stored = StoredForces(forces[0], question.held, body.method, share, errors, coarser[0], asked, names)
             write_forces(db.path, stored)
             written = time.monotonic()
 

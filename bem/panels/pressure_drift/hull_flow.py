@@ -207,14 +207,19 @@ def disturbed_flow(run, surfaces, motions, own, bent=None):
     return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), own, run.headings, bent)
 
 
-def radiated_flow(run, surfaces):
-    """`HullFlow` of the six motions of unit velocity of a `PanelRun` that has solved for all"""
-    phi = np.zeros((6, len(run.geometry.images), run.geometry.hull), complex)
+def radiated_flow(run, surfaces, body=0, moves=True):
+    """`HullFlow` of the six motions of unit velocity of a `PanelRun` that has solved for all
+
+    body : number of the body that moves, of several; moves : whether the surfaces are of that body
+    """
+    phi, first = np.zeros((6, len(run.geometry.images), run.geometry.hull), complex), 6 * body
     for cls, (moving, _) in run.columns.items():
         signs = run.geometry.signs(cls)
         for i, mode in enumerate(moving):
-            phi[mode] = np.multiply.outer(signs, run.potentials[cls][i])
-    return _flow(run, surfaces, phi, np.zeros(6), np.eye(6) / (-1j * run.omega), np.zeros(6))
+            if first <= mode < first + 6:
+                phi[mode - first] = np.multiply.outer(signs, run.potentials[cls][i])
+    motions = np.eye(6) / (-1j * run.omega) * moves
+    return _flow(run, surfaces, phi, np.zeros(6), motions, np.zeros(6))
 
 
 def _flow(run, surfaces, phi, waves, motions, headings, bent=None):

@@ -30,15 +30,12 @@ def drift_of_each(run, moving):
     run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : those that are not fixed float freely
     """
     check_panels(run.problem, run.geometry.mesh)
-    surfaces, bodies, waves = hull_surfaces(run.geometry), run.problem.bodies, len(run.headings)
-    own = np.zeros((waves, run.count), complex)  # motions, each about its own point in its own axes
-    if moving:
-        own[:, run.problem.moving] = run.rao
-    load, out = _first_order_loads(run, own), np.zeros((waves, len(bodies), 3))
+    bodies, waves = run.problem.bodies, len(run.headings)
+    own = own_motions(run, moving)
+    load, out = first_order_loads(run, own), np.zeros((waves, len(bodies), 3))
     motions = own @ run.problem.transform
-    for i, body in enumerate(bodies):
+    for i, (body, surface) in enumerate(zip(bodies, surfaces_of_each(run.geometry), strict=True)):
         six, T = slice(6 * i, 6 * i + 6), axes_of((body,))
-        surface = HullSurfaces(*(_of_body(part, run.geometry.mesh.body, i) for part in _parts(surfaces)))
         if run.problem.modes:
             out[:, i] = (_bent_load(run, surface, motions, own[:, six] @ T, i) @ T.T)[:, MEAN]
             continue
@@ -79,7 +76,15 @@ def _bent_load(run, surface, motions, own, number):
     return np.concatenate([weights @ force, weights @ moment], axis=-1) + at_line
 
 
-def _first_order_loads(run, motions):
+def own_motions(run, moving):
+    """(m, 6N) motions in the waves of a run, each about its own point in its own axes; 0 of what does not move"""
+    out = np.zeros((len(run.headings), run.count), complex)
+    if moving:
+        out[:, run.problem.moving] = run.rao
+    return out
+
+
+def first_order_loads(run, motions):
     """(m, 6N) first-order load of water and weight, each about its own point in its own axes"""
     T, own = run.problem.transform, run.problem.moving
     load = run.excitation @ T.T + motions @ (run.omega**2 * T @ run.radiation @ T.T).T
@@ -88,8 +93,11 @@ def _first_order_loads(run, motions):
     return load
 
 
-def _parts(surfaces):
-    return surfaces.hull, surfaces.waterline
+def surfaces_of_each(geometry):
+    """[`hull_flow.HullSurfaces`] of each body of a geometry: the points of all, with weights on its own alone"""
+    whole, mesh = hull_surfaces(geometry), geometry.mesh
+    parts = whole.hull, whole.waterline
+    return [HullSurfaces(*(_of_body(part, mesh.body, i) for part in parts)) for i in range(mesh.bodies)]
 
 
 def _of_body(surface, body, number):

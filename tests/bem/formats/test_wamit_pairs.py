@@ -1,10 +1,13 @@
 """Forces of pairs in WAMIT's .12d and .12s: what a file says by its manual, and back to the printed digits."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from hakobune.bem.formats.values import FormatError
 from hakobune.bem.formats.wamit_pairs import read_pairs, write_pairs
+from hakobune.bem.modes import Body
 from hakobune.bem.second_order.kinds import SUM
 from hakobune.bem.second_order.quadratic_forces import QuadraticForces
 
@@ -34,6 +37,21 @@ def test_what_is_written_is_read_to_the_printed_digits(forces, tmp_path):
     found = read_pairs(tmp_path / "box.1", WEIGHT)
     np.testing.assert_allclose(found.total, forces.total, rtol=1e-5, atol=1)
     np.testing.assert_allclose(found.omega, forces.omega, rtol=1e-6)
+
+
+def test_pairs_of_several_bodies_are_along_the_axes_of_the_scene_and_numbered_through(forces, tmp_path):
+    """Of a body that heads along y, what is along its own x is along y of the scene, and minus x along its own y"""
+    bodies = (Body("one"), Body("two", heading=np.pi / 2))
+    parts = {part: np.concatenate([getattr(forces, part), 2 * getattr(forces, part)], axis=-1)
+             for part in ("squares", "bound_wave", "body")}  # fmt: skip
+    write_pairs(replace(forces, **parts), tmp_path / "box.1", WEIGHT, bodies)
+    total = read_pairs(tmp_path / "box.1", WEIGHT).total
+    assert total.shape[-1] == 12
+    np.testing.assert_allclose(total[..., :6], forces.total, rtol=1e-5, atol=1)
+    turned = 2 * forces.total[..., [1, 0, 2, 4, 3, 5]] * [-1, 1, 1, -1, 1, 1]
+    np.testing.assert_allclose(total[..., 6:], turned, rtol=1e-5, atol=1)
+    metres = read_pairs(tmp_path / "box.1", WEIGHT, length=2.0).total  # ULEN
+    np.testing.assert_allclose(metres, total * np.tile([2, 2, 2, 4, 4, 4], 2))
 
 
 def test_pairs_of_the_other_order_say_the_same_and_missing_ones_are_named(forces, tmp_path):

@@ -287,7 +287,7 @@ def test_a_body_turned_and_moved_in_still_water_has_its_hydrostatic_load(surface
     still = HullFlow(np.array([1e-9]), about_origin + 0j, velocity, line, 0, surfaces.hull)
     found = pressure_pairs(surfaces, still, problem)[0, 0] @ problem.transform.T
     found = found + rotated_pairs(-motion[None] @ stiffness.T, motion[None])[0, 0]
-    found = found + still_water_pairs(motion[None], problem, surfaces.hull)[0, 0]
+    found = found + still_water_pairs(motion[None], surfaces.hull, CENTRE, stiffness[3, 3], RHO * G)[0, 0]
     assert found.real == pytest.approx(second / 4, abs=1e-5 * np.abs(second).max())
 
 
