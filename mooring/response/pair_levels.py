@@ -202,6 +202,24 @@ def beside_newman(db, sea, level, spread=False):
         return None, (f"{beside}: {size}; not bound-wave: {none}; {lacks}",)
 
 
+def beside_newman_of_bodies(db, sea, level):
+    """(moving bodies,) of what `beside_newman` has of each of several bodies, or None; and remarks
+
+    level : newman, body, or auto, which is body where that is stored.  raises : as of `beside_newman`
+    """
+    if level == "newman":
+        return None, ()
+    beyond = "the slow force of wave pairs beyond Newman's approximation"
+    try:
+        moving = (number for number, one in enumerate(db.bodies) if not one.fixed)
+        found = tuple(stored_pairs(db, sea, "body", spread=True, body=number) for number in moving)
+    except ValueError as missing:
+        if level != "auto":
+            raise
+        return None, (f'left out: {beyond} (qtf = "auto" takes newman): {_lacks(db, sea, missing)}',)
+    return found, ("left out: the free-surface forcing around several bodies, a part of " + beyond + ", is not known",)
+
+
 def _lacks(db, sea, missing):
     """What a database lacks of the pairs of a Sea, with the command that stores them where it has none"""
     from hakobune.bem.database.widening import read_group
@@ -216,7 +234,7 @@ def _lacks(db, sea, missing):
 def _command(db, sea):
     """That which stores the whole for a sea"""
     towards = f" --heading {np.degrees(sea.direction) % 360:.4g}" if sea.spreading is None else ""
-    return f"'hakobune qtf {db.path}{towards} --level full'"
+    return f"'hakobune qtf {db.path}{towards}{'' if db.bodies else ' --level full'}'"
 
 
 def _surface_left_out(db, sea, level):
@@ -233,10 +251,11 @@ def _surface_left_out(db, sea, level):
     )
 
 
-def stored_pairs(db, sea, level="body", spread=False):
+def stored_pairs(db, sea, level="body", spread=False, body=None):
     """`PairForces` of an opened database at a level, "auto" the highest that is stored; `SpreadPairForces` in a sea of
     several directions where `spread` allows them.
 
+    body : number of one of several bodies
     raises : ValueError, one line, for what is not stored in it
     """
     from hakobune.bem.second_order.stored import read_forces
@@ -262,7 +281,8 @@ def stored_pairs(db, sea, level="body", spread=False):
         )
     level = {"auto": "body" if forces.surface is None else "full"}.get(level, level)
     values = forces.total if level == "full" else forces.to_body
-    found = (_of_heading if sea.spreading is None else _of_headings)(db, sea, forces, values, level)
+    values = values if body is None else values[..., 6 * body : 6 * body + 6]
+    found = (_of_heading if sea.spreading is None else _of_headings)(db, sea, forces, values, level, body)
     low, high = forces.omega[[0, -1]]
     first, last = sea.spectrum.quantile((MOST_OUTSIDE, 1 - MOST_OUTSIDE))
     if not (low <= first and last <= high):
@@ -273,7 +293,7 @@ def stored_pairs(db, sea, level="body", spread=False):
     return found
 
 
-def _of_heading(db, sea, forces, values, level):
+def _of_heading(db, sea, forces, values, level, body):
     """`PairForces` of the sea's one direction"""
     from hakobune.bem.second_order.stored import BetweenPairs
 
@@ -284,11 +304,11 @@ def _of_heading(db, sea, forces, values, level):
             f"{db.path} has no wave pairs towards {degrees:.4g}°; "
             f"'hakobune qtf {db.path} --heading {degrees:.4g}' computes them"
         )
-    omega, drift = _drift(db, forces, [sea.direction])
+    omega, drift = _drift(db, forces, [sea.direction], body)
     return PairForces(BetweenPairs(forces.omega, forces.frequency, values[:, :, h, h]), omega, drift[:, 0], level)
 
 
-def _of_headings(db, sea, forces, values, level):
+def _of_headings(db, sea, forces, values, level, body):
     """`SpreadPairForces` of all pairs of stored headings that waves travel to"""
     from hakobune.bem.second_order.stored import BetweenPairs
 
@@ -296,7 +316,7 @@ def _of_headings(db, sea, forces, values, level):
         share = sea.directional(forces.headings)
     except ValueError as error:
         raise ValueError(f"pairs in {db.path}: {error}; 'hakobune qtf {db.path} --heading' computes them") from None
-    omega, drift = _drift(db, forces, forces.headings)
+    omega, drift = _drift(db, forces, forces.headings, body)
     used, pairs = np.flatnonzero(share > LEAST_SHARE * share.max()), {}
     for a, b in ((a, b) for a in used for b in used):
         between = BetweenPairs(forces.omega, forces.frequency, values[:, :, a, b])
@@ -304,7 +324,9 @@ def _of_headings(db, sea, forces, values, level):
     return SpreadPairForces(pairs, forces.headings, sea, level)
 
 
-def _drift(db, forces, headings):
+def _drift(db, forces, headings, body):
     """(q,) rad/s close enough for the mean drift, and its values (q, m, 3) there"""
-    omega = np.linspace(*forces.omega[[0, -1]], 8 * len(forces.omega))
-    return omega, db.reader.floating().drift(omega, headings)
+    omega, reader = np.linspace(*forces.omega[[0, -1]], 8 * len(forces.omega)), db.bodies_reader.floating()
+    if body is None:
+        return omega, reader.drift(omega, headings)
+    return omega, reader.drift_of_each(omega, headings)[:, :, body]

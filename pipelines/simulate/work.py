@@ -149,20 +149,20 @@ def _with_pairs(plan, study, db, reader):
     By default ("auto") it is what the database allows, beside Newman's rule alone.
     """
     from hakobune.mooring.response.bound_wave_drift import left_out
-    from hakobune.mooring.response.pair_levels import beside_newman
+    from hakobune.mooring.response.pair_levels import beside_newman, beside_newman_of_bodies
 
     weather, drift = plan.weather, plan.settings.slow_drift
     level = level_of_pairs(study, bool(weather.seas), drift)
-    if db.bodies and level not in ("newman", "auto"):
-        raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "auto"')
-    if db.bodies:
-        slow = weather.seas and drift != "none"
-        return plan, (
-            f"{LEFT_OUT} the slow force of wave pairs beyond Newman's approximation, for several bodies",
-        ) * bool(slow)
+    if db.bodies and level not in ("newman", "body", "auto"):
+        raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "body", "auto"')
     try:
         found, notes = [], []
-        for sea in weather.seas:
+        for sea in weather.seas if drift != "none" or not db.bodies else ():
+            if db.bodies:
+                forces, said = beside_newman_of_bodies(db, sea, level)
+                found.append(forces)
+                notes += said or [f"{LEFT_OUT}: the slow force of wave pairs beyond Newman's approximation"]
+                continue
             forces, said = (None, ()) if level == "newman" else beside_newman(db, sea, level, spread=True)
             found.append(forces)
             notes += said

@@ -95,18 +95,21 @@ def streams(moored, weather, seed, end):
 def pairs(moored, weather, settings, components):
     """The force of pairs of waves in addition to Newman's, of a run, as a GivenForce of each sea that has one
 
-    components : of all seas of the weather, one after another
+    components : of all seas of the weather, one after another; forces of several bodies are tuples, one for each
     """
-    known, first = moored.waves.drift is not None, 0
+    first, at_rest = 0, moored.reader.axes_at_rest
     for sea, forces in zip(weather.seas, weather.beside_newman, strict=bool(weather.beside_newman)):
         *_, count = _band(moored, sea, settings)
         own, first = Components(*(part[first : first + count] for part in components)), first + count
         if forces is None:
             continue
-        drift = drift_of(moored.waves, own, moored.start[5]) if known else None
         met = met_by_a_place(own, weather.carrier, moored.reader.depth, moored.reader.gravity)
-        t, force = pair_record(forces, own, settings.ramp + settings.duration, drift, met)
-        yield GivenForce(t - settings.ramp, force)
+        each = forces if isinstance(forces, tuple) else (forces,)
+        for body, (of_pairs, waves) in enumerate(zip(each, moored.waves.each, strict=True)):
+            heading = at_rest[body, 5] + moored.start[6 * body + 5]
+            drift = None if waves.drift is None else drift_of(waves, own, heading)
+            t, force = pair_record(of_pairs, own, settings.ramp + settings.duration, drift, met)
+            yield GivenForce(t - settings.ramp, force, body)
 
 
 def half_waves(moored, weather, settings, components):

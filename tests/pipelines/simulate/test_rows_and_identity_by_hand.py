@@ -107,9 +107,12 @@ def test_pairs_are_of_each_sea_and_what_is_left_out_is_told_once_with_the_way_ou
     )
 
 
-def test_pairs_of_several_bodies_are_left_out(pairs):
-    (line,) = pairs("auto", bodies=("a", "b"))[1]
-    assert line.startswith("left out") and line.endswith("for several bodies")
+def test_pairs_of_several_bodies_are_of_each_or_left_out(pairs, monkeypatch):
+    known = {"first": (("of a", "of b"), ("told",)), "second": (None, ())}
+    where = "hakobune.mooring.response.pair_levels.beside_newman_of_bodies"
+    monkeypatch.setattr(where, lambda db, sea, level: known[sea])
+    found, said = pairs("auto", bodies=("a", "b"))
+    assert found == [("of a", "of b"), None] and said[0] == "told" and said[1].startswith("left out: the slow force")
     assert pairs("auto", drift="none", bodies=("a", "b"))[1] == () == pairs("auto", seas=(), bodies=("a", "b"))[1]
     with pytest.raises(StudyError, match=r"simulation\.qtf is 'squares' with several bodies"):
         pairs("squares", bodies=("a", "b"))
