@@ -31,7 +31,6 @@ SOLVED = {  # name of the database: words of the command that makes it
     "buoy": "solve buoy.toml",
     "model": "solve model_M3B_d194.toml",
     "pier": "solve bodies_barge_at_pier.toml",
-    "pair": "solve bodies_side_by_side.toml",
     "panels": f"{BOX} --panels 300 --omega 0.2:1.0:6 --heading 0,30,90",
     "ship": "ship --length 200 --beam 32 --draft 11 --block 0.8 --depth 20 --panels 300 --omega 0.3:1:5 --heading 180",
 }
@@ -68,7 +67,6 @@ STUDIES = (
     "simulate simulate_dolphins.toml --database barge.h5 --output dolphins.h5 --seeds 1 --duration 600",
     "simulate simulate_dolphins_B.toml --database floater_B.h5 --output dolphins_B.h5 --seeds 1 --duration 600",
     "simulate simulate_model_M3B.toml --database model.h5 --output tank.h5 --seeds 1 --duration 60",
-    "simulate simulate_side_by_side.toml --database pair.h5 --output pair_run.h5 --seeds 1 --duration 600",
 )
 JOBS = {name: f"{words} --output {name}.h5" for name, words in SOLVED.items()}
 JOBS |= {f"{number + 1:02d} {words}": words for number, words in enumerate(STUDIES)}
