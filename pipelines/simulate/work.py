@@ -149,20 +149,15 @@ def _with_pairs(plan, study, db, reader):
     By default ("auto") it is what the database allows, beside Newman's rule alone.
     """
     from hakobune.mooring.response.bound_wave_drift import left_out
-    from hakobune.mooring.response.pair_levels import beside_newman, beside_newman_of_bodies
+    from hakobune.mooring.response.pair_levels import beside_newman
 
     weather, drift = plan.weather, plan.settings.slow_drift
     level = level_of_pairs(study, bool(weather.seas), drift)
-    if db.bodies and level not in ("newman", "body", "auto"):
-        raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "body", "auto"')
+    if db.bodies:
+        return _with_pairs_of_each(plan, db, level)
     try:
         found, notes = [], []
-        for sea in weather.seas if drift != "none" or not db.bodies else ():
-            if db.bodies:
-                forces, said = beside_newman_of_bodies(db, sea, level)
-                found.append(forces)
-                notes += said or [f"{LEFT_OUT}: the slow force of wave pairs beyond Newman's approximation"]
-                continue
+        for sea in weather.seas:
             forces, said = (None, ()) if level == "newman" else beside_newman(db, sea, level, spread=True)
             found.append(forces)
             notes += said
@@ -172,6 +167,23 @@ def _with_pairs(plan, study, db, reader):
         raise StudyError(f"simulation: {error}") from None
     notes = tuple(dict.fromkeys(notes))
     return replace(plan, weather=replace(weather, beside_newman=found)), notes
+
+
+def _with_pairs_of_each(plan, db, level):
+    """As `_with_pairs` of several bodies"""
+    from hakobune.mooring.response.pair_levels import beside_newman_of_bodies
+
+    if level not in ("newman", "body", "auto"):
+        raise StudyError(f'simulation.qtf is {level!r} with several bodies; allowed: "newman", "body", "auto"')
+    seas, found, notes = plan.weather.seas if plan.settings.slow_drift != "none" else (), [], []
+    for sea in seas:
+        try:
+            forces, said = beside_newman_of_bodies(db, sea, level)
+        except ValueError as error:
+            raise StudyError(f"simulation: {error}") from None
+        found.append(forces)
+        notes += said or (f"{LEFT_OUT}: the slow force of wave pairs beyond Newman's approximation",)
+    return replace(plan, weather=replace(plan.weather, beside_newman=found)), tuple(dict.fromkeys(notes))
 
 
 def _way(study, db, level):
