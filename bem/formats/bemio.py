@@ -1,6 +1,7 @@
-"""The HDF5 file of BEMIO, which WEC-Sim and HydroChrono read: one body, normalised, exp(+iωt), rising frequencies.
+"""The HDF5 file of BEMIO, which WEC-Sim and HydroChrono read: a group for each body, normalised, exp(+iωt), rising
+frequencies.  Rows are of the body, columns of the motions of all N bodies.
 
-    added_mass/all A/ρ (6, 6, n);  radiation_damping/all B/ρω (6, 6, n);  excitation re, im, mag, phase X/ρg (6, m, n)
+    added_mass/all A/ρ (6, 6N, n);  radiation_damping/all B/ρω (6, 6N, n);  excitation re, im, mag, phase X/ρg (6, m, n)
     linear_restoring_stiffness C/ρg;  mean_drift/momentum_conservation/val F/ρg (6, m, n), of heave, roll, pitch zero
 
     impulse response of radiation  K/ρ = 2/π ∫ B̄ ω cos ωt dω,  of excitation  1/π ∫ (re cos ωt − im sin ωt) dω,
@@ -12,6 +13,7 @@ linearly: WEC-Sim's start, no better than the band.  Layout: WEC-Sim documentati
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from pathlib import Path
 
 import h5py
@@ -20,31 +22,42 @@ import numpy as np
 from hakobune.meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
-from .values import FormatError, Values, about, body_of
+from .values import FormatError, Values, about, body_of, of_each
 
 FORCES = {
     "excitation": "excitation_force",
     "excitation/scattering": "diffraction_force",
     "excitation/froude-krylov": "Froude_Krylov_force",
 }
+RADIATION = "added_mass", "radiation_damping"
 DRIFT = "mean_drift/momentum_conservation/val"
 TIMES, POINTS = 100.0, 1001  # s and samples of impulse responses
 
 
 def write(values, place):
-    """Write NAME.h5.  Returns its path.  Raises FormatError without the centre of mass, which all is about."""
+    """Write NAME.h5.  Returns its path.
+
+    raises : FormatError without the centre of mass, which all is about, and for a fixed body, whose motions the file
+        would have to have
+    """
+    fixed = [body.name for body in values.bodies if body.fixed]
+    if fixed:
+        raise FormatError(
+            f"{', '.join(fixed)} is fixed; allowed in this format: bodies that all move, or --to capytaine"
+        )
     (center,) = values.need("center_of_mass")
     values = about(values, center)
-    A, B = values.need("added_mass", "radiation_damping")
     place = Path(place)
     with h5py.File(place, "w", driver="core", backing_store=False) as file:
         _simulation(file, values)
-        body = file.create_group("body1")
-        _properties(body.create_group("properties"), values)
-        hydro = body.create_group("hydro_coeffs")
-        _radiation(hydro, values, A / values.density, B / (values.density * values.omega[:, None, None]))
-        _excitation(hydro, values)
-        _rest(hydro, values)
+        for number, one in enumerate(of_each(values)):
+            A, B = one.need("added_mass", "radiation_damping")
+            body = file.create_group(f"body{number + 1}")
+            _properties(body.create_group("properties"), one, number)
+            hydro = body.create_group("hydro_coeffs")
+            _radiation(hydro, one, A / one.density, B / (one.density * one.omega[:, None, None]))
+            _excitation(hydro, one)
+            _rest(hydro, one)
         file.flush()
         image = file.id.get_file_image()
     write_whole(place, b"", image)
@@ -75,10 +88,11 @@ def _simulation(file, values):
         group.create_dataset("water_depth", data=np.bytes_("infinite"))
 
 
-def _properties(group, values):
+def _properties(group, values, number):
     group.create_dataset("name", data=np.bytes_(values.name.encode()))
-    for name, number in (("body_number", 1), ("dof", 6), ("dof_start", 1), ("dof_end", 6)):
-        _put(group, name, number, "", "")
+    first = 6 * number + 1
+    for name, value in (("body_number", number + 1), ("dof", 6), ("dof_start", first), ("dof_end", first + 5)):
+        _put(group, name, value, "", "")
     cb, cg, volume = values.need("center_of_buoyancy", "center_of_mass", "displaced_volume")
     _put(group, "cb", _column(cb), "m", "Center of buoyancy")
     _put(group, "cg", _column(cg), "m", "Center of gravity")
@@ -100,7 +114,7 @@ def _radiation(hydro, values, A, B):
     wave = (2 / np.pi) * np.cos(np.outer(w, t)) * (w * step)[:, None]
     K = linear(w, values.omega, B.reshape(len(B), -1)).T @ wave
     group = hydro.create_group("radiation_damping/impulse_response_fun")
-    _put(group, "K", K.reshape(6, 6, -1), "", "Impulse response function")
+    _put(group, "K", K.reshape(*B.shape[1:], -1), "", "Impulse response function")
     _put(group, "t", _column(t), "s", "Time vector for the impulse resonse function")
     _put(group, "w", _column(w), "rad/s", "Interpolated frequencies used to compute the impulse response function")
 
@@ -153,10 +167,36 @@ def linear(w, omega, values):
 
 def read(place, known=None):
     """The Values of a body of NAME.h5; known : {"body": from 1} of several.  Raises FormatError."""
+    with _opened(place) as file:
+        return _read(file, Path(place).stem, body_of(place, _bodies(file) or 1, known))
+
+
+def coupled(place, known, count):
+    """{quantity: array} of added mass, damping and limits of `count` bodies together, (…, 6 count, 6 count)
+
+    known : as of `read`, without effect.  Raises FormatError.
+    """
+    with _opened(place) as file:
+        rho, omega = (np.ravel(file[f"simulation_parameters/{name}"][()]) for name in ("rho", "w"))
+        each = [file[f"body{i + 1}/hydro_coeffs"] for i in range(count)]
+        A, B = (np.concatenate([one[f"{name}/all"][:6] for one in each]).transpose(2, 0, 1) for name in RADIATION)
+        found = {"added_mass": rho * A, "radiation_damping": rho * omega[:, None, None] * B}
+        if all("added_mass/inf_freq" in one for one in each):
+            found["added_mass_infinity"] = rho * np.concatenate([one["added_mass/inf_freq"][:6] for one in each])
+        return found
+
+
+def _bodies(file):
+    """How many a file has"""
+    return sum(name.startswith("body") for name in file)
+
+
+@contextmanager
+def _opened(place):
+    """The file, whose lacks are told as FormatError"""
     try:
         with h5py.File(place) as file:
-            count = sum(name.startswith("body") for name in file) or 1
-            return _read(file, Path(place).stem, body_of(place, count, known))
+            yield file
     except OSError as error:
         raise FormatError(f"{place} cannot be opened: {str(error).splitlines()[0]}") from None
     except KeyError as error:
@@ -165,7 +205,7 @@ def read(place, known=None):
 
 def _read(file, name, which):
     water, body = file["simulation_parameters"], file[f"body{which + 1}"]
-    others = sum(key.startswith("body") for key in file) - 1
+    others = _bodies(file) - 1
     if np.ravel(water["scaled"][()])[0]:
         raise FormatError(f"{file.filename} is scaled; allowed: numbers normalised as WAMIT does, scaled = 0")
     rho, g = (float(np.ravel(water[key][()])[0]) for key in ("rho", "g"))

@@ -9,7 +9,7 @@ import numpy as np
 from hakobune.meshing.text_files import read_text
 
 from ..database.schema import BODY, LIMITS, QUANTITIES
-from ..modes import moving
+from ..modes import moving, reference_change
 
 CARRIED = tuple(name for name in QUANTITIES if not name.startswith("kochin") and name != "pressure")
 # largest difference, over the largest value, of two data sets of one heading; files print four digits or more
@@ -62,18 +62,18 @@ class Values:
 
 
 def about(values, point):
-    """The same Values with rotations and moments about another point (3,) m.
+    """The same Values with rotations and moments about another point (3,) m, of several bodies about one each, (N, 3).
 
     x_old = T x_new,  F_new = Tᵀ F_old,  A_new = Tᵀ A_old T,    T = [[1, −r×], [0, 1]],  r from the new to the old
 
     Limits that are not finite everywhere, as heave at ω = 0 in finite depth, are left out.
     """
+    if values.bodies:
+        return _about_each(values, point)
     r = np.asarray(values.rotation_center, float) - np.asarray(point, float)
     if not r.any():
         return values
-    T = np.eye(6)
-    T[:3, 3:] = -np.array([[0, -r[2], r[1]], [r[2], 0, -r[0]], [-r[1], r[0], 0]])
-    moved = {}
+    T, moved = reference_change(-r).T, {}
     for name, data in values.quantities.items():
         axes = QUANTITIES[name][0]
         if name in LIMITS and not np.all(np.isfinite(data)):
@@ -92,6 +92,50 @@ def about(values, point):
         if name in body:
             body[name] = T.T @ body[name] @ T
     return replace(values, quantities=moved, body=body, rotation_center=np.array(point, float))
+
+
+def _about_each(values, points):
+    """`about` of bodies that all move; their drift, about one point for all, stays as it is"""
+    T = np.zeros((6 * len(values.bodies),) * 2)
+    for i, (body, point) in enumerate(zip(values.bodies, np.asarray(points, float), strict=True)):
+        own = slice(6 * i, 6 * i + 6)
+        T[own, own] = reference_change(point - np.asarray(body.rotation_center)).T
+    turn = {"influenced_dof": T, "radiating_dof": np.linalg.inv(T).T}
+
+    def moved(axes, data):
+        if axes[-2:] == ("influenced_dof", "radiating_dof"):
+            return T.T @ data @ T
+        return data @ turn[axes[-1]] if axes and axes[-1] in turn else data
+
+    quantities = {name: moved(QUANTITIES[name][0], data) for name, data in values.quantities.items()}
+    body = {name: moved(BODY[name][0], data) for name, data in values.body.items()}
+    bodies = tuple(
+        body._replace(rotation_center=tuple(map(float, point)))
+        for body, point in zip(values.bodies, points, strict=True)
+    )
+    return replace(values, quantities=quantities, body=body, bodies=bodies)
+
+
+def of_each(values):
+    """[Values] of each of several bodies: its forces by the motions of all, what else is of it alone; of one itself"""
+    if not values.bodies:
+        return [values]
+    return [_of_one(values, number) for number in range(len(values.bodies))]
+
+
+def _of_one(values, number):
+    own, body = slice(6 * number, 6 * number + 6), {}
+    quantities = {}
+    for name, data in values.quantities.items():
+        axes = QUANTITIES[name][0]
+        if "influenced_dof" in axes:
+            quantities[name] = np.take(data, range(own.start, own.stop), axis=axes.index("influenced_dof") - len(axes))
+    for name, data in values.body.items():
+        square = BODY[name][0][-2:] == ("influenced_dof", "radiating_dof")
+        body[name] = data[own, own] if square else data[number]
+    one = values.bodies[number]
+    return replace(values, quantities=quantities, body=body, rotation_center=np.asarray(one.rotation_center, float),
+                   name=one.name, bodies=(), others=len(values.bodies) - 1)  # fmt: skip
 
 
 def values_of(db, several=False):

@@ -42,8 +42,8 @@ FORMATS = {
     "wamit": Format("wamit", ".1", silent=(*WATER, "length_unit", "rotation_center"), several=True),
     "nemoh": Format("nemoh", "_nemoh", True),
     "hams": Format("hams", "_hams", True, "Input/HullMesh.pnl", ("density", "gravity")),
-    "bemio": Format("bemio", "_bemio.h5"),
-    "hydrochrono": Format("bemio", "_hydrochrono.h5"),
+    "bemio": Format("bemio", "_bemio.h5", several=True),
+    "hydrochrono": Format("bemio", "_hydrochrono.h5", several=True),
     "capytaine": Format("capytaine", ".nc", several=True),
     "orcaflex": Format("orcaflex", ".yml", silent=("gravity",)),
     "aqwa": Format("aqwa", "", read_only=True),
@@ -59,7 +59,8 @@ def export(database, to, output, fresh):
     _check_place(output, kind, fresh, database)
     if db.bodies and not kind.several:
         raise ValueError(
-            f"{database} contains {len(db.bodies)} bodies, which --to {to} cannot write; allowed: --to wamit, capytaine"
+            f"{database} contains {len(db.bodies)} bodies, which --to {to} cannot write; allowed: --to "
+            f"{', '.join(name for name, one in FORMATS.items() if one.several)}"
         )
     values = values_of(db, kind.several)
     made = import_module(f"hakobune.bem.formats.{kind.module}").write(values, output)

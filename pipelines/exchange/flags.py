@@ -33,7 +33,9 @@ def import_(
     /,
     *,
     from_: Annotated[str, Parameter(name="--from", help=f"{FORMATS}, aqwa, diodore or hydrostar")],
-    mesh: Annotated[Path | None, Parameter(help="mesh of the hull [the one beside the results]")] = None,
+    mesh: Annotated[
+        Path | None, Parameter(help="mesh of the hull, of several bodies separated by commas [beside the results]")
+    ] = None,
     depth: Annotated[float | None, Parameter(help="m or inf, where the files do not give it")] = None,
     density: Annotated[float, Parameter(help="kg/m³, where the files do not give it")] = 1025.0,
     gravity: Annotated[float, Parameter(help="m/s², where the files do not give it")] = 9.80665,
@@ -88,15 +90,15 @@ def import_(
     known["frequencies"] = _from_to(frequencies)
     points = {"--center-of-gravity": center_of_gravity, "--gyration": gyration}
     if bodies is not None:
-        others = (mesh, about, body, mass, correct or None)
-        return _of_several(place, from_, bodies, known, others, points, output, fresh, uncoupled)
+        others = (about, body, mass, correct or None)
+        return _of_several(place, from_, bodies, mesh, known, others, points, output, fresh, uncoupled)
     if uncoupled:
         raise ValueError("--uncoupled is given without --bodies; allowed: with the names of several that all move")
     center, radii = (_three(flag, text) for flag, text in points.items())
     return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh, correct)
 
 
-def _of_several(place, kind, names, known, others, points, output, fresh, uncoupled):
+def _of_several(place, kind, names, mesh, known, others, points, output, fresh, uncoupled):
     """`import_` of all bodies of a set; others : flags of one body; points : {flag: text} of each"""
     from hakobune.bem.formats.afloat import Weight
 
@@ -104,17 +106,21 @@ def _of_several(place, kind, names, known, others, points, output, fresh, uncoup
 
     if any(one is not None for one in others):
         raise ValueError(
-            "--bodies is given with --mesh, --about, --body, --mass or --correct; several bodies are read as "
-            "the files describe them"
+            "--bodies is given with --about, --body, --mass or --correct; several bodies are read as the files "
+            "describe them"
         )
     names, each = names.split(","), []
+    meshes = [None] * len(names) if mesh is None else [Path(part.strip()) for part in str(mesh).split(",")]
+    if len(meshes) != len(names):
+        raise ValueError(f"--mesh is {mesh}; allowed: a file for each of {', '.join(names)}, separated by commas")
     for flag, text in points.items():
         parts = [None] * len(names) if text is None else text.split(";")
         if len(parts) != len(names):
             raise ValueError(f"{flag} is {text!r}; allowed: three numbers for each of {', '.join(names)}, ; between")
         each.append([_three(flag, part) for part in parts])
     weights = [Weight(None, *pair) for pair in zip(*each, strict=True)]
-    return import_several(place, kind, [name.strip() for name in names], known, weights, output, fresh, uncoupled)
+    names = [name.strip() for name in names]
+    return import_several(place, kind, names, meshes, known, weights, output, fresh, uncoupled)
 
 
 def body_(

@@ -32,7 +32,7 @@ AROUND = np.arange(12) * (np.pi / 6)
 AXIS = 1e-3  # largest distance of the axis of a hull of revolution from the origin, over its length
 
 
-def import_several(place, kind_name, names, known, weights, output, fresh=False, uncoupled=False):
+def import_several(place, kind_name, names, meshes, known, weights, output, fresh=False, uncoupled=False):
     """Make the database of the bodies called `names` and say what is in it; the exit status.  Raises ValueError.
 
     known : as of `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
@@ -41,7 +41,7 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False,
     kind = format_of("from", kind_name)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
     if not hasattr(module, "coupled"):
-        able = ", ".join(n for n, one in FORMATS.items() if one.module == "wamit")
+        able = ", ".join(n for n, one in FORMATS.items() if one.module in ("wamit", "bemio"))
         raise ValueError(
             f"--bodies is given with --from {kind_name}; allowed with {able}, or give --body for one of several"
         )
@@ -50,16 +50,17 @@ def import_several(place, kind_name, names, known, weights, output, fresh=False,
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     check_import(kind, known, output, fresh, place)
     parts, hulls, remarks, lost = [], [], [], []
-    for number, weight in enumerate(weights, 1):
+    for number, (weight, mesh) in enumerate(zip(weights, meshes, strict=True), 1):
         of_module = {name: known[name] for name in kind.silent} | {"body": number}
-        inputs = module.inputs_of(place, of_module)
-        of_module |= {"length_unit": inputs.length, "rotation_center": inputs.about}
+        if hasattr(module, "inputs_of"):
+            inputs = module.inputs_of(place, of_module)
+            of_module |= {"length_unit": inputs.length, "rotation_center": inputs.about}
         values = with_headings_once(read_set(module, place, of_module))
         if values.others + 1 != len(names):
             raise FormatError(
                 f"{place} has {values.others + 1} bodies, and --bodies names {len(names)}; name all of them"
             )
-        hull = hull_of(place, kind, module, None, of_module)
+        hull = hull_of(place, kind, module, mesh, of_module)
         values, said = on_hull(values, hull, weight)
         _, agreed, doubts = believed(values, hull)
         remarks += [f"{names[number - 1]}: {one}" for one in (*said, *agreed)]
