@@ -20,10 +20,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .bound_waves import bound_waves
-from .first_order_waves import PanelWaves
+from .first_order_waves import PanelWaves, WavesOfBodies
 from .kinds import DIFFERENCE, EVEN, SUM, Kind
 from .surface_forces import PairsOfOne, SurfaceForces, line_integral
-from .waves_of_bodies import WavesOfBodies
 
 ORDER = 1.4  # order of the error in the number of panels, fitted by `tests/bench/pair_errors.py`
 SIZES = 0.08, 0.33, 1.3  # factors of estimated errors: heave, roll, pitch; surge, sway, yaw; of the motions; fitted too

@@ -1,6 +1,6 @@
-"""A minute of a simulation as a film of body, lines, fenders and waves.
+"""A minute of a simulation as a film of bodies, lines, fenders and waves.
 
-The body follows its stored motion, lines hang in their static shape at every frame, the surface is that of the
+Bodies follow their stored motion, lines hang in their static shape at every frame, the surface is that of the
 undisturbed waves of the seed.
 """
 
@@ -19,7 +19,7 @@ from ..results.heard import heard
 from ..simulate.file import bodies_of, opened, whole_rows
 from ..simulate.study import plan_of
 from .gif import check_count, check_film, write_film
-from .stage import POINTS, Stage, frames
+from .stage import POINTS, Hull, Scene, Stage, frames, moved, straight
 
 
 def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
@@ -31,8 +31,6 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     """
     check_film(output, (path,))
     with opened(path) as file:
-        if bodies_of(file):
-            raise ValueError(f"{path} is of {', '.join(bodies_of(file))}; allowed: a run of one body")
         row = _row(file, seed)
         time = file["time"][()]
         check_times(time, start, length, step)
@@ -41,11 +39,16 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
         start = min(max(start, time[0]), max(time[-1] - length, time[0]))
         at = np.arange(start, min(start + length, time[-1]) + 1e-9, step)
         motion = np.column_stack([np.interp(at, time, column) for column in file["motion"][row].T])
-        scene = _scene(file)
+        if bodies_of(file):
+            from .of_several import scene_of_several
+
+            scene = scene_of_several(file)
+        else:
+            scene = _scene(file)
         waves = _waves(file, int(file["seed"][row]))
-    threads = (lambda i: _shapes(scene, motion[i])) if scene.lines + len(scene.ropes[0]) else None
     heights = None if waves is None else partial(surface, waves)
-    write_film(output, frames(scene.stage, at, motion, threads, heights), len(at))
+    threads = (lambda i: scene.threads(motion[i])) if scene.held else None
+    write_film(output, frames(scene.stage, at, scene.poses(motion), threads, heights), len(at))
     return len(at)
 
 
@@ -77,7 +80,7 @@ def _row(file, seed):
 
 
 def _scene(file):
-    """System, ropes, rotation centre and `Stage`"""
+    """`Scene` of one body"""
     study = make_study(tomllib.loads(file.attrs["study"]))
     length, beam, draft, freeboard = file.attrs["hull"]
     hull = study.hull_of({"length": length, "beam": beam, "draft": draft})
@@ -89,8 +92,9 @@ def _scene(file):
     fenders = study.berth(hull, center).fenders
     places = np.concatenate([file["anchor"][:, :2], [[-length, -beam], [length, beam]]])
     span, depth = np.ptp(places, axis=0).max(), float(file.attrs["water_depth"])
-    stage = Stage(box, center, span, depth, fenders)
-    return SimpleNamespace(system=system, ropes=ropes, lines=lines, center=center, stage=stage)
+    stage = Stage((Hull(box, center),), span, depth, fenders)
+    held = bool(lines + len(ropes[0]))
+    return Scene(stage, partial(moved, center), held, partial(_shapes, system, ropes, center))
 
 
 def _waves(file, seed):
@@ -103,10 +107,11 @@ def _waves(file, seed):
     from hakobune.mooring.motion.simulation import wave_components
 
     try:
-        reader = open_database(file.attrs["database"]).reader
+        reader = open_database(file.attrs["database"]).bodies_reader
     except ValueError:
         return None
-    plan = plan_of(make_study(tomllib.loads(file.attrs["study"])), reader.omega, None, float(file.attrs["duration"]))
+    study, duration = make_study(tomllib.loads(file.attrs["study"])), float(file.attrs["duration"])
+    plan = plan_of(study, reader.omega, None, duration, words=reader.words)
     with heard():  # these warnings were printed during the run
         parts = wave_components(SimpleNamespace(reader=reader), plan.weather, plan.settings, seed)
     if parts is None:
@@ -126,16 +131,16 @@ def surface(waves, x, y):
     return lambda t: (still @ np.exp(-1j * parts.omega * (t + ahead))).real
 
 
-def _shapes(scene, motion):
+def _shapes(system, ropes, center, motion):
     """(lines × POINTS, 3) m of lines, and of ropes as straight, with the body displaced by `motion` (6,)"""
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
     from hakobune.mooring.lines.system.shapes import line_shapes
 
-    bollards, arms = scene.ropes
-    ends = scene.center + motion[:3] + arms @ rotation(*motion[3:]).T
-    straight = [a + (b - a) * np.linspace(0, 1, POINTS)[:, None] for a, b in zip(bollards, ends, strict=True)]
-    if scene.system is None:
-        return np.concatenate([np.empty((0, 3)), *straight])
-    body = scene.system.bodies[0]
+    bollards, arms = ropes
+    ends = center + motion[:3] + arms @ rotation(*motion[3:]).T
+    if system is None:
+        return straight(bollards, ends)
+    body = system.bodies[0]
     pose = tuple(float(a + b) for a, b in zip(body.position, motion, strict=True))
-    return np.concatenate([*line_shapes(rest(held_at(scene.system, {body.name: pose})), POINTS), *straight])
+    hanging = line_shapes(rest(held_at(system, {body.name: pose})), POINTS)
+    return np.concatenate([*hanging, straight(bollards, ends)])

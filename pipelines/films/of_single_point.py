@@ -17,7 +17,7 @@ from ..single_point.study import system_of
 from ..single_point.tables import make_study
 from .gif import check_film, write_film
 from .of_run import check_times
-from .stage import POINTS, Stage, frames
+from .stage import POINTS, Hull, Stage, frames, moved
 
 FRAMES = 150  # frames of a film without a given step
 
@@ -50,7 +50,7 @@ def film_of_single_point(path, output, start=None, length=None, step=None):
         hawsers = [buoys[i] + (end - buoys[i]) * np.linspace(0, 1, POINTS)[:, None] for end in made_fast]
         return np.concatenate([*_lines(system, buoys[i]), *hawsers])
 
-    write_film(output, frames(stage, at, motion, threads, buoys=buoys), len(at))
+    write_film(output, frames(stage, at, moved(np.zeros(3), motion), threads, buoys=buoys), len(at))
     return len(at)
 
 
@@ -65,7 +65,7 @@ def _stage(found, lines):
     x, y = found["hull.middle"]
     box = (x - length / 2, x + length / 2, y - beam / 2, y + beam / 2, -draft, freeboard)
     places = np.concatenate([*lines, [[-1.5 * length] * 3, [1.5 * length] * 3]])[:, :2]
-    return Stage(box, np.zeros(3), float(np.ptp(places, axis=0).max()), float(found["water.depth"]))
+    return Stage((Hull(box, np.zeros(3)),), float(np.ptp(places, axis=0).max()), float(found["water.depth"]))
 
 
 def _lines(system, buoy):

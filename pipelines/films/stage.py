@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -16,21 +17,51 @@ FENDER, BUOY = "#c07020", "#d0a000"
 OF_SPAN = 0.01  # radius of a buoy, so that it is seen
 
 
+class Hull(NamedTuple):
+    """box : m, six sides in coordinates of its own; center : (3,) m there, that it turns about"""
+
+    box: tuple
+    center: np.ndarray
+
+
 class Stage(NamedTuple):
-    """box : m, six sides of the hull at rest; center : (3,) m that it turns about; span : m, of anchors and hull
+    """hulls : (Hull, …); span : m, of anchors and hulls
 
     depth : m; fenders : of a `mooring.motion.contacts` berth
     """
 
-    box: tuple
-    center: np.ndarray
+    hulls: tuple
     span: float
     depth: float
     fenders: tuple = ()
 
 
-def frames(stage, at, motion, threads=None, heights=None, buoys=None):
-    """Pictures, (height, width, 3) each, at times (n,) s of motions (n, 6) of the hull.
+class Scene(NamedTuple):
+    """stage : `Stage`; poses : function of motions (n, …) that gives (n, hulls, 6); held : whether there are lines
+
+    threads : function of the motion (…,) of a frame that gives (lines × POINTS, 3) m
+    """
+
+    stage: Stage
+    poses: Callable
+    held: bool
+    threads: Callable
+
+
+def straight(one, other):
+    """(ropes × POINTS, 3) m along ropes between points (ropes, 3)"""
+    along = np.linspace(0, 1, POINTS)[:, None]
+    return np.concatenate([np.empty((0, 3)), *(a + (b - a) * along for a, b in zip(one, other, strict=True))])
+
+
+def moved(center, motion):
+    """(n, 1, 6) poses of one hull by its motions (n, 6), for `frames`"""
+    return (np.asarray(motion) + [*center, 0.0, 0.0, 0.0])[:, None]
+
+
+def frames(stage, at, poses, threads=None, heights=None, buoys=None):
+    """Pictures, (height, width, 3) each, at times (n,) s of poses (n, hulls, 6) m, rad: where the center of each hull
+    is in space, and how it is turned.
 
     threads : function of the frame's number that gives (lines × POINTS, 3) m; heights : function of x, y (g,) m that
     gives one of t (s) → (g,) m; buoys : (n, 3) m
@@ -38,8 +69,8 @@ def frames(stage, at, motion, threads=None, heights=None, buoys=None):
     import pyvista
 
     plotter = new_plotter()
-    hull = pyvista.Box(stage.box).triangulate()
-    still = hull.points - stage.center
+    hulls = [pyvista.Box(hull.box).triangulate() for hull in stage.hulls]
+    still = [made.points - hull.center for made, hull in zip(hulls, stage.hulls, strict=True)]
     lines = None if threads is None else _polylines(threads(0))
     side = np.linspace(-0.5, 0.5, GRID) * WIDTH * stage.span
     x, y = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
@@ -47,7 +78,8 @@ def frames(stage, at, motion, threads=None, heights=None, buoys=None):
     bed = pyvista.Plane(center=(0, 0, -stage.depth), i_size=WIDTH * stage.span, j_size=WIDTH * stage.span)
     plotter.add_mesh(bed, color=BED)
     plotter.add_mesh(sea, color=SEA, opacity=0.45)
-    plotter.add_mesh(hull, color=HULL)
+    for made in hulls:
+        plotter.add_mesh(made, color=HULL)
     if lines is not None:
         plotter.add_mesh(lines, color="#202020", line_width=2)
     for one in stage.fenders:
@@ -60,8 +92,9 @@ def frames(stage, at, motion, threads=None, heights=None, buoys=None):
     rise = None if heights is None else heights(*sea.points[:, :2].T)
     label = plotter.add_text("", font_size=9, color="black")
     try:
-        for i, (t, moved) in enumerate(zip(at, motion, strict=True)):
-            hull.points = stage.center + moved[:3] + still @ rotation(*moved[3:]).T
+        for i, (t, pose) in enumerate(zip(at, poses, strict=True)):
+            for made, points, one in zip(hulls, still, pose, strict=True):
+                made.points = one[:3] + points @ rotation(*one[3:]).T
             if lines is not None:
                 lines.points = threads(i)
             if ball is not None:

@@ -12,7 +12,8 @@ import pytest
 
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.modes import Body, axes_of, reference_change
-from hakobune.bem.second_order import quadratic_forces, waves_of_bodies
+from hakobune.bem.panels.pressure_drift import of_each_body
+from hakobune.bem.second_order import quadratic_forces
 from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
 from hakobune.bem.second_order.quadratic_forces import QuadraticRun
 from hakobune.meshing.panels import PanelMesh, joined
@@ -120,7 +121,7 @@ def test_forces_on_two_bodies_that_move_as_one_add_up_to_those_on_the_one(meshes
     whole, both = solved(one(meshes[1], inertia_matrix=inertia, hydrostatic_stiffness=stiffness), True, kind)
     rigid = np.concatenate([whole.motions @ J.T for J in bring], axis=-1)
     given = iter(rigid)
-    monkeypatch.setattr(waves_of_bodies, "own_motions", lambda run, moving: next(given))
+    monkeypatch.setattr(of_each_body, "own_motions", lambda run, moving: next(given))
     problem = several(meshes[0], AS_ONE, inertia_matrix=block(shares), hydrostatic_stiffness=block(water))
     _, each = solved(problem, True, kind)
     for part in ("squares", "bound_wave", "body"):

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem import DOFS
 from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
 from hakobune.pipelines.qtf import question, report, result, running
 from hakobune.pipelines.qtf.result import result_of
@@ -30,8 +31,9 @@ def forces(kind=DIFFERENCE, squares=4e3, bound=3e3, body=2e3, surface=None, adde
 
 
 def stored(made, share=0.031, errors=None, method="panel", held=True):
-    return SimpleNamespace(forces=made, share=share, errors=errors, method=method,
-                           held=SimpleNamespace(name="", floats=held))  # fmt: skip
+    words, held = [name.lower() for name in DOFS], SimpleNamespace(name="", floats=held)
+    known = {"share": share, "errors": errors, "method": method, "names": DOFS, "words": words}
+    return SimpleNamespace(forces=made, held=held, **known)
 
 
 def table(forces, **more):

@@ -13,6 +13,7 @@ from hakobune.mooring.studies.conditions import Afloat, ExposedBox
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.quay_tables import QuayFenderTable, berth_between
+from hakobune.pipelines.films.of_several import scene_of_several
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import Task, prepared
 
@@ -65,8 +66,27 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
         )
         assert abs(file.attrs["place_at_rest"][11]) < 0.1
         assert np.abs(file["motion"][0, :, 6:].astype(float)).max() < 2.0
-    film = ["animate", str(run), "--output", str(tmp_path / "film.gif")]
-    assert main(film) == 2 and "is of ship, barge; allowed: a run of one body" in capsys.readouterr().err
+    film = ["animate", str(run), "--output", str(tmp_path / "film.gif"), "--length", "2"]
+    assert main(film) == 0 and "film.gif: 3 frames" in capsys.readouterr().out
+
+
+def test_a_film_has_the_hulls_and_the_ropes_between_them_where_the_run_has_them(database, tmp_path):
+    """The barge heads the other way: a metre ahead along its own axis is a metre astern in the scene"""
+    hakobune.simulate({**STUDY, **TIGHT, "simulation": SHORT}, database, tmp_path / "run.h5")
+    with h5py.File(tmp_path / "run.h5") as file:
+        scene = scene_of_several(file)
+    ship, barge = scene.stage.hulls
+    assert ship.box == pytest.approx((-7, 7, -2.5, 2.5, -1.5, 1.5)) and barge.box[:2] == pytest.approx((-5, 5))
+    motion = np.zeros((2, 12))
+    motion[1, 6:8], motion[1, 11] = [1.0, 0.5], np.pi / 2
+    still, moved = scene.poses(motion)
+    assert still[:, [0, 1, 5]] == pytest.approx(np.array([[0, 3.5, 0], [1, -3.5, np.pi]]))
+    assert moved[0] == pytest.approx(still[0]) and moved[1, [0, 1, 5]] == pytest.approx([0.0, -4.0, 1.5 * np.pi])
+    start, end = scene.threads(motion[1])[-40:][[0, -1]]  # the rope: from the barge to the ship, which stands still
+    assert end == pytest.approx([-1.0, 1.0, 1.0])
+    assert start == pytest.approx(
+        [0.0 - 2.5, -4.0 - 4.0, 1.0]
+    )  # 4 m along x and −2.5 m along y of a hull that heads to −y
 
 
 def test_a_barge_that_ropes_leave_slack_is_told_of(database, tmp_path):
