@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...lines.system.bodies import places_along
+from ...lines.system.parts import Fairlead
 from ..contacts import RESTS, STEP, balanced, berth_force
+from ..tables.groups import moved_by_shapes
 
 FASTEST = 300.0  # rad/s of a shape: explicit steps are 3 over that, 10 ms
 SMALL = 1e-9  # of the weight, forces that are rounding
-LEFT_OUT = (
-    "left out: mean and slow drift forces on the shapes of bodies that bend; those on surge, sway and yaw are included"
-)
 STATIC = (
     "left out: inertia and drag of the lines of bodies that bend, which have their static shape; move the fairlead as "
     "in the run by hakobune line-dynamics"
@@ -67,3 +68,18 @@ def rest_bent(body, berth, others, start, unit, free):
     pairs = ((place - h * way, place + h * way) for h, way in zip(steps, along.T, strict=True))
     columns = [(forces(behind) - forces(ahead)) for behind, ahead in pairs]
     return place, np.array(columns).T / (2 * steps)
+
+
+def with_bent_fairleads(system, reader, amplitudes):
+    """A System whose fairleads are where shapes of a Reader, of amplitudes (f,), move them"""
+    if not reader.modes:
+        return system
+    names = [one.name for one in system.bodies]
+
+    def moved(point):
+        if not isinstance(point, Fairlead):
+            return point
+        (shapes,) = moved_by_shapes(reader, names.index(point.body), point.position)
+        return replace(point, position=tuple(map(float, point.position + amplitudes @ shapes)))
+
+    return replace(system, points=tuple(map(moved, system.points)))
