@@ -33,6 +33,7 @@ def body_of(moored, weather, settings, components, drag, munk):
     groups, rigid = groups_of(reader), reader.rigid
     quadratic[5:rigid:6] += drag
     added, damping, memory = _coefficients(moored, settings, components)
+    damping = damping + reader.damping  # of the structure of bodies that bend
     try:
         pushed = *pairs(moored, weather, settings, components), *half_waves(moored, weather, settings, components)
         given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration, rigid // 6)
