@@ -10,7 +10,8 @@ from hakobune.mooring.response.points import Station, of_station
 from .file import LEFT_OUT
 
 OF_SHAPES = (
-    f"{LEFT_OUT} mean and slow drift forces on the shapes of bodies that bend; those on surge, sway and yaw are not"
+    f"{LEFT_OUT}: mean and slow drift forces on the shapes of bodies that bend; those on surge, sway and yaw "
+    "are included"
 )
 
 
