@@ -12,6 +12,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from hakobune.bem import DOFS
 from hakobune.mooring.lines.system.bodies import rotation
 
 from ..moor.study import make_study
@@ -33,6 +34,8 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     with opened(path) as file:
         if bodies_of(file):
             raise ValueError(f"{path} is of {', '.join(bodies_of(file))}; allowed: a run of one body")
+        if len(file["dof"]) > len(DOFS):
+            raise ValueError(f"{path} is of a body that bends; allowed: a run of a rigid body")
         row = _row(file, seed)
         time = file["time"][()]
         check_times(time, start, length, step)

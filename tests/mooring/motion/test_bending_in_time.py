@@ -20,6 +20,7 @@ from hakobune.mooring.motion.contacts import QuayFender, berth_of
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.wave_loads import no_wave_forces
 from hakobune.mooring.motion.weather import Settings, Weather
+from hakobune.mooring.response.points import Point, of_point
 from hakobune.mooring.studies.conditions import Waves
 
 AROUND = np.arange(24) * (np.pi / 12)
@@ -103,6 +104,8 @@ def test_a_stiff_body_moves_as_a_rigid_one_and_nearer_the_stiffer_it_is():
         stiffness=soft.stiffness[six], damping=soft.damping[six], modes=(),
     )  # fmt: skip
     wanted = simulate(on_springs(rigid), weather, how).motion
+    fixed = simulate(on_springs(bending(1, more=1e6), motions=range(6)), weather, how).motion
+    assert np.abs(fixed[:, :6] - wanted).max() < 1e-9 * a and not fixed[:, 6:].any()
     for more in (400.0, 1600.0):
         run = simulate(on_springs(bending(1, more=more)), weather, how)
         off.append(np.abs(run.motion[:, :6] - wanted).max(axis=0) / np.abs(wanted).max(axis=0))
@@ -186,6 +189,21 @@ def test_a_hinge_as_a_shape_moves_as_a_hinge_that_is_held():
 
 
 JOINT = Link("joint", ("ship", "barge"), (4.0, -30.0, 2.0), (1.0, 0.0, 0.0))
+
+
+def test_a_hinge_on_a_body_that_bends_holds_the_point_that_its_shapes_move():
+    """A ball from space and a hinge from the rigid ship, in the frequency domain: the point is still, both move alike"""
+    pair, waves = two_of_which_one_bends(2), (OMEGA[[4, I]], AROUND[[J]])
+    ship, _, barge = pair.bodies
+    pin = Link("pin", ("space", "barge"), (20.0, -25.0, 1.0), kind="ball")
+    for link, place, others in ((pin, pin.position, ()), (JOINT, (4.0, 0.0, 2.0), (ship,))):
+        held = pair.linked((link,))
+        X, ends = held.motions(*waves), []
+        for one in (barge, *others):
+            own = one.axes.T @ (place - np.array((*one.place, 0.0)))
+            ends.append(of_point(held, X, Point("", tuple(own), None, one.name))[0] @ one.axes.T)
+        assert np.abs(X[..., 12:]).max() > 1e-3 * np.abs(X).max()
+        assert np.abs(ends[0] - (ends[1] if others else 0.0)).max() < 1e-9 * np.abs(X).max()
 
 
 def test_what_cannot_be_followed_is_refused_in_a_line():
