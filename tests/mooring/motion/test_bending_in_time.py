@@ -192,7 +192,7 @@ JOINT = Link("joint", ("ship", "barge"), (4.0, -30.0, 2.0), (1.0, 0.0, 0.0))
 
 
 def test_a_hinge_on_a_body_that_bends_holds_the_point_that_its_shapes_move():
-    """A ball from space and a hinge from the rigid ship, in the frequency domain: the point is still, both move alike"""
+    """A ball from space and a hinge from the rigid ship, in the frequency domain: its point is still, or moves alike"""
     pair, waves = two_of_which_one_bends(2), (OMEGA[[4, I]], AROUND[[J]])
     ship, _, barge = pair.bodies
     pin = Link("pin", ("space", "barge"), (20.0, -25.0, 1.0), kind="ball")

@@ -6,7 +6,11 @@ import pytest
 
 import hakobune
 from hakobune.bem.database import open_database
+from hakobune.bem.time_domain.memory import memory_of_database
+from hakobune.mooring.motion.simulation import moored, simulate
+from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.response.points import Station, transfer_functions
+from hakobune.mooring.studies.conditions import Waves
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import Task, prepared
 
@@ -100,6 +104,47 @@ def test_chains_bend_it_and_what_is_left_out_comes_first(barge, tmp_path):
     assert body.start[6] < 0 or body.start[6] > 0
     pushed = dict(zip(made.labels["record"].values, made["record.mean"], strict=True))
     assert pushed["vertical bending 1"] == pytest.approx(body.start[6], rel=0.05)
+
+
+def test_a_shape_alone_swings_freely_at_its_own_frequency(barge, tmp_path):
+    """x₀ e^{−dt} (cos pt + d/p sin pt) with mass, added mass and damping at 3 s, stiffness of structure and water"""
+    simulation = {"duration": 12.0, "ramp": 0.0, "step": 0.1, "memory": "constant", "constant_period": 3.0,
+                  "motions": ["vertical bending 1"], "offset": {"vertical bending 1": 0.02},
+                  "tolerance": 1e-5}  # fmt: skip
+    hakobune.simulate({"water": {"depth": 9.0}, "simulation": simulation}, barge, tmp_path / "run.h5")
+    body = open_database(barge).bodies_reader
+    (A,), (B,) = (one[:, 6, 6] for one in body.coefficients(np.array([2 * np.pi / 3])))
+    mass, d = body.inertia[6, 6] + A, 0.5 * (body.damping[6, 6] + B) / (body.inertia[6, 6] + A)
+    p = np.sqrt(body.stiffness[6, 6] / mass - d**2)
+    with h5py.File(tmp_path / "run.h5") as file:
+        t, bent = file["time"][()], file["motion"][0].astype(float)
+        assert "fixed at rest, as set by simulation.motions" in file.attrs["told"]
+    exact = 0.02 * np.exp(-d * t) * (np.cos(p * t) + d / p * np.sin(p * t))
+    assert np.abs(bent[:, 6] - exact).max() < 1e-4 * 0.02 and p * 12 > 24 and not bent[:, :6].any()
+
+
+def test_the_memory_of_all_motions_bends_it_as_the_stored_coefficients_do(tmp_path):
+    """Within what the memory says of itself, at a frequency between stored ones; energy goes out of every motion"""
+    path = tmp_path / "band.h5"
+    waves = {"omegas": {"from": 0.3, "to": 4.0, "count": 20}, "headings_deg": list(range(0, 360, 45))}
+    hakobune.solve({"water": {"depth": 9.0}, "bodies": [BARGE], "modes": MODES, "waves": waves, "panels": 160}, path)
+    body = open_database(path).bodies_reader.floating()
+    memory, w = memory_of_database(body, 1e-2), 1.47
+    assert [group for group in memory.groups if 6 in group] == [(2, 6)]
+    assert np.linalg.eigvalsh(memory.transform(np.linspace(0.1, 8.0, 60)).real).min() > -1e-6 * memory.damping(w).max()
+    drag, springs, T = 0.1 * body.inertia, np.zeros((9, 9)), 2 * np.pi / w
+    springs[[0, 1, 5], [0, 1, 5]] = 4e4, 4e4, 4e6
+    held = moored(body, memory=memory, spring=springs, damping=drag)
+    weather, how = Weather(regular=Waves(0.002, T, 0.6)), Settings(24 * T, 20 * T, T / 20, slow_drift="none")
+    run = simulate(held, weather, how)
+    exact = body.restrained(damping=drag, stiffness=springs).motions(np.array([w]), [0.6])[0, 0]
+    late = run.time >= 20 * T
+    turn = np.exp(1j * w * (run.time[late] + 20 * T))
+    found = 2 * np.mean(run.motion[late][:-1] * turn[:-1, None], axis=0) / 0.001
+    off = np.abs(found - exact)
+    allowed = memory.error.max() + memory.deviation.max()
+    for kind in (slice(0, 3), slice(3, 6), slice(6, 8), slice(8, 9)):
+        assert off[kind].max() < allowed * np.abs(exact[kind]).max(), kind
 
 
 @pytest.mark.parametrize(
