@@ -72,10 +72,10 @@ def bending(count, more=1.0, coupled=True, kinds=KINDS):
     return with_shapes(rigid, shapes(count, kinds, more), coupled)
 
 
-def two_of_which_one_bends(count):
+def two_of_which_one_bends(count, kinds=KINDS):
     """Reader of the bodies of `two_bodies`; the barge, which heads astern, bends"""
     where = {"body": 2, "place": (10.0, -30.0), "heading": np.pi}
-    return with_shapes(coupled_bodies(AROUND), shapes(count, KINDS, **where))
+    return with_shapes(coupled_bodies(AROUND), shapes(count, kinds, **where))
 
 
 class Turned:

@@ -14,14 +14,14 @@ from hakobune.mooring.fenders.fender import fender_of_points
 from hakobune.mooring.lines.catalogue import line_type
 from hakobune.mooring.lines.ropes import RopePart, rope
 from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
-from hakobune.mooring.lines.system.moored_body import Leg, moored_body
+from hakobune.mooring.lines.system.moored_body import Leg, moored_bodies, moored_body
 from hakobune.mooring.lines.system.parts import UniformLine
 from hakobune.mooring.motion.contacts import QuayFender, berth_of
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.wave_loads import no_wave_forces
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.response.points import Point, of_point
-from hakobune.mooring.studies.conditions import Waves
+from hakobune.mooring.studies.conditions import Afloat, ExposedBox, Waves
 
 AROUND = np.arange(24) * (np.pi / 12)
 RIG = np.diag([3e6, 2e6, 0, 0, 0, 3e9])
@@ -138,6 +138,36 @@ def test_lines_and_fenders_on_a_body_that_bends_keep_its_energy():
     total = kinetic + still + 0.5 * pulls.sum(axis=0)
     assert np.all(np.ptp(pulls, axis=1) > 1e-3 * total[0]), np.ptp(pulls, axis=1) / total[0]
     assert np.abs(run.motion[:, 6]).max() > 0.15
+    assert abs(total[-1] - total[0] - run.work["damping"]) < 1e-6 * total[0]
+
+
+def test_what_joins_two_bodies_keeps_the_energy_of_the_one_that_bends():
+    """A hawser with its fairlead on the barge, one with its bollard there, a rope and a fender of the barge"""
+    pair, k = two_of_which_one_bends(2, ("vertical bending", "horizontal bending")), 5e6
+    ship, _, barge = pair.bodies
+    pull = pull_of_points("tie", [0.0, 10.0], [0.0, 10 * k])
+    ends = ((-35.0, 20.0, 1.0), (-35.0, -20.0, 2.0), "barge"), ((50.0, -18.0, 2.0), (52.0, 20.0, 1.0), "ship")
+    legs = [Leg(Hawser(f"to {to}", pull, 0.99 * np.linalg.norm(np.subtract(end, lead)), "", ""), end, lead, body, to)
+            for (end, lead, body), to in zip(ends, ("ship", "barge"), strict=True)]  # fmt: skip
+    lines = moored_bodies(legs, {one.name: (one.rotation_center, one.heading) for one in (ship, barge)}, DEPTH)
+    box = ExposedBox(100.0, 30.0, 8.0, 5.0)
+    hulls = [Afloat(one.name, box, one.own_center, np.array(one.place), one.heading, 1025.0) for one in (ship, barge)]
+    spring = fender_of_points("spring", 1.0, [0.0, 1.0], [0.0, 5e6])
+    fender = QuayFender("F", spring, np.array([45.0, 15.0, 1.0]), np.array([0.0, -1.0, 0.0]), 15.0)
+    tight = rope("R", (-30.0, -12.0, 3.0), (-30.0, 16.0, 5.0), RopePart(2e7, 0.2), 5e5)
+    berth = berth_of([fender], [tight], None, hulls, [(0, 1), (0, 1)])
+    held = on_springs(pair, system=lines, berth=berth, waves=no_wave_forces(pair))
+    start = np.zeros(len(pair.words))
+    start[[1, 7, 9, 12, 13, 14, 15]] = 0.1, 0.1, 0.01, 0.3, -0.1, 0.3, 0.1
+    how = Settings(20.0, 0.0, 0.05, **STILL | {"tolerance": 1e-7}, constant_period=8.0, offset=tuple(start))
+    run = simulate(held, Weather(), how)
+    (A,) = pair.coefficients(np.array([2 * np.pi / 8]))[0]
+    total = 0.5 * np.einsum("ti,ij,tj->t", run.velocity, pair.inertia + A, run.velocity)
+    total += 0.5 * np.einsum("ti,ij,tj->t", run.motion, pair.stiffness + held.spring, run.motion)
+    of_rope = 2e7 / (0.2 * tight.length)
+    pulls = [*(run.tension**2 / k).T, run.pull[:, 0] ** 2 / of_rope, 5e6 * run.deflection[:, 0] ** 2]
+    total += 0.5 * np.sum(pulls, axis=0)
+    assert np.all(np.ptp(pulls, axis=1) > 1e-3 * total[0]) and np.all(np.ptp(run.motion[:, 12:], axis=0) > 0.02)
     assert abs(total[-1] - total[0] - run.work["damping"]) < 1e-6 * total[0]
 
 
