@@ -110,6 +110,9 @@ def moored(
     """
     reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()
     body, viscous = reader.floating(), in_time(reader, linearised_in, damping, quadratic)
+    free = tuple(range(len(body.words))) if motions is None else tuple(motions)
+    if body.modes:
+        check_bending(body, free)
     if memory is None:
         memory, findings = fitted_memory(body, motions)
     spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
@@ -124,13 +127,12 @@ def moored(
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
     berth = no_berth() if berth is None else berth
-    free = tuple(range(len(start))) if motions is None else tuple(motions)
     if body.modes:
-        check_bending(body, free)
         berth = with_shapes(berth, body)
         if system is not None or berth.names:
             others = _but_berth(system, tables, body, spring)
             start, stiffness = rest_bent(body, berth, others, start, units_of(body), free)
+        _check_upright(stiffness, body, free)
     elif links is not None:
         start, stiffness = _rest_together(links, berth, system, tables, body, spring, start)
         check_held(stiffness, body)

@@ -244,5 +244,9 @@ def test_what_cannot_be_followed_is_refused_in_a_line():
         on_springs(stiff)
     held = on_springs(stiff, motions=range(6))  # the way out
     assert held.free == tuple(range(6))
+    top = bending(1)
+    top.stiffness[3, 3] = -1e9
+    with pytest.raises(ValueError, match="the body capsizes: its restoring in roll"):
+        on_springs(top)
     with pytest.raises(ValueError, match="hinges pin are given with bodies that bend; allowed in time"):
         on_springs(bending(1).linked((Link("pin", ("space", "body"), (0.0, 0.0, 0.0), kind="ball"),)))
