@@ -11,10 +11,12 @@ be SPACE, in coordinates of the scene, and a body that is alone is called ALONE.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
+from .flexible.coupling import gradients
 from .modes import Body
 
 SPACE, ALONE = "space", "body"
@@ -130,7 +132,25 @@ def _all_rows(reader, link):
             x, y, z = body.axes.T @ (place - (*body.place, 0.0)) - body.own_center
             rows[:3, own] += sign * axes @ np.hstack([np.eye(3), [[0, z, -y], [-z, 0, x], [y, -x, 0]]])
             rows[3:, own] += sign * axes @ np.eye(3, 6, 3)
+            moved, turned = of_shapes(reader, body, body.axes.T @ (place - (*body.place, 0.0)))
+            rows[:3, reader.rigid :] += sign * axes @ moved
+            rows[3:, reader.rigid :] += sign * axes @ turned
     return rows
+
+
+def of_shapes(reader, body, point):
+    """(3, f), (3, f) m and rad per unit of each shape of a Reader that a point (3,) m of one of its bodies moves by and
+    turns, half the curl, both in coordinates of the body
+    """
+    moved, turned = np.zeros((2, 3, len(reader.modes)))
+    number = [one.name for one in reader.bodies].index(body.name) if reader.bodies else 0
+    for k, mode in enumerate(reader.modes):
+        if number in mode.moves:
+            moves = partial(mode.in_body, body)
+            (g,) = gradients(moves, point[None], 1.0 + float(np.abs(point).max()))
+            moved[:, k] = moves(point[None])[0]
+            turned[:, k] = 0.5 * np.array([g[2, 1] - g[1, 2], g[0, 2] - g[2, 0], g[1, 0] - g[0, 1]])
+    return moved, turned
 
 
 def free_of(rows):

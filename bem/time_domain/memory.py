@@ -3,8 +3,8 @@
     (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
 
 with velocities ν (6,) about the rotation centre, in axes of the body; of several bodies (6N,), one after another, about
-the centre of each in its own axes, and passive as a whole.  The n states x are r that decay and p pairs that
-turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
+the centre of each in its own axes, then of shapes of those that bend, and passive as a whole.  The n states x are r
+that decay and p pairs that turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
 
     ẋ_k = −decay_k x_k + Σ_j input_jk ν_j                                            k < r
     ẋ_k = −decay_k x_k + turn_i x_{k+p} + Σ_j input_jk ν_j,                          k = r + i, i < p
@@ -173,7 +173,7 @@ def _memory(body, tolerance, motions):
     band, axis, at, wanted, size, scale, deviation, damping = goal
     _check_deviation(deviation, band, damping, size, body.words, _ringing(body))
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
-    answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size)
+    answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size, body.rigid)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # damping outside the band is an assumed power law
     parts = [
         _kept(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
@@ -215,7 +215,7 @@ def _goal(body, band, motions, stored=True):
     at = _frequencies(axis, band)
     wanted = axis.transform(at)
     size = np.sqrt(np.abs(np.einsum("qii->qi", wanted)).max(axis=0))
-    turns = np.arange(len(size)) % 6 > 2
+    turns = body.turning
     size[still | (size <= STILL * np.where(turns, size[turns].max(), size[~turns].max()))] = 0.0
     scale = np.outer(size, size)
     inertia = np.zeros_like(scale) if body.inertia is None else body.inertia

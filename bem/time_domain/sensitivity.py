@@ -16,15 +16,17 @@ import numpy as np
 
 HELD = (0, 1, 5)  # degrees of freedom of each body that are fixed: surge, sway, yaw
 SHARES = np.array([0.05, 0.05, 0.01, 0.01, 0.01, 0.05])  # ζ of critical damping
+OF_SHAPES = 0.01  # and of bodies that bend
 NEAR = 0.05  # relative shift of the natural frequencies of heave, roll and pitch by a mooring
 
 
-def sensitivity(body, omega, transform, added_mass_infinity, size):
+def sensitivity(body, omega, transform, added_mass_infinity, size, rigid=None):
     """(q, n) diagonal of Y times size² at omega (q,) rad/s, 0 of bodies without mass or restoring forces
 
     transform : (q, n, n) kg/s … H; size : (n,) square root of the largest of each motion
+    rigid : how many of the motions are of rigid bodies, the first ones; None for all
     """
-    count = len(size)
+    count, rigid = len(size), len(size) if rigid is None else rigid
     out = np.zeros((len(omega), count))
     M, C = body.inertia, body.stiffness
     if M is None or C is None or not (np.all(np.isfinite(M)) and np.all(np.isfinite(C))):
@@ -32,9 +34,10 @@ def sensitivity(body, omega, transform, added_mass_infinity, size):
     w = omega[:, None, None]
     total = M + added_mass_infinity - transform.imag / w  # M + A
     own = np.einsum("qii->qi", total)
-    damped = transform.real + np.eye(count) * (2 * np.tile(SHARES, count // 6) * own * omega[:, None])[:, None]
+    shares = np.append(np.tile(SHARES, rigid // 6), np.full(count - rigid, OF_SHAPES))
+    damped = transform.real + np.eye(count) * (2 * shares * own * omega[:, None])[:, None]
     held = C + np.zeros_like(total)
-    for first in range(0, count, 6):
+    for first in range(0, rigid, 6):
         free = omega**2 * own[:, first + 2] < C[first + 2, first + 2]
         for i in HELD:
             held[free, first + i, first + i] = (omega**2 * own[:, first + i])[free]

@@ -108,10 +108,12 @@ def ends_of(body, motions=None):
         limit = None
     if body.stiffness is None:
         return limit, None
-    flux = np.zeros(count)
-    for first in range(0, count, 6):
-        own = slice(first + 2, first + 5)
-        flux[own] = body.stiffness[first + 2, own] / (body.density * body.gravity)
+    flux, heaves = np.zeros(count), range(2, body.rigid, 6)
+    for heave in heaves:
+        own = slice(heave, heave + 3)
+        flux[own] = body.stiffness[heave, own] / (body.density * body.gravity)
+    shapes = slice(body.rigid, None)
+    flux[shapes] = body.stiffness[heaves, shapes].sum(axis=0) / (body.density * body.gravity)
     flux[out] = 0.0
     return limit, monopole_damping(flux, body.density, body.depth, body.gravity)
 
@@ -119,7 +121,8 @@ def ends_of(body, motions=None):
 def monopole_damping(flux, density, depth, gravity):
     """M of the module as a function of omega (q,) rad/s.
 
-    flux : (6N,) m² (m³ a radian) of volume that a unit of each motion displaces: the waterplane and its moments
+    flux : (n,) m² (m³ a radian) of volume that a unit of each motion displaces: the waterplane and its moments, and
+    what the wetted surface of a shape does
     """
     square = density * np.outer(flux, flux)
 

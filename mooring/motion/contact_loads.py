@@ -26,7 +26,7 @@ from hakobune.bem.kernels.jit import kernel
 
 from ..fenders import hysteresis
 from ..fenders.hysteresis import ContactTable
-from .line_loads import give_generalized, reaction, rotation_of
+from .line_loads import give_generalized, push_shapes, reaction, rotation_of
 
 advanced = kernel(inline=True, counted=False)(hysteresis.advanced_one)
 
@@ -42,6 +42,7 @@ class Contacts(NamedTuple):
     p, m; offset s − c, or L₀, m; μ; k_t N/m; 1 for a rope, or 0
     body, other : (m,) number of the body that leans or is held, and of the one that a is on, below 0 for none
     place : (N, 3) m, origins of the axes of the bodies at rest
+    bent : (2, m, f, 3) u m per unit of f shapes where each is on the other body, and on its body, in axes of these
     """
 
     table: ContactTable
@@ -49,6 +50,7 @@ class Contacts(NamedTuple):
     body: np.ndarray
     other: np.ndarray
     place: np.ndarray
+    bent: np.ndarray
 
 
 class ContactWork(NamedTuple):
@@ -56,6 +58,8 @@ class ContactWork(NamedTuple):
 
     parts : (2, N, 6) of fenders and of ropes; arm : (3,) m, of a on the other body
     beyond : (1,) number of one that is beyond its table and refused, or −1
+    bent : (f,) amplitudes of shapes, set by the caller; push : (2, f) generalized forces on them of fenders and ropes
+    shift : (3,) m that a contact's point of its body is moved by shapes, in axes of that
     """
 
     start: np.ndarray
@@ -63,6 +67,9 @@ class ContactWork(NamedTuple):
     parts: np.ndarray
     arm: np.ndarray
     beyond: np.ndarray
+    bent: np.ndarray
+    push: np.ndarray
+    shift: np.ndarray
 
 
 def contact_work(contacts):
@@ -70,7 +77,9 @@ def contact_work(contacts):
     start = np.zeros((len(contacts.numbers), 9))
     start[:, DEPTH], start[:, STATE] = -np.inf, 1.0
     parts = np.zeros((2, len(contacts.place), 6))
-    return ContactWork(start, start.copy(), parts, np.zeros(3), np.full(1, -1))
+    shapes = contacts.bent.shape[2]
+    bent = np.zeros(shapes), np.zeros((2, shapes)), np.zeros(3)
+    return ContactWork(start, start.copy(), parts, np.zeros(3), np.full(1, -1), *bent)
 
 
 @kernel(inline=True, counted=False)
@@ -86,12 +95,19 @@ def pressed(contacts, work, i, depth):
 def from_the_body(contacts, work, i, positions, R, v):
     """v (3,) m, from the origin of the axes of its body to a of contact i; work.arm is that from the other body's"""
     b, other = contacts.body[i], contacts.other[i]
-    c = contacts.numbers
+    c, bent = contacts.numbers, contacts.bent
     for j in range(3):
         v[j] = c[i, j] - positions[b, j]
+        work.shift[j] = 0.0
+        for k in range(work.bent.size):
+            work.shift[j] += work.bent[k] * bent[1, i, k, j]
     if other >= 0:
+        px, py, pz = c[i, 0], c[i, 1], c[i, 2]
+        for k in range(work.bent.size):
+            u = bent[0, i, k]
+            px, py, pz = px + work.bent[k] * u[0], py + work.bent[k] * u[1], pz + work.bent[k] * u[2]
         for j in range(3):
-            work.arm[j] = R[other, j, 0] * c[i, 0] + R[other, j, 1] * c[i, 1] + R[other, j, 2] * c[i, 2]
+            work.arm[j] = R[other, j, 0] * px + R[other, j, 1] * py + R[other, j, 2] * pz
             apart = contacts.place[other, j] - contacts.place[b, j]
             v[j] = apart + positions[other, j] + work.arm[j] - positions[b, j]
 
@@ -99,17 +115,20 @@ def from_the_body(contacts, work, i, positions, R, v):
 @kernel(inline=True, counted=False)
 def fender_force(contacts, work, i, R, v, f):
     """f (3,) N in space of fender i on its body, at the arm v (3,) m from the origin of the body's axes"""
-    c, start, now = contacts.numbers, work.start, work.now
+    c, start, now, w = contacts.numbers, work.start, work.now, work.shift
     s = along = size = 0.0
     for j in range(3):
         f[j] = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
         s += v[j] * f[j]
+    if work.bent.size > 0:
+        s -= w[0] * c[i, ARM] + w[1] * c[i, ARM + 1] + w[2] * c[i, ARM + 2]
     N = pressed(contacts, work, i, c[i, OFFSET] - s)
     turns = contacts.other[i] >= 0
     for j in range(3):
-        now[i, AT + j] = R[0, j] * v[0] + R[1, j] * v[1] + R[2, j] * v[2]
+        now[i, AT + j] = R[0, j] * v[0] + R[1, j] * v[1] + R[2, j] * v[2] - w[j]
         # the body's point that was at the fender, from it, and what it had moved before
-        moved = R[j, 0] * start[i, AT] + R[j, 1] * start[i, AT + 1] + R[j, 2] * start[i, AT + 2] - v[j]
+        x, y, z = start[i, AT] + w[0], start[i, AT + 1] + w[1], start[i, AT + 2] + w[2]
+        moved = R[j, 0] * x + R[j, 1] * y + R[j, 2] * z - v[j]
         before = start[i, SLIP + j]
         if turns:
             before = R[j, 0] * start[i, SLIP] + R[j, 1] * start[i, SLIP + 1] + R[j, 2] * start[i, SLIP + 2]
@@ -132,9 +151,9 @@ def fender_force(contacts, work, i, R, v, f):
 @kernel(inline=True, counted=False)
 def rope_force(contacts, work, i, R, v, f):
     """f (3,) N in space of rope i on its body, at the arm v (3,) m, where it was that to the other end"""
-    c, span = contacts.numbers, 0.0
+    c, span, w = contacts.numbers, 0.0, work.shift
     for j in range(3):
-        arm = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
+        arm = R[j, 0] * (c[i, ARM] + w[0]) + R[j, 1] * (c[i, ARM + 1] + w[1]) + R[j, 2] * (c[i, ARM + 2] + w[2])
         f[j] = v[j] - arm
         v[j] = arm
         span += f[j] * f[j]
@@ -171,6 +190,7 @@ def contact_loads(contacts, work, positions, R, v, f):
     for b in range(len(positions)):
         rotation_of(positions[b, 3:6], R[b])
     work.parts[:] = 0.0
+    work.push[:] = 0.0
     work.beyond[0] = -1
     for i in range(len(contacts.numbers)):
         kind, b, other = 0, contacts.body[i], contacts.other[i]
@@ -181,10 +201,12 @@ def contact_loads(contacts, work, positions, R, v, f):
         else:
             fender_on(contacts, work, i, b, R, v, f)
         add_to(work, kind, b, positions, v, f)
+        push_shapes(contacts.bent[1, i], R[b], f[0], f[1], f[2], work.push[kind])
         if other >= 0:
             for j in range(3):
                 f[j] = -f[j]
             add_to(work, kind, other, positions, work.arm, f)
+            push_shapes(contacts.bent[0, i], R[other], f[0], f[1], f[2], work.push[kind])
         if contacts.table.marks[i, 2] > 0.0 and work.now[i, DEPTH] > contacts.table.marks[i, 1]:
             work.beyond[0] = i
 
@@ -198,9 +220,15 @@ def settle(work):
 
 
 @kernel(counted=False)
-def contacts_along(contacts, work, positions, R, v, f, depth, force):
-    """depth, force (n, m) m, N with the bodies at positions (n, N, 6), one after the other"""
+def contacts_along(contacts, work, positions, R, v, f, depth, force, bent=None):
+    """depth, force (n, m) m, N with the bodies at positions (n, N, 6), one after the other
+
+    bent : (n, f) amplitudes of shapes, None for none
+    """
     for t in range(len(positions)):
+        if bent is not None:
+            for k in range(work.bent.size):
+                work.bent[k] = bent[t, k]
         contact_loads(contacts, work, positions[t], R, v, f)
         settle(work)
         for i in range(len(contacts.numbers)):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,9 +10,10 @@ from ..fenders.fender import Fender, FenderError
 from ..fenders.hysteresis import contact_table
 from ..lines.system.bodies import places_along, rotation
 from ..lines.system.graph import Pose
-from .contact_loads import Contacts, contact_loads, contact_work, contacts_along
+from .contact_loads import ARM, OFFSET, ROPE, Contacts, contact_loads, contact_work, contacts_along
 from .line_loads import generalized
 from .links import rows_at, springs_at
+from .tables.groups import moved_by_shapes
 
 SIDES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0)}
 STEP = np.array([1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6])  # m, rad, of a difference quotient
@@ -95,8 +96,30 @@ def berth_of(fenders, ropes, center, hulls=None, ends=None):
     table = contact_table([*(one.fender for one in fenders), *(one.pull for one in ropes)])
     body, other = np.ascontiguousarray(ends.T)
     places = np.ascontiguousarray(at_rest[:, :3])
-    arrays = Contacts(table, np.array(numbers, float).reshape(-1, 10), body, other, places)
+    rigid = np.zeros((2, len(numbers), 0, 3))
+    arrays = Contacts(table, np.array(numbers, float).reshape(-1, 10), body, other, places, rigid)
     return Berth(fenders, ropes, arrays, at_rest[:, 5])
+
+
+def with_shapes(berth, reader):
+    """`Berth` whose fenders and ropes meet and hold bodies that bend, with the shapes of a Reader
+
+    A fender meets the place of the flat side that is before it at rest.
+    """
+    arrays = berth.arrays
+    at_rest = np.hstack([arrays.place, np.zeros((len(arrays.place), 2)), berth.heading[:, None]])
+    bent = np.zeros((2, len(arrays.body), len(reader.modes), 3))
+    for i, (row, b, o) in enumerate(zip(arrays.numbers, arrays.body, arrays.other, strict=True)):
+        there = row[:3] + at_rest[b, :3]
+        if o >= 0:
+            bent[0, i] = moved_by_shapes(reader, o, row[:3])[0]
+            there = at_rest[o, :3] + rotation(0.0, 0.0, berth.heading[o]) @ row[:3]
+        own = row[ARM : ARM + 3]
+        if not row[ROPE]:
+            before = rotation(0.0, 0.0, berth.heading[b]).T @ (there - at_rest[b, :3])
+            own = before + (row[OFFSET] - own @ before) * own
+        bent[1, i] = moved_by_shapes(reader, b, own)[0]
+    return replace(berth, arrays=arrays._replace(bent=bent))
 
 
 def no_berth():
@@ -107,19 +130,22 @@ def no_berth():
 def berth_force(berth, position):
     """(n,) generalized forces, in heading axes, of fenders that are pressed for the first time and ropes
 
-    position : (n,) displacements of the bodies in space, six for each
+    position : (n,) displacements of the bodies in space, six for each, and amplitudes of the shapes of those that bend
     """
-    work, poses = contact_work(berth.arrays), np.array(position, float).reshape(-1, 6)
+    work, rigid = contact_work(berth.arrays), 6 * len(berth.heading)
+    poses = np.array(position[:rigid], float).reshape(-1, 6)
     poses[:, 5] += berth.heading
+    work.bent[:] = position[rigid:]
     contact_loads(berth.arrays, work, poses, np.zeros((len(poses), 3, 3)), np.zeros(3), np.zeros(3))
-    return work.parts.sum(axis=0).ravel()
+    return np.append(work.parts.sum(axis=0).ravel(), work.push.sum(axis=0))
 
 
 def berth_stiffness(berth, position):
     """(n, n) −∂force/∂position at a position (n,), along the axes of the bodies"""
-    count = len(position)
-    out, along = np.empty((count, count)), places_along(berth.heading)
-    for j, h in enumerate(np.tile(STEP, count // 6)):
+    count, rigid = len(position), 6 * len(berth.heading)
+    out, along = np.empty((count, count)), np.eye(count)
+    along[:rigid, :rigid] = places_along(berth.heading)
+    for j, h in enumerate(np.append(np.tile(STEP, rigid // 6), np.full(count - rigid, STEP[0]))):
         ahead, behind = position + h * along[:, j], position - h * along[:, j]
         out[:, j] = (berth_force(berth, behind) - berth_force(berth, ahead)) / (2 * h)
     return out
@@ -135,7 +161,7 @@ def at_rest(berth, others, start, unit):
     def residual(x):
         return (berth_force(berth, x * unit) + others(x * unit)) * unit / size
 
-    found = _balanced(residual, np.asarray(start) / unit)
+    found = balanced(residual, np.asarray(start) / unit)
     if not np.abs(found.fun).max() <= RESTS:
         raise ValueError(
             f"no equilibrium of the body between its fenders and ropes was found: {np.abs(found.fun).max():.2g} "
@@ -144,7 +170,7 @@ def at_rest(berth, others, start, unit):
     return found.x * unit
 
 
-def _balanced(residual, start):
+def balanced(residual, start):
     """Where a residual is least, as of `scipy.optimize.least_squares`, with the same digits each time
 
     Not by method="lm": of a body that some motion of hardly changes the residual its next place is, of scipy 1.17, one
@@ -179,7 +205,7 @@ def rest_together(links, forces, start, unit, headings):
 
     x = np.asarray(start) / unit
     if np.abs(residual(x)).max() > TOGETHER:
-        found = _balanced(residual, x)
+        found = balanced(residual, x)
         if not np.abs(found.fun).max() <= RESTS:
             raise ValueError(
                 f"no equilibrium of the bodies with their hinges was found: {np.abs(found.fun).max():.2g} of "
@@ -239,15 +265,20 @@ def poses_at(place, headings):
 
 def contact_forces(berth, position):
     """(m,) N of fenders and ropes with the bodies at a displacement (n,) that they are put to"""
-    poses = np.array(position, float).reshape(1, -1, 6)
+    rigid = 6 * len(berth.heading)
+    poses = np.array(position[:rigid], float).reshape(1, -1, 6)
     poses[:, :, 5] += berth.heading
-    return courses(berth, poses)[1][0]
+    return courses(berth, poses, np.asarray(position[rigid:], float)[None])[1][0]
 
 
-def courses(berth, positions):
-    """Deflection or elongation (n, m) m and force (n, m) N along positions (n, N, 6) or (n, 6 N) of the bodies"""
+def courses(berth, positions, bent=None):
+    """Deflection or elongation (n, m) m and force (n, m) N along positions (n, N, 6) or (n, 6 N) of the bodies
+
+    bent : (n, f) amplitudes of the shapes of those that bend, None for none
+    """
     positions = np.ascontiguousarray(np.reshape(positions, (len(positions), -1, 6)))
     depth, force = (np.zeros((len(positions), len(berth.names))) for _ in range(2))
     room = np.zeros((positions.shape[1], 3, 3)), np.zeros(3), np.zeros(3)
-    contacts_along(berth.arrays, contact_work(berth.arrays), positions, *room, depth, force)
+    bent = np.zeros((len(positions), 0)) if bent is None else np.ascontiguousarray(bent)
+    contacts_along(berth.arrays, contact_work(berth.arrays), positions, *room, depth, force, bent)
     return depth, force

@@ -16,6 +16,12 @@ State of a body: η (6), ν (6), slow pose (3) and its rate (3), work done on th
 contains that of every body, one after another, displacement (3) and velocity (3) of a buoy in space, and the memory of
 all.  Several bodies, N, have one equation: M + A∞ and B′ are (6N, 6N), the memory is that of the whole, and lines,
 fenders and ropes between two bodies act on both with opposite sign.  ψ is the heading of each, not 0 at rest for all.
+
+Shapes of bodies that bend have amplitudes ξ beside these motions, and the same equation without the terms of slow
+motion: mass, memory, damping and restoring forces of all motions together, first-order waves at the slow pose of the
+body, and Q_k = f · R u_k(p) of the force f of a line, fender or rope at a point p, which is moved by Σ ξ_k R u_k(p).
+They go in G groups of six, filled up with motions that are none, each of one body: of a group the state has ξ (6) and
+ξ̇ (6) before the memory, and vectors of forces have six numbers after those of all bodies.
 """
 
 from __future__ import annotations
@@ -44,19 +50,32 @@ BY_HAWSERS = 10
 SLOW, SLOW_RATE, FIRST_WORK = 12, 15, 18  # offsets of the parts of a body's state
 BLOCK = 18 + len(WORKS)  # numbers of it
 SAMPLED = 18  # number of stored states
+OF_SHAPES = 12  # numbers of the state of a group of shapes
+
+
+class Shapes(NamedTuple):
+    """f shapes of bodies that bend, in G groups of six.
+
+    owner : (G,) number of the body of each group; place : (f,) number of each shape among the 6G
+    stiffness : (6N + 6G, 6N + 6G) restoring forces on shapes, and of them on bodies; 0 between bodies
+    """
+
+    owner: np.ndarray
+    place: np.ndarray
+    stiffness: np.ndarray
 
 
 class Body(NamedTuple):
-    """Constants of the equation of N bodies.
+    """Constants of the equation of N bodies, with n = 6N + 6G motions, G groups of shapes.
 
-    mass_inverse : (6N, 6N) of M + A∞; rigid, slow : (N, 6, 6) M, and the added mass of slow motion, of each
+    mass_inverse : (n, n) of M + A∞; rigid, slow : (N, 6, 6) M, and the added mass of slow motion, of each
     stiffness : (N, 6, 6) hydrostatic, on η in heading axes; spring : (N, 6, 6) on η in space axes
-    damping : (6N, 6N) B′; quadratic : (6N,) N₂; heading : (N,) rad, ψ at rest
+    damping : (n, n) B′; quadratic : (n,) N₂; heading : (N,) rad, ψ at rest
     filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where its moment is in the current
     wave_ramp : (2,) s, begin of the waves and how long they grow
     memory : `bem.time_domain.memory.MemoryArrays`
     drift_damping : (N, HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
-    given : (6N, n) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
+    given : (6N, m) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
     """
 
     mass_inverse: np.ndarray
@@ -75,12 +94,13 @@ class Body(NamedTuple):
     drift_damping: np.ndarray
     given: np.ndarray
     given_step: float
+    shapes: Shapes
 
 
 class Work(NamedTuple):
     """Room for work of one evaluation, and the window of wave forces in use.
 
-    window : (N, ROWS, m); span : start s, step s; force : (6N,); part : (6,); R : (N, 3, 3)
+    window : (N + G, ROWS, m); span : start s, step s; force : (6N + 6G,); part : (6,); R : (N, 3, 3)
     place, pull : (N, 6) displacements, forces of lines
     """
 
@@ -119,10 +139,11 @@ class Scene(NamedTuple):
     links: tuple
 
 
-def room(columns, bodies=1):
+def room(columns, bodies=1, groups=0):
     """`Work` for windows of so many columns"""
+    both = bodies + groups
     return Work(
-        np.zeros((bodies, ROWS, columns)), np.zeros(2), np.zeros(6 * bodies), np.zeros(6), np.zeros(3), np.zeros(ROWS),
+        np.zeros((both, ROWS, columns)), np.zeros(2), np.zeros(6 * both), np.zeros(6), np.zeros(3), np.zeros(ROWS),
         np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((bodies, 3, 3)), np.zeros(3), np.zeros(4), np.zeros(15),
         np.zeros((bodies, 6)), np.zeros((bodies, 6)),
     )  # fmt: skip
@@ -133,9 +154,14 @@ def buoy_at(bodies):
     return BLOCK * bodies
 
 
-def memory_at(bodies):
-    """Place in the state where the memory begins"""
+def shapes_at(bodies):
+    """Place in the state where groups of shapes begin"""
     return BLOCK * bodies + 6
+
+
+def memory_at(bodies, groups=0):
+    """Place in the state where the memory begins"""
+    return BLOCK * bodies + 6 + OF_SHAPES * groups
 
 
 def blocks(state, bodies):
@@ -210,7 +236,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
 
     whole, changed : (n,) state of all bodies and its rates; y, rate, force : of this one
     """
-    memory = BLOCK * body.heading.size + 6
+    memory = BLOCK * body.heading.size + 6 + OF_SHAPES * body.shapes.owner.size
     for i in range(6):
         total = body.quadratic[6 * b + i] * y[6 + i] * abs(y[6 + i])
         for j in range(6):
@@ -312,6 +338,102 @@ def move(body, b, y, rate, force):
 
 
 @kernel(inline=True, counted=False)
+def of_shapes_on_body(body, b, y, rate, force, work):
+    """Restoring forces and damping that shapes exert on body b; y, rate : (n,) of all, force : (6,) of it"""
+    count, first = body.heading.size, BLOCK * b
+    K, B = body.shapes.stiffness, body.damping
+    for i in range(6):
+        pull = drag = 0.0
+        for h in range(body.shapes.owner.size):
+            at, column = BLOCK * count + 6 + OF_SHAPES * h, 6 * (count + h)
+            for j in range(6):
+                pull += K[6 * b + i, column + j] * y[at + j]
+                drag += B[6 * b + i, column + j] * y[at + 6 + j]
+        force[i] -= pull
+        work.part[i] = -drag
+    give(force, y[first : first + BLOCK], rate[first : first + BLOCK], work.part, 6, BY_DAMPING)
+
+
+@kernel(inline=True, counted=False)
+def of_group(scene, g, t, y, rate):
+    """All that acts on group g of the shapes of a `Scene` but moorings; y, rate : (n,) of all
+
+    The work of each load is counted with that on the body.
+    """
+    work, body = scene.work, scene.body
+    count, K, B = body.heading.size, body.shapes.stiffness, body.damping
+    b, memory = count + g, BLOCK * count + 6 + OF_SHAPES * body.shapes.owner.size
+    at, works = BLOCK * count + 6 + OF_SHAPES * g, BLOCK * body.shapes.owner[g]
+    own, force, done = y[at : at + OF_SHAPES], work.force[6 * b : 6 * b + 6], rate[works : works + BLOCK]
+    for i in range(6):
+        row, pull, drag = 6 * b + i, 0.0, body.quadratic[6 * b + i] * own[6 + i] * abs(own[6 + i])
+        for c in range(count):
+            for j in range(2, 5):
+                pull += K[row, 6 * c + j] * y[BLOCK * c + j]
+            for j in range(6):
+                drag += B[row, 6 * c + j] * y[BLOCK * c + 6 + j]
+        for h in range(body.shapes.owner.size):
+            from_it, column = BLOCK * count + 6 + OF_SHAPES * h, 6 * (count + h)
+            for j in range(6):
+                pull += K[row, column + j] * y[from_it + j]
+                drag += B[row, column + j] * y[from_it + 6 + j]
+        force[i] -= pull
+        work.part[i] = -drag
+    give(force, own, done, work.part, 6, BY_DAMPING)
+    memory_rate(body.memory, y[memory:], own[6:12], rate[memory:], b)
+    memory_force(body.memory, y[memory:], work.part, b)
+    for j in range(6):
+        work.part[j] = -work.part[j]
+    give(force, own, done, work.part, 6, BY_MEMORY)
+    if work.window.shape[2] > 1:
+        between_samples(work.window[b], (t - work.span[0]) / work.span[1] + EDGE, work.weights, work.waves)
+        grown = ramp(t - body.wave_ramp[0], body.wave_ramp[1])
+        for j in range(6):
+            work.part[j] = grown * work.waves[j]
+        give(force, own, done, work.part, 6, BY_WAVES)
+
+
+@kernel(inline=True, counted=False)
+def of_shapes(scene, t, y, rate):
+    """All that acts on the shapes of a `Scene`, and what they exert on bodies, but moorings; y, rate : (n,) of all"""
+    body, force = scene.body, scene.work.force
+    for b in range(body.heading.size):
+        of_shapes_on_body(body, b, y, rate, force[6 * b : 6 * b + 6], scene.work)
+    for g in range(body.shapes.owner.size):
+        of_group(scene, g, t, y, rate)
+
+
+@kernel(inline=True, counted=False)
+def of_moorings_on_shapes(scene, y, rate, met):
+    """What lines, and fenders and ropes if they are `met`, do to shapes, into the forces and the rates of their work"""
+    shapes, count = scene.body.shapes, scene.body.heading.size
+    for k in range(shapes.place.size):
+        g, i = shapes.place[k] // 6, shapes.place[k] % 6
+        at, works = BLOCK * count + 6 + OF_SHAPES * g + 6 + i, BLOCK * shapes.owner[g] + FIRST_WORK
+        pull = scene.line_work.push[k]
+        scene.work.force[6 * count + shapes.place[k]] += pull
+        rate[works + BY_LINES] += pull * y[at]
+        if met:
+            pressed, roped = scene.contact_work.push[0, k], scene.contact_work.push[1, k]
+            scene.work.force[6 * count + shapes.place[k]] += pressed + roped
+            rate[works + BY_FENDERS] += pressed * y[at]
+            rate[works + BY_ROPES] += roped * y[at]
+
+
+@kernel(inline=True, counted=False)
+def move_shapes(body, g, y, rate, force):
+    """Rates of group g of shapes from the forces (n,) on all motions; y, rate : (n,) of all"""
+    count = body.heading.size
+    at = BLOCK * count + 6 + OF_SHAPES * g
+    for i in range(6):
+        rate[at + i] = y[at + 6 + i]
+        total = 0.0
+        for j in range(force.size):
+            total += body.mass_inverse[6 * (count + g) + i, j] * force[j]
+        rate[at + 6 + i] = total
+
+
+@kernel(inline=True, counted=False)
 def of_moorings(scene, y, rate):
     """Lines, fenders and ropes of a `Scene` on its bodies, into the forces and the rates of their work (n,) of all
 
@@ -321,10 +443,17 @@ def of_moorings(scene, y, rate):
     for b in range(count):
         for j in range(6):
             work.place[b, j] = y[BLOCK * b + j]
+    place = scene.body.shapes.place
+    for k in range(place.size):
+        bent = y[BLOCK * count + 6 + OF_SHAPES * (place[k] // 6) + place[k] % 6]
+        scene.line_work.bent[k] = bent
+        scene.contact_work.bent[k] = bent
     good = line_loads(scene.lines, scene.line_work, work.place, work.R, work.pull)
     met = len(scene.contacts.numbers) > 0
     if met:
         contact_loads(scene.contacts, scene.contact_work, work.place, work.R, work.stream, work.arm)
+    if scene.body.shapes.place.size > 0:
+        of_moorings_on_shapes(scene, y, rate, met)
     for b in range(count):
         give_to(work, b, y, rate, work.pull, BY_LINES)
         if met:
@@ -365,6 +494,8 @@ def rates(scene, buoy, t, y, rate):
     work.force[:] = 0.0
     for b in range(count):
         of_one(scene, b, t, y, rate)
+    if body.shapes.owner.size > 0:
+        of_shapes(scene, t, y, rate)
     scene.line_work.span[0] = t
     good = of_moorings(scene, y, rate)
     if buoy is not None:
@@ -377,4 +508,6 @@ def rates(scene, buoy, t, y, rate):
     of_links(scene, scene.links, y, rate)
     for b in range(count):
         move(body, b, y, rate, work.force)
+    for g in range(body.shapes.owner.size):
+        move_shapes(body, g, y, rate, work.force)
     return good

@@ -21,7 +21,7 @@ from hakobune.bem.kernels.jit import kernel
 
 from .buoy import keep_pulls, open_water
 from .contact_loads import settle
-from .equation import BLOCK, SAMPLED, SLOW, SLOW_RATE, rates
+from .equation import BLOCK, OF_SHAPES, SAMPLED, SLOW, SLOW_RATE, rates
 from .line_loads import fairlead_of, hold
 from .links import put_forces
 from .moving_lines.sea import sea_ahead
@@ -64,6 +64,7 @@ class Clock(NamedTuple):
     counts : STEPS, REFUSED, SAMPLES, WINDOWS, SHORT steps in a row
     end, sample_step : s; fixed_step : s, 0 where the error chooses the step
     scale : (N, 12) allowed error a second of each position and velocity, float_scale : (6,) of those of a buoy
+    bent_scale : (G, 12) of those of groups of shapes
     y, stages : state (n,), its rates (7, n); pose : (3,) slow pose of a body foreseen for the end of the window
     """
 
@@ -74,16 +75,18 @@ class Clock(NamedTuple):
     fixed_step: float
     scale: np.ndarray
     float_scale: np.ndarray
+    bent_scale: np.ndarray
     y: np.ndarray
     trial: np.ndarray
     stages: np.ndarray
     pose: np.ndarray
 
 
-def clock_at_rest(y, end, sample_step, fixed_step, scale):
-    """Clock of a run from a state y (n,) at 0 s"""
+def clock_at_rest(y, end, sample_step, fixed_step, scale, groups=0):
+    """Clock of a run from a state y (n,) at 0 s; scale : (N + groups, 12), of groups of shapes after bodies"""
     first = fixed_step or FIRST_STEP
     scale = np.asarray(scale, float).reshape(-1, 12)
+    scale, bent = scale[: len(scale) - groups], scale[len(scale) - groups :]
     buoy = np.repeat([scale[0, :3].max(), scale[0, 6:9].max()], 3)
     return Clock(
         np.array([0.0, first, -np.inf, first]),
@@ -93,6 +96,7 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale):
         float(fixed_step or 0.0),
         scale,
         buoy,
+        bent,
         y,
         np.zeros_like(y),
         np.zeros((7, len(y))),
@@ -128,6 +132,12 @@ def take_step(scene, buoy, clock, t, h):
             for j in range(7):
                 total += E[j] * k[j, BLOCK * b + i]
             worst = max(worst, abs(total) / clock.scale[b, i])  # h·total over scale·h
+    for g in range(clock.bent_scale.shape[0]):
+        for i in range(12):
+            total = 0.0
+            for j in range(7):
+                total += E[j] * k[j, BLOCK * count + 6 + OF_SHAPES * g + i]
+            worst = max(worst, abs(total) / clock.bent_scale[g, i])
     if buoy is not None:
         for i in range(6):
             total = 0.0
@@ -235,6 +245,15 @@ def put_sample(clock, b, t, h, at, out):
 
 
 @kernel(counted=False)
+def put_shapes(clock, t, h, at, out):
+    """out (12 G,): amplitudes and their rates of groups of shapes at a time within the step, s"""
+    s, first = (at - t) / h, BLOCK * clock.scale.shape[0] + 6
+    for i in range(out.size):
+        n = first + i
+        out[i] = hermite(s, clock.y[n], clock.trial[n], h * clock.stages[0, n], h * clock.stages[6, n])
+
+
+@kernel(counted=False)
 def put_buoy(clock, t, h, at, out):
     """out (6,): place and velocity of a buoy at a time within the step, s"""
     s, first = (at - t) / h, BLOCK * clock.scale.shape[0]
@@ -260,11 +279,15 @@ def next_break(lines, t):
 
 
 @kernel(counted=False)
-def open_window(waves, clock, work):
-    """Forces of the next window, whose slow pose passes from the one foreseen for now to that foreseen for its end."""
+def open_window(waves, clock, work, owner):
+    """Forces of the next window, whose slow pose passes from the one foreseen for now to that foreseen for its end.
+
+    owner : (G,) bodies of groups of shapes, which meet the waves at the poses of these
+    """
     now, counts, length = clock.now, clock.counts, waves.table.window
-    for b in range(clock.scale.shape[0]):
-        y = clock.y[BLOCK * b : BLOCK * b + BLOCK]
+    for b in range(clock.scale.shape[0] + owner.size):
+        whose = b if b < clock.scale.shape[0] else owner[b - clock.scale.shape[0]]
+        y = clock.y[BLOCK * whose : BLOCK * whose + BLOCK]
         if counts[WINDOWS] == 0:
             fill_rows(waves.table, waves.rows[b, 0], y[SLOW : SLOW + 3], now[TIME], b)
         for j in range(3):
@@ -277,7 +300,8 @@ def open_window(waves, clock, work):
 
 @kernel(counted=False)
 def advance(scene, waves, clock, samples, most, buoy, moving):
-    """Integrate until the end, or for `most` steps; samples (n, SAMPLED N, or 6 more), filled.  Returns why it stopped.
+    """Integrate until the end, or for `most` steps; samples (n, SAMPLED N + 12 G, or 6 more), filled.  Returns why it
+    stopped.
 
     scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy : (Buoy, BuoyWork), None without a buoy, moving :
     (MovingLines, MovingWork), None where no line moves by itself, and then nothing of it is compiled
@@ -291,7 +315,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
         if t >= clock.end - AT_ONCE:
             return DONE
         if t >= now[WINDOW] + length - AT_ONCE:
-            open_window(waves, clock, scene.work)
+            open_window(waves, clock, scene.work, scene.body.shapes.owner)
             if buoy is not None:
                 first = BLOCK * clock.scale.shape[0]
                 open_water(waves.table, buoy[0], buoy[1], clock.y[first : first + 3], counts[WINDOWS] - 1, t)
@@ -374,7 +398,9 @@ def put_samples(clock, t, h, later, samples):
         row, bodies = samples[counts[SAMPLES]], clock.scale.shape[0]
         for b in range(bodies):
             put_sample(clock, b, t, h, at, row[SAMPLED * b : SAMPLED * b + SAMPLED])
-        put_buoy(clock, t, h, at, row[SAMPLED * bodies :])
+        shapes = SAMPLED * bodies + OF_SHAPES * clock.bent_scale.shape[0]
+        put_shapes(clock, t, h, at, row[SAMPLED * bodies : shapes])
+        put_buoy(clock, t, h, at, row[shapes:])
         counts[SAMPLES] += 1
 
 

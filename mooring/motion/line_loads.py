@@ -26,6 +26,7 @@ from ..lines.system.parts import Anchor, Fairlead, UniformLine
 from .force_tables import Packed, packed, packed_pull, tabulate
 from .moving_lines.packed import Room
 from .moving_lines.polynomial import TERMS, legendre
+from .tables.groups import moved_by_shapes
 
 reaction = kernel(inline=True, counted=False)(reaction_of)
 NEVER = np.inf  # s at which a line breaks that does not
@@ -40,6 +41,7 @@ class Lines(NamedTuple):
     lost : (n,) s; bed : m, its height; table : (n,) number of its table, below 0 for a closed form
     tables : `Packed`; hawser : (n,) number of its curve in `curves`, below 0 for other lines
     place : (N, 3) m, origins of the axes of the bodies at rest; moves : (n,) whether a line has a motion of its own
+    bent : (2, n, f, 3) u m per unit of f shapes at the `anchor` and the fairlead, in axes of their bodies
     """
 
     anchor: np.ndarray
@@ -55,6 +57,7 @@ class Lines(NamedTuple):
     curves: ContactTable
     place: np.ndarray
     moves: np.ndarray
+    bent: np.ndarray
 
 
 class LineWork(NamedTuple):
@@ -65,6 +68,7 @@ class LineWork(NamedTuple):
     given : (n, TERMS, 3) N in space, of lines that move, coefficients of Legendre's polynomials over a step of the body
     span : (3,) s, now, begin and length of that; terms : (TERMS,) room for work
     sums : (N, 6) N, N m in space, on each body about the origin of its axes
+    bent : (f,) amplitudes of shapes, set by the caller; push : (f,) generalized forces on them
     """
 
     kept: np.ndarray
@@ -75,15 +79,17 @@ class LineWork(NamedTuple):
     span: np.ndarray
     terms: np.ndarray
     sums: np.ndarray
+    bent: np.ndarray
+    push: np.ndarray
 
 
 def line_work(lines):
     """`LineWork` of lines at 0 s"""
-    count = len(lines.lost)
+    count, shapes = len(lines.lost), lines.bent.shape[2]
     given, span = np.zeros((count, TERMS, 3)), np.array([0.0, 0.0, 1.0])
     return LineWork(
         *workspace(count), np.zeros((count, 2)), lines.lost > 0.0, given, span, np.zeros(TERMS),
-        np.zeros((len(lines.place), 6)),
+        np.zeros((len(lines.place), 6)), np.zeros(shapes), np.zeros(shapes),
     )  # fmt: skip
 
 
@@ -129,6 +135,15 @@ def body_lines(system, lost=(), tables=((), ()), moving=(), bodies=1):
     moves = np.isin(np.arange(len(given)), list(moving))
     level = -float(system.depth)
     return _arrays(anchors, fairleads, body, other, given, times, level, place, tables, number, pulls, moves)
+
+
+def with_shapes(lines, reader):
+    """`Lines` whose ends move with the shapes of the bodies of a `bem.database.reader.Reader`"""
+    bent = np.zeros((2, len(lines.lost), len(reader.modes), 3))
+    for own, owners, points in zip(bent, (lines.other, lines.body), (lines.anchor, lines.fairlead), strict=True):
+        for body in set(owners[owners >= 0].tolist()):
+            own[owners == body] = moved_by_shapes(reader, body, points[owners == body])
+    return lines._replace(bent=bent)
 
 
 def ends_at_rest(lines, at_rest):
@@ -213,6 +228,7 @@ def _arrays(anchors, fairleads, body, other, given, times, bed, place, tables, h
         contact_table(pulls),
         place,
         np.asarray(moves, bool),
+        np.zeros((2, len(given), 0, 3)),
     )
 
 
@@ -296,6 +312,16 @@ def add_moment(sums, b, ax, ay, az, x, y, z):
 
 
 @kernel(inline=True, counted=False)
+def push_shapes(shapes, R, x, y, z, push):
+    """Add f · R u of a force (x, y, z) N in space at a point that moves by u (f, 3) per unit of shapes, to push (f,)"""
+    for k in range(push.size):
+        ux, uy, uz = shapes[k, 0], shapes[k, 1], shapes[k, 2]
+        along = x * (R[0, 0] * ux + R[0, 1] * uy + R[0, 2] * uz)
+        along += y * (R[1, 0] * ux + R[1, 1] * uy + R[1, 2] * uz)
+        push[k] += along + z * (R[2, 0] * ux + R[2, 1] * uy + R[2, 2] * uz)
+
+
+@kernel(inline=True, counted=False)
 def line_loads(lines, work, positions, R, out):
     """out (N, 6) generalized forces, in heading axes, of the lines on bodies at `positions` (N, 6)
 
@@ -305,17 +331,24 @@ def line_loads(lines, work, positions, R, out):
         rotation_of(positions[b, 3:6], R[b])
     out[:] = 0.0
     work.sums[:] = 0.0
+    work.push[:] = 0.0
     good = True
     legendre(2 * (work.span[0] - work.span[1]) / work.span[2] - 1, work.terms)
     for i in range(lines.lost.size):
         b, other = lines.body[i], lines.other[i]
         px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
+        for k in range(work.bent.size):
+            u = lines.bent[1, i, k]
+            px, py, pz = px + work.bent[k] * u[0], py + work.bent[k] * u[1], pz + work.bent[k] * u[2]
         ax = R[b, 0, 0] * px + R[b, 0, 1] * py + R[b, 0, 2] * pz
         ay = R[b, 1, 0] * px + R[b, 1, 1] * py + R[b, 1, 2] * pz
         az = R[b, 2, 0] * px + R[b, 2, 1] * py + R[b, 2, 2] * pz
         ox, oy, oz = lines.anchor[i, 0], lines.anchor[i, 1], lines.anchor[i, 2]
         if other >= 0:
             px, py, pz = ox, oy, oz
+            for k in range(work.bent.size):
+                u = lines.bent[0, i, k]
+                px, py, pz = px + work.bent[k] * u[0], py + work.bent[k] * u[1], pz + work.bent[k] * u[2]
             ox = R[other, 0, 0] * px + R[other, 0, 1] * py + R[other, 0, 2] * pz
             oy = R[other, 1, 0] * px + R[other, 1, 1] * py + R[other, 1, 2] * pz
             oz = R[other, 2, 0] * px + R[other, 2, 1] * py + R[other, 2, 2] * pz
@@ -349,8 +382,10 @@ def line_loads(lines, work, positions, R, out):
         if np.isfinite(H):
             work.tension[i, 0], work.tension[i, 1] = H, V
             add_moment(work.sums, b, ax, ay, az, x, y, z)
+            push_shapes(lines.bent[1, i], R[b], x, y, z, work.push)
             if other >= 0:
                 add_moment(work.sums, other, ox, oy, oz, -x, -y, -z)
+                push_shapes(lines.bent[0, i], R[other], -x, -y, -z, work.push)
         else:
             good = False
     for b in range(len(positions)):
@@ -360,12 +395,18 @@ def line_loads(lines, work, positions, R, out):
 
 
 @kernel()
-def tensions_along(lines, work, times, positions, out):
-    """out (n, lines) N at the fairleads, at times (n,) s with the bodies at positions (n, N, 6)"""
+def tensions_along(lines, work, times, positions, out, bent=None):
+    """out (n, lines) N at the fairleads, at times (n,) s with the bodies at positions (n, N, 6)
+
+    bent : (n, f) amplitudes of shapes, None for none
+    """
     count = lines.place.shape[0]
     R, force = np.zeros((count, 3, 3)), np.zeros((count, 6))
     for i in range(times.size):
         hold(lines, work, times[i])
+        if bent is not None:
+            for k in range(work.bent.size):
+                work.bent[k] = bent[i, k]
         line_loads(lines, work, positions[i], R, force)
         for j in range(lines.lost.size):
             out[i, j] = np.hypot(work.tension[j, 0], work.tension[j, 1])

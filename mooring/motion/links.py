@@ -126,13 +126,14 @@ def no_links(place):
     )  # fmt: skip
 
 
-def link_work(links, states=0, samples=0):
-    """`LinkWork` of Links, for so many numbers of a state and samples"""
+def link_work(links, states=0, samples=0, groups=0):
+    """`LinkWork` of Links, for so many numbers of a state, samples, and groups of shapes of bodies that bend"""
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
+    motions = 6 * (n + groups)
     return LinkWork(
         np.zeros((r, 12)), np.zeros(r), np.zeros((r, 3)), np.zeros(r), np.zeros(r), np.zeros((r, r)),
-        np.zeros((6 * n, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3),
-        np.zeros(3), np.zeros((3, 3)), np.zeros(6 * n), np.zeros(states), np.zeros(states),
+        np.zeros((motions, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3),
+        np.zeros(3), np.zeros((3, 3)), np.zeros(motions), np.zeros(states), np.zeros(states),
         np.zeros((samples, SHOWN * k)), np.zeros(k), np.zeros(k), np.zeros((k, 12)), np.zeros((k, 3)),
     )  # fmt: skip
 

@@ -47,7 +47,7 @@ def shares(moored, damping, drift_damping):
     out = {}
     mass = moored.reader.inertia + moored.slow_added_mass
     for i, name in enumerate(moored.reader.words):
-        if i % 6 not in PLANE:
+        if i % 6 not in PLANE or i >= moored.reader.rigid:
             continue
         stiffness = moored.stiffness[i, i]
         if stiffness > 0:
@@ -87,7 +87,7 @@ def findings(moored, body, mean, constant, dragged):
                 f'{mean:.3g} rad/s: {", ".join(much)}{beside}; its σ is too small; give memory = "states"'
             )
         return
-    still = dragged or np.any(body.quadratic.reshape(-1, 6)[:, PLANE] > 0)
+    still = dragged or np.any(body.quadratic.reshape(-1, 6)[: len(drift), PLANE] > 0)
     light = [
         f"{name} {100 * sum(parts):.3g} % of critical at {2 * np.pi / omega:.3g} s"
         for name, (omega, *parts) in own.items()

@@ -28,6 +28,7 @@ from hakobune.bem.waves import wavenumber
 
 from ..response.linear import frequencies
 from ..response.wave_drift_damping import from_slopes
+from .tables.groups import groups_of
 from .tables.interpolation import EDGE, lagrange_weights
 
 HEADINGS = 120  # headings of the force table, 3° apart, with polynomials of fifth degree in between
@@ -43,12 +44,13 @@ class WaveTable(NamedTuple):
 
     omega : (c,) rad/s at which a place at rest meets them; own : (c,) rad/s, in the water, which a current moves along
     amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
-    force : (N, c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift a square metre, of
-    each body, of which a window reads two megabytes.  Single precision takes 7 % less time of a run, but rounds the
-    forces of every pose anew: a lightly damped buoy at a tolerance of 1e-4 was four times that off, and no nearer at
-    1e-7
+    force : (N + G, c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift a square metre,
+    of each of N bodies and of G groups of shapes (`equation`), of which a window reads two megabytes.  Single precision
+    takes 7 % less time of a run, but rounds the forces of every pose anew: a lightly damped buoy at a tolerance of 1e-4
+    was four times that off, and no nearer at 1e-7
     factor : (2, 2c, m) cos ωt and sin ωt of the steps of a window, t counted from its begin and from its end
-    center : (N, 2) m, rotation centres; arm : (N, 2) m, from the origin of the database to these, in axes of the bodies
+    center : (N + G, 2) m, rotation centres; arm : (N + G, 2) m, from the origin of the database to these, along axes of
+    the bodies
     step, window : s, between forces and of a window
     """
 
@@ -95,7 +97,7 @@ class WaveForces:
     """Forces and drift of a body over frequencies and a ring of headings relative to its axes, for any sea.
 
     omega : (q,) rad/s; force : (q, HEADINGS, 12) real and imaginary parts per metre; drift : (q, HEADINGS, 3) or None
-    others : those of further bodies that move, at the same frequencies
+    others : those of further bodies that move, then of groups of six shapes, at the same frequencies
     """
 
     omega: np.ndarray
@@ -105,7 +107,7 @@ class WaveForces:
 
     @property
     def each(self):
-        """WaveForces of every body"""
+        """WaveForces of every body and group of shapes"""
         return (self, *self.others)
 
     @cached_property
@@ -130,15 +132,28 @@ def _wave_forces(body):
     omega, ring = frequencies(body), np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
     if body.bodies:
         first, *others = (_of_one(body, one, omega, ring) for one in body.bodies if not one.fixed)
-        return replace(first, others=tuple(others))
+        return replace(first, others=(*others, *_of_shapes(body, omega, ring)))
     force = np.empty((len(omega), HEADINGS, 12))
     drift = np.empty((len(omega), HEADINGS, 3)) if body.knows_drift else None
     for rows in _in_parts(omega):
-        found = body.forces(omega[rows], ring)
+        found = body.forces(omega[rows], ring)[..., :6]
         force[rows, :, :6], force[rows, :, 6:] = found.real, found.imag
         if drift is not None:
             drift[rows] = body.drift(omega[rows], ring)
-    return WaveForces(omega, force, drift)
+    return WaveForces(omega, force, drift, _of_shapes(body, omega, ring))
+
+
+def _of_shapes(body, omega, ring):
+    """`WaveForces` of the groups of shapes of a Reader, without drift, in waves from `ring` about their bodies"""
+    groups, found = groups_of(body), []
+    for g, owner in enumerate(groups.owner):
+        columns = body.rigid + np.flatnonzero(groups.place // 6 == g)
+        turned, force = ring + body.axes_at_rest[owner, 5], np.zeros((len(omega), len(ring), 12))
+        for rows in _in_parts(omega):
+            parts = body.forces(omega[rows], turned)[..., columns]
+            force[rows, :, : len(columns)], force[rows, :, 6 : 6 + len(columns)] = parts.real, parts.imag
+        found.append(WaveForces(omega, force, None))
+    return tuple(found)
 
 
 def _of_one(body, one, omega, ring):
@@ -160,7 +175,7 @@ def _in_parts(omega):
 def no_wave_forces(body):
     """`WaveForces` of a `bem.database.reader.Reader` in a run without waves, whatever headings it is solved for"""
     none = WaveForces(body.omega, np.zeros((len(body.omega), HEADINGS, 12)), None)
-    return replace(none, others=(none,) * (len(body.words) // 6 - 1))
+    return replace(none, others=(none,) * (len(body.axes_at_rest) - 1 + len(groups_of(body).owner)))
 
 
 def drift_of(forces, components, heading):

@@ -20,14 +20,12 @@ axes of the body of the first.
 
 from __future__ import annotations
 
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from hakobune.bem.flexible.beams import Beam
-from hakobune.bem.flexible.coupling import gradients
-from hakobune.bem.hinges import told_of, travel_of
+from hakobune.bem.hinges import of_shapes, told_of, travel_of
 from hakobune.bem.waves import wavenumber
 
 from ..on_current.body import carrier_of_body
@@ -177,13 +175,10 @@ def of_point(body, motion, point):
     else:
         own, center = motion[..., :6], body.rotation_center
     moved = displacement(own, point.position, center)
-    for mode, amplitude in shapes_of(body, motion, point.body):
-        size = 1.0 + float(np.abs(point.position).max())
-        place = np.asarray(point.position, float)[None]
-        (g,) = gradients(partial(mode.in_body, one), place, size)
-        turn = 0.5 * np.array([g[2, 1] - g[1, 2], g[0, 2] - g[2, 0], g[1, 0] - g[0, 1]])
-        moved = moved + amplitude[..., None] * mode.in_body(one, place)[0]
-        own = own + amplitude[..., None] * np.append(np.zeros(3), turn)
+    if body.modes:
+        shifts, turns = of_shapes(body, one, np.asarray(point.position, float))
+        amplitude = motion[..., body.rigid :]
+        moved, own = moved + amplitude @ shifts.T, own + amplitude @ np.vstack([np.zeros_like(turns), turns]).T
     return moved, own
 
 

@@ -80,13 +80,13 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
     names, count = reader.names, len(reader.names)
     linear = np.zeros((count, count)) if damping is None else np.asarray(damping, float)
     drag = np.zeros(count) if quadratic is None else np.array(quadratic, float)
-    laws = dict(laws_of(reader))
+    laws, restored = dict(laws_of(reader)), [i for i in range(reader.rigid) if i % 6 in RESTORED]
     for i, dof in enumerate(names):
         if isinstance(laws.get(dof), Quadratic):
             drag[i] += laws[dof].drag
-        if drag[i] > 0 and i % 6 in RESTORED and not isinstance(laws.get(dof), Tabulated):
+        if drag[i] > 0 and i in restored and not isinstance(laws.get(dof), Tabulated):
             laws[dof] = Quadratic(drag[i])
-    held, restored = np.zeros((count, count)), [i for i in range(count) if i % 6 in RESTORED]
+    held = np.zeros((count, count))
     held[restored, restored] = linear[restored, restored]
     body, added = reader.floating().restrained(damping=held), np.zeros((count, count))
     if waves is not None and laws and hasattr(waves, "spectrum"):

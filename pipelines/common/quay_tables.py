@@ -1,4 +1,4 @@
-"""Fenders, dolphins and ropes of a berth, and hinges between bodies, as tables of a study file.
+"""Fenders, dolphins and ropes of a berth, hinges between bodies, and stations of a beam, as tables of a study file.
 
 [[fender]]                       [[dolphin]]              [[rope]]
 name = "F1"                      name = "D1"              name = "head line"
@@ -297,6 +297,37 @@ class HingeTable(Table):
         rest = math.radians(self.rest) if self.kind == "hinge" else self.rest
         drive = 1e3 * self.damping, 1e3 * self.stiffness, rest
         return Link(self.name, self.bodies, self.position, self.axis, self.kind, *drive)
+
+
+class StationTable(Table):
+    """Sections of a flexible beam, for deflection, bending moment, shear and torsion
+
+    x : m, places of the sections along the body
+    body : name of the body, where there are several
+    """
+
+    x: list[float]
+    body: str = ""
+
+    def stations(self, where, db):
+        """[`mooring.response.points.Station`].  Raises StudyError."""
+        from hakobune.bem.flexible.beams import Beam
+        from hakobune.mooring.response.points import Station
+
+        known = [body.name for body in db.bodies]
+        if self.body not in (known or [""]):
+            raise StudyError(f"{where}.body is {self.body!r}; allowed: {', '.join(known) or 'left out, there is one'}")
+        owner = known.index(self.body) if known else 0
+        beams = [m.shape for m in db.modes if m.body == owner and isinstance(m.shape, Beam)]
+        if not beams:
+            raise StudyError(
+                f"{where} is given, and {self.body or 'the body'} is not a beam; solve its scene with [[modes]], "
+                "or leave the stations out"
+            )
+        outside = [x for x in self.x if not beams[0].start <= x <= beams[0].end]
+        if outside:
+            raise StudyError(f"{where}.x has {outside[0]:g}; allowed: {beams[0].start:g} to {beams[0].end:g}, the beam")
+        return [Station(f"{self.body} x {x:g}".strip(), x, self.body) for x in self.x]
 
 
 def linked(body, hinges, db):

@@ -65,6 +65,7 @@ def prepared_of(table, folder, db):
     raw = tomllib.loads(read_text(path, StudyError, largest=8))
     if "simulation" not in raw:
         raise StudyError(f"{table.study} has no [simulation]; allowed: a study that hakobune simulate runs")
+    db.require_rigid()
     duration = 3600 * table.duration_hours
     task = Task(make_study(raw), str(db.path), duration, None, str(path.parent))
     body, plan, _ = prepared(task, db)

@@ -6,6 +6,7 @@ import msgspec
 
 from ..common.line_tables import LineTable
 from ..common.quantities import Table
+from ..common.quay_tables import StationTable
 from ..common.weather.seas import SeaTable
 from ..common.weather.streams import SuperstructureTable
 
@@ -134,6 +135,7 @@ class SimulationTable(Table):
         take-off
     offset : m, {motion = x}, degrees for rotations, initial displacement from rest; with a ramp of 0 a free decay
     velocity : m/s, {motion = v}, degrees/s for rotations, initial velocity
+    stations : sections of a flexible beam, as in a response study; by default the middle of each beam
     """
 
     duration: float | None = None
@@ -164,6 +166,7 @@ class SimulationTable(Table):
     force: list[GivenForceTable] = msgspec.field(default_factory=list)
     sea: list[SeaTable] = msgspec.field(default_factory=list)
     record: RecordTable | None = None
+    stations: list[StationTable] = msgspec.field(default_factory=list)
 
 
 class HarbourTable(Table):

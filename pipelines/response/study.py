@@ -52,7 +52,7 @@ from hakobune.bem.modes import words_of
 from hakobune.bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive, speed, waves_on
-from ..common.quay_tables import HingeTable
+from ..common.quay_tables import HingeTable, StationTable
 from ..common.typed import typed
 from ..common.weather import seas as common
 from ..common.weather.seas import family_of, seas_at, shape_of, spreading_of
@@ -113,37 +113,6 @@ class PointTable(Table):
     position: tuple[float, float, float]
     clearance: float | None = None
     body: str = ""
-
-
-class StationTable(Table):
-    """Sections of a flexible beam, for deflection, bending moment, shear and torsion
-
-    x : m, places of the sections along the body
-    body : name of the body, where there are several
-    """
-
-    x: list[float]
-    body: str = ""
-
-    def stations(self, where, db):
-        """[`mooring.response.points.Station`].  Raises StudyError."""
-        from hakobune.bem.flexible.beams import Beam
-        from hakobune.mooring.response.points import Station
-
-        known = [body.name for body in db.bodies]
-        if self.body not in (known or [""]):
-            raise StudyError(f"{where}.body is {self.body!r}; allowed: {', '.join(known) or 'left out, there is one'}")
-        owner = known.index(self.body) if known else 0
-        beams = [m.shape for m in db.modes if m.body == owner and isinstance(m.shape, Beam)]
-        if not beams:
-            raise StudyError(
-                f"{where} is given, and {self.body or 'the body'} is not a beam; solve its scene with [[modes]], "
-                "or leave the stations out"
-            )
-        outside = [x for x in self.x if not beams[0].start <= x <= beams[0].end]
-        if outside:
-            raise StudyError(f"{where}.x has {outside[0]:g}; allowed: {beams[0].start:g} to {beams[0].end:g}, the beam")
-        return [Station(f"{self.body} x {x:g}".strip(), x, self.body) for x in self.x]
 
 
 class RelativeTable(Table):

@@ -49,8 +49,13 @@ SERIES = {  # name: (axes, unit, long name)
         "N, N, N, N m, N m, N m; m or rad of a travel",
         "force and moment of the first body of a hinge on the second, and the travel along or about its axis",
     ),
+    "loads": (
+        ("kept_seed", "time", "station"),
+        "m, rad; N, N m",
+        "deflection, twist and loads of beams at their stations",
+    ),
 }
-ONLY_WITH = "fender", "hinge"  # axes that are there only where they have a name
+ONLY_WITH = "fender", "hinge", "station"  # axes that are there only where they have a name
 FILLED = ("findings", "stored", "summary", "summary_checksum")
 ROWS = {
     "statistics": (("seed", "quantity", "statistic"), "unit of the quantity; T in s", "statistics of one run"),
@@ -73,7 +78,7 @@ class Header:
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
-    hinges : names of their quantities, as of `bem.hinges.told_of`
+    hinges : names of their quantities, as of `bem.hinges.told_of`; stations : of what beams carry at theirs
     """
 
     identity: str
@@ -89,11 +94,12 @@ class Header:
     fenders: tuple[str, ...] = ()
     motions: tuple[str, ...] = DOFS
     hinges: tuple[str, ...] = ()
+    stations: tuple[str, ...] = ()
 
     @property
     def some(self):
         """{axis of ONLY_WITH: names}"""
-        return dict(zip(ONLY_WITH, (self.fenders, self.hinges), strict=True))
+        return dict(zip(ONLY_WITH, (self.fenders, self.hinges, self.stations), strict=True))
 
     @property
     def datasets(self):
@@ -255,8 +261,8 @@ def units_of(file):
 
 def bodies_of(file):
     """Names of several bodies, () for one"""
-    names = file["dof"].asstr()[()][::6]
-    return tuple(name.split("__")[0] for name in names if "__" in name)
+    names = file["dof"].asstr()[()]
+    return tuple(name.removesuffix("__Surge") for name in names if name.endswith("__Surge"))
 
 
 def words_of(file):

@@ -41,6 +41,7 @@ MOTIONS, LINES, FENDERS = (
     "tension of the lines in all runs",
     "fenders in all runs",
 )
+BEAMS = "beams that bend, at their stations in all runs"
 HINGES = "forces and moments of hinges in all runs, along the axes of their first body"
 RUNS, BERTH, GAPS = "runs", "berth", "clear water between hulls in all runs"
 WORDS = {  # statistics: (heading, unit or None for that of the record, whether it is printed)
@@ -122,7 +123,8 @@ def result_of(file, window=None, more=()):
     names, rows = list(file["quantity"].asstr()[()]), np.asarray(file["summary"][()])
     values = {name: dict(zip(SUMMARY, row, strict=True)) for name, row in zip(names, rows, strict=True)}
     lines, fenders = list(file["line"].asstr()[()]), fender_names(file)
-    hinges = list(file["hinge"].asstr()[()]) if "hinge" in file else []
+    hinges, stations = (list(file[axis].asstr()[()]) if axis in file else [] for axis in ("hinge", "station"))
+    units = dict(zip(names, units_of(file), strict=True))
     records = [*words_of(file), "wave", "wind speed"]  # statistics of a file before lines
     quantities = {
         **_statistics("record", MOTIONS, "record", [values[name] for name in records], units_of(file)[: len(records)]),
@@ -130,13 +132,14 @@ def result_of(file, window=None, more=()):
         **_of_lines(file, [values[f"tension {name}"] for name in lines]),
         **quantities_of_anchors(*(anchors_in_runs(file) or ((), (), ()))),
         **_of_fenders(file, fenders, values),
-        **_of_hinges([(name, units_of(file)[names.index(name)]) for name in hinges], values),
+        **_at_places("hinge", HINGES, hinges, units, values),
+        **_at_places("station", BEAMS, stations, units, values),
         **_of_berth(file),
         **_scalars(file),
     }
     axes = {
         **labels("record", records), **labels("line", lines), **labels("fender", fenders), **labels("plane", PLANE),
-        **labels("hinge", hinges),
+        **labels("hinge", hinges), **labels("station", stations),
         **labels("gap", [name.removeprefix("gap ") for name in names if name.startswith("gap ")]),
         **labels("seed", file["seed"][()][whole_rows(file)]), **labels("harbour", file.attrs.get("harbour_period", [])),
     }  # fmt: skip
@@ -216,13 +219,13 @@ def _of_gaps(names, values):
     }
 
 
-def _of_hinges(told, values):
-    """Of forces, moments and travels, (name, unit) of each, {} without"""
-    units = tuple(unit for _, unit in told)
+def _at_places(kind, table, names, units, values):
+    """{name: Quantity} of what hinges hold, or beams carry at stations, by names; units : {name: unit}"""
+    own = tuple(units[name] for name in names)
     return {
-        f"hinge.{key}": Quantity([values[name][key] for name, _ in told], ("hinge",), units, WORDS[key][0], HINGES)
+        f"{kind}.{key}": Quantity([values[name][key] for name in names], (kind,), own, WORDS[key][0], table)
         for key in ("mean", "sigma", "smallest", "largest")
-        if told
+        if names
     }
 
 

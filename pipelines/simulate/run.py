@@ -41,6 +41,7 @@ from .file import (
     told,
     whole_rows,
 )
+from .stations import told_of_stations, units_of_shapes
 from .study import force_files, moving_lines, plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
 
@@ -95,8 +96,8 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     files = force_files(study, folder)
     inputs = (db.path, *files)
     check_output(output, "a simulation", is_run, DATABASE, (*filter(None, (asked.path,)), *inputs))
-    db.require_rigid()
-    plan = plan_of(study, db.bodies_reader.omega, seeds, duration, folder, db.bodies_reader.words)
+    reader = db.bodies_reader
+    plan = plan_of(study, reader.omega, seeds, duration, folder, reader.words, units_of_shapes(db))
     if windows is not None:
         check_windows(windows, plan, db.bodies)
     identity = _identity(study, inputs, plan.settings.duration)
@@ -245,7 +246,7 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
     center = at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float)
     names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
     fenders = tuple(one.name for one in body.berth.fenders)
-    links = body.reader.links
+    links, loads = body.reader.links, told_of_stations(body.reader, ready.stations)
     attributes = {
         "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": task.study.allowable,
@@ -279,11 +280,12 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
         np.array(load, float),
         *ends,
         sample_times(plan.settings),
-        *quantities_of(names, fenders, body.reader.words, ready.sides, links),
+        *quantities_of(names, fenders, body.reader.words, ready.sides, links, ready.shapes, loads),
         attributes,
         fenders,
         body.reader.names,
         tuple(name for name, _, _ in told_of(links)),
+        tuple(name for name, _ in loads),
     )
 
 

@@ -35,6 +35,7 @@ LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave par
 MOST_SEEDS, FEWEST, MOST_SAMPLES = 10_000, 8, 2_000_000
 MOST_COMPONENTS = 100_000
 MOVING = ("auto", "all")  # words for lines that move
+MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 MOST_OF_RECORD = 20_000  # waves, at which an hour takes minutes
 MISSED = 0.01  # share of the energy outside the stored frequencies that is not named; above MOST_MISSED refused
 MOST_MISSED = 0.25
@@ -46,6 +47,7 @@ class Plan:
 
     mean_period : s, of the waves, None without; findings : one line each
     sides : `mooring.fenders.gaps.Side` of several bodies
+    shapes : units of the shapes of bodies that bend, after the motions; stations : `mooring.response.points.Station`
     told : methods chosen and effects that are not included, one line each; pace : s of computing for a simulated second
         on static and on moving lines, nan where it is not known: both once a body is prepared
     """
@@ -59,21 +61,24 @@ class Plan:
     findings: tuple[str, ...]
     told: tuple[str, ...] = ()
     sides: tuple = ()
+    shapes: tuple[str, ...] = ()
+    stations: tuple = ()
     pace: tuple[float, float] = (math.nan, math.nan)
 
 
-def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY):
+def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY, shapes=()):
     """The Plan of a `Study` on a database with frequencies omega (n,) rad/s and motions called `words`.
 
     seeds : number of seeds, in place of those of the study; duration : s, in place of that of the study
     folder : of the files of forces, None to omit such forces
+    shapes : units of the last of the motions, shapes of bodies that bend
     raises : StudyError for a study that cannot be simulated
     """
     table = study.simulation
     if table is None and duration is None:
         raise StudyError("the study has no [simulation]; give it one with duration (s), or --duration")
     table = SimulationTable() if table is None else table
-    settings = _settings(table, _duration(table, duration), words)
+    settings = _settings(table, _duration(table, duration), words, shapes)
     _check_damping(table, words)
     _check_held(settings, motions_of(study, words), words)
     if study.harbour is not None:
@@ -104,7 +109,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     if table.record is not None:
         components, found = _record(study, table, settings, omega, folder)
         findings += found
-    forces, found = _forces(table, folder, words)
+    forces, found = _forces(table, folder, words[: len(words) - len(shapes)])
     findings += found
     weather = Weather(seas, waves, *streams, forces, components=components)
     split = 0.5 * waves.omega if waves else float(omega[0])
@@ -114,7 +119,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
         energy = components.amplitude**2
         split = float(components.omega[np.searchsorted(np.cumsum(energy), LOWEST * energy.sum())])
         mean = 2 * np.pi * float(energy.sum() / (energy @ components.omega))
-    return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings)
+    return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings, shapes=shapes)
 
 
 def level_of_pairs(study, seas, drift):
@@ -251,10 +256,16 @@ def spring(study, words=ONE_BODY):
     return np.diag(_by_motion("spring", study.simulation.spring if study.simulation else {}, words))
 
 
-def _start(key, values, words):
+def _start(key, values, words, shapes):
     """(n,) m, rad or per second, of numbers in m and degrees by motion.  Raises StudyError."""
     found = _by_motion(key, values, words, -math.inf, 1.0)
-    return tuple(float(np.radians(value) if i % 6 > 2 else value) for i, value in enumerate(found))
+    units = motion_units(words, shapes)
+    return tuple(float(np.radians(value) if unit == "rad" else value) for unit, value in zip(units, found, strict=True))
+
+
+def motion_units(words, shapes=()):
+    """(n,) of motions called `words`, the last of which are shapes of given units"""
+    return *MOTION_UNITS * ((len(words) - len(shapes)) // 6), *shapes
 
 
 def _by_motion(key, values, words, least=0.0, unit=1e3):
@@ -296,7 +307,7 @@ def _duration(table, duration):
     return positive("simulation.duration", table.duration)
 
 
-def _settings(table, duration, words):
+def _settings(table, duration, words, shapes):
     names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory",
              "constant_period", "dynamic_elements", "dynamic_water", "estimate_error")  # fmt: skip
     dynamic = moving_lines(table)
@@ -314,8 +325,9 @@ def _settings(table, duration, words):
         raise StudyError(f"simulation.lines_lost: {wrong[0].line} breaks at {wrong[0].time:g} s; allowed: from 0 s on")
     try:
         settings = Settings(
-            duration, lines_lost=lost, dynamic_lines=dynamic, offset=_start("offset", table.offset, words),
-            velocity=_start("velocity", table.velocity, words), **{name: getattr(table, name) for name in names},
+            duration, lines_lost=lost, dynamic_lines=dynamic, offset=_start("offset", table.offset, words, shapes),
+            velocity=_start("velocity", table.velocity, words, shapes),
+            **{name: getattr(table, name) for name in names},
         )  # fmt: skip
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None

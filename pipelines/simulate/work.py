@@ -22,9 +22,9 @@ from ..response.study import ONE_BODY
 from ..results.given import database_of
 from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
-from .study import check_names, damping, level_of_pairs, motions_of, plan_of, quadratic, spring
+from .stations import OF_SHAPES, loads_along, stations_of, told_of_stations, units_of_shapes
+from .study import check_names, damping, level_of_pairs, motion_units, motions_of, plan_of, quadratic, spring
 
-MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 STATIC = (
     'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" includes '
     "them where a trial requires it"
@@ -65,9 +65,9 @@ def prepared(task, db=None, waves=None):
         from hakobune.mooring.response.viscous import in_time
 
         study, db = task.study, database_of(task.database if db is None else db)
-        db.require_rigid()
         words = db.bodies_reader.words
-        plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words)
+        plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words, units_of_shapes(db))
+        stations = stations_of(study, db)
         hull = study.hulls_of(db)
         first = study.remarks(hull, db)
         system = study.system_of(db, hull, in_time=True)
@@ -94,16 +94,27 @@ def prepared(task, db=None, waves=None):
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
                 body = _remembering(body, db, plan.settings.memory)
-            plan, left = _with_pairs(plan, study, db, reader)
+            if db.modes:
+                left = _without_pairs(
+                    plan, level_of_pairs(study, bool(plan.weather.seas), plan.settings.slow_drift), "bodies that bend"
+                )
+            else:
+                plan, left = _with_pairs(plan, study, db, reader)
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before there is a file
         _check_floats(body, hull)
         _check_start(sides_of(db), body, plan.settings)
         held = [word for i, word in enumerate(words) if i not in body.free]
         still = (f"{LEFT_OUT} {', '.join(held)}: fixed at rest, as set by simulation.motions",) if held else ()
-        told = *choice.left_out, *left, *still, *choice.words
+        bending = (OF_SHAPES,) if db.modes and not calm and plan.settings.slow_drift != "none" else ()
+        told = *bending, *choice.left_out, *left, *still, *choice.words
         plan = replace(
-            plan, sides=sides_of(db), settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told)
+            plan,
+            sides=sides_of(db),
+            stations=stations,
+            settings=choice.settings,
+            pace=choice.pace,
+            told=first_what_is_left_out(told),
         )
         _prepared.clear()
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
@@ -123,7 +134,7 @@ def _lines_chosen(task, body, plan):
         return Choice(replace(settings, dynamic_lines=task.moving))
     if settings.dynamic_lines:
         return with_lines_chosen(body, plan.weather, settings)
-    able, left_out = able_to_move(body.system, settings)
+    able, left_out = able_to_move(body.system, settings, bool(body.reader.modes))
     return Choice(settings, (), (*((STATIC.format(TOO_LARGE),) if able else ()), *left_out))
 
 
@@ -186,6 +197,14 @@ def _with_pairs_of_each(plan, db, level):
     return replace(plan, weather=replace(plan.weather, beside_newman=found)), tuple(dict.fromkeys(notes))
 
 
+def _without_pairs(plan, level, which):
+    """A finding for bodies that have Newman's rule alone.  Raises StudyError for a level with more."""
+    if level not in ("newman", "auto"):
+        raise StudyError(f'simulation.qtf is {level!r} with {which}; allowed: "newman", "auto"')
+    slow = plan.weather.seas and plan.settings.slow_drift != "none"
+    return (f"{LEFT_OUT} the slow force of wave pairs beyond Newman's approximation, for {which}",) * bool(slow)
+
+
 def _way(study, db, level):
     """What is to be done about pairs of waves that are left out, nothing where it is the key"""
     if study.quay is not None:
@@ -210,13 +229,16 @@ def simulate_seed(task, seed, kept, progress=None):
     run = run._replace(
         links=np.zeros((len(run.time), 0)) if run.links is None else run.links.reshape(len(run.time), -1)[:, told]
     )
-    columns = np.column_stack([run.motion, run.wave, run.wind_speed, apart, run.tension, *met, run.links])[late]
+    loads = loads_along(body.reader, plan.stations, run.motion)
+    columns = [run.motion, run.wave, run.wind_speed, apart, run.tension, *met, run.links, loads]
+    columns = np.column_stack(columns)[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has values that are not finite")
     found = [statistics(column) for column in columns.T]
     names = run.tension.shape[1], run.deflection.shape[1]
     reader = body.reader
-    units = quantities_of(*(("",) * n for n in names), reader.words, plan.sides, reader.links)[1]
+    beams = plan.shapes, told_of_stations(reader, plan.stations)
+    units = quantities_of(*(("",) * n for n in names), reader.words, plan.sides, reader.links, *beams)[1]
     still = stillness([one.sigma for one in found], units, 2 * reader.radius, reader.inertia[0, 0] * reader.gravity)
     row = {
         "statistics": np.array([without_rounding(*pair) for pair in zip(found, still, strict=True)]),
@@ -233,7 +255,7 @@ def simulate_seed(task, seed, kept, progress=None):
     if task.study.anchors:
         row["anchor_pull"] = anchor_pulls(body, run.motion[late], run.tension[late])
     if kept:
-        row |= {name: getattr(run, name)[late] for name in SERIES}
+        row |= {name: (loads if name == "loads" else getattr(run, name))[late] for name in SERIES}
     return row
 
 
@@ -264,13 +286,15 @@ def anchor_pulls(body, motion, tension):
 
 
 def _at_rest_in(body, motion):
-    """`LineForces` of the lines with the bodies held in motion (6,), m, rad"""
+    """`LineForces` of the lines with the bodies held in motion (n,), m, rad"""
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    from hakobune.mooring.motion.simulation.bending import with_bent_fairleads
     from hakobune.mooring.motion.simulation.realisation import poses_of
 
-    poses = poses_of(motion, body.reader.axes_at_rest)
+    rigid = body.reader.rigid
+    poses = poses_of(motion[:rigid], body.reader.axes_at_rest)
     held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(body.system.bodies, poses, strict=True)}
-    return rest(held_at(body.system, held)).lines
+    return rest(held_at(with_bent_fairleads(body.system, body.reader, motion[rigid:]), held)).lines
 
 
 def sample_times(settings):
@@ -329,20 +353,24 @@ def at_rest_of(sides):
     return np.array([[[0, 0, 0, 0, 0, one.place[2]] for one in sides if one.moves >= 0]], float)
 
 
-def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), links=()):
-    """Names and units of the columns of statistics; words : of the motions; sides : of several bodies"""
+def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), links=(), shapes=(), loads=()):
+    """Names and units of the columns of statistics; words : of the motions; sides : of several bodies
+
+    shapes : units of the last of the motions; loads : (name, unit) of what beams carry (`told_of_stations`)
+    """
     between = [f"gap {one.name} {other.name}" for one, other in pairs_of(sides)]
     names = [*words, "wave", "wind speed", *between, *(f"tension {line}" for line in lines)]
     names += [f"{what} {fender}" for fender in fenders for what in ("deflection", "reaction")]
     told = told_of(links)
-    names += [name for name, _, _ in told]
+    names += [*(name for name, _, _ in told), *(name for name, _ in loads)]
     units = [
-        *MOTION_UNITS * (len(words) // 6),
+        *motion_units(words, shapes),
         "m",
         "m/s",
         *["m"] * len(between),
         *["N"] * len(lines),
         *["m", "N"] * len(fenders),
         *(unit for _, unit, _ in told),
+        *(unit for _, unit in loads),
     ]
     return tuple(names), tuple(units)

@@ -32,6 +32,8 @@ def moving_of(moored, settings, sea=None, surface=True):
         if names:
             raise ValueError("dynamic_lines are given and the body has no lines; leave it out")
         return None
+    if moored.reader.modes:
+        raise ValueError('dynamic_lines are given with bodies that bend; allowed: "auto", "none"')
     whole = [i for i, line in enumerate(system.lines) if isinstance(line, UniformLine)]
     if isinstance(names, str):
         if names != "all":

@@ -9,8 +9,9 @@ from hakobune.bem.time_domain.memory import MemoryArrays
 
 from ...lines.system.bodies import axes_in_space, places_along
 from .. import slow_damping
-from ..equation import Body
+from ..equation import Body, Shapes
 from ..given_forces import sampled
+from ..tables.groups import groups_of
 from .failures import SimulationError
 from .loads import frequency_of_coefficients, half_waves, mean_frequency, pairs
 
@@ -29,37 +30,48 @@ def body_of(moored, weather, settings, components, drag, munk):
     raises : SimulationError
     """
     reader, quadratic = moored.reader, moored.quadratic.copy()
-    quadratic[5::6] += drag
+    groups, rigid = groups_of(reader), reader.rigid
+    quadratic[5:rigid:6] += drag
     added, damping, memory = _coefficients(moored, settings, components)
+    damping = damping + reader.damping  # of the structure of bodies that bend
     try:
         pushed = *pairs(moored, weather, settings, components), *half_waves(moored, weather, settings, components)
-        given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration, len(quadratic) // 6)
+        given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration, rigid // 6)
     except ValueError as error:
         raise SimulationError(str(error)) from None
-    each, ring = moored.waves.each, np.zeros((len(quadratic) // 6, 4, 6))
+    each, ring = moored.waves.each[: rigid // 6], np.zeros((rigid // 6, 4, 6))
     drifts = all(one.drift is not None for one in each) and settings.slow_drift != "none"
     if components is not None and settings.wave_drift_damping and drifts:
         ring = np.array([slow_damping.drift_damping_ring(one, weather, reader.depth, reader.gravity) for one in each])
     inverse, free = np.zeros_like(damping), np.ix_(moored.free, moored.free)
     inverse[free] = np.linalg.inv((reader.inertia + added)[free])
     turning = weather.on_hull is None or not weather.on_hull.turning  # turning tests hold the inertia of the turn
+    own = slice(0, rigid), slice(0, rigid)
     return Body(
-        inverse,
-        turning * of_each(reader.inertia),
-        turning * of_each(moored.slow_added_mass),
-        of_each(reader.stiffness),
-        of_each(on_places(moored.spring, reader.axes_at_rest[:, 5])),
-        damping,
-        quadratic,
+        groups.padded(inverse, 2),
+        turning * of_each(reader.inertia[own]),
+        turning * of_each(moored.slow_added_mass[own]),
+        of_each(reader.stiffness[own]),
+        of_each(on_places(moored.spring[own], reader.axes_at_rest[:, 5])),
+        groups.padded(damping, 2),
+        groups.padded(quadratic),
         np.ascontiguousarray(reader.axes_at_rest[:, 5]),
         FILTER * (UNKNOWN if components is None else mean_frequency(components)),
         float(settings.ramp),
         np.array((0.0, settings.ramp) if settings.wave_ramp is None else settings.wave_ramp, float),
         0.0 if munk else 1.0,
-        memory,
+        MemoryArrays(memory.decay, memory.turn, groups.padded(memory.input), groups.padded(memory.output)),
         ring,
         *given,
+        shapes_of(reader, groups, moored.spring),
     )
+
+
+def shapes_of(reader, groups, spring):
+    """`equation.Shapes` of the `Groups` of a Reader; spring : (n, n) beside water, weight and structure"""
+    K = reader.stiffness + spring
+    K[: reader.rigid, : reader.rigid] = 0.0
+    return Shapes(groups.owner, groups.place, groups.padded(K, 2))
 
 
 def of_each(matrix):

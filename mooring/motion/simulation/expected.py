@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..tables.groups import groups_of
 from ..wave_loads import forces_towards
 
 LEAST = 1e-2  # smallest expected motion, over the largest translation
@@ -11,31 +12,48 @@ STILL = 0.1  # m, scale of a body without waves
 
 
 def expected_motion(moored, components):
-    """(N, 12) standard deviations of motions and velocities of the linear bodies, none below a share of the largest.
+    """(N + G, 12) standard deviations of motions and velocities of the linear bodies, and of groups of their shapes
+
+    None is below a share of the largest, of a shape below a share of the largest of shapes.
 
     All are computed at the frequencies of `moored.waves`: seeds have different frequencies, and the values that the
     database stores for each would grow in number with them.
     """
-    reader, waves = moored.reader, moored.waves
-    inertia = np.diag(reader.inertia).reshape(-1, 6)
-    radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
-    unit = np.concatenate([np.ones_like(radius), 1 / radius], axis=1)
+    reader, waves, groups = moored.reader, moored.waves, groups_of(moored.reader)
+    count = len(reader.axes_at_rest)
+    unit = units_of(reader)
     if components is None:
-        motion = STILL * unit
+        motion = STILL * _in_sixes(unit, groups)
         return np.concatenate([motion, 0.5 * motion], axis=1)
     energy = 0.5 * components.amplitude**2
     beta = np.arctan2(*(energy @ f(components.direction) for f in (np.sin, np.cos)))
-    towards = beta - reader.axes_at_rest[:, 5]
+    towards = beta - reader.axes_at_rest[[*range(count), *groups.owner], 5]
     force = np.concatenate([forces_towards(*one) for one in zip(waves.each, towards, strict=True)], axis=1)
+    force = force[:, [*range(reader.rigid), *(reader.rigid + groups.place)]]
     D, free = moored.dynamic_stiffness, reader.free
     if free is None:
         X = np.linalg.solve(D, force[:, :, None])[:, :, 0]
     else:
         X = np.linalg.solve(free.T @ D @ free, (force @ free)[:, :, None])[:, :, 0] @ free.T
-    squared = np.minimum(np.abs(X), 20.0 * unit.ravel()) ** 2
+    squared = np.minimum(np.abs(X), 20.0 * unit) ** 2
     omega = np.clip(components.omega, waves.omega[0], waves.omega[-1])
     power = energy * np.array([np.interp(omega, waves.omega, one) for one in squared.T])
-    motion, speed = (np.sqrt(part).reshape(unit.shape) for part in (power.sum(axis=1), power @ omega**2))
+    motion, speed = (np.sqrt(part) for part in (power.sum(axis=1), power @ omega**2))
     for part in (motion, speed):
-        part[:] = np.maximum(part, LEAST * (part / unit).max() * unit)
-    return np.concatenate([motion, speed], axis=1)
+        for own in (slice(0, reader.rigid), slice(reader.rigid, None)):
+            part[own] = np.maximum(part[own], LEAST * (part / unit)[own].max(initial=0.0) * unit[own])
+    return np.concatenate([_in_sixes(motion, groups), _in_sixes(speed, groups)], axis=1)
+
+
+def units_of(reader):
+    """(n,) m, rad of motions of a Reader that are alike; of shapes that turn those of roll"""
+    inertia = np.diag(reader.inertia)[: reader.rigid].reshape(-1, 6)
+    radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
+    unit = np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()
+    return np.append(unit, [1 / radius[0, 0] if mode.turns else 1.0 for mode in reader.modes])
+
+
+def _in_sixes(values, groups):
+    """(N + G, 6) of values of all motions, 1 of motions that are none"""
+    out = groups.padded(values).reshape(-1, 6)
+    return np.where(groups.padded(np.ones_like(values)).reshape(-1, 6) > 0, out, 1.0)

@@ -16,12 +16,15 @@ from ...lines.system.bodies import places_along
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
-from ..contacts import at_rest, berth_force, berth_stiffness, no_berth, rest_together, stiffness_together
+from ..contacts import at_rest, berth_force, berth_stiffness, no_berth, rest_together, stiffness_together, with_shapes
 from ..force_tables import TOLERANCE
 from ..line_loads import body_lines, line_loads, line_work, tables_of
+from ..line_loads import with_shapes as with_shapes_of_lines
 from ..links import links_of
 from ..wave_loads import WaveForces, wave_forces
+from .bending import check_bending, rest_bent
 from .body import in_space, of_each, on_places
+from .expected import units_of
 from .linked import check_held
 from .memory import fitted_memory
 
@@ -32,12 +35,12 @@ CAPSIZED = 1e-6  # fraction of the stiffest motion; smaller negative restoring i
 
 @dataclass(frozen=True, eq=False)
 class Moored:
-    """A body on its lines, or several, ready for a run; n motions, six for each.
+    """A body on its lines, or several, ready for a run; n motions, six for each, then shapes of those that bend.
 
     reader : `bem.database.reader.Reader`; system : its `System`, None for bodies without lines
     hull : `ExposedBox` that wind and current act on, of several bodies {name: ExposedBox}, None for none
     memory : `bem.time_domain.memory.Memory`
-    start : (n,) m, rad of the equilibrium at rest from the given positions, in space
+    start : (n,) m, rad of the equilibrium at rest from the given positions, in space, and of shapes
     spring, damping : (n, n) linear, in addition to lines, along the axes of the bodies
     quadratic : (n,) N₂ of drag on each motion; stiffness : (n, n) of water, lines and springs at rest, along these axes
     slow_added_mass : (n, n) of the lowest known frequency; waves : WaveForces
@@ -107,6 +110,9 @@ def moored(
     """
     reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()
     body, viscous = reader.floating(), in_time(reader, linearised_in, damping, quadratic)
+    free = tuple(range(len(body.words))) if motions is None else tuple(motions)
+    if body.modes:
+        check_bending(body, free)
     if memory is None:
         memory, findings = fitted_memory(body, motions)
     spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
@@ -116,12 +122,18 @@ def moored(
         _check_place(system, body)
         body_lines(system)  # refuses lines that a run cannot have
         if links is None:
-            start, stiffness = _rest(system, body, spring)
+            start[: body.rigid], held = _rest(system, body, spring)
+            stiffness = held if not body.modes else stiffness
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
     berth = no_berth() if berth is None else berth
-    free = tuple(range(len(start))) if motions is None else tuple(motions)
-    if links is not None:
+    if body.modes:
+        berth = with_shapes(berth, body)
+        if system is not None or berth.names:
+            others = _but_berth(system, tables, body, spring)
+            start, stiffness = rest_bent(body, berth, others, start, units_of(body), free)
+        _check_upright(stiffness, body, free)
+    elif links is not None:
         start, stiffness = _rest_together(links, berth, system, tables, body, spring, start)
         check_held(stiffness, body)
         if body.knows_drift_of_each:
@@ -131,7 +143,7 @@ def moored(
             )
     else:
         if berth.names:
-            start = at_rest(berth, _but_berth(system, tables, body, spring), start, _unit(body))
+            start = at_rest(berth, _but_berth(system, tables, body, spring), start, units_of(body))
             stiffness = stiffness + berth_stiffness(berth, start)
             findings = (*findings, *_of_loose(stiffness, body, free))
         _check_upright(stiffness, body, free)
@@ -177,10 +189,14 @@ def _of_tables(system, tables):
 
 
 def _rest(system, body, spring):
-    """(n,) places at rest from those given, in space, and (n, n) stiffness there, along the axes of the bodies"""
+    """(6N,) places at rest from those given, in space, and (6N, 6N) stiffness there, along the axes of the bodies
+
+    Bodies that bend are as if they did not.
+    """
+    own = slice(0, body.rigid), slice(0, body.rigid)
     floating = [
         replace(one, freedom=DOFS, hydrostatic_stiffness=C)
-        for one, C in zip(system.bodies, of_each(body.stiffness + spring), strict=True)
+        for one, C in zip(system.bodies, of_each((body.stiffness + spring)[own]), strict=True)
     ]
     state = rest(replace(system, bodies=tuple(floating)))
     start = (state.position - np.array([one.position for one in system.bodies])).ravel()
@@ -190,27 +206,25 @@ def _rest(system, body, spring):
 
 
 def _but_berth(system, tables, body, spring):
-    """Function of places (n,) in space: forces (n,), along the axes of the bodies there, of lines, water and springs"""
-    headings = body.axes_at_rest[:, 5]
-    count, held = len(headings), on_places(spring, headings)
-    lines = body_lines(system, (), tables, bodies=count)
+    """Function of places (n,) in space: forces (n,), along the axes of the bodies there, of lines, water and springs
+
+    Amplitudes of shapes, and forces on them, come after those of all bodies.
+    """
+    headings, rigid = body.axes_at_rest[:, 5], body.rigid
+    count, held = len(headings), on_places(spring[:rigid, :rigid], headings)
+    lines = with_shapes_of_lines(body_lines(system, (), tables, bodies=count), body)
     work = line_work(lines)
-    R, out = np.zeros((count, 3, 3)), np.zeros((count, 6))
+    R, out, of_shapes = np.zeros((count, 3, 3)), np.zeros((count, 6)), spring[rigid:, rigid:]
 
     def others(place):
-        poses = place.reshape(-1, 6).copy()
+        poses = place[:rigid].reshape(-1, 6).copy()
         poses[:, 5] += headings
+        work.bent[:] = place[rigid:]
         line_loads(lines, work, poses, R, out)
-        return out.ravel() - body.stiffness @ place - places_along(poses[:, 5]).T @ (held @ place)
+        pulls = places_along(poses[:, 5]).T @ (held @ place[:rigid])
+        return np.append(out.ravel(), work.push) - body.stiffness @ place - np.append(pulls, of_shapes @ place[rigid:])
 
     return others
-
-
-def _unit(body):
-    """(n,) m, rad of motions that are alike"""
-    inertia = np.diag(body.inertia).reshape(-1, 6)
-    radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
-    return np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()
 
 
 def _rest_together(links, berth, system, tables, body, spring, start):
@@ -221,11 +235,11 @@ def _rest_together(links, berth, system, tables, body, spring, start):
         return others(place) + (berth_force(berth, place) if berth.names else 0.0)
 
     try:  # from where hinges hold: lines alone would take the bodies far from each other
-        start, held = rest_together(links, forces, start, _unit(body), headings)
+        start, held = rest_together(links, forces, start, units_of(body), headings)
     except ValueError:
         if system is None:
             raise
-        start, held = rest_together(links, forces, _rest(system, body, spring)[0], _unit(body), headings)
+        start, held = rest_together(links, forces, _rest(system, body, spring)[0], units_of(body), headings)
     return start, stiffness_together(links, forces, start, held, headings)
 
 
@@ -235,7 +249,8 @@ def _check_upright(stiffness, body, free):
     free : numbers of the motions that are not held
     """
     names = [one.name for one in body.bodies if not one.fixed] or ["the body"]
-    for i, (name, K, M) in enumerate(zip(names, of_each(stiffness), of_each(body.inertia), strict=True)):
+    own = slice(0, body.rigid), slice(0, body.rigid)
+    for i, (name, K, M) in enumerate(zip(names, of_each(stiffness[own]), of_each(body.inertia[own]), strict=True)):
         floats = [motion for motion in FLOATS if 6 * i + motion in free]
         if not floats:
             continue

@@ -23,11 +23,11 @@ SLOWEST = 0.9  # largest ratio of errors from one tolerance to the next that cou
 class Realisation(NamedTuple):
     """One run.
 
-    time : (n,) s; motion : (n, 6N) m, rad of the rotation centre of each of N bodies from its place at rest, along its
-    axes there, yaw unwrapped
-    velocity : (n, 6N) m/s, rad/s in axes that turn with the heading; slow : (n, 3N) low-passed x, y and yaw
+    time : (n,) s; motion : (n, 6N + f) m, rad of the rotation centre of each of N bodies from its place at rest, along
+    its axes there, yaw unwrapped, and amplitudes of f shapes
+    velocity : (n, 6N + f) m/s, rad/s in axes that turn with the heading; slow : (n, 3N) low-passed x, y and yaw
     wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : of the run
-    estimated_error : (6N,) m, rad of the motions, by the finest run, nan where not asked for; steps : taken
+    estimated_error : (6N + f,) m, rad of the motions, by the finest run, nan where not asked for; steps : taken
     deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
     work : {name: J} done on the bodies from the start of the ramp to the end; findings : one line each
     buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
@@ -63,6 +63,7 @@ class Course(NamedTuple):
     """Bodies followed to the end.
 
     samples : (n, N, 18) of their states, buoy : (n, 6) or (n, 0); clock : `integrator.Clock`, the last
+    bent, bending : (n, f) amplitudes of shapes and their rates
     pulls : {number: (n,) N} of lines with a motion of their own; hung : (n, k + l) N of hawsers and lines of a buoy
     held : (n, 6k) N, N m of hinges
     """
@@ -72,7 +73,9 @@ class Course(NamedTuple):
     clock: object
     pulls: dict
     hung: np.ndarray | None
-    held: np.ndarray | None = None
+    held: np.ndarray | None
+    bent: np.ndarray
+    bending: np.ndarray
 
 
 def realisation_of(moored, settings, seed, begun, course):
@@ -81,30 +84,31 @@ def realisation_of(moored, settings, seed, begun, course):
     clocked = settings.step * np.arange(len(samples))
     tension = np.zeros((len(samples), len(lines.lost)))
     poses = np.ascontiguousarray(samples[:, :, :6])
-    tensions_along(lines, line_work(lines), clocked, poses, tension)
+    tensions_along(lines, line_work(lines), clocked, poses, tension, course.bent)
     for number, pull in course.pulls.items():
         tension[:, number] = pull
     findings = begun.findings
     if moored.system is not None:
         findings = (*findings, *beyond_tables(moored.system, tension.max(axis=0)))
     wind, count = begun.scene.wind, len(moored.berth.fenders)
-    depth, force = courses(moored.berth, poses)
+    depth, force = courses(moored.berth, poses, course.bent)
     depth, at_rest = np.maximum(depth, 0.0), moored.reader.axes_at_rest
     works = blocks(clock.y, len(at_rest))[:, FIRST_WORK:].sum(axis=0)
     return Realisation(
-        clocked - settings.ramp, motion_of(samples, at_rest), samples[:, :, 6:12].reshape(len(samples), -1),
+        clocked - settings.ramp, motion_of(course, at_rest),
+        np.hstack([samples[:, :, 6:12].reshape(len(samples), -1), course.bending]),
         along_axes(samples[:, :, 12:15], at_rest),
         _elevation(begun.waves.table, clocked, moored.reader), np.hypot(*wind.velocity) + gust_at(wind, clocked),
-        tension, seed, np.full(6 * len(at_rest), np.nan), int(clock.counts[integrator.STEPS]),
+        tension, seed, np.full(len(moored.start), np.nan), int(clock.counts[integrator.STEPS]),
         dict(zip(WORKS, works.tolist(), strict=True)), findings,
         depth[:, :count], force[:, :count], force[:, count:], poses, *_of_buoy(moored.buoy, course),
         None if course.held is None else course.held.reshape(len(samples), -1, SHOWN),
     )  # fmt: skip
 
 
-def motion_of(samples, at_rest):
-    """(n, 6N) motion from the places at rest (N, 6), of samples (n, N, SAMPLED) of states"""
-    return along_axes(samples[:, :, :6], at_rest)
+def motion_of(course, at_rest):
+    """(n, 6N + f) motion from the places at rest (N, 6), of a Course"""
+    return np.hstack([along_axes(course.samples[:, :, :6], at_rest), course.bent])
 
 
 def along_axes(poses, at_rest):

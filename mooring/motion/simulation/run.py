@@ -10,13 +10,14 @@ import numpy as np
 from .. import integrator, slow_damping
 from ..buoy import buoy_of
 from ..contact_loads import contact_work
-from ..equation import SAMPLED, SLOW, Scene, blocks, buoy_at, memory_at, room
-from ..line_loads import body_lines, line_loads, line_work
+from ..equation import OF_SHAPES, SAMPLED, SLOW, Scene, blocks, buoy_at, memory_at, room, shapes_at
+from ..line_loads import body_lines, line_loads, line_work, with_shapes
 from ..links import link_work, links_of, no_links
 from ..moving_lines.at_rest import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
 from ..moving_lines.sea import line_sea
 from ..streams import calm
+from ..tables.groups import groups_of
 from ..tables.hull_water import NO_HULL_WATER
 from ..wave_loads import Waves, no_waves, wave_table, waves_of
 from .body import body_of
@@ -40,7 +41,8 @@ COARSE = 0.01  # change of a static tension by discretisation accepted without a
 class Begun(NamedTuple):
     """What a seed begins with.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N, 12) scale of its errors (`expected_motion`)
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N + G, 12) scale of its errors
+    (`expected_motion`)
     moving : as of `moving_of`; findings : one line each
     """
 
@@ -72,7 +74,7 @@ def _judged(moored, settings, begun, found, progress):
     def motion(tolerance):
         finer = replace(settings, tolerance=tolerance)
         again = begun._replace(moving=_again(moored, finer, begun.moving))
-        return motion_of(_followed(moored, finer, again, progress).samples, moored.reader.axes_at_rest)
+        return motion_of(_followed(moored, finer, again, progress), moored.reader.axes_at_rest)
 
     wanted = settings.tolerance
     finer = motion(FINER * wanted)
@@ -108,19 +110,19 @@ def _current_at_lines(weather):
 def _begun(moored, weather, settings, seed):
     """`Begun` of a seed; settings.dynamic_lines are names"""
     components, reader = wave_components(moored, weather, settings, seed), moored.reader
-    at_rest = reader.axes_at_rest
-    table = no_waves(bodies=len(at_rest))
+    at_rest, groups = reader.axes_at_rest, groups_of(reader)
+    table, meets = no_waves(bodies=len(at_rest) + groups.count), [*range(len(at_rest)), *groups.owner]
     if components is not None:
         wanted = settings.slow_drift in ("newman", "mean")
-        place = reader.depth, at_rest[:, :3], reader.gravity
-        table = wave_table(moored.waves, components, *place, wanted, weather.carrier, at_rest[:, 5])
+        place = reader.depth, at_rest[meets, :3], reader.gravity
+        table = wave_table(moored.waves, components, *place, wanted, weather.carrier, at_rest[meets, 5])
     wind, current, drag, findings = streams(moored, weather, seed, settings.ramp + settings.duration)
     sea = _sea_of_lines(components, table, weather, settings, reader) if settings.dynamic_water == "sea" else None
     moving = moving_of(moored, settings, sea)
     findings += (*_coarse(moored, weather, settings, moving), *_of_lost(settings))
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
     own = () if moving is None else moving[0].number
-    lines = body_lines(moored.system, lost, moored.tables, own, len(at_rest))
+    lines = with_shapes(body_lines(moored.system, lost, moored.tables, own, len(at_rest)), reader)
     body = body_of(moored, weather, settings, components, drag, current is not None)
     if components is not None:
         mean, constant = frequency_of_coefficients(settings, components), settings.memory == "constant"
@@ -128,7 +130,7 @@ def _begun(moored, weather, settings, seed):
     flows = wind, calm(len(at_rest)) if current is None else current
     hull = NO_HULL_WATER if weather.on_hull is None else weather.on_hull.water
     contacts = moored.berth.arrays
-    work = room(table.steps, len(at_rest))
+    work = room(table.steps, len(at_rest), groups.count)
     links = links_of(reader) or no_links(np.ascontiguousarray(at_rest[:, :3]))
     scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work, (links, None))
     waves = waves_of(table, settings.slow_drift == "mean")
@@ -149,21 +151,28 @@ def _followed(moored, settings, begun, progress):
     """`Course` of a body to the end.  Raises SimulationError."""
     end, scene, moving = settings.ramp + settings.duration, begun.scene, begun.moving
     rows = int(np.floor(end / settings.step + integrator.AT_ONCE)) + 1
-    count = len(moored.start) // 6
-    y = np.zeros(memory_at(count) + len(scene.body.memory.decay))
-    states = blocks(y, count)
+    groups, rigid = groups_of(moored.reader), moored.reader.rigid
+    count = rigid // 6
+    y = np.zeros(memory_at(count, groups.count) + len(scene.body.memory.decay))
+    states, (velocity, bending) = blocks(y, count), of_all(settings.velocity, moored.reader)
     states[:, :6] = begin(moored, settings.offset)
-    states[:, 6:12] = of_all(settings.velocity, count)
+    states[:, 6:12] = velocity
+    bent = y[shapes_at(count) :][: OF_SHAPES * groups.count].reshape(-1, 2, 6).swapaxes(0, 1)
+    amplitudes = moored.start[rigid:] + of_all(settings.offset, moored.reader)[1]
+    for part, values in zip(bent, (amplitudes, bending), strict=True):
+        part[groups.place // 6, groups.place % 6] = values
     links = scene.links[0]
-    scene = scene._replace(links=(links, link_work(links, len(y), rows)))
+    scene = scene._replace(links=(links, link_work(links, len(y), rows, groups.count)))
     if len(links.ends):
-        states[:, :6], states[:, 6:12] = begin_together(links, scene.body.mass_inverse, states[:, :6], states[:, 6:12])
+        inverse = scene.body.mass_inverse[:rigid, :rigid]
+        states[:, :6], states[:, 6:12] = begin_together(links, inverse, states[:, :6], states[:, 6:12])
     states[:, SLOW : SLOW + 3] = states[:, [0, 1, 5]]
     if moored.buoy is not None:
-        y[buoy_at(count) : memory_at(count) - 3] = moored.buoy.start
+        y[buoy_at(count) : shapes_at(count) - 3] = moored.buoy.start
     scale = SHARE * settings.tolerance / FORGOTTEN * begun.expected
-    clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
-    samples = np.zeros((rows, SAMPLED * count + (0 if moored.buoy is None else 6)))
+    clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale, groups.count)
+    ends = np.cumsum([SAMPLED * count, OF_SHAPES * groups.count, 0 if moored.buoy is None else 6])
+    samples = np.zeros((rows, ends[-1]))
     scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
     hung = None if moored.buoy is None else buoy_of(moored.buoy, begun.waves.table, rows)
     pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost), (count, SAMPLED)))
@@ -173,9 +182,11 @@ def _followed(moored, settings, begun, progress):
             progress(min(clock.now[integrator.TIME] / end, 1.0))
         if state == integrator.DONE:
             pulls = {} if pair is None else dict(zip(pair[0].number.tolist(), pair[1].tension.T, strict=True))
-            states, buoy = samples[:, : SAMPLED * count].reshape(rows, count, SAMPLED), samples[:, SAMPLED * count :]
+            states, bent, buoy = np.split(samples, ends[:2], axis=1)
             held = scene.links[1].kept if len(links.ends) else None
-            return Course(states, buoy, clock, pulls, None if hung is None else hung[1].kept, held)
+            bent = bent.reshape(rows, -1, 2, 6).swapaxes(1, 2).reshape(rows, 2, -1)[:, :, groups.place]
+            states, hung = states.reshape(rows, count, SAMPLED), None if hung is None else hung[1].kept
+            return Course(states, buoy, clock, pulls, hung, held, *bent.swapaxes(0, 1))
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])
             raise SimulationError(failure(state, clock, settings, scene, moored, hung, stuck))
@@ -183,20 +194,24 @@ def _followed(moored, settings, begun, progress):
 
 def begin(moored, offset=(0.0,)):
     """(N, 6) m, rad: displacements in space and headings of bodies at rest, an offset (n,) along their axes added"""
-    turned = moored.reader.axes_at_rest * [0, 0, 0, 0, 0, 1]
-    return moored.start.reshape(-1, 6) + poses_of(of_all(offset, len(turned)), turned)
+    reader = moored.reader
+    turned = reader.axes_at_rest * [0, 0, 0, 0, 0, 1]
+    return moored.start[: reader.rigid].reshape(-1, 6) + poses_of(of_all(offset, reader)[0], turned)
 
 
-def of_all(values, count):
-    """(N, 6) of numbers for each motion, or of (6,) zeros for none.  Raises SimulationError for other shapes."""
-    values = np.asarray(values, float)
+def of_all(values, reader):
+    """(N, 6) of bodies and (f,) of shapes, of numbers for each motion of a Reader, or of (6,) zeros for none.
+
+    raises : SimulationError for other shapes
+    """
+    values, count = np.asarray(values, float), len(reader.words)
     if not values.any():
-        return np.zeros((count, 6))
-    if values.size != 6 * count:
+        values = np.zeros(count)
+    if values.size != count:
         raise SimulationError(
-            f"offset or velocity has {values.size} numbers for {6 * count} motions; allowed: the same number"
+            f"offset or velocity has {values.size} numbers for {count} motions; allowed: the same number"
         )
-    return values.reshape(count, 6)
+    return values[: reader.rigid].reshape(-1, 6), values[reader.rigid :]
 
 
 def _coarse(moored, weather, settings, moving):

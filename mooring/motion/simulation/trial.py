@@ -23,6 +23,7 @@ from ...lines.system.hawser import Hawser
 from ...lines.system.parts import UniformLine
 from ..line_loads import body_lines
 from ..moving_lines.prepare import dynamic_line, ends_of
+from .bending import STATIC
 from .failures import SimulationError
 
 LONGEST = 600.0  # s of a trial
@@ -68,7 +69,7 @@ def chosen(run, moored, weather, settings):
     run : (moored, weather, settings, seed, progress) → `Realisation`
     raises : SimulationError where neither run can be made
     """
-    able, left_out = able_to_move(moored.system, settings)
+    able, left_out = able_to_move(moored.system, settings, bool(moored.reader.modes))
     still = replace(settings, dynamic_lines=(), lines_lost=(), estimate_error=False)
     still = replace(still, duration=min(settings.duration, LONGEST))
     if not able or not _drives(weather):
@@ -100,9 +101,14 @@ def chosen(run, moored, weather, settings):
     return Choice(replace(settings, dynamic_lines=able if moves else ()), (words,), left_out, tuple(pace))
 
 
-def able_to_move(system, settings):
-    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot"""
+def able_to_move(system, settings, bends=False):
+    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot
+
+    bends : whether bodies bend
+    """
     able, kept, loaded = [], {}, []
+    if bends:
+        return (), (STATIC,) * (system is not None)
     for line in () if system is None else system.lines:
         if isinstance(line, Hawser):  # without weight it is what it is
             continue
@@ -141,7 +147,7 @@ def _nudged(moored):
     if moored.berth.names:
         return moored
     off = NUDGE * _arm(moored)
-    return replace(moored, start=moored.start + np.tile([off, off, 0, 0, 0, NUDGE], len(moored.start) // 6))
+    return replace(moored, start=moored.start + np.tile([off, off, 0, 0, 0, NUDGE], moored.reader.rigid // 6))
 
 
 def _arm(moored):

@@ -173,7 +173,7 @@ def test_a_rope_pulls_its_body_towards_its_other_end_by_its_stretch():
     given = SimpleNamespace(numbers=numbers, table=None)
     old, contacts.pressed = contacts.pressed, lambda c, work, i, depth: 5.0 * depth
     try:
-        contacts.rope_force(given, None, 0, R, v, f)
+        contacts.rope_force(given, SimpleNamespace(shift=np.zeros(3)), 0, R, v, f)
     finally:
         contacts.pressed = old
     way = np.array([10.0, 0.0, 4.0]) - R[:, 1]

@@ -159,7 +159,7 @@ def spring_waves(force):
     waves = WaveForces(omega, np.broadcast_to(parts, (9, HEADINGS, 12)).copy(), None)
     stiffness = np.broadcast_to(np.diag([10.0, 20, 30, 40, 50, 60]).astype(complex), (9, 6, 6))
     inertia = np.diag([4.0, 4, 4, 16, 36, 100])
-    reader = SimpleNamespace(inertia=inertia, axes_at_rest=np.zeros((1, 6)), free=None)
+    reader = SimpleNamespace(inertia=inertia, axes_at_rest=np.zeros((1, 6)), free=None, rigid=6, modes=())
     return SimpleNamespace(reader=reader, waves=waves, dynamic_stiffness=stiffness)
 
 
@@ -461,7 +461,7 @@ def damped(memory_states=0, **changes):
     """Surge, sway and yaw with stiffness 4, 9, 100 and mass 1, 1, 4: ω = 2, 3, 5, critical 4, 6, 40"""
     stiffness = np.diag([4.0, 9, 0, 0, 0, 100])
     reader = SimpleNamespace(
-        words=WORDS, inertia=np.diag([0.75, 0.5, 1, 1, 1, 3.0]), between=SimpleNamespace(span=(2.5, 9.0)),
+        words=WORDS, rigid=6, inertia=np.diag([0.75, 0.5, 1, 1, 1, 3.0]), between=SimpleNamespace(span=(2.5, 9.0)),
         coefficients=lambda omega: (None, np.array([np.diag([omega[0], 1.2, 0, 0, 0, 8.0])])),
     )  # fmt: skip
     memory = SimpleNamespace(states=memory_states, transform=lambda omega: np.array([(omega[0] + 9j) * np.eye(6)]))

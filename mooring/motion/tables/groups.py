@@ -1,0 +1,68 @@
+"""Shapes of bodies that bend, in groups of six as the kernels read them, and how they move points of their bodies.
+
+Each group is of one body, along whose axes its shapes and forces are, and is filled up with motions that are none.
+Of a shape between several bodies that is the first of them.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Groups(NamedTuple):
+    """owner : (G,) number of the body of each group, of those that move; place : (f,) of each shape among the 6G"""
+
+    owner: np.ndarray
+    place: np.ndarray
+
+    @property
+    def count(self):
+        """Number of groups G"""
+        return len(self.owner)
+
+    def padded(self, values, axes=1):
+        """Values of motions, bodies before shapes, on the first `axes` axes, at 6N + 6G places, with 0 between"""
+        rigid = len(values) - len(self.place)
+        at = np.append(np.arange(rigid), rigid + self.place)
+        for axis in range(axes):
+            out = np.zeros((*values.shape[:axis], rigid + 6 * self.count, *values.shape[axis + 1 :]))
+            out[(slice(None),) * axis + (at,)] = values
+            values = out
+        return values
+
+
+def groups_of(reader):
+    """`Groups` of a `bem.database.reader.Reader`"""
+    modes = getattr(reader, "modes", ())
+    if not modes:
+        return Groups(np.zeros(0, np.int64), np.zeros(0, np.int64))
+    owners = [_moving(reader).index(mode.moves[0]) for mode in modes]
+    owner, place = [], np.zeros(len(modes), np.int64)
+    for body in sorted(set(owners)):
+        for i, k in enumerate(k for k, one in enumerate(owners) if one == body):
+            if i % 6 == 0:
+                owner.append(body)
+            place[k] = 6 * (len(owner) - 1) + i % 6
+    return Groups(np.array(owner, np.int64), place)
+
+
+def moved_by_shapes(reader, body, points):
+    """(n, f, 3) m per unit of each shape of a Reader at points (n, 3) m of one of the bodies that move
+
+    body : its number among these; points and displacements along its axes, from its rotation centre
+    """
+    points = np.asarray(points, float).reshape(-1, 3)
+    out, number = np.zeros((len(points), len(reader.modes), 3)), _moving(reader)[body]
+    one = reader.bodies[number] if reader.bodies else None
+    places = points + (reader.rotation_center if one is None else one.own_center)
+    for k, mode in enumerate(reader.modes):
+        if number in mode.moves and len(points):
+            out[:, k] = mode.in_body(one, places)
+    return out
+
+
+def _moving(reader):
+    """Numbers of the bodies that move, among all"""
+    return [i for i, one in enumerate(reader.bodies) if not one.fixed] or [0]
