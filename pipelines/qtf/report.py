@@ -89,7 +89,12 @@ def notes(stored):
         shares = _relative(forces, stored.errors)
         yield f"estimated error of the {_way(stored)}, root mean square of the force's: {shares}"
     size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
-    if forces.surface is None:
+    if forces.surface is None and share is None:
+        yield (
+            "left out: the free-surface forcing around the body, of unknown size: no level includes it here, since it "
+            "needs one closed waterline"
+        )
+    elif forces.surface is None:
         yield (
             f"left out: the free-surface forcing around the body (its size, estimated from few pairs: {size}); "
             f"--level full includes it"
