@@ -65,8 +65,8 @@ def _tell_displaced(body, file):
     moved += [f"{name} {math.degrees(angle):.4g}°" for name, angle in names if abs(angle) > ON_BED]
     if moved:
         warnings.warn(
-            f"{KEY}: {file.name} has its body {body.name} at {', '.join(moved)}; its fairleads there are taken for those "
-            "of the hull at rest; if it is a displaced body, put it at 0 in the file",
+            f"{KEY}: {file.name} has its body {body.name} at {', '.join(moved)}; its fairleads there are taken for "
+            "those of the hull at rest; if it is a displaced body, put it at 0 in the file",
             stacklevel=2,
         )
 
