@@ -315,7 +315,7 @@ def main(arguments=None):
         print(f"{name}: {_missing(error)}", file=sys.stderr)
         return 2
     except (CycloptsError, ValueError, OSError, ImportError) as error:
-        print(f"{name}: {_one_line(error)}", file=sys.stderr)
+        print(f"{name}: {_one_line(error, command)}", file=sys.stderr)
         return 2
     except MemoryError as error:
         print(f"{name}: there is not enough memory: {error or 'the request exceeds the free memory'}", file=sys.stderr)
@@ -334,9 +334,22 @@ def _missing(error):
     return f"{error.argument.name} {what}: {error.argument.parameter.help}"
 
 
-def _one_line(error):
-    """Its message, with a file of one long word shortened"""
-    return re.sub(r"\S{500,}", lambda word: f"{word[0][:100]}…", " ".join(str(error).split()))[:5000]
+def _one_line(error, command=""):
+    """Its message, with a file of one long word shortened; a flag by its name in other programs is told with ours"""
+    text = " ".join(str(error).split())
+    flag = re.match(r"Unknown option: --([\w-]+)", text)
+    if flag and (ours := _known_as(flag[1].lower(), command)):
+        return f"Unknown option: --{flag[1]}. It is {' or '.join(ours)} here."
+    return re.sub(r"\S{500,}", lambda word: f"{word[0][:100]}…", text)[:5000]
+
+
+def _known_as(word, command):
+    """Flags of a command that a word of other programs stands for"""
+    from .keys.words import OTHER_NAMES
+
+    known = {name for one in app[command].assemble_argument_collection() for name in one.names}
+    flags = ["--" + key.replace("_", "-") for key, others in OTHER_NAMES.items() if word in others.split()]
+    return [flag for flag in flags if flag in known]
 
 
 def _solve(file, body, flags, run):

@@ -25,6 +25,7 @@ CLOSE = 1e-11  # relative, of a natural frequency: interpolated added mass has r
 MOST = 100
 LEAST = 1e-9  # smallest inertia considered, relative to the largest
 STEPS = 4  # places between two stored frequencies
+NEAR = 1e-3  # distance, in the smallest width of all peaks, below which two places tell the same
 QUIET = 1e-3  # smallest peak reported, relative to the largest motion of its kind
 
 
@@ -77,11 +78,21 @@ def _resonances(body):
     return sorted((one for one in found if one is not None and one.damping < SHARP), key=lambda one: one.omega)
 
 
-def about(body, found):
-    """(q,) rad/s within the stored frequencies that show the shape of each peak of `found`, resonances of the body"""
+def about(body, found, beside=()):
+    """(q,) rad/s within the stored frequencies that show the shape of each peak of `found`, resonances of the body
+
+    beside : (p,) rad/s that are known anyway.  Roll and pitch of a round body resonate at one frequency but for
+    rounding: of places that near to one before or to one of `beside` there is one, so that splines go through them.
+    """
     low, high = body.between.span
     omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])
-    return np.unique(omega[(omega > low) & (omega < high)])
+    least = NEAR * min((max(one.damping, LEAST) for one in found), default=0.0)
+    kept = []
+    for place in np.unique(omega[(omega > low) & (omega < high)]):
+        near = [*kept[-1:], *beside]
+        if not near or np.abs(np.array(near) - place).min() > least * place:
+            kept.append(place)
+    return np.array(kept)
 
 
 def natural_modes(inertia, stiffness):

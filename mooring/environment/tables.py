@@ -43,6 +43,7 @@ def _decimal_points(text):
     return re.sub(r"(?<=\d),(?=\d)", ".", text) if ";" in first else text
 
 
+COARSEST, ROUNDED = 0.25, 0.6  # last digit of times over a step; what rounding leaves, over the last digit, with room
 UNITS = {  # size of units, in m and s
     "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "ft": 0.3048, "in": 0.0254, "feet": 0.3048},
     "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "hr": 3600.0, "hours": 3600.0, "seconds": 1.0},
@@ -94,6 +95,21 @@ def column_of(path, names, wanted):
     if wanted not in names:
         raise TableError(f"{path} has no column {wanted!r}; allowed: {', '.join(names)}")
     return names.index(wanted)
+
+
+def without_rounding(time):
+    """The even times (n,) s that these are but for the digits they are written with, else these
+
+    0, 0.8, 1.6, 2.4, 3.3, … are steps of 0.814 s.  The last digit is at most a quarter of a step: no row is lost.
+    """
+    n = np.arange(len(time))
+    if len(time) < 3 or not np.all(np.isfinite(time)) or np.ptp(np.diff(time)) <= 1e-9 * np.abs(time).max():
+        return time
+    step, start = np.polyfit(n, time, 1)
+    digits = (10.0**-k for k in range(7))
+    last = next((d for d in digits if np.all(np.abs(time / d - np.round(time / d)) < 1e-6)), 0.0)
+    even = start + step * n
+    return even if last <= COARSEST * step and np.abs(time - even).max() <= ROUNDED * last else time
 
 
 def check_even(path, time, off):

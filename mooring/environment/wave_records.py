@@ -17,7 +17,7 @@ from hakobune.meshing.seals import write_sealed
 
 from .allowed import positive, row_of_numbers
 from .logger_files import read_columns
-from .tables import TableError, column_of, fault_of_steps, unit_of
+from .tables import TableError, column_of, fault_of_steps, unit_of, without_rounding
 
 UNEVEN = 0.01  # largest deviation of a time in a file, over the step
 FAINT = 1e-6  # components below this fraction of the largest amplitude are left out
@@ -127,6 +127,7 @@ def components_of(record, direction, shortest=0.0):
 
 
 def _even_steps(path, t, lines):
+    t = without_rounding(t)
     step = (t[-1] - t[0]) / (len(t) - 1)
     off = np.abs(t - (t[0] + step * np.arange(len(t))))
     if not step > 0 or off.max() > UNEVEN * step:

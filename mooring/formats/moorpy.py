@@ -1,4 +1,4 @@
-"""MoorPy's YAML, also inside a RAFT design (`mooring:`, `array_mooring:`), as a System of lines.
+"""MoorPy's YAML, also inside a RAFT design (`mooring:`, `array_mooring:`) and windIO, as a System of lines.
 
 Keys: water_depth (depth), water_density (rho_water, rho), line_types, points, lines; mass_density is mass per metre, so
 the submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors, vessel and fairlead
@@ -20,9 +20,10 @@ from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineType, MooredBo
 from .fault import FormatError
 from .moordyn_system import read_moordyn_system
 from .orcaflex import is_orcaflex, system_of_orcaflex
+from .windio import is_windio, raft_of_windio
 from .yaml_text import parse_yaml
 
-LARGEST = 0.5  # MB; a parser in Python takes some seconds
+LARGEST = 1.0  # MB; a parser in Python takes some seconds
 KNOWN = {
     "line_types": {"name", "diameter", "mass_density", "stiffness", "breaking_load", "cost", "transverse_added_mass",
                    "tangential_added_mass", "transverse_drag", "tangential_drag"},
@@ -43,6 +44,8 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
     site = {}
     if is_orcaflex(data):
         return system_of_orcaflex(data, path, depth)
+    if isinstance(data, dict) and is_windio(data):
+        data = raft_of_windio(data, path)
     _check_kind(data, path)
     if isinstance(data.get("array_mooring"), dict) and data["array_mooring"].get("file"):
         file = Path(path).parent / str(data["array_mooring"]["file"])

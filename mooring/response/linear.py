@@ -55,7 +55,7 @@ def frequencies(body, density=None, headings=None):
     for one in found:
         if density is None and one.damping <= LEAST:
             raise ValueError(UNDAMPED.format(one.name))
-    peaks = _apart(body.resonant(headings), steps, len(headings)) if carried else about(body, found)
+    peaks = _apart(body.resonant(headings), steps, len(headings)) if carried else about(body, found, steps)
     omega = np.union1d(steps, peaks)
     power, steps = _power(body, omega, density, headings), np.full(len(omega) - 1, coarse)
     open_ = np.ones(len(steps), bool)

@@ -59,7 +59,7 @@ def kind(text):
 def ndbc(path, text, x_axis, time):
     """Sea of the row of `time`; with directions where x_axis, degrees of the compass, and their files are there"""
     frequency, density = _row(path, text, time)
-    density = np.where(density >= MISSING, 0.0, density)
+    density = _measured(path, frequency, density, time)
     beside = None if x_axis is None else _directions_beside(path)
     if beside is None:
         return _plain(path, frequency, density)
@@ -229,11 +229,13 @@ def _row(path, text, time, of_density=True):
         more = f" but heights and periods ({named}): give height, a period and a direction" if named else ""
         raise TableError(f"{path} has no densities by frequency{more}; allowed: NDBC's spectra, w… or .data_spec")
     first = 5 if paired else len([word for word in lines[0].split() if word != "#"]) - len(head)
+    times = [" ".join(row.split()[:first]) for row in rows]
     if time is not None:
-        rows = [row for row in rows if row.split()[:first] == str(time).split()]
+        rows = [row for row, one in zip(rows, times, strict=True) if one == " ".join(str(time).split())]
     if len(rows) != 1:
         state = f"{len(rows)} rows" if time is None else f"{len(rows)} rows of time {time}"
-        raise TableError(f"{path} has {state}; choose one with time = 'YYYY MM DD hh mm'")
+        known = f", of {times[0]} to {times[-1]}" if times else ""
+        raise TableError(f"{path} has {state}; choose one with time = 'YYYY MM DD hh mm'{known}")
     try:
         if paired:
             pairs = re.findall(r"([-+.\deE]+)\s*\(\s*([-+.\deE]+)\s*\)", rows[0])
@@ -247,6 +249,22 @@ def _row(path, text, time, of_density=True):
             f"{path}: {len(frequency)} frequencies and {len(values)} densities; allowed: the same number, at least 3"
         )
     return frequency, values
+
+
+def _measured(path, frequency, density, time):
+    """Densities (n,) of a row, 0 beyond the band that was measured.  Raises TableError for a gap within it."""
+    missing = density >= MISSING
+    row = "its row" if time is None else f"its row of {time}"
+    if missing.all():
+        raise TableError(f"{path}: {row} has no measured density, all are {MISSING:g}; choose another time")
+    first, last = np.flatnonzero(~missing)[[0, -1]]
+    gaps = int(missing[first : last + 1].sum())
+    if gaps:
+        raise TableError(
+            f"{path}: {row} has {gaps} densities of {MISSING:g}, which stands for none, from {frequency[first]:g} to "
+            f"{frequency[last]:g} Hz; choose another time, or fill them"
+        )
+    return np.where(missing, 0.0, density)
 
 
 def _times(text):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -17,6 +18,7 @@ from ..results.provenance import provenance
 from ..results.quantity import quantities
 from ..results.result import Result, labels
 
+ANGLES = {"deg": 1.0, "degrees": 1.0, "°": 1.0, "rad": 180 / np.pi}  # units of a column, in degrees
 LEFT = 0.25  # largest part of a record that a fit may leave unexplained
 COLUMNS = ("time_s", "motion_m", "force_kN", "motion_deg", "moment_kNm")
 TURNED = {
@@ -35,7 +37,7 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
     """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
 
     record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values};
-        of a rotation motion_deg and moment_kNm
+        of a rotation motion_deg and moment_kNm; a decay may have other names with their units, "t (s), roll (deg)"
     mass : with added mass, of a free decay, kg, or of a rotation kg m²
     returns : Result, in SI
     raises : ValueError, one line
@@ -65,10 +67,12 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
 
 def read_record(path: File) -> dict[str, np.ndarray]:
     """{column: (n,) array} of a CSV.  Raises ValueError."""
-    from hakobune.mooring.environment.tables import check_even, read_table
+    from hakobune.mooring.environment.tables import check_even, read_table, without_rounding
     from hakobune.mooring.identification.record import UNEVEN
 
     names, values = read_table(path)
+    if (decay := _decay_by_units(path, names, values)) is not None:
+        names, values = decay
     wrong = [name for name in names or () if name not in COLUMNS]
     if names is None or wrong or "time_s" not in names or not {"motion_m", "motion_deg"} & set(names):
         shown = "no column names in its first row" if names is None else f"the columns {', '.join(names)}"
@@ -77,8 +81,27 @@ def read_record(path: File) -> dict[str, np.ndarray]:
             "or motion_deg and moment_kNm; rename them"
         )
     columns = dict(zip(names, values.T, strict=True))
+    columns["time_s"] = without_rounding(columns["time_s"])
     check_even(path, columns["time_s"], UNEVEN)
     return columns
+
+
+def _decay_by_units(path, names, values):
+    """Names and values (n, 2) of a table of time and one motion that say their units, "t (s), roll (deg)"; else None"""
+    from hakobune.mooring.environment.tables import UNITS, unit_of
+
+    if names is None or len(names) != 2 or not names[0].lower().startswith("t"):
+        return None
+    clock, unit = (re.search(r"[(\[_ ]\s*([A-Za-z°]+)\s*[)\]]?\s*$", name) for name in names)
+    if clock is None or clock[1] not in UNITS["time"] or unit is None:
+        return None
+    if unit[1] in ANGLES:
+        name, size = "motion_deg", ANGLES[unit[1]]
+    elif unit[1] in UNITS["length"]:
+        name, size = "motion_m", unit_of(path, names[1], "length")
+    else:
+        return None
+    return ["time_s", name], values * [unit_of(path, names[0], "time"), size]
 
 
 def _check_columns(columns, names):

@@ -48,7 +48,7 @@ def _draw(result, path):
     axes[0].axhline(1.0, color="grey", linewidth=0.8, linestyle=":", label="seismic coefficient")
     axes[0].set(xlabel="period of the ground, s", ylabel="reaction/(ω² y M)")
     axes[0].grid(alpha=0.3, which="both")
-    axes[0].legend()
+    axes[0].legend(title="stiffness of the dolphins at")
     if run:
         time = result.labels["time"].values
         axes[1].plot(time, result["course.ground"], label="ground")

@@ -9,6 +9,7 @@ from hakobune.mooring.lines.system.shapes import beds_of_lines, line_shapes, loa
 from ..common.picture import save
 from ..common.units import KN
 
+MOST_NAMED = 40  # lines of a plan, beyond which their names would hide it
 LEAST_ROOM = 0.25  # shorter side of a plan, over its longer side
 KINDS = ("line", "lines", "line-dynamics")  # kinds of results that have a picture
 
@@ -30,6 +31,7 @@ def draw_system(state, path, curves=(), losses=None):
         _draw_points(axes, state, i, j)
         axes.set(xlabel=f"{labels[0]}, m", ylabel=f"{labels[1]}, m")
     grid[0, 0].set(aspect="equal", title="plan")
+    _name_lines(grid[0, 0], state.system.line_names, shapes)
     _widen(grid[0, 0])
     _draw_beds(grid[0, 1], state)
     grid[0, 1].axhline(0.0, color="C0", lw=1, zorder=0)
@@ -39,6 +41,13 @@ def draw_system(state, path, curves=(), losses=None):
         _draw_curves(grid[1, 0], curves)
         _draw_losses(grid[1, 1], state, losses or {})
     save(figure, path, 120)
+
+
+def _name_lines(axes, names, shapes):
+    """The name of every line at its middle in a plan, of no more than MOST_NAMED"""
+    for name, shape in zip(names, shapes, strict=True) if len(shapes) <= MOST_NAMED else ():
+        box = {"boxstyle": "round,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.7}
+        axes.annotate(name, shape[len(shape) // 2, :2], fontsize=8, ha="center", va="center", bbox=box)
 
 
 def _widen(axes):
@@ -54,8 +63,11 @@ def _draw_beds(axes, state):
     own = beds_of_lines(state)
     if len(own) < len(state.system.lines):
         axes.axhline(-state.system.depth, color="0.5", lw=4, zorder=0)
-    for bed in own:
-        axes.plot(bed[:, 0], bed[:, 2], color="C5", lw=2.5, alpha=0.6, zorder=0)
+    for i, bed in enumerate(own):
+        label = "" if i else "bed of a line that has its own"
+        axes.plot(bed[:, 0], bed[:, 2], color="C5", lw=2.5, alpha=0.6, zorder=0, label=label)
+    if own:
+        axes.legend(frameon=False, fontsize=8)
 
 
 def _draw_points(axes, state, i, j):

@@ -9,6 +9,7 @@ Each line runs from an anchor to the only body of the file, the hull of the stud
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
 
 from ..common.quantities import StudyError
@@ -50,9 +51,24 @@ def tables_of(file, depth=None):
     bodies, points = {body.name: body for body in system.bodies}, {point.name: point for point in system.points}
     if len(bodies) != 1:
         raise StudyError(f"{KEY}: {file.name} has {len(bodies)} bodies; allowed: one, the hull of the study")
+    _tell_displaced(system.bodies[0], file)
     types = {}
     given = points, bodies, system.depth, (system.density, system.gravity), types
     return {"lines": [_table(chain, *given) for chain in _chains(system)], "types": types}
+
+
+def _tell_displaced(body, file):
+    """Say that fairleads are taken of a body that the file does not have at the origin, along x, upright"""
+    x, y, _, *turns = body.position
+    moved = [f"{name} {value:.4g} m" for name, value in (("x", x), ("y", y)) if abs(value) > ON_BED]
+    names = zip(("roll", "pitch", "yaw"), turns, strict=True)
+    moved += [f"{name} {math.degrees(angle):.4g}°" for name, angle in names if abs(angle) > ON_BED]
+    if moved:
+        warnings.warn(
+            f"{KEY}: {file.name} has its body {body.name} at {', '.join(moved)}; its fairleads there are taken for "
+            "those of the hull at rest; if it is a displaced body, put it at 0 in the file",
+            stacklevel=2,
+        )
 
 
 def _chains(system):

@@ -90,6 +90,11 @@ def notes(stored):
     size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
     if len(stored.names) > 6:
         yield "left out: the free-surface forcing around the bodies; of one body alone, --level full includes it"
+    elif forces.surface is None and share is None:
+        yield (
+            "left out: the free-surface forcing around the body, of unknown size: no level includes it here, since it "
+            "needs one closed waterline"
+        )
     elif forces.surface is None:
         yield (
             f"left out: the free-surface forcing around the body (its size, estimated from few pairs: {size}); "

@@ -33,6 +33,7 @@ class SpectrumFlags:
         Path | None,
         _flag("of a spectrum, as a study's sea has it, or CSV of frequency_hz,density_m2_hz or omega_rad_s,…"),
     ] = None
+    time: Annotated[str | None, _flag("of a table that has several, as it stands there or how it begins")] = None
 
     @property
     def periods(self):

@@ -160,8 +160,10 @@ def _spectrum(flags, depth):
     from hakobune.mooring.seas.spectra_files import read_sea
 
     if flags.table is not None:
-        refuse("--table is given", flags, SpectrumFlags(table=flags.table))
-        return read_sea(flags.table, x_axis=0.0).spectrum
+        refuse("--table is given", flags, SpectrumFlags(table=flags.table, time=flags.time))
+        return read_sea(flags.table, x_axis=0.0, time=flags.time).spectrum
+    if flags.time is not None:
+        raise ValueError("--time is given without --table; allowed: with a table of several spectra")
     known = families(depth)
     if flags.spectrum not in known:
         raise ValueError(f"--spectrum is {flags.spectrum!r}; allowed: {', '.join(known)}")

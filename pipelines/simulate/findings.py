@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from hakobune.mooring.response.findings import large_rotations
+
 from .file import summary_of
 from .over_runs import differ, rare_findings
 
@@ -34,6 +36,13 @@ def slow_findings(file):
             )
 
 
+def tilt_findings(file):
+    """Findings on roll and pitch, from upright, for which the equation of motion is no longer linear"""
+    tilts = [name for name in file["quantity"].asstr()[()] if name.split()[-1] in ("roll", "pitch")]
+    ends = {name: [abs(summary_of(file, name)[end]) for end in ("smallest", "largest")] for name in tilts}
+    yield from large_rotations({name: float(np.degrees(np.max(both))) for name, both in ends.items()})
+
+
 def findings(file):
     """What holds of all runs: their length, slow motion, and which method applies"""
     periods = np.asarray(file.attrs.get("moored_period", [np.nan] * 3), float)
@@ -43,6 +52,7 @@ def findings(file):
     duration = float(file.attrs["duration"])
     yield from rare_findings(file)
     yield from slow_findings(file)
+    yield from tilt_findings(file)
     if duration < LONG * slow and differ(file):
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
         yield (

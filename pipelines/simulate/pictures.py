@@ -272,7 +272,7 @@ def _extremes(file, kept, path, motions):
         if not _has_spectrum(file, f"{worst.kind} {name}", records):
             continue
         tops = worst.factor * _maxima(records, local_maxima, records.mean(axis=1, keepdims=True))
-        style = ("-", "--", ":")[i // 10 % 3]  # there are ten colours
+        style = ("-", "--", ":")[(i + i // 10) % 3]  # there are ten colours; of two that pull alike both are seen
         right.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), style, lw=1.2, label=name)
     right.set(xlabel=f"maximum of the {worst.kind}, {worst.unit}")
     for one in (left, right):

@@ -49,7 +49,11 @@ def weight_remarks(scene, mesh, body):
     for name in ("transverse", "longitudinal"):
         height = body[f"{name}_metacentric_height"]
         if height <= 0:
-            yield f"{name} metacentric height {height:.4g} m is not positive: the body capsizes"
+            free = "; rao and drift_force are of the free body: take motions from a study whose lines hold it upright"
+            yield (
+                f"{name} metacentric height {height:.4g} m is not positive: the body capsizes"
+                + free * scene.motions_known
+            )
     for name, axis, arm, moment, angle in _tilts(scene, body):
         if angle > TOLD:
             yield (

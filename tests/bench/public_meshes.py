@@ -2,8 +2,9 @@
 
     python tests/bench/public_meshes.py FOLDER
 
-A hull drawn whole is cut at the surface.  Right is one without an error among its findings, whose volumes by x, y and
-z agree within 2 % and whose lid has the area of its waterplane within 5 %; the rest is refused, with the reason.
+A hull drawn whole is cut at the surface; one that is told to be a half is mirrored, and a wall that is told to end on a
+bed is given one.  Right is one without an error among its findings, whose volumes by x, y and z agree within 2 % and
+whose lid has the area of its waterplane within 5 %; the rest is refused, with the reason.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 import re
 import sys
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +25,7 @@ from hakobune.meshing.quality import findings
 VOLUMES, LID = 0.02, 0.05
 PANELS = {".obj": rb"(?m)^f\s", ".toml": rb"\[\[parts\]\]", ".vtk": b"CELL_TYPES|POLYGONS",
           ".vtp": rb"NumberOfPolys=\"\s*[1-9]"}  # fmt: skip
+HALF, FOOT = re.compile(r"--mirror ([xy])`"), re.compile(r"all of its foot, z = (-[\d.]+) m")
 LARGEST = 6000  # panels that are looked at whole
 
 
@@ -47,13 +50,21 @@ def judged(path):
         return "refused", str(error).replace(str(path), path.name)
     if mesh.total > LARGEST:
         return "right", f"{mesh.total} panels, only read"
-    mesh = folded(mesh)
-    errors = [one.text for one in findings(mesh) if one.severity == "error"]
-    if errors:
-        return "refused", errors[0]
+    mesh, depth, done = folded(mesh), np.inf, ""
+    while errors := [one.text for one in findings(mesh, depth) if one.severity == "error"]:
+        half, foot = HALF.search(errors[0]), FOOT.search(errors[0])
+        if half and half[1] not in mesh.symmetry:
+            mesh, done = (
+                replace(mesh, symmetry="".join(sorted(mesh.symmetry + half[1]))),
+                f", --mirror {half[1]} as told",
+            )
+        elif foot and depth == np.inf:
+            depth, done = -float(foot[1]), f", depth {-float(foot[1]):g} m as told"
+        else:
+            return "refused", errors[0]
     hull = mesh.whole()
     x, y, z = (float(hull.centroids[:, i] @ hull.area_vectors[:, i]) for i in range(3))
-    if max(x, y, z) - min(x, y, z) > VOLUMES * abs(z):
+    if np.isinf(depth) and max(x, y, z) - min(x, y, z) > VOLUMES * abs(z):
         return "wrong", f"volumes {x:.5g}, {y:.5g}, {z:.5g} m³"
     below = np.any(hull.vertices[..., 2] < 0, axis=1)  # not the piston of a chamber, which is in the surface
     waterplane = -hull.area_vectors[below, 2].sum()
@@ -65,7 +76,7 @@ def judged(path):
         covered = 0.0 if made is None else made.whole().areas.sum()
         if abs(covered / waterplane - 1) > LID:
             return "wrong", f"a lid of {covered:.5g} m² on a waterplane of {waterplane:.5g} m²"
-    return "right", f"{mesh.total} panels, {z:.6g} m³"
+    return "right", f"{mesh.total} panels, {z:.6g} m³{done}"
 
 
 def _lists_points(path):

@@ -53,6 +53,19 @@ def test_places_show_a_peak_at_shares_of_its_width_up_to_three_tenths_of_its_fre
     assert inside == pytest.approx(2 * (1 + found[np.abs(found) < 0.05])) and len(inside) == 2 * 9 + 1
 
 
+@pytest.mark.parametrize("apart", [1e-16, 3e-15, 1e-9])
+def test_two_peaks_at_one_frequency_but_for_rounding_are_shown_once(apart):
+    """Roll and pitch of a round body: steps below a thousandth of a width show nothing, and no spline goes through"""
+    body = SimpleNamespace(between=SimpleNamespace(span=(1.9, 2.1)))
+    peaks = [SimpleNamespace(omega=2.0 * (1 + k * apart), damping=0.001) for k in range(2)]
+    once = about(body, peaks[:1])
+    both = about(body, peaks)
+    assert len(both) == len(once) and np.diff(both).min() > 1e-4
+    assert about(body, peaks, 2.0 * (1 + np.array([-1e-15, 0.05]))) == pytest.approx(once[once != 2.0])
+    far = [peaks[0], SimpleNamespace(omega=2.0002, damping=0.001)]
+    assert len(about(body, far)) > 1.5 * len(once)
+
+
 class OneMotion:
     """A body that answers in heave alone, of constant added mass and damping, excited by 1 N/m"""
 

@@ -46,6 +46,23 @@ def test_waves_of_sources_in_a_body_are_found_again_half_a_wave_from_it():
         assert np.linalg.norm(found.elevation(made, there) - exact) < allowed * np.linalg.norm(exact)
 
 
+@pytest.mark.parametrize("waves_along, waves_across", [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 1)])
+def test_water_at_a_hull_does_not_resonate_within_its_sources(waves_along, waves_across):
+    """Far field of six sources, a thousandth off, at wavenumbers at which waves stand in 95 x 45 m, the first curve"""
+    half, random = np.array([50.0, 25.0]), np.random.default_rng(3)
+    inside = (random.random((6, 2)) * 2 - 1) * 0.5 * half
+    strength = random.standard_normal(6) + 1j * random.standard_normal(6)
+    there = np.array([[50.01, 0.0], [50.01, 12.0], [0.0, 25.01], [30.0, 25.01]])
+    stands = np.pi * np.hypot(waves_along / 95, waves_across / 45)
+    for k in stands * (1 + 1e-3 * np.array([-2, -1, -0.5, 0, 0.5, 1, 2])):
+        theta = angles(k, 56.0)
+        H = (np.exp(-1j * k * (directions(theta) @ inside.T)) @ strength) * (1 + 1e-3 * np.cos(3 * theta + 1))
+        found = Sources(rectangle(half), k, theta)
+        exact = waves(k, there, inside) @ strength
+        off = np.abs(found.elevation(found.strengths(H)[0], there) - exact).max()
+        assert off < 0.03 * np.abs(exact).max()
+
+
 def of_cylinder(k, a, beta, theta):
     """H (b, t) of a cylinder on the bed"""
     ratio = -jvp(ORDERS, k * a) / h1vp(ORDERS, k * a)
@@ -154,15 +171,18 @@ def test_the_plan_of_a_hull_does_not_load_scipy_spatial():
 
 
 def test_sources_stand_a_tenth_of_the_half_breadth_within_the_plan_eight_in_a_wave_or_twenty_four():
-    """Of 40 x 10 m: half a metre inwards, 96 m around; eight of each wave of it, two on each side at least"""
+    """Of 40 x 10 m: half a metre inwards, 96 m around; eight of each wave of it, two on each side at least; 2.25 m
+    inwards and 82 m around half as many, eight at least"""
     plan = rectangle(np.array([20.0, 5.0])) + [3.0, -2.0]
     inner = shrunk(plan)
     assert inner == pytest.approx(rectangle(np.array([19.5, 4.5])) + [3.0, -2.0])
     assert perimeter(inner) == pytest.approx(96.0)
     few, many = Sources(plan, 0.01, angles(0.01, 21.0)), Sources(plan, 1.0, angles(1.0, 21.0))
-    assert len(few.points) == 2 * (10 + 3)  # steps of 4 m: ⌈39/4⌉ and ⌈9/4⌉
+    assert len(few.points) == 2 * (10 + 3) + 8  # steps of 4 m: ⌈39/4⌉ and ⌈9/4⌉
+    deeper = (few.points[26:] - [3.0, -2.0]) / [17.75, 2.75]
+    assert np.abs(deeper).max(axis=1) == pytest.approx(np.ones(8))
     step = 2 * np.pi / 8
-    assert len(many.points) == 2 * (int(np.ceil(39 / step)) + int(np.ceil(9 / step)))
+    assert len(many.points) == 2 * (int(np.ceil(39 / step)) + int(np.ceil(9 / step))) + 53  # ⌈4 · 82/2π⌉
     along = np.sort(few.points[np.isclose(few.points[:, 1], -2.0 - 4.5), 0])
     assert along == pytest.approx(3.0 - 19.5 + 3.9 * (np.arange(10) + 0.5))
     assert few.sent == pytest.approx(np.exp(-0.01j * (directions(angles(0.01, 21.0)) @ few.points.T)))

@@ -304,3 +304,20 @@ def test_spectra_of_wavesmon_are_millimetres_of_each_band_and_slices_that_begin_
             buoys.TableError, match="a WavesMon file states its frequency bands, then gives numbers; this file does not"
         ):
             buoys.trdi("a.txt", text, None, None)
+
+
+def test_a_row_of_ndbc_that_lacks_its_swell_is_not_a_lower_sea(tmp_path):
+    """999 stands for none: beyond the measured band it is nothing, within it or in a whole row it is told"""
+    path = tmp_path / "46022w2005.txt"
+    head = "YYYY MM DD hh" + "".join(f"  {f:.4f}" for f in F)
+    rows = {"00": (*S[:3], 999.0), "01": (S[0], 999.0, *S[2:]), "02": (999.0,) * 4}
+    path.write_text(
+        "\n".join([head, *(f"2005 12 14 {hour} " + " ".join(map(str, row)) for hour, row in rows.items())]) + "\n"
+    )
+    assert height(read_sea(path, time="2005 12 14 00")) == pytest.approx(4 * math.sqrt(M0))
+    with pytest.raises(TableError, match=r"row of 2005 12 14 01 has 1 densities of 999.* from 0\.\d+ to 0\.\d+ Hz"):
+        read_sea(path, time="2005 12 14 01")
+    with pytest.raises(TableError, match="row of 2005 12 14 02 has no measured density, all are 999; choose another"):
+        read_sea(path, time="2005 12 14 02")
+    with pytest.raises(TableError, match=r"has 3 rows; choose one with time = .*, of 2005 12 14 00 to 2005 12 14 02"):
+        read_sea(path)

@@ -211,13 +211,13 @@ def test_a_sector_of_directions_ends_beside_its_last_ones():
 
 
 def test_rows_of_a_buoy_are_found_by_their_time(tmp_path):
-    """m²/Hz at Hz of the head; 999 is no value"""
+    """m²/Hz at Hz of the head; 999 is no value, which at an end is nothing"""
     head = "#YY  MM DD hh mm  .1000  .2000  .3000  .4000\n"
-    rows = "2026 01 02 03 00   1.0    4.0   999.0   0.5\n2026 01 02 04 00   2.0    8.0    6.0   1.0\n"
+    rows = "2026 01 02 03 00   1.0    4.0    0.5   999.0\n2026 01 02 04 00   2.0    8.0    6.0   1.0\n"
     path = written(tmp_path, head + rows, "a.txt")
     early, late = (read_sea(path, time=f"2026 01 02 {hour} 00") for hour in ("03", "04"))
     assert early.spectrum.omega == pytest.approx(HZ * np.array([0.1, 0.2, 0.3, 0.4]))
-    assert early.spectrum.values == pytest.approx(np.array([1.0, 4.0, 0.0, 0.5]) / HZ)
+    assert early.spectrum.values == pytest.approx(np.array([1.0, 4.0, 0.5, 0.0]) / HZ)
     assert late.spectrum.values == pytest.approx(np.array([2.0, 8.0, 6.0, 1.0]) / HZ) and late.direction == 0.0
     with pytest.raises(TableError, match="has 2 rows; choose one"):
         read_sea(path)

@@ -1,5 +1,7 @@
 """`hakobune damping` as a user calls it."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -65,6 +67,27 @@ def test_a_record_of_something_else_fails(tmp_path, capsys):
     assert (
         "of the motion is not explained, limit 25 %; this is not a record of the free decay" in capsys.readouterr().out
     )
+
+
+@pytest.mark.parametrize("head", [
+    "t (s),roll (deg)", "Time [s],Heave [m]", "time_s,pitch_deg", "t (ms),surge (mm)", "time (s),yaw (rad)",
+])  # fmt: skip
+@pytest.mark.parametrize(("period", "ratio", "step", "digits"), [(41.56, 0.027, 0.8144, 1), (9.75, 0.06, 0.1711, 2)])
+def test_a_decay_names_its_own_motion_and_times_are_written_with_few_digits(
+    head, period, ratio, step, digits, tmp_path, capsys
+):
+    """x = e^{−ζωt} cos ω√(1 − ζ²) t: of period 2π/ω√(1 − ζ²) or 2π/ω, a thousandth apart; B1 is ζ of critical"""
+    omega, n = 2 * np.pi / period, int(8 * period / step)
+    t = np.arange(n) * step
+    x = 0.2 * np.exp(-ratio * omega * t) * np.cos(omega * np.sqrt(1 - ratio**2) * t)
+    clock, size = 1e3 if "ms" in head else 1.0, 1e3 if "mm" in head else 10.0 if "deg" in head else 1.0
+    rows = [f"{clock * round(a, digits):.{digits}f},{size * b:.6f}" for a, b in zip(t, x, strict=True)]
+    (tmp_path / "d.csv").write_text("\n".join([head, *rows]) + "\n")
+    assert cli.main(["damping", str(tmp_path / "d.csv"), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["quantities"]
+    shown = {name: one["values"] for name, one in found.items()}
+    assert shown["period"] == pytest.approx(period, rel=3e-3)
+    assert next(v for k, v in shown.items() if "critical" in k) == pytest.approx(ratio, rel=0.03)
 
 
 @pytest.mark.parametrize(

@@ -266,3 +266,14 @@ def test_the_reference_on_a_terminal_says_where_keys_stand_before_any_table():
     )
     assert text.splitlines()[0] == "before any table  What comes first" and "[sea]  Sea" in text
     assert json.loads(shown.as_json((KeyTable(("[sea]",), "Sea", (key("H"),)),)))[0]["places"] == ["[sea]"]
+
+
+@pytest.mark.parametrize(("words", "said"), [
+    ("sea --Hs 3", "--Hs. It is --height here."), ("sea --height 2 --tp 9", "--tp. It is --peak-period here."),
+    ("box --KG 3", "--KG. It is --center-of-gravity here."), ("box --Lpp 3", "Unknown option: --Lpp."),
+    ("moor s.toml --database b.h5 --Hs 3", "Unknown option: --Hs."),  # the sea of moor is in its study, and no flag
+])  # fmt: skip
+def test_a_flag_by_its_name_in_other_programs_is_told_with_ours(words, said, capsys):
+    assert cli.main(words.split()) == 2
+    told = capsys.readouterr().err
+    assert said in told and told.count("\n") == 1 and ("It is" in told) == ("It is" in said)

@@ -87,3 +87,17 @@ def test_lines_have_the_numbers_of_the_file(tmp_path):
 def test_what_no_study_can_have_is_told_by_its_file(tmp_path, text, file, said):
     with pytest.raises(StudyError, match=said):
         read(tmp_path, text, file)
+
+
+@pytest.mark.parametrize(("pose", "said"), [
+    ("0 0 0 0 0 0", ""), ("0 0 -3 0 0 0", ""),  # a body may have its origin below the waterline
+    ("4.5 0 0 0 0 0", "x 4.5 m"), ("0 -2 0 0 0 90", "y -2 m, yaw 90°"),
+])  # fmt: skip
+def test_a_body_that_a_file_does_not_have_at_rest_is_told_with_its_pose(tmp_path, recwarn, pose, said):
+    """Its fairleads are where the file has them: 20 m ahead of it, wherever it stands"""
+    study, _ = read(tmp_path, file=FILE.replace("Coupled 0 0 0 0 0 90", f"Coupled {pose}"))
+    told = [str(one.message) for one in recwarn if "displaced body" in str(one.message)]
+    assert len(told) == bool(said) and all(f"its body body 1 at {said}; its fairleads there" in line for line in told)
+    x, *_, yaw = map(float, pose.split())
+    turned = (20 * math.cos(math.radians(yaw)) - 5 * math.sin(math.radians(yaw))) + x
+    assert study.lines[0].fairlead[0] == pytest.approx(turned, abs=1e-9)

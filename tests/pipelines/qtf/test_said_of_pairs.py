@@ -67,6 +67,15 @@ def test_rows_are_root_mean_squares_with_each_part_added(unread):
     assert "no estimated error" in made.notes[-2]
 
 
+def test_no_level_is_named_where_none_includes_the_surface(unread):
+    """A hull of several columns has no share: its waterline is no single curve"""
+    _, made = table(forces(), share=None)
+    assert made.notes[-1] == (
+        "left out: the free-surface forcing around the body, of unknown size: no level includes it here, since it "
+        "needs one closed waterline"
+    )
+
+
 def test_a_root_mean_square_is_of_the_pairs_that_there_are(unread):
     """Of squares 3, 4 and 5 and no other part: √(50/3) on the diagonal; two pairs a step apart: √(25/2)"""
     made = forces(squares=0.0, bound=0.0, body=0.0)

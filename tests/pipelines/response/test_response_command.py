@@ -84,7 +84,7 @@ def test_csv_has_the_numbers_of_the_library_with_units(folder, database):
 
 
 def test_rotations_beyond_linear_theory_are_warned_of(folder, capsys):
-    beam = STUDY.replace("incidence_deg = 180.0", "incidence_deg = 270.0")
+    beam = STUDY.replace("incidence_deg = 180.0", "incidence_deg = 270.0").replace("clearance = 9.0", "clearance = 3.0")
     for height, warned in ((0.3, False), (6.0, True)):
         Path("study.toml").write_text(beam.replace("height = 3.0", f"height = {height}"))
         assert main(["response", "study.toml", "--database", "box.h5"]) == int(warned)  # water reaches the stern

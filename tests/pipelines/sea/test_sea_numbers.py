@@ -75,3 +75,20 @@ def test_a_place_is_its_two_numbers_in_their_order():
     assert _point(None) == (0.0, 0.0)
     with pytest.raises(ValueError, match=r"--point is '1'; allowed: two numbers x,y"):
         _point("1")
+
+
+def test_a_table_of_several_spectra_is_read_at_its_time(tmp_path, capsys):
+    """H = 4 √(Σ S Δf) of equal steps: the second row has four times the density of the first, twice its height"""
+    path = tmp_path / "41010w2026.txt"
+    bands = [0.05, 0.1, 0.15, 0.2]
+    rows = [[0.0, 1.0, 2.0, 0.0], [0.0, 4.0, 8.0, 0.0]]
+    text = "#YY MM DD hh mm" + "".join(f" {f:.4f}" for f in bands)
+    for hour, row in enumerate(rows):
+        text += f"\n2026 01 02 {hour:02d} 00 " + " ".join(map(str, row))
+    path.write_text(text + "\n")
+    m0 = [found_by(["sea", "--table", str(path), "--time", f"2026 01 02 {k:02d} 00"], capsys)[0]["m0"] for k in (0, 1)]
+    assert m0[0] == pytest.approx(0.05 * 3.0) and m0[1] == pytest.approx(4 * m0[0])
+    assert main(["sea", "--table", str(path)]) == 2
+    assert "has 2 rows; choose one with time" in capsys.readouterr().err
+    assert main(["sea", "--height", "3", "--mean-period", "8", "--time", "2026"]) == 2
+    assert "--time is given without --table" in capsys.readouterr().err

@@ -264,3 +264,17 @@ def test_a_finding_of_many_runs_is_told_once_with_its_largest_number(monkeypatch
     )
     said = stored.stored_findings(file)
     assert said == ("of all", "damps as waves of 0.966 rad/s do", "line 2 parts at 10.5 s", "line 3 parts at 9.5 s")
+
+
+@pytest.mark.parametrize(("degrees", "told"), [(14.9, False), (-15.1, True), (31.0, True)])
+def test_a_tilt_beyond_linear_theory_is_told_of_each_body(degrees, told):
+    """The larger of both ends, of roll and pitch; a yaw of any size turns the hull and is part of the equation"""
+    file = made_up()
+    names = np.array(["surge", "barge roll", "yaw"])
+    rows = [[math.radians(degrees) if key == ("smallest" if degrees < 0 else "largest") else 0.0 for key in SUMMARY]]
+    file |= {"quantity": SimpleNamespace(asstr=lambda: names), "summary": np.array(rows * 3)}
+    said = list(findings.tilt_findings(file))
+    assert said == [
+        f"barge roll {abs(degrees):.3g}° of amplitude, and linear theory is valid up to about 15°: this motion is not "
+        "realistic; give viscous damping, or use lower waves"
+    ] * told  # fmt: skip

@@ -136,6 +136,18 @@ def test_metacentric_heights_that_are_not_positive_are_told(which):
         assert said == [text] * told
 
 
+@pytest.mark.parametrize("gyration", [{}, {"gyration": [3.0, 8.0, 8.0]}])
+def test_motions_of_a_body_that_capsizes_are_told_to_be_of_the_free_one(gyration):
+    """GM of a box of 30 × 10 × 5 m with its weight at z: B²/12T − T/2 − z"""
+    raw = {"shape": "box", "length": 30.0, "beam": 10.0, "draft": 5.0, "center_of_gravity": [0.0, 0.0, 0.5], **gyration}
+    scene = make_scene({"water": {"depth": 20.0}, "bodies": [raw], "waves": {"omegas": [0.5]}})
+    mesh = box(30, 10, 5, panels=40)
+    said = [line for line in weight_remarks(scene, mesh, make_header(scene, MeshedHull(mesh, None)).body)]
+    height = 10.0**2 / 60 - 2.5 - 0.5
+    assert said[0].startswith(f"transverse metacentric height {height:.4g} m is not positive: the body capsizes")
+    assert ("rao and drift_force are of the free body" in said[0]) == bool(gyration)
+
+
 @pytest.mark.parametrize(("axis", "name", "stiffness"), [(0, "trim", 4e9), (1, "heel", 2e9)])
 def test_trim_and_heel_follow_from_moment_and_stiffness(axis, name, stiffness):
     """tan θ = m g x / C, told above 0.1°"""
