@@ -1,0 +1,121 @@
+"""Partial waves about a vertical axis, and those of one axis seen from another.
+
+Outside a circle of radius a the potential is Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), near it that of all others Σ Zₙ aₙₘ Rₙₘ exp(imθ):
+
+    kind        regular R                  outgoing S
+    radiating   Jₘ(kr) |Hₘ(ka)|            Hₘ(kr) / |Hₘ(ka)|         propagating mode
+    decaying    Iₘ(κr) / Iₘ(κa)            Kₘ(κr) Iₘ(κa)             evanescent modes
+    laplace     (r/a)ᵐ                     (a/r)ᵐ, log r             κ → 0
+
+with |m| for m, scaled so that neither overflows.  Graf's addition theorem (DLMF 10.23.7) turns what an axis sends into
+regular waves of another, at points nearer to that one than the first is: with R, α of the second from the first,
+
+    Hₘ e^{imθ} = Σ_q Hₘ₋q(kR) e^{i(m−q)α} J_q e^{iqθ′},    Kₘ e^{imθ} = Σ_q (−1)^q Kₘ₋q(κR) e^{i(m−q)α} I_q e^{iqθ′}
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.special import binom, hankel1, ive, jv, jvp, kve
+
+
+class PartialWaves(NamedTuple):
+    """Of one depth mode.
+
+    kind : radiating, decaying or laplace; k : rad/m; last : highest order
+    """
+
+    kind: str
+    k: float
+    last: int
+
+    @property
+    def orders(self):
+        """(2 last + 1,) m of exp(imθ), rising"""
+        return np.arange(-self.last, self.last + 1)
+
+    def size(self, a):
+        """(last + 1,) |Hₘ(ka)| of radiating waves, 1 of others"""
+        m = np.arange(self.last + 1)
+        return np.abs(hankel1(m, self.k * a)) if self.kind == "radiating" else np.ones(len(m))
+
+    def regular(self, a, r):
+        """R and dR/dr of orders 0 … last at r (p,) m, two (p, last + 1)"""
+        m, r = np.arange(self.last + 1), np.asarray(r, float)[:, None]
+        if self.kind == "laplace":
+            value = (r / a) ** m
+            return value, m * value / r
+        x = self.k * r
+        if self.kind == "radiating":
+            return self.size(a) * jv(m, x), self.k * self.size(a) * jvp(m, x)
+        scale = np.exp(x - self.k * a) / ive(m, self.k * a)
+        return scale * ive(m, x), 0.5 * self.k * scale * (ive(np.abs(m - 1), x) + ive(m + 1, x))
+
+    @property
+    def wronskian(self):
+        """(last + 1,) r (S dR/dr − R dS/dr)"""
+        m = np.arange(self.last + 1)
+        if self.kind == "laplace":
+            return np.where(m, 2.0 * m, -1.0)
+        return np.full(len(m), -2j / np.pi if self.kind == "radiating" else 1.0)
+
+    def seen_from(self, there, a, there_a):
+        """(2 last + 1,) squared: regular waves about an axis at `there` (complex m, from this one) of what this sends
+
+        a, there_a : m, radii of the circles of this axis and of that
+        """
+        m, R, turn = self.orders, abs(there), there / abs(there)
+        if self.kind == "laplace":
+            return self._laplace_seen(there, a, there_a)
+        apart, far = m[None, :] - m[:, None], np.arange(2 * self.last + 1)  # m − q, of what is sent in columns
+        if self.kind == "radiating":
+            # H₋ₘ = (−1)ᵐ Hₘ and J alike: |m| for m changes signs
+            sign = np.where(m < 0, (-1.0) ** m, 1.0)
+            wave = hankel1(far, self.k * R)[np.abs(apart)] * np.where(apart < 0, (-1.0) ** apart, 1.0)
+            send, take = (self.size(radius)[np.abs(m)] for radius in (a, there_a))
+            return wave * turn**apart * (sign / take)[:, None] * (sign / send)
+        send, take = (ive(np.abs(m), self.k * radius) for radius in (a, there_a))
+        fall = kve(far, self.k * R)[np.abs(apart)] * np.exp(self.k * (a + there_a - R))
+        return fall * turn**apart * ((-1.0) ** m * take)[:, None] * send
+
+    def _laplace_seen(self, there, a, there_a):
+        q, out, middle = np.arange(self.last + 1), np.zeros((2 * self.last + 1,) * 2, complex), self.last
+        for p in range(1, self.last + 1):
+            found = (-1.0) ** q * binom(p + q - 1, q) * (a / there) ** p * (there_a / there) ** q
+            out[middle + q, middle - p], out[middle - q, middle + p] = found, found.conj()
+        found = (-1.0) ** (q[1:] + 1) / (2 * q[1:]) * (there_a / there) ** q[1:]
+        out[middle, middle] = np.log(abs(there))
+        out[middle + q[1:], middle], out[middle - q[1:], middle] = found, found.conj()
+        return out
+
+
+def highest_order(kind, k, a, distance, tolerance, most):
+    """Order from which on waves that leave a circle of radius a have fallen to `tolerance` at `distance` m from its
+    axis, and those of k rad/m that pass have on it
+    """
+    m = np.arange(1, most + 1)
+    if kind == "laplace":
+        left = (a / distance) ** m
+    elif kind == "radiating":
+        left = np.maximum(np.abs(hankel1(m, k * distance) / hankel1(m, k * a)) * (m > k * a), np.abs(jv(m, k * a)))
+        left[m <= k * a] = 1.0
+    else:
+        left = kve(m, k * distance) / kve(m, k * a) * np.exp(-k * (distance - a))
+    enough = np.flatnonzero(left < tolerance)
+    return int(m[enough[0]]) if len(enough) else most
+
+
+def to_real(orders):
+    """(2M + 1, 2M + 1) from coefficients of exp(imθ) to those of cos 0 … M and sin 1 … M"""
+    last = orders[-1]
+    m = np.arange(last + 1)
+    cos = (np.abs(orders) == m[:, None]).astype(complex)
+    sin = 1j * np.sign(orders) * (np.abs(orders) == m[1:, None])
+    return np.vstack([cos, sin])
+
+
+def to_complex(orders):
+    """(2M + 1, 2M + 1), the inverse"""
+    return np.linalg.inv(to_real(orders))
