@@ -91,18 +91,19 @@ class PartialWaves(NamedTuple):
         return out
 
 
-def highest_order(kind, k, a, distance, tolerance, most):
-    """Order from which on waves that leave a circle of radius a have fallen to `tolerance` at `distance` m from its
-    axis, and those of k rad/m that pass have on it
+def highest_order(kind, k, a, apart, gap, tolerance, most):
+    """Highest order that bodies in circles of radius a, `apart` from axis to axis and `gap` from hull to hull (m) need
+
+    What a box sends in order m falls like (a / apart)ᵐ on its way to the next axis, and what passes by has no more
+    orders than waves have on the circle.  Of what decays only that counts which gets across the gap and back.
     """
     m = np.arange(1, most + 1)
-    if kind == "laplace":
-        left = (a / distance) ** m
-    elif kind == "radiating":
-        left = np.maximum(np.abs(hankel1(m, k * distance) / hankel1(m, k * a)) * (m > k * a), np.abs(jv(m, k * a)))
-        left[m <= k * a] = 1.0
-    else:
-        left = kve(m, k * distance) / kve(m, k * a) * np.exp(-k * (distance - a))
+    left = (a / apart) ** m
+    if kind == "radiating":
+        passed = np.abs(hankel1(m, k * apart) / hankel1(m, k * a))
+        left = np.where(m > k * a, np.maximum(passed, np.abs(jv(m, k * a))), 1.0)
+    elif kind == "decaying":
+        left = np.minimum(left, (kve(m, k * (a + gap)) / kve(m, k * a) * np.exp(-k * gap)) ** 2)
     enough = np.flatnonzero(left < tolerance)
     return int(m[enough[0]]) if len(enough) else most
 
