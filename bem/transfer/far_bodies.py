@@ -23,6 +23,7 @@ from ..depth_modes.gap import OuterModes
 from ..first_order import FirstOrder
 from ..kernels.threads import blas_threads
 from ..waves import group_factor
+from .circles import overlapping
 from .contour_shape import answers
 from .drift import mean_force
 from .partial_waves import PartialWaves, highest_order, to_complex, to_real
@@ -32,32 +33,23 @@ SHARE = 0.3  # of the tolerance, that orders and modes left out may take
 
 
 def prepare_far(shapes, places, depth, tolerance=1e-3):
-    """`FarBodies`; arguments as of `contour.several.bodies.prepare_several`"""
+    """`FarBodies`; arguments as of `contour.several.bodies.prepare_several`
+
+    Raises ValueError as `solver.prepare_box`, and for bodies whose circles overlap.
+    """
     makers, known = {"box": prepare_box, "buoy": prepare_cylinder}, {}
     for shape, sizes in shapes:
         if (shape, sizes) not in known:
             known[shape, sizes] = makers[shape](*sizes, depth, tolerance)
     bodies = [known[one] for one in shapes]
-    check_circles([body.plan.reach for body in bodies], places)
+    found = overlapping([place.x + 1j * place.y for place in places], [body.plan.reach for body in bodies])
+    if found:
+        raise ValueError(
+            f"the circles around bodies {found[0] + 1} and {found[1] + 1} overlap by {found[2]:.3g} m; allowed by "
+            "transfer matrices: circles apart; take contours or panels"
+        )
     gaps = nearest([body.plan for body in bodies], places)
     return FarBodies(tuple(bodies), tuple(places), tuple(gaps))
-
-
-def check_circles(radii, places):
-    """Raise ValueError for two bodies whose circles, radii (N,) m around places, overlap: their waves do not converge
-
-    Two squares of 20 m are 3e-4 off with 10 m between them and circles 1.7 m apart, and with 6 m, where circles
-    overlap by 2.3 m, 3e-3 whatever the orders; with 4 m seven per cent and more.
-    """
-    axes, radii = np.array([place.x + 1j * place.y for place in places]), np.asarray(radii, float)
-    clear = np.abs(axes[:, None] - axes) - radii[:, None] - radii
-    np.fill_diagonal(clear, np.inf)
-    i, j = sorted(np.unravel_index(np.argmin(clear), clear.shape))
-    if clear[i, j] <= 0:
-        raise ValueError(
-            f"the circles around bodies {i + 1} and {j + 1}, of {radii[i]:.4g} and {radii[j]:.4g} m, overlap by "
-            f"{-clear[i, j]:.3g} m; the method transfer needs them apart: move the bodies, or take contour or panel"
-        )
 
 
 @dataclass(frozen=True, eq=False)
