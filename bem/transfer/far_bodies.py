@@ -1,19 +1,23 @@
 """Bodies far from each other: each shape is solved once a frequency, and coupled by partial waves.
 
-With T what a body scatters of regular waves, R what its motions send, E the forces of waves and S what others see of
-what one sends (`partial_waves`),
+With T what a body scatters of regular waves, R what its motions send, E the forces of waves and S what one sees of
+what another sends (`partial_waves`),
 
-    a = S (T a + T a₀ + R v),    b = T (a + a₀) + R v,    force = E (a + a₀) + Z v
+    a = a₀ + S b,    b = T a + R v,    force = E a + Z v
 
-a, b regular and outgoing waves of all bodies, a₀ the plane wave, v the motions: Kagemoto & Yue, J. Fluid Mech. 166
-(1986).  It is exact where no body reaches into the circle around another, and takes the more orders the nearer it is.
+a, b regular and outgoing waves about all bodies, a₀ those of the plane wave, v the motions: Kagemoto & Yue, J. Fluid
+Mech. 166 (1986).  A body answers to few combinations y = Q a of the waves about it alone, the singular vectors of T and
+E, 20 to 40 of 150, so that
+
+    (I − Q S T Q⁺) y = Q a₀ + Q S R v
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import pairwise, product
+from typing import NamedTuple
 
 import numpy as np
 
@@ -30,6 +34,8 @@ from .partial_waves import PartialWaves, highest_order, to_complex, to_real
 
 LEAST_ORDER, MOST_ORDERS = 2, 60
 SHARE = 0.3  # of the tolerance, that orders and modes left out may take
+RANK = 1e-3  # of the tolerance, that what few numbers leave out of a body's answers is of the largest
+GONE = 40.0  # κ times the water between two circles, beyond which nothing arrives
 
 
 def prepare_far(shapes, places, depth, tolerance=1e-3):
@@ -128,6 +134,24 @@ class FarBodies(SeveralBodies):
         return [*first, *(of("decaying", k) for k in kappa[:count])]
 
 
+class Response(NamedTuple):
+    """What one body does with regular waves a about its axis, through few numbers y = Q a.
+
+    few : (r, q) Q; scattered : (q, r) outgoing waves of y; pressed : (6, r) ∬ φ nᵢ dS of y; sent : (q, 6) outgoing
+    waves of unit velocities, in axes of the body
+    """
+
+    few: np.ndarray
+    scattered: np.ndarray
+    pressed: np.ndarray
+    sent: np.ndarray
+
+    def turned(self, turn):
+        """The same with partial waves about axes turned by an angle; turn : (q,) exp(im · angle)"""
+        few, back = self.few * turn, turn[:, None]
+        return Response(few, self.scattered / back, self.pressed, self.sent / back)
+
+
 class Coupled:
     """Bodies coupled at one frequency, or in a limit of it.
 
@@ -138,131 +162,147 @@ class Coupled:
         self.bodies, self.modes, self.omega, self.gravity = bodies, modes, omega, gravity
         self.k = next(iter(modes.values())).k
         self.waves = bodies.waves(kind, next(iter(modes.values())))
-        ends = np.cumsum([0, *(2 * one.last + 1 for one in self.waves)])
-        self.parts, self.count = [slice(*pair) for pair in pairwise(ends)], int(ends[-1])
+        self.parts = slices(np.cumsum([0, *(2 * one.last + 1 for one in self.waves)]))
+        self.orders = np.concatenate([one.orders for one in self.waves])
 
     @cached_property
     def alone(self):
-        """{body: `Answers`, in exp(imθ) of its own axes}"""
+        """{body: `Answers`, of partial waves exp(imθ)}"""
         from scipy.linalg import block_diag
 
         into, back = (block_diag(*(turn(one.orders) for one in self.waves)) for turn in (to_real, to_complex))
         out = {}
         for body, modes in self.modes.items():
             one = answers(body, modes, self.waves)
-            out[body] = one._replace(sent=back @ one.sent, scattered=back @ one.scattered @ into,
-                                     pressed=one.pressed @ into)  # fmt: skip
+            out[body] = one._replace(
+                sent=back @ one.sent, scattered=back @ one.scattered @ into, pressed=one.pressed @ into
+            )
         return out
 
     @cached_property
     def each(self):
-        """[`Answers`] of all, partial waves in axes of the scene"""
-        out, orders = [], np.concatenate([one.orders for one in self.waves])
-        for body, place in zip(self.bodies.bodies, self.bodies.places, strict=True):
-            one, turn = self.alone[body], np.exp(1j * orders * place.heading)
-            out.append(one._replace(sent=one.sent / turn[:, None], pressed=one.pressed * turn,
-                                    scattered=one.scattered * turn / turn[:, None]))  # fmt: skip
-        return out
+        """[`Response`] of all, partial waves in axes of the scene"""
+        few = {body: self._response(body, one) for body, one in self.alone.items()}
+        places = zip(self.bodies.bodies, self.bodies.places, strict=True)
+        return [few[body].turned(np.exp(1j * self.orders * place.heading)) for body, place in places]
+
+    def _response(self, body, one):
+        """`Response` by the singular vectors of what matters at the nearest axis, to `RANK` of the tolerance"""
+        near, a = float(self.bodies.apart.min()), body.plan.reach
+        size = [np.abs(wave.seen_from(near, a, a)[wave.last]) for wave in self.waves]
+        if self.waves[0].kind == "radiating":
+            size[0] = np.maximum(size[0], 1 / self.waves[0].size(a)[np.abs(self.waves[0].orders)])
+        size = np.concatenate(size)
+        size = np.maximum(size, 1e-12 * size.max())
+        T, E = size[:, None] * one.scattered * size, one.pressed * size
+        strength = np.linalg.norm(E, axis=1, keepdims=True)
+        E = np.linalg.norm(T, 2) * E / np.where(strength > 1e-9 * strength.max(), strength, np.inf)
+        _, sigma, rows = np.linalg.svd(np.vstack([T, E]), full_matrices=False)
+        rows = rows[: max(1, int(np.sum(sigma > RANK * self.bodies.tolerance * sigma[0])))]
+        back = size[:, None] * rows.conj().T
+        return Response(rows / size, one.scattered @ back, one.pressed @ back, one.sent)
 
     @cached_property
-    def seen(self):
-        """(N, q, N, q) S"""
-        axes, radii, known = self.bodies.axes, self.bodies.radii, {}
-        n = len(axes)
-        out = np.zeros((n, self.count, n, self.count), complex)
-        for one, part in zip(self.waves, self.parts, strict=True):
-            for i in range(n):
-                for j in range(n):
-                    there = axes[i] - axes[j]
-                    if i == j or one.kind == "decaying" and one.k * (abs(there) - radii[i] - radii[j]) > 40:
-                        continue
-                    key = one, complex(np.round(there, 9)), radii[i], radii[j]
-                    if key not in known:
-                        known[key] = one.seen_from(there, radii[j], radii[i])
-                    out[i, part, j, part] = known[key]
-        return out
+    def first(self):
+        """[slice] of the numbers y of each body"""
+        return slices(np.cumsum([0, *(len(one.few) for one in self.each)]))
+
+    def pairs(self):
+        """((i, j), S) of all pairs, S [(q, q)] of each mode or None where nothing arrives: waves about i that j sends
+
+        Pairs of bodies of one size as far from each other in the same direction come one after another, with one S.
+        """
+        alike = {}
+        for i, j in product(range(len(self.each)), repeat=2):
+            there = complex(np.round(self.bodies.axes[i] - self.bodies.axes[j], 9))
+            if i != j:
+                alike.setdefault((there, self.bodies.radii[i], self.bodies.radii[j]), []).append((i, j))
+        for (there, a, b), found in alike.items():
+            clear = abs(there) - a - b
+            seen = [
+                one.seen_from(there, b, a) if one.kind != "decaying" or one.k * clear < GONE else None
+                for one in self.waves
+            ]
+            yield from ((pair, seen) for pair in found)
 
     @cached_property
-    def answer(self):
-        """(Nq, 6N) a of unit velocities, and the factored I − S T"""
-        from scipy.linalg import lu_factor, lu_solve
+    def equations(self):
+        """Factors of I − Q S T, and (y, 6N) Q S R"""
+        from scipy.linalg import lu_factor
 
-        n, q = len(self.each), self.count
-        matrix, sent = np.empty((n, q, n, q), complex), np.empty((n, q, n, 6), complex)
-        for j, one in enumerate(self.each):
-            matrix[:, :, j] = -self.seen[:, :, j] @ one.scattered
-            sent[:, :, j] = self.seen[:, :, j] @ one.sent
-        matrix = matrix.reshape(n * q, n * q)
-        matrix[np.diag_indices(n * q)] += 1
-        factors = lu_factor(matrix, check_finite=False)
-        return lu_solve(factors, sent.reshape(n * q, -1), check_finite=False), factors
+        count, known = self.first[-1].stop, {}
+        matrix, sent = np.eye(count, dtype=complex), np.zeros((count, 6 * len(self.each)), complex)
+        for (i, j), seen in self.pairs():
+            kind = id(seen), *((self.bodies.bodies[n], self.bodies.places[n].heading) for n in (i, j))
+            if kind not in known:
+                one, other = self.each[i], self.each[j]
+                known = {kind: one.few @ self._arriving(seen, np.hstack([other.scattered, other.sent]))}
+            passed, of_motion = np.split(known[kind], [-6], axis=1)
+            matrix[self.first[i], self.first[j]] = -passed
+            sent[self.first[i], 6 * j : 6 * j + 6] = of_motion
+        return lu_factor(matrix, check_finite=False), sent
+
+    def _arriving(self, seen, sent):
+        """(q, ·) S times what is sent"""
+        parts = zip(seen, self.parts, strict=True)
+        return np.vstack([np.zeros_like(sent[part]) if S is None else S @ sent[part] for S, part in parts])
+
+    @cached_property
+    def moved(self):
+        """(y, 6N) of unit velocities about the axes"""
+        return self._solved(self.equations[1])
+
+    def diffracted(self, headings):
+        """(y, m) of plane waves of unit amplitude, with what all others send"""
+        incident = self.incident(headings)
+        return self._solved(np.vstack([one.few @ wave for one, wave in zip(self.each, incident, strict=True)]))
+
+    def _solved(self, right):
+        from scipy.linalg import lu_solve
+
+        return lu_solve(self.equations[0], right, check_finite=False)
 
     @cached_property
     def radiation(self):
         """(6N, 6N) ∬ φⱼ nᵢ dS about the axes, in own axes"""
         from scipy.linalg import block_diag
 
-        alone = block_diag(*(one.radiation for one in self.each))
-        return alone + self.pressed @ self.answer[0]
+        return block_diag(*(self.alone[body].radiation for body in self.bodies.bodies)) + self.pressed(self.moved)
 
-    @cached_property
-    def pressed(self):
-        """(6N, Nq) forces of regular waves"""
-        from scipy.linalg import block_diag
-
-        return block_diag(*(one.pressed for one in self.each))
+    def pressed(self, y):
+        """(6N, ·) ∬ φ nᵢ dS of y (·, ·)"""
+        return np.vstack([one.pressed @ y[at] for one, at in zip(self.each, self.first, strict=True)])
 
     def incident(self, headings):
-        """(Nq, m) regular waves of plane waves of unit amplitude"""
-        beta, one, out = np.atleast_1d(np.asarray(headings, float)), self.waves[0], []
-        m = one.orders
-        for at, a in zip(self.bodies.axes, self.bodies.radii, strict=True):
-            phase = np.exp(1j * self.k * (at * np.exp(-1j * beta)).real) * -1j * self.gravity / self.omega
-            wave = np.zeros((self.count, len(beta)), complex)
-            turn = 1j ** np.abs(m) / one.size(a)[np.abs(m)]
-            wave[self.parts[0]] = turn[:, None] * np.exp(-1j * np.outer(m, beta)) * phase
-            out.append(wave)
-        return np.vstack(out)
+        """(N, q, m) regular waves of plane waves of unit amplitude"""
+        beta, one = np.atleast_1d(np.asarray(headings, float)), self.waves[0]
+        m, out = one.orders, np.zeros((len(self.each), len(self.orders), len(beta)), complex)
+        turn = 1j ** np.abs(m)[:, None] * np.exp(-1j * np.outer(m, beta)) * -1j * self.gravity / self.omega
+        for i, (at, a) in enumerate(zip(self.bodies.axes, self.bodies.radii, strict=True)):
+            phase = np.exp(1j * self.k * (at * np.exp(-1j * beta)).real)
+            out[i, self.parts[0]] = turn * phase / one.size(a)[np.abs(m)][:, None]
+        return out
 
-    def diffracted(self, headings):
-        """(Nq, m) regular waves about the bodies in plane waves of unit amplitude, those of all others among them"""
-        from scipy.linalg import lu_solve
-
-        wave = self.incident(headings)
-        scattered = self.scattered(wave)
-        return wave + lu_solve(self.answer[1], self._seen(scattered), check_finite=False)
-
-    def _seen(self, sent):
-        n = len(self.each) * self.count
-        return self.seen.reshape(n, n) @ sent
-
-    def scattered(self, regular):
-        """(Nq, ·) what bodies scatter of regular waves"""
-        n, q = len(self.each), self.count
-        parts = regular.reshape(n, q, -1)
-        return np.vstack([one.scattered @ part for one, part in zip(self.each, parts, strict=True)])
-
-    def sent(self, headings):
-        """(Nq, 6N + m) what bodies send of unit velocities, about axes, and in plane waves"""
-        from scipy.linalg import block_diag
-
-        moved = block_diag(*(one.sent for one in self.each)) + self.scattered(self.answer[0])
-        return np.hstack([moved, self.scattered(self.diffracted(headings))])
+    def sent(self, y, velocity):
+        """(N, q, ·) outgoing waves of y and of velocities (6N, ·) about the axes"""
+        own = np.split(velocity, len(self.each))
+        each = zip(self.each, self.first, own, strict=True)
+        return np.stack([one.scattered @ y[at] + one.sent @ v for one, at, v in each])
 
     def drift_of_each(self, headings, motions, density):
         """(m, N, 3) N/m², N m/m² mean force along x and y of the scene and moment about each axis
 
         motions : (m, 6N) m, rad about the origin, per metre of each wave
         """
-        N, q = len(self.each), self.count
         with blas_threads(SMALL):
             velocity = (-1j * self.omega * motions @ self.bodies.to_scene).T
-            regular = self.diffracted(headings) + self.answer[0] @ velocity
-            own = (one.sent @ v for one, v in zip(self.each, np.split(velocity, N), strict=True))
-            sent = self.scattered(regular) + np.vstack(list(own))
+            sent = self.sent(self.diffracted(headings) + self.moved @ velocity, velocity)
+            regular = self.incident(headings)
+            for (i, j), seen in self.pairs():
+                regular[i] += self._arriving(seen, sent[j])
         modes = next(iter(self.modes.values()))
         norms = [modes.wave_norm, *modes.norms[: len(self.waves) - 1]]
-        parts = zip(self.bodies.radii, regular.reshape(N, q, -1), sent.reshape(N, q, -1), strict=True)
+        parts = zip(self.bodies.radii, regular, sent, strict=True)
         return np.stack([mean_force(self.waves, norms, a, *both, density) for a, *both in parts], axis=1)
 
     def first_order(self, headings, theta, density):
@@ -271,20 +311,21 @@ class Coupled:
         with blas_threads(SMALL):
             T, omega, d = self.bodies.to_scene, self.omega, 6 * len(self.each)
             radiation = -density * T @ self.radiation @ T.T
-            excitation = -1j * density * omega * (T @ (self.pressed @ self.diffracted(headings))).T
+            y = self.diffracted(headings)
+            excitation = -1j * density * omega * (T @ self.pressed(y)).T
             known = self.bodies.froude_krylov(omega, headings, None, density, self.gravity)
-            sent = self.sent(headings)
-            haskind = self._haskind(sent[:, :d], headings, density) @ T.T
+            velocity = np.eye(d, d + len(headings))
+            sent = self.sent(np.hstack([self.moved, y]), velocity)
+            haskind = self._haskind(sent[..., :d], headings, density) @ T.T
             far = self._kochin(sent, theta)
             kochin = -1j * omega * np.einsum("ij,pjt->pit", T, far[:, :d])
-            residual = max(one.residual for one in self.each)
+            residual = max(one.residual for one in self.alone.values())
         return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
 
     def _kochin(self, sent, theta):
-        """H and H′ of columns of `sent`, (2, columns, t)"""
-        one, n, total = self.waves[0], len(self.each), 0.0
-        m = one.orders
-        parts = sent.reshape(n, self.count, -1)[:, self.parts[0]]
+        """H and H′ of what is sent (N, q, columns), (2, columns, t)"""
+        one, total = self.waves[0], 0.0
+        m, parts = one.orders, sent[:, self.parts[0]]
         c, s = np.cos(theta), np.sin(theta)
         for at, a, part in zip(self.bodies.axes, self.bodies.radii, parts, strict=True):
             turn = (-1j) ** np.abs(m) / one.size(a)[np.abs(m)]
@@ -297,7 +338,12 @@ class Coupled:
         """(m, 6N) excitation −4ρgnω/k² H(β + π) from what unit velocities send, by Haskind's relation"""
         beta = np.atleast_1d(np.asarray(headings, float))
         if not len(beta):
-            return np.zeros((0, sent.shape[1]), complex)
+            return np.zeros((0, sent.shape[-1]), complex)
         back = self._kochin(sent, beta + np.pi)[0]
         n = float(group_factor(self.k, self.bodies.depth))
         return (-4 * density * self.gravity * n * self.omega / self.k**2 * back).T
+
+
+def slices(ends):
+    """[slice] between ends"""
+    return [slice(int(a), int(b)) for a, b in pairwise(ends)]
