@@ -17,7 +17,8 @@ from .shape_run import RESOLVED, ShapeRun
 class ShapeProblem(Problem):
     """A box or buoy in water, its waterplane centred at the origin, or several without panels.
 
-    method : contour, strip, inverse-strip or, of several bodies, transfer; shape : box (length, beam, draft) or buoy (radius, draft)
+    method : contour, strip, inverse-strip or, of several bodies, transfer
+    shape : box (length, beam, draft) or buoy (radius, draft)
     sizes : m, in that order; tolerance : relative error asked for
     shapes : of several `bodies`, the shape and sizes of each, in place of these
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None

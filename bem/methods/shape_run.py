@@ -9,7 +9,6 @@ import numpy as np
 
 from ..frequency import DRIFT, FrequencyRun
 
-
 RESOLVED = ("contour", "transfer")  # methods that have finer bodies
 
 

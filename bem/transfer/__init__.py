@@ -1,1 +1,1 @@
-"""Many bodies far from each other: one shape's answers to partial waves, coupled by what each sends (Kagemoto & Yue)."""
+"""Bodies far from each other: the answers of each shape to partial waves, coupled by what the bodies send."""

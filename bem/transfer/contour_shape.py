@@ -40,7 +40,7 @@ def answers(body, modes, waves):
     """`Answers` of a `bem.contour.solver.ContourBody`.
 
     modes : `bem.depth_modes.gap.OuterModes`
-    waves : [`partial_waves.PartialWaves`], of the modes from the first on; where that decays, without the propagating one
+    waves : [`partial_waves.PartialWaves`] from the propagating mode on, or without it from the first that decays
     """
     return _OneShape(body, modes, waves).answers()
 
@@ -127,7 +127,9 @@ class _OneShape:
             whole = Exterior([one], [Place(0.0, 0.0, 0.0)]).map(Kernel("laplace"))
         for cls in CLASSES:
             n = len(plan.subset(cls, self.degree, self.degree))
-            out[cls] = whole[start : start + n, start : start + n] if self.waves[0].kind == "laplace" else np.zeros((n, n))
+            out[cls] = (
+                whole[start : start + n, start : start + n] if self.waves[0].kind == "laplace" else np.zeros((n, n))
+            )
             start += n
         return out
 

@@ -33,7 +33,7 @@ from .drift import mean_force
 from .partial_waves import PartialWaves, highest_order, to_complex, to_real
 
 LEAST_ORDER, MOST_ORDERS = 2, 60
-SHARE = 0.3  # of the tolerance, that orders and modes left out may take
+SHARE = 0.1  # of the tolerance, that orders and modes left out may take
 RANK = 1e-3  # of the tolerance, that what few numbers leave out of a body's answers is of the largest
 GONE = 40.0  # κ times the water between two circles, beyond which nothing arrives
 
@@ -63,7 +63,7 @@ class FarBodies(SeveralBodies):
     """Several `bem.contour.solver.ContourBody`, equal ones the same object; the rest as of `SeveralBodies`"""
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
-        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; as `SeveralBodies.first_order`"""
+        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; dofs : all are found"""
         return self.at(omega, gravity).first_order(headings, theta, density)
 
     def at(self, omega, gravity=9.80665):
@@ -318,7 +318,7 @@ class Coupled:
             sent = self.sent(np.hstack([self.moved, y]), velocity)
             haskind = self._haskind(sent[..., :d], headings, density) @ T.T
             far = self._kochin(sent, theta)
-            kochin = -1j * omega * np.einsum("ij,pjt->pit", T, far[:, :d])
+            kochin = -1j * omega * (T @ far[:, :d])
             residual = max(one.residual for one in self.alone.values())
         return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
 
@@ -331,7 +331,8 @@ class Coupled:
             turn = (-1j) ** np.abs(m) / one.size(a)[np.abs(m)]
             wave = np.exp(1j * np.outer(m, theta) - 1j * self.k * (at.real * c + at.imag * s))
             slope = 1j * (m[:, None] - self.k * (at.imag * c - at.real * s)) * wave
-            total = total + np.stack([(part * turn[:, None]).T @ wave, (part * turn[:, None]).T @ slope])
+            part = (part * turn[:, None]).T
+            total = total + np.stack([part @ wave, part @ slope])
         return 1j * self.omega / self.gravity * total
 
     def _haskind(self, sent, headings, density):

@@ -1,6 +1,6 @@
 """Partial waves about a vertical axis, and those of one axis seen from another.
 
-Outside a circle of radius a the potential is Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), near it that of all others Σ Zₙ aₙₘ Rₙₘ exp(imθ):
+A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), all others send Σ Zₙ(z) aₙₘ Rₙₘ(r) exp(imθ):
 
     kind        regular R                  outgoing S
     radiating   Jₘ(kr) |Hₘ(ka)|            Hₘ(kr) / |Hₘ(ka)|         propagating mode
@@ -18,7 +18,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import binom, hankel1, ive, jv, jvp, kve
+from scipy.special import binom, hankel1, ive, jv, kve
 
 
 class PartialWaves(NamedTuple):
@@ -49,9 +49,10 @@ class PartialWaves(NamedTuple):
             return value, m * value / r
         x = self.k * r
         if self.kind == "radiating":
-            return self.size(a) * jv(m, x), self.k * self.size(a) * jvp(m, x)
-        scale = np.exp(x - self.k * a) / ive(m, self.k * a)
-        return scale * ive(m, x), 0.5 * self.k * scale * (ive(np.abs(m - 1), x) + ive(m + 1, x))
+            J = jv(np.arange(self.last + 2), x)
+            return self.size(a) * J[:, :-1], self.size(a) * (m / r * J[:, :-1] - self.k * J[:, 1:])
+        scale, I = np.exp(x - self.k * a) / ive(m, self.k * a), ive(np.arange(self.last + 2), x)
+        return scale * I[:, :-1], scale * (m / r * I[:, :-1] + self.k * I[:, 1:])
 
     @property
     def wronskian(self):
