@@ -73,7 +73,8 @@ def names_given(scene, names, named):
             raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
         if refused[0] in OF_EACH and not scene.several:
             raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
-        others = [name for name, other in METHODS.items() if refused[0] not in _lacking(scene, other)]
+        able = {name: other for name, other in METHODS.items() if scene.several or other.fewest == 1}
+        others = [name for name, other in able.items() if refused[0] not in _lacking(scene, other)]
         raise ValueError(
             f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
         )
