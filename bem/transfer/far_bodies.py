@@ -27,7 +27,7 @@ from ..depth_modes.gap import OuterModes
 from ..first_order import FirstOrder
 from ..kernels.threads import blas_threads
 from ..waves import group_factor
-from .circles import overlapping
+from .circles import SHARE_OF_DEPTH, too_near
 from .contour_shape import answers
 from .drift import mean_force
 from .partial_waves import PartialWaves, highest_order, to_complex, to_real
@@ -41,18 +41,18 @@ GONE = 40.0  # κ times the water between two circles, beyond which nothing arri
 def prepare_far(shapes, places, depth, tolerance=1e-3):
     """`FarBodies`; arguments as of `contour.several.bodies.prepare_several`
 
-    Raises ValueError as `solver.prepare_box`, and for bodies whose circles overlap.
+    Raises ValueError as `solver.prepare_box`, and for bodies whose circles are too near (`circles`).
     """
     makers, known = {"box": prepare_box, "buoy": prepare_cylinder}, {}
     for shape, sizes in shapes:
         if (shape, sizes) not in known:
             known[shape, sizes] = makers[shape](*sizes, depth, tolerance)
     bodies = [known[one] for one in shapes]
-    found = overlapping([place.x + 1j * place.y for place in places], [body.plan.reach for body in bodies])
+    found = too_near([place.x + 1j * place.y for place in places], [body.plan.reach for body in bodies], depth)
     if found:
         raise ValueError(
-            f"the circles around bodies {found[0] + 1} and {found[1] + 1} overlap by {found[2]:.3g} m; allowed by "
-            "transfer matrices: circles apart; take contours or panels"
+            f"the circles around bodies {found[0] + 1} and {found[1] + 1} {found[2]}; allowed by transfer matrices: "
+            f"from {SHARE_OF_DEPTH * depth:.3g} m, {SHARE_OF_DEPTH:g} of the depth; take contours or panels"
         )
     gaps = nearest([body.plan for body in bodies], places)
     return FarBodies(tuple(bodies), tuple(places), tuple(gaps))
@@ -125,8 +125,8 @@ class FarBodies(SeveralBodies):
 
         def of(kind, k):
             each = zip(self.radii, nearest_axis, self.gaps, strict=True)
-            orders = (highest_order(kind, float(k), *one, tolerance, MOST_ORDERS) for one in each)
-            return PartialWaves(kind, float(k), max(LEAST_ORDER, *orders))
+            orders = max(highest_order(kind, float(k), *one, tolerance, MOST_ORDERS) for one in each)
+            return PartialWaves(kind, float(k), max(LEAST_ORDER, orders))
 
         kappa = modes.wavenumbers
         count = max(1, int(np.sum(np.exp(-2 * kappa * min(self.gaps)) > tolerance)))

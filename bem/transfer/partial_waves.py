@@ -20,6 +20,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import binom, hankel1, ive, jv, kve
 
+LARGEST = 1e150  # of a wave where it is scaled, so that products of two are finite
+
 
 class PartialWaves(NamedTuple):
     """Of one depth mode.
@@ -98,7 +100,7 @@ def highest_order(kind, k, a, apart, gap, tolerance, most):
     What a box sends in order m falls like (a / apart)ᵐ on its way to the next axis, and what passes by has no more
     orders than waves have on the circle.  Of what decays only that counts which gets across the gap and back.
     """
-    m = np.arange(1, most + 1)
+    m = np.arange(1, _finite(kind, k, a, apart, most) + 1)
     left = (a / apart) ** m
     if kind == "radiating":
         passed = np.abs(hankel1(m, k * apart) / hankel1(m, k * a))
@@ -106,7 +108,20 @@ def highest_order(kind, k, a, apart, gap, tolerance, most):
     elif kind == "decaying":
         left = np.minimum(left, (kve(m, k * (a + gap)) / kve(m, k * a) * np.exp(-k * gap)) ** 2)
     enough = np.flatnonzero(left < tolerance)
-    return int(m[enough[0]]) if len(enough) else most
+    return int(m[enough[0] if len(enough) else -1])
+
+
+def _finite(kind, k, a, apart, most):
+    """Highest order up to `most` whose waves, and those of twice the order at the next axis, do not overflow"""
+    if kind == "laplace":
+        return most
+    m = np.arange(1, most + 1)
+    with np.errstate(all="ignore"):
+        if kind == "radiating":
+            sizes = np.abs(hankel1(m, k * a)), np.abs(hankel1(2 * m, k * apart))
+        else:
+            sizes = 1 / ive(m, k * a), kve(2 * m, k * apart)
+    return max(1, int(np.sum(np.maximum(*sizes) < LARGEST)))
 
 
 def to_real(orders):

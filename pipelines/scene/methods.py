@@ -151,14 +151,16 @@ def _obstacles(scene, method):
 
 def _circles(scene):
     """Why the bodies of a scene are too near for transfer matrices, one line or none"""
-    from hakobune.bem.transfer.circles import overlapping
+    from hakobune.bem.transfer.circles import SHARE_OF_DEPTH, too_near
 
     radii = [one.radius if one.shape == "buoy" else math.hypot(one.length, one.beam) / 2 for one in scene.bodies]
-    found = overlapping([complex(*one.place[:2]) for one in scene.bodies], radii)
-    if found is None:
-        return
-    names = " and ".join(scene.bodies[i].name for i in found[:2])
-    yield f"needs the circles around the bodies apart; those around {names} overlap by {found[2]:.3g} m"
+    found = too_near([complex(*one.place[:2]) for one in scene.bodies], radii, scene.water.depth)
+    if found is not None:
+        names = " and ".join(scene.bodies[i].name for i in found[:2])
+        yield (
+            f"needs the circles around the bodies {SHARE_OF_DEPTH * scene.water.depth:.3g} m apart; those around "
+            f"{names} {found[2]}"
+        )
 
 
 assert all(name in QUANTITIES for method in METHODS.values() for name in method.without)

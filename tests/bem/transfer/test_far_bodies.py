@@ -196,9 +196,13 @@ def test_the_near_trapped_wave_between_four_cylinders():
     assert np.linalg.norm(np.abs(force[:, :2]), axis=1).max() / one == pytest.approx(54, rel=0.01)
 
 
-def test_circles_that_overlap_are_refused():
+def test_circles_that_overlap_or_nearly_touch_are_refused():
     """Those around two squares of 20 m have a radius of 14.142 m"""
     squares = [("box", (20.0, 20.0, 5.0))] * 2
-    with pytest.raises(ValueError, match=r"circles around bodies 1 and 2 overlap by 0.0843 m; allowed by transfer"):
+    with pytest.raises(
+        ValueError, match=r"circles around bodies 1 and 2 overlap by 0.0843 m; allowed by .*: from 0.4 m"
+    ):
         prepare_far(squares, [Place(0, 0, 0), Place(28.2, 0, 0)], 20.0)
-    assert prepare_far(squares, [Place(0, 0, 0), Place(28.3, 0, 0)], 20.0).apart.min() == pytest.approx(28.3)
+    with pytest.raises(ValueError, match=r"are 0\.39 m apart"):
+        prepare_far([("buoy", (3.0, 4.0))] * 2, [Place(0, 0, 0), Place(0, 6.39, 0)], 20.0)
+    assert prepare_far(squares, [Place(0, 0, 0), Place(28.7, 0, 0)], 20.0).apart.min() == pytest.approx(28.7)
