@@ -27,12 +27,14 @@ class Answers(NamedTuple):
 
     radiation : (6, 6) ∬ φⱼ nᵢ dS of unit velocities; sent : (q, 6) by these; scattered : (q, q), column by column of
     regular waves; pressed : (6, q) ∬ φ nᵢ dS of each with what it scatters; residual : of the equations
+    members : [(n,)] partial waves of each of `CLASSES`, which answer by themselves
     """
 
     radiation: np.ndarray
     sent: np.ndarray
     scattered: np.ndarray
     pressed: np.ndarray
+    members: list
     residual: float
 
 
@@ -59,17 +61,19 @@ class _OneShape:
         counts = [2 * one.last + 1 for one in self.waves]
         first, total = np.cumsum([0, *counts]), sum(counts)
         radiation, sent = np.zeros((6, 6), complex), np.zeros((total, 6), complex)
-        scattered, pressed, residual = np.zeros((total, total), complex), np.zeros((6, total), complex), 0.0
+        scattered, pressed = np.zeros((total, total), complex), np.zeros((6, total), complex)
+        members, residual = [], 0.0
         for cls in CLASSES:
             own = [d for d in range(6) if class_of(d, "xy") == cls]
             at = [start + self._members(cls, one) for start, one in zip(first, self.waves, strict=False)]
             push, flows, rest = self._solve(cls, own)
             here = np.concatenate(at)
+            members.append(here)
             radiation[np.ix_(own, own)] = push[:, : len(own)]
             pressed[np.ix_(own, here)] = push[:, len(own) :]
             sent[np.ix_(here, own)], scattered[np.ix_(here, here)] = np.split(flows, [len(own)], axis=1)
             residual = max(residual, rest)
-        return Answers(radiation, sent, scattered, pressed, residual)
+        return Answers(radiation, sent, scattered, pressed, members, residual)
 
     def _solve(self, cls, dofs):
         """∬ φ nᵢ dS and what is sent, of motions and then of partial waves of a class, and the residual"""

@@ -167,40 +167,49 @@ class Coupled:
 
     @cached_property
     def alone(self):
-        """{body: `Answers`, of partial waves exp(imθ)}"""
-        from scipy.linalg import block_diag
-
-        into, back = (block_diag(*(turn(one.orders) for one in self.waves)) for turn in (to_real, to_complex))
-        out = {}
-        for body, modes in self.modes.items():
-            one = answers(body, modes, self.waves)
-            out[body] = one._replace(
-                sent=back @ one.sent, scattered=back @ one.scattered @ into, pressed=one.pressed @ into
-            )
-        return out
+        """{body: `Answers`}"""
+        return {body: answers(body, modes, self.waves) for body, modes in self.modes.items()}
 
     @cached_property
     def each(self):
-        """[`Response`] of all, partial waves in axes of the scene"""
+        """[`Response`] of all, partial waves exp(imθ) in axes of the scene"""
         few = {body: self._response(body, one) for body, one in self.alone.items()}
         places = zip(self.bodies.bodies, self.bodies.places, strict=True)
         return [few[body].turned(np.exp(1j * self.orders * place.heading)) for body, place in places]
 
     def _response(self, body, one):
         """`Response` by the singular vectors of what matters at the nearest axis, to `RANK` of the tolerance"""
-        near, a = float(self.bodies.apart.min()), body.plan.reach
-        size = [np.abs(wave.seen_from(near, a, a)[wave.last]) for wave in self.waves]
-        if self.waves[0].kind == "radiating":
-            size[0] = np.maximum(size[0], 1 / self.waves[0].size(a)[np.abs(self.waves[0].orders)])
-        size = np.concatenate(size)
-        size = np.maximum(size, 1e-12 * size.max())
-        T, E = size[:, None] * one.scattered * size, one.pressed * size
-        strength = np.linalg.norm(E, axis=1, keepdims=True)
-        E = np.linalg.norm(T, 2) * E / np.where(strength > 1e-9 * strength.max(), strength, np.inf)
-        _, sigma, rows = np.linalg.svd(np.vstack([T, E]), full_matrices=False)
-        rows = rows[: max(1, int(np.sum(sigma > RANK * self.bodies.tolerance * sigma[0])))]
-        back = size[:, None] * rows.conj().T
-        return Response(rows / size, one.scattered @ back, one.pressed @ back, one.sent)
+        from scipy.linalg import block_diag
+
+        size, found = self._size(body.plan.reach), []
+        for own in one.members:
+            T, E = size[own, None] * one.scattered[np.ix_(own, own)] * size[own], one.pressed[:, own] * size[own]
+            strength = np.linalg.norm(E, axis=1, keepdims=True)
+            E = np.linalg.norm(T) * E / np.where(strength > 1e-9 * strength.max(), strength, np.inf)
+            found.append(np.linalg.svd(np.vstack([T, E]), full_matrices=False)[1:])
+        least, few, back = RANK * self.bodies.tolerance * max(sigma[0] for sigma, _ in found), [], []
+        for own, (sigma, rows) in zip(one.members, found, strict=True):
+            for row in rows[sigma > least]:
+                few.append(np.zeros(len(size), complex))
+                few[-1][own] = row / size[own]
+                back.append(np.zeros(len(size), complex))
+                back[-1][own] = row.conj() * size[own]
+        back = np.array(back).T
+        into, out = (block_diag(*(turn(wave.orders) for wave in self.waves)) for turn in (to_real, to_complex))
+        return Response(np.array(few) @ into, out @ (one.scattered @ back), one.pressed @ back, out @ one.sent)
+
+    def _size(self, a):
+        """(q,) of regular waves, as they are sent from the nearest axis, or as plane waves bring them; a : m, radius"""
+        near, out = float(self.bodies.apart.min()), []
+        for wave in self.waves:
+            one = np.abs(wave.seen_from(near, a, a)[wave.last, wave.last :])
+            if wave.kind == "radiating":
+                one = np.maximum(one, 1 / wave.size(a))
+            out += [one, one[1:]]
+        out = np.concatenate(out)
+        if out.max() < 1e-100:  # nothing arrives from the nearest axis, and all waves may count alike
+            return np.ones(len(out))
+        return np.maximum(out / out.max(), 1e-12)
 
     @cached_property
     def first(self):
