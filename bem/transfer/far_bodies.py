@@ -239,13 +239,15 @@ class Coupled:
         """Factors of I − Q S T, and (y, 6N) Q S R"""
         from scipy.linalg import lu_factor
 
-        count, known = self.first[-1].stop, {}
+        count, last, known = self.first[-1].stop, None, {}
         matrix, sent = np.eye(count, dtype=complex), np.zeros((count, 6 * len(self.each)), complex)
         for (i, j), seen in self.pairs():
-            kind = id(seen), *((self.bodies.bodies[n], self.bodies.places[n].heading) for n in (i, j))
+            if seen is not last:
+                last, known = seen, {}
+            kind = tuple((self.bodies.bodies[n], self.bodies.places[n].heading) for n in (i, j))
             if kind not in known:
                 one, other = self.each[i], self.each[j]
-                known = {kind: one.few @ self._arriving(seen, np.hstack([other.scattered, other.sent]))}
+                known[kind] = one.few @ self._arriving(seen, np.hstack([other.scattered, other.sent]))
             passed, of_motion = np.split(known[kind], [-6], axis=1)
             matrix[self.first[i], self.first[j]] = -passed
             sent[self.first[i], 6 * j : 6 * j + 6] = of_motion
@@ -329,6 +331,10 @@ class Coupled:
             far = self._kochin(sent, theta)
             kochin = -1j * omega * (T @ far[:, :d])
             residual = max(one.residual for one in self.alone.values())
+            if not (residual < 1e-6 and np.all(np.isfinite(radiation)) and np.all(np.isfinite(excitation))):
+                raise FloatingPointError(
+                    f"ω = {omega:.6g} rad/s: the equations of the bodies left {residual:.1e}, or are not finite"
+                )
         return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
 
     def _kochin(self, sent, theta):
