@@ -10,14 +10,15 @@ import numpy as np
 from ..modes import with_net_flux
 from ..problem import Problem
 from .few_estimates import FEWEST, FewEstimates
-from .shape_run import ShapeRun
+from .shape_run import RESOLVED, ShapeRun
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ShapeProblem(Problem):
-    """A box or buoy in water, its waterplane centred at the origin, or several by the contour method.
+    """A box or buoy in water, its waterplane centred at the origin, or several without panels.
 
-    method : contour, strip or inverse-strip; shape : box (length, beam, draft) or buoy (radius, draft)
+    method : contour, strip, inverse-strip or, of several bodies, transfer
+    shape : box (length, beam, draft) or buoy (radius, draft)
     sizes : m, in that order; tolerance : relative error asked for
     shapes : of several `bodies`, the shape and sizes of each, in place of these
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None
@@ -51,9 +52,11 @@ class PreparedShapeProblem:
         if s.shapes:
             from ..contour.several.bodies import prepare_several
             from ..contour.several.exterior import Place
+            from ..transfer.far_bodies import prepare_far
 
             places = [Place(*body.place, body.heading) for body in s.bodies]
-            return prepare_several(s.shapes, places, s.depth, s.tolerance)
+            prepare = prepare_far if s.method == "transfer" else prepare_several
+            return prepare(s.shapes, places, s.depth, s.tolerance)
         if s.method == "contour":
             from ..contour.solver import prepare_box, prepare_cylinder
 
@@ -100,7 +103,7 @@ class PreparedShapeProblem:
     @cached_property
     def few_estimates(self):
         """`bem.methods.few_estimates.FewEstimates`, or None where each frequency has an estimate of its own"""
-        many = self.problem.method == "contour" and len(self.problem.omegas) >= FEWEST
+        many = self.problem.method in RESOLVED and len(self.problem.omegas) >= FEWEST
         return FewEstimates(self, self.problem.omegas) if many else None
 
     def added_mass_limit(self, which):

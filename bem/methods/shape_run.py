@@ -9,6 +9,8 @@ import numpy as np
 
 from ..frequency import DRIFT, FrequencyRun
 
+RESOLVED = ("contour", "transfer")  # methods that have finer bodies
+
 
 class ShapeRun(FrequencyRun):
     """One frequency of a method without panels, by the prepared solver or a sharper one.
@@ -25,7 +27,7 @@ class ShapeRun(FrequencyRun):
     @property
     def sharper(self):
         """By a digit more; None at the last"""
-        if self.problem.method != "contour" or self.solver.sharper is None:
+        if self.problem.method not in RESOLVED or self.solver.sharper is None:
             return None
         return partial(ShapeRun, self.prepared, *self.question, self.solver.sharper)
 
@@ -58,8 +60,8 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def differences(self):
-        """Of the contour method, from the finer body; None for strips, whose error is that of strip theory"""
-        if self.problem.method != "contour":
+        """From the finer body; None for strips, whose error is that of strip theory"""
+        if self.problem.method not in RESOLVED:
             return None
         ours, fine = self.first_order, self.finer
         force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
@@ -102,6 +104,20 @@ class ShapeRun(FrequencyRun):
     @property
     def residual(self):
         return self.first_order.residual
+
+    def drift_of_each(self, moving):
+        """(m, bodies, 3) mean surge, sway and yaw of each, about its own point in its own axes, `bem.transfer.drift`"""
+        problem = self.problem
+        motions = np.zeros((len(self.headings), self.count), complex)
+        if moving:
+            motions = self.rao @ self.of_motion
+        coupled = self.solver.at(self.omega, problem.gravity)
+        found = coupled.drift_of_each(self.headings, motions, problem.density)
+        for i, body in enumerate(problem.bodies):
+            x, y, moment = found[:, i].T
+            c, s, arm = np.cos(body.heading), np.sin(body.heading), np.subtract(body.rotation_center[:2], body.place)
+            found[:, i] = np.stack([c * x + s * y, c * y - s * x, moment - arm[0] * y + arm[1] * x], axis=-1)
+        return found
 
     def pressure(self):
         """Of the panel method"""

@@ -32,7 +32,7 @@ class SceneFlags:
     heading: Annotated[str | None, _flag("headings, degrees the waves travel to (0: +x, 90: +y)")] = None
     tolerance: Annotated[float | None, _flag("relative error of the coefficients [0.01]")] = None
     panels: Annotated[str | None, _flag("number of panels on the whole hull, instead of tolerance")] = None
-    method: Annotated[str | None, _flag("method: auto, panel, contour, pressure, strip or inverse-strip")] = None
+    method: Annotated[str | None, _flag("auto, panel, contour, transfer, pressure, strip or inverse-strip")] = None
     wall: Annotated[float | None, _flag("y of a wall along x that reflects all waves, m")] = None
     density: Annotated[float | None, _flag("density of the water, kg/m³ [1025]")] = None
     gravity: Annotated[float | None, _flag("acceleration of gravity, m/s² [9.80665]")] = None

@@ -10,11 +10,15 @@ from hakobune.bem.database.schema import LIMITS, QUANTITIES
 from hakobune.bem.drift import OF_EACH
 from hakobune.bem.problem import check_gap
 
+MANY = 10  # bodies, from which on `auto` takes one shape at a time
 FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force")
 
 
 class Method(NamedTuple):
-    """What a method can represent, and the names of the database that it does not give, in deep water and at all."""
+    """What a method can represent, and the names of the database that it does not give, in deep water and at all.
+
+    fewest, most : bodies
+    """
 
     shapes: tuple
     highest_gap: float = math.inf
@@ -22,11 +26,15 @@ class Method(NamedTuple):
     panels: bool = False
     without: tuple = ()
     without_in_deep_water: tuple = ()
+    fewest: int = 1
+    most: float = 1  # bodies
 
 
 METHODS = {
-    "panel": Method(("box", "buoy", "ship", "mesh"), wall=True, panels=True),
-    "contour": Method(("box", "buoy"), highest_gap=100.0),  # it keeps tolerances up to there, tests/bench/tolerance.py
+    "panel": Method(("box", "buoy", "ship", "mesh"), wall=True, panels=True, most=math.inf),
+    # it keeps tolerances up to there, tests/bench/tolerance.py
+    "contour": Method(("box", "buoy"), highest_gap=100.0, most=math.inf),
+    "transfer": Method(("box", "buoy"), highest_gap=100.0, fewest=2, most=math.inf),
     "pressure": Method(("box", "buoy", "ship", "mesh"), wall=True, panels=True, without=("added_mass_infinity",)),
     "strip": Method(("box",), without=(*FAR_FIELD, "pressure"), without_in_deep_water=LIMITS),
     "inverse-strip": Method(("box",), without=(*FAR_FIELD, "pressure"), without_in_deep_water=LIMITS),
@@ -37,10 +45,14 @@ def chosen_method(scene):
     """Name of METHODS; `auto` takes contour where it can represent the scene of one body and no panels are asked for.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits.  Of several it does not know the drift of each, which mooring needs.
+    a bed far below the keel it loses digits.  Of several it does not know the drift of each, which mooring needs: many
+    that are far from each other are solved by transfer matrices, others on panels.
     """
     if scene.method != "auto":
         return scene.method
+    many = len(scene.bodies) >= MANY and scene.panels is None
+    if many and not _obstacles(scene, METHODS["transfer"]):
+        return "transfer"
     panels = scene.panels is not None or scene.several or _obstacles(scene, METHODS["contour"])
     return "panel" if panels else "contour"
 
@@ -61,7 +73,8 @@ def names_given(scene, names, named):
             raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
         if refused[0] in OF_EACH and not scene.several:
             raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
-        others = [name for name, other in METHODS.items() if refused[0] not in _lacking(scene, other)]
+        able = {name: other for name, other in METHODS.items() if scene.several or other.fewest == 1}
+        others = [name for name, other in able.items() if refused[0] not in _lacking(scene, other)]
         raise ValueError(
             f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
         )
@@ -92,7 +105,8 @@ def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
     beside_wall = (*FAR_FIELD, *OF_EACH) if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
-    alone = () if scene.several and method is METHODS["panel"] else tuple(OF_EACH)
+    knows_each = method in (METHODS["panel"], METHODS["transfer"])
+    alone = () if scene.several and knows_each else tuple(OF_EACH)
     lidless = () if scene.damping_lids else (POWER,)
     return method.without + beside_wall + deep + alone + lidless
 
@@ -110,8 +124,10 @@ def _obstacles(scene, method):
     """Why a method cannot represent a scene"""
     out = []
     unknown = [body.shape for body in scene.bodies if body.shape not in method.shapes]
-    if scene.several and method not in (METHODS["panel"], METHODS["contour"]):
+    if len(scene.bodies) > method.most:
         out.append("knows one body alone")
+    elif len(scene.bodies) < method.fewest:
+        out.append("is for several bodies")
     elif unknown:
         out.append(f"cannot represent a body of shape {unknown[0]!r}")
     elif math.isfinite(method.highest_gap):
@@ -122,6 +138,8 @@ def _obstacles(scene, method):
                 f"takes up to {method.highest_gap:g} times the draft or half width of water under the keel, "
                 f"not {_relative_gap(scene):.3g}"
             )
+    if method is METHODS["transfer"] and not out:
+        out += _circles(scene)
     if scene.damping_lids and method is not METHODS["panel"]:
         out.append("knows no damping lids")
     if scene.modes and not method.panels:
@@ -129,6 +147,20 @@ def _obstacles(scene, method):
     if scene.wall is not None and not method.wall:
         out.append("knows no wall")
     return out
+
+
+def _circles(scene):
+    """Why the bodies of a scene are too near for transfer matrices, one line or none"""
+    from hakobune.bem.transfer.circles import SHARE_OF_DEPTH, too_near
+
+    radii = [one.radius if one.shape == "buoy" else math.hypot(one.length, one.beam) / 2 for one in scene.bodies]
+    found = too_near([complex(*one.place[:2]) for one in scene.bodies], radii, scene.water.depth)
+    if found is not None:
+        names = " and ".join(scene.bodies[i].name for i in found[:2])
+        yield (
+            f"needs the circles around the bodies {SHARE_OF_DEPTH * scene.water.depth:.3g} m apart; those around "
+            f"{names} {found[2]}"
+        )
 
 
 assert all(name in QUANTITIES for method in METHODS.values() for name in method.without)

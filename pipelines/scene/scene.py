@@ -40,7 +40,7 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
     want : names or groups of results; by default everything
     tolerance : relative error of the coefficients [0.01]; or give panels
     panels : number of panels on the whole hull, in place of tolerance
-    method : solution method: auto, panel, contour, pressure, strip or inverse-strip
+    method : solution method: auto, panel, contour, transfer, pressure, strip or inverse-strip
     rotation_center : m, x, y, z of the point of rotations and moments
     lid : whether an interior lid removes irregular frequencies
     wall : m, y of a vertical wall along x that reflects all waves

@@ -12,6 +12,7 @@ from hakobune.bem.database.schema import ESTIMATES, QUANTITIES
 from hakobune.bem.kernels.progress import FINER
 from hakobune.bem.methods.panel_problem import WORTH_COMPRESSING, PanelProblem
 from hakobune.bem.methods.shape_problem import ShapeProblem
+from hakobune.bem.methods.shape_run import RESOLVED
 from hakobune.bem.modes import moving, names_of
 from hakobune.bem.waves import wavenumber
 
@@ -62,7 +63,7 @@ def announced(problem, limits, console, processes=1, omegas=()):
     omegas : (n,) rad/s, of the run
     Raises SceneError if the memory or the time is not there.
     """
-    if isinstance(problem, ShapeProblem) and problem.method == "contour" and len(omegas):
+    if isinstance(problem, ShapeProblem) and problem.method in RESOLVED and len(omegas):
         _announce_contour(problem, omegas, console, processes)
     panels = problem.panels if isinstance(problem, ShapeProblem) else problem
     if not isinstance(panels, PanelProblem) or PER_PANEL * len(panels.mesh) < NODES_WORTH_TELLING:
@@ -81,13 +82,8 @@ def announced(problem, limits, console, processes=1, omegas=()):
 
 
 def _announce_contour(problem, omegas, console, processes):
-    """Say what the contour method will take where it is long; raises SceneError."""
-    if problem.shapes:
-        from hakobune.bem.contour.several.cost import cost
-    else:
-        from hakobune.bem.contour.cost import cost
-
-    needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), problem.depth, problem.gravity)))
+    """Say what a method of contours will take where it is long; raises SceneError."""
+    needed = _cost_of_contours(problem, float(max(omegas)))
     across = problem.sizes[:2] if problem.shape == "box" else problem.sizes[:1]
     body = f"{problem.shape} of {' by '.join(f'{size:g} m' for size in across)}: its contour"
     way_out = "give a less slender body, longer waves, or another method (--method panel, strip)"
@@ -99,6 +95,20 @@ def _announce_contour(problem, omegas, console, processes):
     check_seconds(f"{body} {verbs[1]}", seconds, way_out, SceneError)
     if console:
         told(f"{body} {verbs[1]}", seconds, partial(console.print, highlight=False, soft_wrap=True))
+
+
+def _cost_of_contours(problem, omega):
+    """`bem.contour.cost.Cost` for waves up to omega rad/s"""
+    if problem.method == "transfer":
+        from hakobune.bem.transfer.cost import cost
+
+        return cost(problem.prepared().solver, omega, problem.gravity)
+    if problem.shapes:
+        from hakobune.bem.contour.several.cost import cost
+    else:
+        from hakobune.bem.contour.cost import cost
+
+    return cost(problem.prepared().solver, float(wavenumber(omega, problem.depth, problem.gravity)))
 
 
 def check_database(header, frequencies, headings, names):

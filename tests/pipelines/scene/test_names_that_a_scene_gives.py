@@ -23,10 +23,14 @@ def a_scene(method, **more):
             "added_mass_infinity",
             "pressure does not give; method panel or contour",
         ),
-        (a_scene("strip"), "drift_force", "method strip does not give; method panel or contour or pressure does"),
+        (
+            a_scene("strip", several=False),
+            "drift_force",
+            "method strip does not give; method panel or contour or pressure does",
+        ),
         (a_scene("panel", damping_lids=()), POWER, "which a scene with damping_lids has"),
         (a_scene("panel", several=False), EACH, "which a scene of several bodies has"),
-        (a_scene("contour"), EACH, "which method contour does not give; method panel does"),
+        (a_scene("contour"), EACH, "which method contour does not give; method panel or transfer does"),
         (a_scene("panel", wall=20.0), EACH, "which is not computed beside a wall"),
     ],
 )

@@ -227,6 +227,10 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
     [({"method": "strip", "panels": None}, "knows one body alone"),
      ({"method": "contour", "panels": None, "damping_lids": [{"damping": 0.05}]}, "knows no damping lids"),
      ({"method": "contour"}, "has no panels"),
+     ({"method": "transfer", "panels": None}, "needs the circles around the bodies 0.18 m apart; those around barge "
+      "and pier overlap by 1.6 m; method panel or contour can"),
+     ({"method": "transfer", "panels": None, "bodies": [{"shape": "buoy", "radius": 1.0, "draft": 2.0}]},
+      "is for several"),
      ({"want": ["body_drift_force"], "wall": 20.0}, "which is not computed beside a wall"),
      ({"want": ["body_drift_force"], "method": "contour", "panels": None}, "which method contour does not give"),
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"),
@@ -315,3 +319,31 @@ def test_too_few_panels_are_refused_once_with_the_number_that_works():
     with pytest.raises(SceneError, match="panels is 12; allowed: 48 to 100000"):
         make_hull(make_scene(tables(panels=12)))
     assert make_hull(make_scene(tables(panels=48))).mesh.total >= 40
+
+
+BUOYS = [{"name": f"b{i}", "shape": "buoy", "radius": 1.0, "draft": 2.0, "place": [4.0 * i, 1.0 * (i % 2), 0.0]}
+         for i in range(10)]  # fmt: skip
+
+
+def test_ten_bodies_far_from_each_other_are_solved_shape_by_shape(tmp_path):
+    """By transfer matrices as the file says, the drift of each among the results; nine are solved on panels"""
+    path = tmp_path / "ten.h5"
+    bodies = [{**one, "gyration": [1.0, 1.0, 1.0]} for one in BUOYS]
+    assert solve(make_scene(tables(*bodies, panels=None)), path).exit_status == 0
+    db = open_database(path)
+    assert db.attributes["method"] == "transfer" and db["body_drift_force"].shape == (2, 2, 10, 3)
+    assert db.complete and check(path, _console()) == 0
+    assert make_scene(tables(*BUOYS[:9], panels=None)).solved_by == "panel"
+
+
+@pytest.mark.parametrize(
+    "more", [{"panels": 1000}, {"wall": 20.0}, {"water": {"depth": float("inf")}}, {"method": "panel"}]
+)
+def test_ten_bodies_that_transfer_matrices_do_not_know_are_solved_on_panels(more):
+    assert make_scene(tables(*BUOYS, **({"panels": None} | more))).solved_by == "panel"
+
+
+def test_ten_bodies_that_are_near_are_solved_on_panels():
+    """Circles of 1 m whose axes are 1.9 m apart"""
+    near = [{**BUOYS[0], "name": f"b{i}", "place": [4.0 * i - 2.1 * (i == 9), 0.0, 0.0]} for i in range(10)]
+    assert make_scene(tables(*near, panels=None)).solved_by == "panel"

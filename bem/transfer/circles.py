@@ -1,0 +1,32 @@
+"""Whether bodies are far enough from each other for partial waves: the circles around them are apart.
+
+Two squares of 20 m × 5 m in 20 m of water, one wave: errors are 3e-4 with 10 m between them, their circles 1.7 m apart;
+with 6 m, circles that overlap by 2.3 m, no number of orders leaves less than 3e-3; with 4 m, 3e-2.  Of what decays over
+the depth, the more modes get across a gap the narrower it is.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+SHARE_OF_DEPTH = 0.02  # least water between two circles; of a tolerance of 1e-2 some 50 modes get across
+
+
+def nearest_circles(axes, radii):
+    """(i, j, m) the two circles with least water between them, below 0 where they overlap
+
+    axes : (N,) complex m; radii : (N,) m
+    """
+    axes, radii = np.asarray(axes, complex), np.asarray(radii, float)
+    clear = np.abs(axes[:, None] - axes) - radii[:, None] - radii
+    np.fill_diagonal(clear, np.inf)
+    i, j = sorted(int(n) for n in np.unravel_index(np.argmin(clear), clear.shape))
+    return i, j, float(clear[i, j])
+
+
+def too_near(axes, radii, depth):
+    """(i, j, what they are) of circles that are nearer than `SHARE_OF_DEPTH` of the depth (m), else None"""
+    i, j, clear = nearest_circles(axes, radii)
+    if clear >= SHARE_OF_DEPTH * depth:
+        return None
+    return i, j, f"overlap by {-clear:.3g} m" if clear < 0 else f"are {clear:.3g} m apart"

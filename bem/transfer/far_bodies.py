@@ -1,0 +1,365 @@
+"""Bodies far from each other: each shape is solved once a frequency, and coupled by partial waves.
+
+With T what a body scatters of regular waves, R what its motions send, E the forces of waves and S what one sees of
+what another sends (`partial_waves`),
+
+    a = a₀ + S b,    b = T a + R v,    force = E a + Z v
+
+a, b regular and outgoing waves about all bodies, a₀ those of the plane wave, v the motions: Kagemoto & Yue, J. Fluid
+Mech. 166 (1986).  A body answers to few combinations y = Q a of the waves about it alone, the singular vectors of T and
+E, 20 to 40 of 150, so that
+
+    (I − Q S T Q⁺) y = Q a₀ + Q S R v
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise, product
+from typing import NamedTuple
+
+import numpy as np
+
+from ..contour.several.bodies import SeveralBodies, nearest
+from ..contour.solver import SMALL, prepare_box, prepare_cylinder
+from ..depth_modes.gap import OuterModes
+from ..first_order import FirstOrder
+from ..kernels.threads import blas_threads
+from ..waves import group_factor
+from .circles import SHARE_OF_DEPTH, too_near
+from .contour_shape import answers
+from .drift import mean_force
+from .partial_waves import PartialWaves, highest_order, to_complex, to_real
+
+LEAST_ORDER, MOST_ORDERS = 2, 60
+SHARE = 0.1  # of the tolerance, that orders and modes left out may take
+RANK = 1e-3  # of the tolerance, that what few numbers leave out of a body's answers is of the largest
+GONE = 40.0  # κ times the water between two circles, beyond which nothing arrives
+
+
+def prepare_far(shapes, places, depth, tolerance=1e-3):
+    """`FarBodies`; arguments as of `contour.several.bodies.prepare_several`
+
+    Raises ValueError as `solver.prepare_box`, and for bodies whose circles are too near (`circles`).
+    """
+    makers, known = {"box": prepare_box, "buoy": prepare_cylinder}, {}
+    for shape, sizes in shapes:
+        if (shape, sizes) not in known:
+            known[shape, sizes] = makers[shape](*sizes, depth, tolerance)
+    bodies = [known[one] for one in shapes]
+    found = too_near([place.x + 1j * place.y for place in places], [body.plan.reach for body in bodies], depth)
+    if found:
+        raise ValueError(
+            f"the circles around bodies {found[0] + 1} and {found[1] + 1} {found[2]}; allowed by transfer matrices: "
+            f"from {SHARE_OF_DEPTH * depth:.3g} m, {SHARE_OF_DEPTH:g} of the depth; take contours or panels"
+        )
+    gaps = nearest([body.plan for body in bodies], places)
+    return FarBodies(tuple(bodies), tuple(places), tuple(gaps))
+
+
+@dataclass(frozen=True, eq=False)
+class FarBodies(SeveralBodies):
+    """Several `bem.contour.solver.ContourBody`, equal ones the same object; the rest as of `SeveralBodies`"""
+
+    def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
+        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; dofs : all are found"""
+        return self.at(omega, gravity).first_order(headings, theta, density)
+
+    def at(self, omega, gravity=9.80665):
+        """`Coupled` at one frequency; the last one is kept"""
+        if not 0 < omega < np.inf:
+            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
+        if self.cache.get("frequency") != (omega, gravity):
+            count = self.mode_count(omega**2 / gravity)
+            modes = {body: body.profiles.gap.outer_modes(omega, count, gravity) for body in self.alone}
+            coupled = Coupled(self, modes, "radiating", float(omega), gravity)
+            self.cache.update(frequency=(omega, gravity), coupled=coupled)
+        return self.cache["coupled"]
+
+    def _limit(self, zero):
+        shift = 0.0 if zero else -0.5
+        k = (np.arange(1, self.mode_count(0.0) + 1) + shift) * np.pi / self.depth
+        modes = {}
+        for body in self.alone:
+            gap, d = body.profiles.gap, body.draft
+            first = np.concatenate([gap.mean, [d, -(d**2) / 2]]) * zero
+            modes[body] = OuterModes(0.0, self.depth, first, k, np.full(len(k), self.depth / 2), gap.outer_rows(k))
+        found = Coupled(self, modes, "laplace" if zero else "decaying", np.nan, np.nan).radiation
+        return self.to_scene @ -found.real @ self.to_scene.T
+
+    def _by(self, better):
+        return FarBodies(self._each(better), self.places, self.gaps)
+
+    def _each(self, better):
+        made = {body: better(body) for body in self.alone}
+        return tuple(made[body] for body in self.bodies)
+
+    @cached_property
+    def alone(self):
+        """The bodies that differ"""
+        return tuple(dict.fromkeys(self.bodies))
+
+    def resolution(self, omega, gravity=9.80665):
+        """As of `solver.ContourBody`"""
+        return tuple(body.resolution(omega, gravity) for body in self.alone)
+
+    @cached_property
+    def axes(self):
+        """(N,) complex m"""
+        return np.array([place.x + 1j * place.y for place in self.places])
+
+    @cached_property
+    def radii(self):
+        """(N,) m, of the circles around the bodies"""
+        return np.array([body.plan.reach for body in self.bodies])
+
+    @cached_property
+    def apart(self):
+        """m, (N, N) between axes, ∞ of one body"""
+        return np.where(np.eye(len(self.axes), dtype=bool), np.inf, np.abs(self.axes[:, None] - self.axes))
+
+    def waves(self, kind, modes):
+        """[`PartialWaves`] that get from one body to another"""
+        tolerance, nearest_axis = SHARE * self.tolerance, self.apart.min(axis=1)
+
+        def of(kind, k):
+            each = zip(self.radii, nearest_axis, self.gaps, strict=True)
+            orders = max(highest_order(kind, float(k), *one, tolerance, MOST_ORDERS) for one in each)
+            return PartialWaves(kind, float(k), max(LEAST_ORDER, orders))
+
+        kappa = modes.wavenumbers
+        count = max(1, int(np.sum(np.exp(-2 * kappa * min(self.gaps)) > tolerance)))
+        first = [] if kind == "decaying" else [of(kind, modes.k)]
+        return [*first, *(of("decaying", k) for k in kappa[:count])]
+
+
+class Response(NamedTuple):
+    """What one body does with regular waves a about its axis, through few numbers y = Q a.
+
+    few : (r, q) Q; scattered : (q, r) outgoing waves of y; pressed : (6, r) ∬ φ nᵢ dS of y; sent : (q, 6) outgoing
+    waves of unit velocities, in axes of the body
+    """
+
+    few: np.ndarray
+    scattered: np.ndarray
+    pressed: np.ndarray
+    sent: np.ndarray
+
+    def turned(self, turn):
+        """The same with partial waves about axes turned by an angle; turn : (q,) exp(im · angle)"""
+        few, back = self.few * turn, turn[:, None]
+        return Response(few, self.scattered / back, self.pressed, self.sent / back)
+
+
+class Coupled:
+    """Bodies coupled at one frequency, or in a limit of it.
+
+    modes : {body: `OuterModes`}; kind : of the first partial waves
+    """
+
+    def __init__(self, bodies, modes, kind, omega, gravity):
+        self.bodies, self.modes, self.omega, self.gravity = bodies, modes, omega, gravity
+        self.k = next(iter(modes.values())).k
+        self.waves = bodies.waves(kind, next(iter(modes.values())))
+        self.parts = slices(np.cumsum([0, *(2 * one.last + 1 for one in self.waves)]))
+        self.orders = np.concatenate([one.orders for one in self.waves])
+
+    @cached_property
+    def alone(self):
+        """{body: `Answers`}"""
+        return {body: answers(body, modes, self.waves) for body, modes in self.modes.items()}
+
+    @cached_property
+    def each(self):
+        """[`Response`] of all, partial waves exp(imθ) in axes of the scene"""
+        few = {body: self._response(body, one) for body, one in self.alone.items()}
+        places = zip(self.bodies.bodies, self.bodies.places, strict=True)
+        return [few[body].turned(np.exp(1j * self.orders * place.heading)) for body, place in places]
+
+    def _response(self, body, one):
+        """`Response` by the singular vectors of what matters at the nearest axis, to `RANK` of the tolerance"""
+        from scipy.linalg import block_diag
+
+        size, found = self._size(body.plan.reach), []
+        for own in one.members:
+            T, E = size[own, None] * one.scattered[np.ix_(own, own)] * size[own], one.pressed[:, own] * size[own]
+            strength = np.linalg.norm(E, axis=1, keepdims=True)
+            E = np.linalg.norm(T) * E / np.where(strength > 1e-9 * strength.max(), strength, np.inf)
+            found.append(np.linalg.svd(np.vstack([T, E]), full_matrices=False)[1:])
+        least, few, back = RANK * self.bodies.tolerance * max(sigma[0] for sigma, _ in found), [], []
+        for own, (sigma, rows) in zip(one.members, found, strict=True):
+            for row in rows[sigma > least]:
+                few.append(np.zeros(len(size), complex))
+                few[-1][own] = row / size[own]
+                back.append(np.zeros(len(size), complex))
+                back[-1][own] = row.conj() * size[own]
+        back = np.array(back).T
+        into, out = (block_diag(*(turn(wave.orders) for wave in self.waves)) for turn in (to_real, to_complex))
+        return Response(np.array(few) @ into, out @ (one.scattered @ back), one.pressed @ back, out @ one.sent)
+
+    def _size(self, a):
+        """(q,) of regular waves, as they are sent from the nearest axis, or as plane waves bring them; a : m, radius"""
+        near, out = float(self.bodies.apart.min()), []
+        for wave in self.waves:
+            one = np.abs(wave.seen_from(near, a, a)[wave.last, wave.last :])
+            if wave.kind == "radiating":
+                one = np.maximum(one, 1 / wave.size(a))
+            out += [one, one[1:]]
+        out = np.concatenate(out)
+        if out.max() < 1e-100:  # nothing arrives from the nearest axis, and all waves may count alike
+            return np.ones(len(out))
+        return np.maximum(out / out.max(), 1e-12)
+
+    @cached_property
+    def first(self):
+        """[slice] of the numbers y of each body"""
+        return slices(np.cumsum([0, *(len(one.few) for one in self.each)]))
+
+    def pairs(self):
+        """((i, j), S) of all pairs, S [(q, q)] of each mode or None where nothing arrives: waves about i that j sends
+
+        Pairs of bodies of one size as far from each other in the same direction come one after another, with one S.
+        """
+        alike = {}
+        for i, j in product(range(len(self.each)), repeat=2):
+            there = complex(np.round(self.bodies.axes[i] - self.bodies.axes[j], 9))
+            if i != j:
+                alike.setdefault((there, self.bodies.radii[i], self.bodies.radii[j]), []).append((i, j))
+        for (there, a, b), found in alike.items():
+            clear = abs(there) - a - b
+            seen = [
+                one.seen_from(there, b, a) if one.kind != "decaying" or one.k * clear < GONE else None
+                for one in self.waves
+            ]
+            yield from ((pair, seen) for pair in found)
+
+    @cached_property
+    def equations(self):
+        """Factors of I − Q S T, and (y, 6N) Q S R"""
+        from scipy.linalg import lu_factor
+
+        count, last, known = self.first[-1].stop, None, {}
+        matrix, sent = np.eye(count, dtype=complex), np.zeros((count, 6 * len(self.each)), complex)
+        for (i, j), seen in self.pairs():
+            if seen is not last:
+                last, known = seen, {}
+            kind = tuple((self.bodies.bodies[n], self.bodies.places[n].heading) for n in (i, j))
+            if kind not in known:
+                one, other = self.each[i], self.each[j]
+                known[kind] = one.few @ self._arriving(seen, np.hstack([other.scattered, other.sent]))
+            passed, of_motion = np.split(known[kind], [-6], axis=1)
+            matrix[self.first[i], self.first[j]] = -passed
+            sent[self.first[i], 6 * j : 6 * j + 6] = of_motion
+        return lu_factor(matrix, check_finite=False), sent
+
+    def _arriving(self, seen, sent):
+        """(q, ·) S times what is sent"""
+        parts = zip(seen, self.parts, strict=True)
+        return np.vstack([np.zeros_like(sent[part]) if S is None else S @ sent[part] for S, part in parts])
+
+    @cached_property
+    def moved(self):
+        """(y, 6N) of unit velocities about the axes"""
+        return self._solved(self.equations[1])
+
+    def diffracted(self, headings):
+        """(y, m) of plane waves of unit amplitude, with what all others send"""
+        incident = self.incident(headings)
+        return self._solved(np.vstack([one.few @ wave for one, wave in zip(self.each, incident, strict=True)]))
+
+    def _solved(self, right):
+        from scipy.linalg import lu_solve
+
+        return lu_solve(self.equations[0], right, check_finite=False)
+
+    @cached_property
+    def radiation(self):
+        """(6N, 6N) ∬ φⱼ nᵢ dS about the axes, in own axes"""
+        from scipy.linalg import block_diag
+
+        return block_diag(*(self.alone[body].radiation for body in self.bodies.bodies)) + self.pressed(self.moved)
+
+    def pressed(self, y):
+        """(6N, ·) ∬ φ nᵢ dS of y (·, ·)"""
+        return np.vstack([one.pressed @ y[at] for one, at in zip(self.each, self.first, strict=True)])
+
+    def incident(self, headings):
+        """(N, q, m) regular waves of plane waves of unit amplitude"""
+        beta, one = np.atleast_1d(np.asarray(headings, float)), self.waves[0]
+        m, out = one.orders, np.zeros((len(self.each), len(self.orders), len(beta)), complex)
+        turn = 1j ** np.abs(m)[:, None] * np.exp(-1j * np.outer(m, beta)) * -1j * self.gravity / self.omega
+        for i, (at, a) in enumerate(zip(self.bodies.axes, self.bodies.radii, strict=True)):
+            phase = np.exp(1j * self.k * (at * np.exp(-1j * beta)).real)
+            out[i, self.parts[0]] = turn * phase / one.size(a)[np.abs(m)][:, None]
+        return out
+
+    def sent(self, y, velocity):
+        """(N, q, ·) outgoing waves of y and of velocities (6N, ·) about the axes"""
+        own = np.split(velocity, len(self.each))
+        each = zip(self.each, self.first, own, strict=True)
+        return np.stack([one.scattered @ y[at] + one.sent @ v for one, at, v in each])
+
+    def drift_of_each(self, headings, motions, density):
+        """(m, N, 3) N/m², N m/m² mean force along x and y of the scene and moment about each axis
+
+        motions : (m, 6N) m, rad about the origin, per metre of each wave
+        """
+        with blas_threads(SMALL):
+            velocity = (-1j * self.omega * motions @ self.bodies.to_scene).T
+            sent = self.sent(self.diffracted(headings) + self.moved @ velocity, velocity)
+            regular = self.incident(headings)
+            for (i, j), seen in self.pairs():
+                regular[i] += self._arriving(seen, sent[j])
+        modes = next(iter(self.modes.values()))
+        norms = [modes.wave_norm, *modes.norms[: len(self.waves) - 1]]
+        parts = zip(self.bodies.radii, regular, sent, strict=True)
+        return np.stack([mean_force(self.waves, norms, a, *both, density) for a, *both in parts], axis=1)
+
+    def first_order(self, headings, theta, density):
+        """`FirstOrder`, about the origin"""
+        headings, theta = (np.atleast_1d(np.asarray(a, float)) for a in (headings, theta))
+        with blas_threads(SMALL):
+            T, omega, d = self.bodies.to_scene, self.omega, 6 * len(self.each)
+            radiation = -density * T @ self.radiation @ T.T
+            y = self.diffracted(headings)
+            excitation = -1j * density * omega * (T @ self.pressed(y)).T
+            known = self.bodies.froude_krylov(omega, headings, None, density, self.gravity)
+            velocity = np.eye(d, d + len(headings))
+            sent = self.sent(np.hstack([self.moved, y]), velocity)
+            haskind = self._haskind(sent[..., :d], headings, density) @ T.T
+            far = self._kochin(sent, theta)
+            kochin = -1j * omega * (T @ far[:, :d])
+            residual = max(one.residual for one in self.alone.values())
+            if not (residual < 1e-6 and np.all(np.isfinite(radiation)) and np.all(np.isfinite(excitation))):
+                raise FloatingPointError(
+                    f"ω = {omega:.6g} rad/s: the equations of the bodies left {residual:.1e}, or are not finite"
+                )
+        return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
+
+    def _kochin(self, sent, theta):
+        """H and H′ of what is sent (N, q, columns), (2, columns, t)"""
+        one, total = self.waves[0], 0.0
+        m, parts = one.orders, sent[:, self.parts[0]]
+        c, s = np.cos(theta), np.sin(theta)
+        for at, a, part in zip(self.bodies.axes, self.bodies.radii, parts, strict=True):
+            turn = (-1j) ** np.abs(m) / one.size(a)[np.abs(m)]
+            wave = np.exp(1j * np.outer(m, theta) - 1j * self.k * (at.real * c + at.imag * s))
+            slope = 1j * (m[:, None] - self.k * (at.imag * c - at.real * s)) * wave
+            part = (part * turn[:, None]).T
+            total = total + np.stack([part @ wave, part @ slope])
+        return 1j * self.omega / self.gravity * total
+
+    def _haskind(self, sent, headings, density):
+        """(m, 6N) excitation −4ρgnω/k² H(β + π) from what unit velocities send, by Haskind's relation"""
+        beta = np.atleast_1d(np.asarray(headings, float))
+        if not len(beta):
+            return np.zeros((0, sent.shape[-1]), complex)
+        back = self._kochin(sent, beta + np.pi)[0]
+        n = float(group_factor(self.k, self.bodies.depth))
+        return (-4 * density * self.gravity * n * self.omega / self.k**2 * back).T
+
+
+def slices(ends):
+    """[slice] between ends"""
+    return [slice(int(a), int(b)) for a, b in pairwise(ends)]

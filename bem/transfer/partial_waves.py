@@ -1,0 +1,138 @@
+"""Partial waves about a vertical axis, and those of one axis seen from another.
+
+A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), all others send Σ Zₙ(z) aₙₘ Rₙₘ(r) exp(imθ):
+
+    kind        regular R                  outgoing S
+    radiating   Jₘ(kr) |Hₘ(ka)|            Hₘ(kr) / |Hₘ(ka)|         propagating mode
+    decaying    Iₘ(κr) / Iₘ(κa)            Kₘ(κr) Iₘ(κa)             evanescent modes
+    laplace     (r/a)ᵐ                     (a/r)ᵐ, log r             κ → 0
+
+with |m| for m, scaled so that neither overflows.  Graf's addition theorem (DLMF 10.23.7) turns what an axis sends into
+regular waves of another, at points nearer to that one than the first is: with R, α of the second from the first,
+
+    Hₘ e^{imθ} = Σ_q Hₘ₋q(kR) e^{i(m−q)α} J_q e^{iqθ′},    Kₘ e^{imθ} = Σ_q (−1)^q Kₘ₋q(κR) e^{i(m−q)α} I_q e^{iqθ′}
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.special import binom, hankel1, ive, jv, kve
+
+LARGEST = 1e150  # of a wave where it is scaled, so that products of two are finite
+
+
+class PartialWaves(NamedTuple):
+    """Of one depth mode.
+
+    kind : radiating, decaying or laplace; k : rad/m; last : highest order
+    """
+
+    kind: str
+    k: float
+    last: int
+
+    @property
+    def orders(self):
+        """(2 last + 1,) m of exp(imθ), rising"""
+        return np.arange(-self.last, self.last + 1)
+
+    def size(self, a):
+        """(last + 1,) |Hₘ(ka)| of radiating waves, 1 of others"""
+        m = np.arange(self.last + 1)
+        return np.abs(hankel1(m, self.k * a)) if self.kind == "radiating" else np.ones(len(m))
+
+    def regular(self, a, r):
+        """R and dR/dr of orders 0 … last at r (p,) m, two (p, last + 1)"""
+        m, r = np.arange(self.last + 1), np.asarray(r, float)[:, None]
+        if self.kind == "laplace":
+            value = (r / a) ** m
+            return value, m * value / r
+        x = self.k * r
+        if self.kind == "radiating":
+            J = jv(np.arange(self.last + 2), x)
+            return self.size(a) * J[:, :-1], self.size(a) * (m / r * J[:, :-1] - self.k * J[:, 1:])
+        scale, I = np.exp(x - self.k * a) / ive(m, self.k * a), ive(np.arange(self.last + 2), x)
+        return scale * I[:, :-1], scale * (m / r * I[:, :-1] + self.k * I[:, 1:])
+
+    @property
+    def wronskian(self):
+        """(last + 1,) r (S dR/dr − R dS/dr)"""
+        m = np.arange(self.last + 1)
+        if self.kind == "laplace":
+            return np.where(m, 2.0 * m, -1.0)
+        return np.full(len(m), -2j / np.pi if self.kind == "radiating" else 1.0)
+
+    def seen_from(self, there, a, there_a):
+        """(2 last + 1,) squared: regular waves about an axis at `there` (complex m, from this one) of what this sends
+
+        a, there_a : m, radii of the circles of this axis and of that
+        """
+        m, R, turn = self.orders, abs(there), there / abs(there)
+        if self.kind == "laplace":
+            return self._laplace_seen(there, a, there_a)
+        apart, far = m[None, :] - m[:, None], np.arange(2 * self.last + 1)  # m − q, of what is sent in columns
+        if self.kind == "radiating":
+            # H₋ₘ = (−1)ᵐ Hₘ and J alike: |m| for m changes signs
+            sign = np.where(m < 0, (-1.0) ** m, 1.0)
+            wave = hankel1(far, self.k * R)[np.abs(apart)] * np.where(apart < 0, (-1.0) ** apart, 1.0)
+            send, take = (self.size(radius)[np.abs(m)] for radius in (a, there_a))
+            return wave * turn**apart * (sign / take)[:, None] * (sign / send)
+        send, take = (ive(np.abs(m), self.k * radius) for radius in (a, there_a))
+        fall = kve(far, self.k * R)[np.abs(apart)] * np.exp(self.k * (a + there_a - R))
+        return fall * turn**apart * ((-1.0) ** m * take)[:, None] * send
+
+    def _laplace_seen(self, there, a, there_a):
+        q, out, middle = np.arange(self.last + 1), np.zeros((2 * self.last + 1,) * 2, complex), self.last
+        for p in range(1, self.last + 1):
+            found = (-1.0) ** q * binom(p + q - 1, q) * (a / there) ** p * (there_a / there) ** q
+            out[middle + q, middle - p], out[middle - q, middle + p] = found, found.conj()
+        found = (-1.0) ** (q[1:] + 1) / (2 * q[1:]) * (there_a / there) ** q[1:]
+        out[middle, middle] = np.log(abs(there))
+        out[middle + q[1:], middle], out[middle - q[1:], middle] = found, found.conj()
+        return out
+
+
+def highest_order(kind, k, a, apart, gap, tolerance, most):
+    """Highest order that bodies in circles of radius a, `apart` from axis to axis and `gap` from hull to hull (m) need
+
+    What a box sends in order m falls like (a / apart)ᵐ on its way to the next axis, and what passes by has no more
+    orders than waves have on the circle.  Of what decays only that counts which gets across the gap and back.
+    """
+    m = np.arange(1, _finite(kind, k, a, apart, most) + 1)
+    left = (a / apart) ** m
+    if kind == "radiating":
+        passed = np.abs(hankel1(m, k * apart) / hankel1(m, k * a))
+        left = np.where(m > k * a, np.maximum(passed, np.abs(jv(m, k * a))), 1.0)
+    elif kind == "decaying":
+        left = np.minimum(left, (kve(m, k * (a + gap)) / kve(m, k * a) * np.exp(-k * gap)) ** 2)
+    enough = np.flatnonzero(left < tolerance)
+    return int(m[enough[0] if len(enough) else -1])
+
+
+def _finite(kind, k, a, apart, most):
+    """Highest order up to `most` whose waves, and those of twice the order at the next axis, do not overflow"""
+    if kind == "laplace":
+        return most
+    m = np.arange(1, most + 1)
+    with np.errstate(all="ignore"):
+        if kind == "radiating":
+            sizes = np.abs(hankel1(m, k * a)), np.abs(hankel1(2 * m, k * apart))
+        else:
+            sizes = 1 / ive(m, k * a), kve(2 * m, k * apart)
+    return max(1, int(np.sum(np.maximum(*sizes) < LARGEST)))
+
+
+def to_real(orders):
+    """(2M + 1, 2M + 1) from coefficients of exp(imθ) to those of cos 0 … M and sin 1 … M"""
+    last = orders[-1]
+    m = np.arange(last + 1)
+    cos = (np.abs(orders) == m[:, None]).astype(complex)
+    sin = 1j * np.sign(orders) * (np.abs(orders) == m[1:, None])
+    return np.vstack([cos, sin])
+
+
+def to_complex(orders):
+    """(2M + 1, 2M + 1), the inverse"""
+    return np.linalg.inv(to_real(orders))
