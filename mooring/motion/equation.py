@@ -24,6 +24,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.time_domain.memory import MemoryArrays
 from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
@@ -46,6 +47,7 @@ BLOCK = 18 + len(WORKS)  # numbers of it
 SAMPLED = 18  # number of stored states
 
 
+@in_memory
 class Body(NamedTuple):
     """Constants of the equation of N bodies.
 
@@ -77,6 +79,7 @@ class Body(NamedTuple):
     given_step: float
 
 
+@in_memory
 class Work(NamedTuple):
     """Room for work of one evaluation, and the window of wave forces in use.
 
@@ -101,6 +104,7 @@ class Work(NamedTuple):
     pull: np.ndarray
 
 
+@in_memory
 class Scene(NamedTuple):
     """Everything that acts on a body, and work arrays: the arguments of `rates` besides time and state
 

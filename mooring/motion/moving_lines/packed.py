@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.system import System, Water
@@ -22,6 +23,7 @@ ROWS = 256  # largest number of line steps in one step of the body; more mean th
 OF_BED = ("bed_level", "bed_friction", "bed_slip", "bed_normal", "bed_course")
 
 
+@in_memory
 class MovingLines(NamedTuple):
     """m moving lines.
 
@@ -50,6 +52,7 @@ class MovingLines(NamedTuple):
     spring: np.ndarray
 
 
+@in_memory
 class Room(NamedTuple):
     """For the place and velocity of a fairlead"""
 
@@ -59,6 +62,7 @@ class Room(NamedTuple):
     push: np.ndarray
 
 
+@in_memory
 class MovingWork(NamedTuple):
     """State of m moving lines with n nodes in all during a run; arrays are changed in place.
 

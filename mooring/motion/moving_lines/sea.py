@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import WIDTH
 
@@ -32,6 +33,7 @@ DEEPEST = -12.0  # k z, below which a wave counts as there: 6e-6 of that at the 
 PHASE, FEW = (0.3, 0.6), 40  # rad of the quickest wave between two times, of few waves and of more
 
 
+@in_memory
 class LineSea(NamedTuple):
     """What moves the water around lines.
 

@@ -1,0 +1,100 @@
+"""Numba's part of `in_memory`: the type of an address, how its fields are read, and what Python hands over.
+
+A field is read word by word, and said never to change (`invariant.load`): what is read in a loop is loaded before it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+
+from llvmlite import ir
+from numba.core import types
+from numba.core.imputils import lower_getattr_generic
+from numba.core.typing.templates import AttributeTemplate, infer_getattr
+from numba.core.typing.typeof import typeof_impl
+from numba.extending import NativeValue, models, register_model, unbox
+
+from .in_memory import WORD, laid_out
+
+WORDS = types.Array(types.int64, 1, "C")
+
+
+class Address(types.Type):
+    """Numba type of a tuple in memory: its class, and the types of its fields"""
+
+    def __init__(self, made, kinds):
+        self.fields, self.kinds = made._fields, kinds
+        digest = hashlib.sha256(" ".join(kind.name for kind in kinds).encode()).hexdigest()[:12]
+        super().__init__(name=f"{made.__name__}_{digest}")  # short: it is part of the symbols of all kernels
+
+
+@register_model(Address)
+class _Model(models.PrimitiveModel):
+    def __init__(self, manager, kind):
+        super().__init__(manager, kind, ir.IntType(8).as_pointer())
+
+
+@infer_getattr
+class _Fields(AttributeTemplate):
+    key = Address
+
+    def generic_resolve(self, kind, name):
+        return dict(zip(kind.fields, kind.kinds, strict=True)).get(name)
+
+
+@lower_getattr_generic(Address)
+def _field(context, builder, kind, value, name):
+    place, before = kind.fields.index(name), 0
+    for one in kind.kinds[:place]:
+        before += _words(context.get_data_type(one))
+    part = context.get_data_type(kind.kinds[place])
+    read, _ = _read(builder, part, value, before)
+    return context.data_model_manager[kind.kinds[place]].from_data(builder, read)
+
+
+def _words(kind):
+    if isinstance(kind, ir.ArrayType):
+        return kind.count * _words(kind.element)
+    return sum(map(_words, kind.elements)) if isinstance(kind, ir.BaseStructType) else 1
+
+
+def _read(builder, kind, address, word):
+    """A value of an LLVM type that begins with a word from an address on, and the word after it"""
+    if isinstance(kind, ir.ArrayType | ir.BaseStructType):
+        whole = ir.Constant(kind, ir.Undefined)
+        for i in range(kind.count if isinstance(kind, ir.ArrayType) else len(kind.elements)):
+            part, word = _read(
+                builder, kind.element if isinstance(kind, ir.ArrayType) else kind.elements[i], address, word
+            )
+            whole = builder.insert_value(whole, part, i)
+        return whole, word
+    there = builder.gep(address, [ir.Constant(ir.IntType(64), WORD * word)])
+    read = builder.load(builder.bitcast(there, kind.as_pointer()))
+    read.set_metadata("invariant.load", builder.module.add_metadata([]))
+    return read, word + 1
+
+
+@unbox(Address)
+def _handed_over(kind, value, c):
+    lay = c.pyapi.unserialize(c.pyapi.serialize_object(laid_out))
+    words = c.pyapi.call_function_objargs(lay, [value])
+    c.pyapi.decref(lay)
+    array = c.unbox(WORDS, words)
+    data = c.context.make_array(WORDS)(c.context, c.builder, array.value).data
+
+    def cleanup():
+        if array.cleanup is not None:
+            array.cleanup()
+        c.pyapi.decref(words)
+
+    return NativeValue(
+        c.builder.bitcast(data, ir.IntType(8).as_pointer()), is_error=array.is_error, cleanup=cleanup
+    )
+
+
+def know(made):
+    """Have numba take a class that is marked by its address"""
+
+    @typeof_impl.register(made)
+    def _(value, purpose):
+        return Address(made, tuple(typeof_impl(part, purpose) for part in value))
