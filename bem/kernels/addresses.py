@@ -9,6 +9,7 @@ import hashlib
 
 from llvmlite import ir
 from numba.core import types
+from numba.core.cgutils import get_or_insert_function
 from numba.core.imputils import lower_getattr_generic
 from numba.core.typing.templates import AttributeTemplate, infer_getattr
 from numba.core.typing.typeof import typeof_impl
@@ -44,28 +45,33 @@ class _Fields(AttributeTemplate):
 
 @lower_getattr_generic(Address)
 def _field(context, builder, kind, value, name):
-    place, before = kind.fields.index(name), 0
-    for one in kind.kinds[:place]:
-        before += _words(context.get_data_type(one))
+    """By a function of the module that is always inlined: this is less to write than its words at every place"""
+    place = kind.fields.index(name)
     part = context.get_data_type(kind.kinds[place])
-    read, _ = _read(builder, part, value, before)
-    return context.data_model_manager[kind.kinds[place]].from_data(builder, read)
+    reads = get_or_insert_function(builder.module, ir.FunctionType(part, [value.type]), f"{kind.name}.{name}")
+    if reads.is_declaration:
+        reads.linkage = "internal"
+        reads.attributes.add("alwaysinline")
+        inside = ir.IRBuilder(reads.append_basic_block())
+        before = sum(_words(context.get_data_type(one)) for one in kind.kinds[:place])
+        inside.ret(_read(inside, part, reads.args[0], before)[0])
+    return context.data_model_manager[kind.kinds[place]].from_data(builder, builder.call(reads, [value]))
+
+
+def _parts(kind):
+    return [kind.element] * kind.count if isinstance(kind, ir.ArrayType) else kind.elements
 
 
 def _words(kind):
-    if isinstance(kind, ir.ArrayType):
-        return kind.count * _words(kind.element)
-    return sum(map(_words, kind.elements)) if isinstance(kind, ir.BaseStructType) else 1
+    return sum(map(_words, _parts(kind))) if isinstance(kind, ir.Aggregate) else 1
 
 
 def _read(builder, kind, address, word):
     """A value of an LLVM type that begins with a word from an address on, and the word after it"""
-    if isinstance(kind, ir.ArrayType | ir.BaseStructType):
+    if isinstance(kind, ir.Aggregate):
         whole = ir.Constant(kind, ir.Undefined)
-        for i in range(kind.count if isinstance(kind, ir.ArrayType) else len(kind.elements)):
-            part, word = _read(
-                builder, kind.element if isinstance(kind, ir.ArrayType) else kind.elements[i], address, word
-            )
+        for i, one in enumerate(_parts(kind)):
+            part, word = _read(builder, one, address, word)
             whole = builder.insert_value(whole, part, i)
         return whole, word
     there = builder.gep(address, [ir.Constant(ir.IntType(64), WORD * word)])
@@ -87,9 +93,7 @@ def _handed_over(kind, value, c):
             array.cleanup()
         c.pyapi.decref(words)
 
-    return NativeValue(
-        c.builder.bitcast(data, ir.IntType(8).as_pointer()), is_error=array.is_error, cleanup=cleanup
-    )
+    return NativeValue(c.builder.bitcast(data, ir.IntType(8).as_pointer()), is_error=array.is_error, cleanup=cleanup)
 
 
 def know(made):

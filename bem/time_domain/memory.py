@@ -27,9 +27,8 @@ from warnings import warn
 
 import numpy as np
 
-from ..kernels.in_memory import in_memory
-
 from ..database.reader import Reader, reader, without_rows
+from ..kernels.in_memory import in_memory
 from ..kernels.threads import blas_threads
 from ..modes import words_of
 from .kept_fits import kept_fit
