@@ -6,14 +6,15 @@ A field is read word by word, and said never to change (`invariant.load`): what 
 from __future__ import annotations
 
 import hashlib
+import operator
 
 from llvmlite import ir
 from numba.core import types
 from numba.core.cgutils import get_or_insert_function
 from numba.core.imputils import lower_getattr_generic
-from numba.core.typing.templates import AttributeTemplate, infer_getattr
+from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, infer_getattr, infer_global, signature
 from numba.core.typing.typeof import typeof_impl
-from numba.extending import NativeValue, models, register_model, unbox
+from numba.extending import NativeValue, lower_builtin, models, register_model, unbox
 
 from .in_memory import WORD, laid_out
 
@@ -29,7 +30,16 @@ class Address(types.Type):
         super().__init__(name=f"{made.__name__}_{digest}")  # short: it is part of the symbols of all kernels
 
 
+class Row(types.Type):
+    """Numba type of a list of such tuples, whose addresses follow each other"""
+
+    def __init__(self, kind):
+        self.kind = kind
+        super().__init__(name=f"Row({kind.name})")
+
+
 @register_model(Address)
+@register_model(Row)
 class _Model(models.PrimitiveModel):
     def __init__(self, manager, kind):
         super().__init__(manager, kind, ir.IntType(8).as_pointer())
@@ -56,6 +66,20 @@ def _field(context, builder, kind, value, name):
         before = sum(_words(context.get_data_type(one)) for one in kind.kinds[:place])
         inside.ret(_read(inside, part, reads.args[0], before)[0])
     return context.data_model_manager[kind.kinds[place]].from_data(builder, builder.call(reads, [value]))
+
+
+@infer_global(operator.getitem)
+class _Members(AbstractTemplate):
+    def generic(self, arguments, keywords):
+        row, _ = arguments
+        return signature(row.kind, row, types.intp) if isinstance(row, Row) else None
+
+
+@lower_builtin(operator.getitem, Row, types.intp)
+def _member(context, builder, signature, arguments):
+    row, number = arguments
+    addresses = builder.bitcast(row, row.type.as_pointer())
+    return builder.load(builder.gep(addresses, [number]))
 
 
 def _parts(kind):
@@ -101,4 +125,8 @@ def know(made):
 
     @typeof_impl.register(made)
     def _(value, purpose):
-        return Address(made, tuple(typeof_impl(part, purpose) for part in value))
+        return Address(made, tuple(_kind(part, purpose) for part in value))
+
+
+def _kind(part, purpose):
+    return Row(typeof_impl(part[0], purpose)) if isinstance(part, list) else typeof_impl(part, purpose)

@@ -15,7 +15,7 @@ marked = []  # classes that numba does not know yet
 
 
 def in_memory(kind):
-    """Decorator of a NamedTuple of numbers, arrays, and further tuples of them"""
+    """Decorator of a NamedTuple of numbers, arrays, further tuples of them, and lists of marked ones of one kind"""
     marked.append(kind)
     kind.in_memory = True
     return kind
@@ -38,10 +38,10 @@ def laid_out(value):
 
 
 def _put(part, words, inner, places):
-    """Append the words of a field; tuples that are marked follow as one of `inner`, at an address in `places`"""
+    """Append the words of a field; marked tuples and lists of them follow in `inner`, at an address in `places`"""
     if isinstance(part, np.ndarray):
         words += [0, 0, part.size, part.itemsize, part.ctypes.data, *part.shape, *part.strides]
-    elif getattr(part, "in_memory", False):
+    elif getattr(part, "in_memory", False) or isinstance(part, list):
         places[len(words)] = len(inner)
         inner.append(part)
         words.append(0)

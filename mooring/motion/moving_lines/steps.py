@@ -20,9 +20,9 @@ from hakobune.bem.kernels.jit import kernel
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
 from ...lines.dynamics.lumped.system import Control, Motion, State
 from ...lines.dynamics.run import SHORTEST
-from .packed import ROWS, line_system
+from .packed import ROWS
 from .polynomial import TERMS, legendre
-from .sea import line_water, open_sea, sea_ahead
+from .sea import open_sea, sea_ahead
 
 GAUSS = np.polynomial.legendre.leggauss(4)  # exact for a cubic times P₃
 NODES, WEIGHTS = 0.5 * (GAUSS[0] + 1), 0.5 * GAUSS[1]
@@ -75,8 +75,9 @@ def advance_lines(moving, work, whole, t, h):
         piece(c[1, 0], c[1, 1], c[2, 0], c[2, 1], 0.5 * h, cubics[1])
         rows[0, 7:13] = 0.0
         found = run(
-            line_system(moving, i),
-            line_water(moving.water, first, last),
+            moving.systems[i],
+            moving.rooms[i],
+            moving.waters[i],
             Motion(knots, cubics, none, triples, triples, 0.0),
             Control(moving.tolerance, moving.tension[i], moving.distance[i], h, SHORTEST * h),
             SCHEME,

@@ -19,15 +19,12 @@ FLEXURE, BEFORE, AFTER, NEXT, OVERNEXT = range(5)
 OF_BENDING = 5
 
 
-@kernel()
 def joints(flexure, length, w):
     """`Work.bending` of a System, without columns where it has no bending stiffness"""
     if flexure.size == 0:
         return np.zeros((OF_BENDING, 0))
-    bending = np.zeros((OF_BENDING, w))
-    for j in range(1, length.size):
-        bending[FLEXURE, j] = flexure[j]
-        bending[BEFORE, j], bending[AFTER, j] = 1.0 / length[j - 1], 1.0 / length[j]
+    bending, n = np.zeros((OF_BENDING, w)), length.size
+    bending[FLEXURE, 1:n], bending[BEFORE, 1:n], bending[AFTER, 1:n] = flexure[1:n], 1.0 / length[:-1], 1.0 / length[1:]
     return bending
 
 
