@@ -28,13 +28,13 @@ def joints(flexure, length, w):
     return bending
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def bends(bending):
     """Whether a line has bending stiffness.  One version of its kernels serves both: a second takes twenty seconds"""
     return bending.shape[1] > 0
 
 
-@kernel()
+@kernel(counted=False)
 def bend(bending, q, r, D, last, cq):
     """Add what bending does to r, and its tangent to D and `bending`, as in `Work`."""
     if bends(bending):
@@ -56,7 +56,7 @@ def bend(bending, q, r, D, last, cq):
             bending[OVERNEXT, j - 1] += cq * k * a * b
 
 
-@kernel()
+@kernel(counted=False)
 def bending_energy(flexure, length, q):
     """J"""
     total = 0.0

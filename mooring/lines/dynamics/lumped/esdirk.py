@@ -43,7 +43,7 @@ def tableau():
     return made
 
 
-@kernel()
+@kernel(counted=False)
 def record(row, t, step, s, work, energy):
     """One line of the history: see COLUMNS."""
     last = s.length.size
@@ -59,7 +59,7 @@ def record(row, t, step, s, work, energy):
     row[17], row[18], row[19] = least, most, step
 
 
-@kernel()
+@kernel(counted=False)
 def frame(row, x, h, q0, v0, q1, v1):
     """Positions at the share x of a step, by the cubic through both ends and their velocities, into row (n, 3)."""
     y = 1.0 - x
@@ -69,7 +69,7 @@ def frame(row, x, h, q0, v0, q1, v1):
             row[j, i] = y * y * start + x * x * end
 
 
-@kernel()
+@kernel(counted=False)
 def keep(i, K, V, power, a, v, p):
     """Accelerations, velocities and powers of stage i."""
     copy(K[i], a)
@@ -78,7 +78,7 @@ def keep(i, K, V, power, a, v, p):
         power[i, k] = p[k]
 
 
-@kernel()
+@kernel(counted=False)
 def mark(row, stations, T, elements):
     """Tensions at the nodes `stations`: the mean of the elements on both sides."""
     for k in range(stations.size):
@@ -86,7 +86,7 @@ def mark(row, stations, T, elements):
         row[k] = 0.5 * (T[max(j, 1)] + T[min(j + 1, elements)])
 
 
-@kernel()
+@kernel(counted=False)
 def lead(motion, t, room, q, v, a, last):
     """Put the last node where the fairlead is at time t; room : (3, 3)"""
     fairlead_at(motion, t, room[0], room[1], room[2])
@@ -94,7 +94,7 @@ def lead(motion, t, room, q, v, a, last):
         q[i, last], v[i, last], a[i, last] = room[0, i], room[1, i], room[2, i]
 
 
-@kernel()
+@kernel(counted=False)
 def load_state(state, q, v, a, slip):
     """The arrays (n, 3) of a State into rows (3, w)"""
     read(q, state.position)
@@ -103,7 +103,7 @@ def load_state(state, q, v, a, slip):
     read(slip, state.slip)
 
 
-@kernel()
+@kernel(counted=False)
 def store_state(state, q, v, a, slip):
     """The other way round"""
     write(state.position, q)
@@ -112,7 +112,7 @@ def store_state(state, q, v, a, slip):
     write(state.slip, slip)
 
 
-@kernel()
+@kernel(counted=False)
 def error(s, work, K, V, db, step, hd):
     """Filtered error of tensions (N) and positions (m), see `spread`, with the last stage's matrix."""
     last = s.length.size
@@ -126,7 +126,7 @@ def error(s, work, K, V, db, step, hd):
     return spread(work, last)
 
 
-@kernel()
+@kernel(counted=False)
 def predict(q, v, qh, vh, K, V, A, i, step, cv):
     """q̂ and v̂ of stage i from the stages before it"""
     for m in range(3):

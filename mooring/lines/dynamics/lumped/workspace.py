@@ -72,7 +72,7 @@ def to_rows(points):
     return rows
 
 
-@kernel()
+@kernel(counted=False)
 def read(rows, points):
     """rows (3, w) = points (n, 3)"""
     for j in range(points.shape[0]):
@@ -80,7 +80,7 @@ def read(rows, points):
             rows[i, j] = points[j, i]
 
 
-@kernel()
+@kernel(counted=False)
 def write(points, rows):
     """points (n, 3) = rows (3, w)"""
     for j in range(points.shape[0]):
@@ -115,7 +115,7 @@ def workspace(s):
     )  # fmt: skip
 
 
-@kernel()
+@kernel(counted=False)
 def copy(y, x):
     """y = x for (3, w) arrays: a loop compiles in a fraction of the time of the array expression, as does `add`."""
     for i in range(3):
@@ -123,7 +123,7 @@ def copy(y, x):
             y[i, j] = x[i, j]
 
 
-@kernel()
+@kernel(counted=False)
 def add(y, f, x):
     """y += f x for (3, w) arrays."""
     for i in range(3):
@@ -131,7 +131,7 @@ def add(y, f, x):
             y[i, j] += f * x[i, j]
 
 
-@kernel()
+@kernel(counted=False)
 def largest_of(numbers):
     """Largest of numbers (n,): `max` of an array takes a quarter of a second to compile"""
     most = numbers[0]
