@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import operator
 
+import numpy as np
 from llvmlite import ir
 from numba.core import types
 from numba.core.cgutils import get_or_insert_function
@@ -16,9 +17,45 @@ from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, inf
 from numba.core.typing.typeof import typeof_impl
 from numba.extending import NativeValue, lower_builtin, models, register_model, unbox
 
-from .in_memory import WORD, laid_out
-
+WORD = 8  # bytes of a number or an address
 WORDS = types.Array(types.int64, 1, "C")
+
+
+def laid_out(value):
+    """(n,) int64 words of a marked tuple, that hold as long as this array and the tuple"""
+    words, inner = [], [value]  # of each of `inner`, one after the other
+    begins, places = {}, {}
+    for number, one in enumerate(inner):  # grows
+        begins[number] = len(words)
+        for part in one:
+            _put(part, words, inner, places)
+    out = np.array([0 if isinstance(one, float) else one for one in words], np.int64)
+    numbers = [i for i, one in enumerate(words) if isinstance(one, float)]
+    out.view(float)[numbers] = [words[i] for i in numbers]
+    for place, number in places.items():
+        out[place] = out.ctypes.data + WORD * begins[number]
+    return out
+
+
+def _put(part, words, inner, places):
+    """Append the words of a field; marked tuples and lists of them follow in `inner`, at an address in `places`"""
+    if isinstance(part, np.ndarray):
+        words += [0, 0, part.size, part.itemsize, part.ctypes.data, *part.shape, *part.strides]
+    elif getattr(part, "in_memory", False) or isinstance(part, list):
+        places[len(words)] = len(inner)
+        inner.append(part)
+        words.append(0)
+    elif isinstance(part, tuple):
+        for one in part:
+            _put(one, words, inner, places)
+    elif part is None:
+        words.append(0)
+    elif isinstance(part, float):
+        words.append(part)
+    elif isinstance(part, int | np.integer | np.bool_):
+        words.append(int(part))
+    else:
+        raise TypeError(f"kernels cannot read a {type(part).__name__}; allowed: arrays, numbers, tuples of them")
 
 
 class Address(types.Type):

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numba import config
 
-from hakobune.bem.kernels.in_memory import in_memory, laid_out
+from hakobune.bem.kernels.addresses import laid_out
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 
