@@ -1,8 +1,8 @@
 """Named tuples that kernels take by address, not by value.
 
 By value a tuple of ninety arrays is six hundred arguments of every kernel that it is handed to, each written and read
-again: a quarter of the time that all kernels of bodies in time took to compile.  A class marked `in_memory` is laid out word
-after word at every call from Python, and kernels pass its address.  Kernels read it and do not make or change one;
+again: a quarter of the time that all kernels of bodies in time took to compile.  A class marked `in_memory` is laid out
+word after word at every call from Python, and kernels pass its address.  Kernels read it and do not make or change one;
 what its arrays hold may change.  How numba reads it: `addresses`.
 """
 
