@@ -15,6 +15,7 @@ from functools import cache, update_wrapper
 from pathlib import Path
 from threading import RLock
 
+from .in_memory import marked
 from .sources import Sources
 
 ROOT = Path(__file__).parents[2]
@@ -107,6 +108,12 @@ class Kernel:
         while _before_first:
             _before_first.pop()()
         from .kept import Kept
+
+        if marked:
+            from .addresses import know
+
+            while marked:
+                know(marked.pop())
 
         # contract and reassoc only: NaN and infinity must stay visible
         made = numba.njit(

@@ -108,11 +108,10 @@ class Kept:
         library._reload_init = {Callee(self.function, signature, result.fndesc.llvm_func_name)}
 
     def _file(self, signature, context):
-        kinds = [kind.name for kind in signature]  # names, since `repr` omits that an array is borrowed
+        kinds = [kind.name for kind in signature]
         machine = f"{kinds} {context.codegen().magic_tuple()} {sys.version_info[:2]} {numba.__version__}"
-        function = self.function
-        name = f"{function.__qualname__}-{function.__code__.co_firstlineno}"
-        return self.folder / f"{name}-{hashlib.sha256(machine.encode()).hexdigest()[:16]}.kernel"
+        name, digest = self.function.__qualname__, hashlib.sha256(f"{self.function.__module__} {machine}".encode())
+        return self.folder / f"{name}-{digest.hexdigest()[:16]}.kernel"
 
 
 def _is_inner_loop(signature):

@@ -1,5 +1,6 @@
 """The sources that a source imports, directly or through others, and a digest of them all.
 
+Comments, docstrings and the shape of lines are no part of it: a kernel is not compiled again for them.
 What a file imports and its own digest are kept beside the compiled kernels, by its time of change and size: reading all
 sources at every start took a third of the time of the smallest command.  A file that was read within `TICK` of its
 change is read again the next time, since a second change in the same tick of the file system's clock has the same time.
@@ -7,6 +8,7 @@ change is read again the next time, since a second change in the same tick of th
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import json
 import os
@@ -49,6 +51,19 @@ def _module(folder, name):
         if source.is_file():
             return source
     return None
+
+
+def meant(text):
+    """The syntax tree of a source, as text, without its docstrings"""
+    tree = ast.parse(text)
+    waiting = [tree]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(one, clean=False):
+            del one.body[0]
+        for part in ("body", "orelse", "handlers", "finalbody"):
+            waiting += getattr(one, part, ())
+    return ast.dump(tree)
 
 
 class Sources:
@@ -97,7 +112,7 @@ class Sources:
         return self._now[source]
 
     def _read(self, source, stat):
-        own = hashlib.sha256(Path(source).read_bytes()).hexdigest()
+        own = hashlib.sha256(meant(Path(source).read_bytes()).encode()).hexdigest()
         settled = time.time_ns() - stat.st_mtime_ns > TICK
         return [
             stat.st_mtime_ns if settled else None,

@@ -28,6 +28,7 @@ from warnings import warn
 import numpy as np
 
 from ..database.reader import Reader, reader, without_rows
+from ..kernels.in_memory import in_memory
 from ..kernels.threads import blas_threads
 from ..modes import words_of
 from .kept_fits import kept_fit
@@ -51,6 +52,7 @@ ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: 
 LESS = (1.0, 0.5, 0.0)  # powers of that factor that are tried one after the other
 
 
+@in_memory
 class MemoryArrays(NamedTuple):
     """What kernels take: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the module, all contiguous"""
 

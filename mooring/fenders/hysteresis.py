@@ -22,7 +22,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 
+
+@in_memory
 class ContactTable(NamedTuple):
     """Curves of m fenders in few arrays, all contiguous: kernels pay for each array that they are given
 

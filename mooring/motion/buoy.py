@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from ..lines.ropes import RopePart
@@ -105,6 +106,7 @@ class BuoyOnLines:
         return 2 * DAMPING * np.sqrt(self.stiffness * self.body.mass)
 
 
+@in_memory
 class Buoy(NamedTuple):
     """inverse : (3,) 1/kg, of mass and added mass; moved : (3,) kg, of the water; drag : (3,) ½ρC_dA, kg/m
 
@@ -131,6 +133,7 @@ class Buoy(NamedTuple):
     lines: Lines
 
 
+@in_memory
 class BuoyWork(NamedTuple):
     """Room for work, the window of water in use, and the largest pulls since the last sample.
 

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from ..fenders import hysteresis
@@ -35,6 +36,7 @@ ARM, OFFSET, FRICTION, SHEAR, ROPE = 3, 6, 7, 8, 9  # places in a row of `Contac
 DEPTH, STATE, SLIP, AT, FORCE = 0, 1, 2, 5, 8  # places in a row of `ContactWork`
 
 
+@in_memory
 class Contacts(NamedTuple):
     """m fenders and ropes as the kernels read them.
 
@@ -53,6 +55,7 @@ class Contacts(NamedTuple):
     bent: np.ndarray
 
 
+@in_memory
 class ContactWork(NamedTuple):
     """start, now : (m, 9) at the start of a step and now: δ or e, state of `hysteresis`, u (3) in space, q (3), force N
 

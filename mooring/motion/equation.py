@@ -30,6 +30,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.time_domain.memory import MemoryArrays
 from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
@@ -65,6 +66,7 @@ class Shapes(NamedTuple):
     stiffness: np.ndarray
 
 
+@in_memory
 class Body(NamedTuple):
     """Constants of the equation of N bodies, with n = 6N + 6G motions, G groups of shapes.
 
@@ -97,6 +99,7 @@ class Body(NamedTuple):
     shapes: Shapes
 
 
+@in_memory
 class Work(NamedTuple):
     """Room for work of one evaluation, and the window of wave forces in use.
 
@@ -121,6 +124,7 @@ class Work(NamedTuple):
     pull: np.ndarray
 
 
+@in_memory
 class Scene(NamedTuple):
     """Everything that acts on a body, and work arrays: the arguments of `rates` besides time and state
 

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from ..lines.catenary.flat_bed import ROW
@@ -199,6 +200,7 @@ def _tautest(composite, breaking_load, chord, height):
     return low
 
 
+@in_memory
 class Packed(NamedTuple):
     """Tables in arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), the first cell, of each."""
 

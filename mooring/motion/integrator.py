@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from .buoy import keep_pulls, open_water
@@ -57,6 +58,7 @@ C = np.array([0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
 
 
+@in_memory
 class Clock(NamedTuple):
     """What a run keeps between calls; its arrays are changed in place.
 

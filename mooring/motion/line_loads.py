@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
@@ -33,6 +34,7 @@ NEVER = np.inf  # s at which a line breaks that does not
 REACH = (1.5, 0.6)  # depths that a span may fall and a fairlead rise or sink in a table
 
 
+@in_memory
 class Lines(NamedTuple):
     """Lines as the kernels read them.
 
@@ -60,6 +62,7 @@ class Lines(NamedTuple):
     bent: np.ndarray
 
 
+@in_memory
 class LineWork(NamedTuple):
     """What is kept of the lines between evaluations.
 

@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hakobune.bem.hinges import SHOWN, end_of
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from .line_loads import generalized, give_generalized, rotation_of
@@ -27,6 +28,7 @@ ALONG, ABOUT = 1, 2  # an axis, the travel of a slider and of a hinge
 AHEAD = 1e-3  # s, of the difference quotient: it is off by a millionth of a term of second order
 
 
+@in_memory
 class Links(NamedTuple):
     """k links of r constraints as the kernels read them.
 
@@ -55,6 +57,7 @@ class Links(NamedTuple):
     travels: np.ndarray
 
 
+@in_memory
 class LinkWork(NamedTuple):
     """Room for work of one evaluation.
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from ..environment.gusts import MissingVariance, gust_components
@@ -24,6 +25,7 @@ GUST_BAND = (2 * np.pi * 1e-4, 2 * np.pi)  # rad/s; the report takes 0.001 to 1 
 GUST_STEP, GUSTS = 0.2, 400  # s, number of components
 
 
+@in_memory
 class Stream(NamedTuple):
     """Wind or current as the kernels read it.
 

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.threads import blas_threads
 from hakobune.bem.waves import wavenumber
@@ -39,6 +40,7 @@ OF_PERIOD = 1.2  # and at most so many mean periods: of a model of 1:70 in waves
 ROWS = 10  # six forces, three of drift, the elevation
 
 
+@in_memory
 class WaveTable(NamedTuple):
     """Components and the forces of each on a ring of headings, as the kernels read them.
 
@@ -73,6 +75,7 @@ class WaveTable(NamedTuple):
         return self.factor.shape[2] if len(self.omega) else 1
 
 
+@in_memory
 class Waves(NamedTuple):
     """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
 

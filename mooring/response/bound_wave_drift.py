@@ -60,8 +60,14 @@ class BoundWaveForces:
         return last / np.maximum(size.sum(axis=(0, 1)), 1e-300)
 
     def of_components(self, components, drift=None):
-        """(n, n, 6) T of all pairs of wave `components`, all of the one direction"""
-        return self(components.omega[:, None], components.omega)
+        """(n, n, 6) T of all pairs of wave `components`, all of the one direction; half of them by T_ji = conj T_ij"""
+        omega = np.asarray(components.omega, float)
+        T = np.zeros((len(omega), len(omega), 6), complex)
+        apart = omega[:, None] - omega
+        one, two = np.nonzero(np.tri(len(omega), dtype=bool) & (np.abs(apart) < self.highest))
+        T[one, two] = self(omega[one], omega[two])
+        T[two, one] = T[one, two].conj()
+        return T
 
     def __call__(self, one, two):
         """(…, 6) T of the bound waves of pairs: frequencies that broadcast, rad/s; N/m², N m/m²

@@ -63,12 +63,14 @@ def _check_bending(line, q):
 def _settled(system, water, q, slip):
     """Whether q is now in equilibrium; a stiff line is stiffened in steps, as its nodes start 1e-4 of ℓ off."""
     from .lumped.settle import settle
+    from .lumped.workspace import workspace
 
     limit = SOFT * np.abs(system.weight).sum()
     while limit < system.stiffness.max():
-        settle(system._replace(stiffness=np.minimum(system.stiffness, limit)), water, q, slip)
+        soft = system._replace(stiffness=np.minimum(system.stiffness, limit))
+        settle(soft, workspace(soft), water, q, slip)
         limit *= 10
-    return settle(system, water, q, slip) > 0
+    return settle(system, workspace(system), water, q, slip) > 0
 
 
 def _mobilised(system, q):

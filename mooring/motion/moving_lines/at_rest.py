@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem.kernels.borrowed import borrowed
 from hakobune.bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.forces import node_forces
 from ...lines.dynamics.lumped.system import State
 from ...lines.dynamics.lumped.workspace import read, workspace
 from ...lines.dynamics.run import FIRST
-from .packed import ROWS, MovingWork, Room, line_system
+from .packed import ROWS, MovingWork, Room
 from .polynomial import TERMS
 
 
@@ -51,18 +50,14 @@ def moving_work(moving, states, samples, lines, sampled):
 def state_pull(moving, i, state: State):
     """(3,) N of line i on its fairlead at rest"""
     pull = np.zeros(3)
-    pull_at_rest(moving, i, *state[1:5], pull)
+    pull_at_rest(moving.systems[i], workspace(moving.systems[i]), *state[1:5], pull)
     return pull
 
 
-@kernel()
-def pull_at_rest(moving, i, q, v, a, slip, out):
-    """out (3,) N, pull of line i at its nodes q (n, 3) m at rest"""
-    system = line_system(moving, i)
-    s, last = borrowed(system), q.shape[0] - 1
-    room = workspace(s)
-    work, rows = borrowed(room), np.zeros((2, 3, room.q.shape[1]))
-    here, held = borrowed((rows[0], rows[1]))
+@kernel(counted=False)
+def pull_at_rest(s, work, q, v, a, slip, out):
+    """out (3,) N, pull of the line of a System at its nodes q (n, 3) m at rest; work : its `workspace`, new"""
+    here, held, last = work.kept[0], work.kept[1], q.shape[0] - 1
     read(work.q, q)
     read(work.v, v)
     read(here, a)
@@ -70,4 +65,3 @@ def pull_at_rest(moving, i, q, v, a, slip, out):
     node_forces(s, work, here, held, work.q, 0.0, 0.0)
     for k in range(3):
         out[k] = work.r[k, last]
-    rows[0, 0, 0], room.power[0] = 0.0, 0.0  # kept until here, see `borrowed`

@@ -20,11 +20,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import WIDTH
 
 from ...lines.dynamics.lumped.surroundings import OF_PLACE, SAMPLES
-from ...lines.dynamics.lumped.system import Water
 from ...lines.dynamics.surroundings import water_arrays
 
 TURN = 2 * np.pi
@@ -32,6 +32,7 @@ DEEPEST = -12.0  # k z, below which a wave counts as there: 6e-6 of that at the 
 PHASE, FEW = (0.3, 0.6), 40  # rad of the quickest wave between two times, of few waves and of more
 
 
+@in_memory
 class LineSea(NamedTuple):
     """What moves the water around lines.
 
@@ -103,16 +104,12 @@ def water_of(sea, count, most):
     return still, rows, np.zeros((4, waves)), np.zeros(SAMPLES * OF_PLACE * most, np.float32)
 
 
-@kernel()
 def line_water(water, first, last):
     """`Water` at nodes `first` … `last` − 1 of all; loops read eight values at once and may read beyond the last"""
-    begin, end = (SAMPLES * OF_PLACE * first, SAMPLES * OF_PLACE * last) if water.table.size > 0 else (0, 0)
-    return Water(
-        water.level, water.current, water.amplitude, water.omega, water.wavenumber, water.heading, water.phase,
-        water.depth, water.ramp, water.begin, water.current_ramp, water.table[begin:end],
-        water.place[min(3 * first, end) : min(3 * last, end)], water.clock, water.weights, water.met,
-        water.carried,
-    )  # fmt: skip
+    if water.table.size == 0:
+        return water
+    table = water.table[SAMPLES * OF_PLACE * first : SAMPLES * OF_PLACE * last]
+    return water._replace(table=table, place=water.place[3 * first : 3 * last])
 
 
 @kernel(inline=True)

@@ -20,9 +20,9 @@ from hakobune.bem.kernels.jit import kernel
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
 from ...lines.dynamics.lumped.system import Control, Motion, State
 from ...lines.dynamics.run import SHORTEST
-from .packed import ROWS, line_system
+from .packed import ROWS
 from .polynomial import TERMS, legendre
-from .sea import line_water, open_sea, sea_ahead
+from .sea import open_sea, sea_ahead
 
 GAUSS = np.polynomial.legendre.leggauss(4)  # exact for a cubic times P₃
 NODES, WEIGHTS = 0.5 * (GAUSS[0] + 1), 0.5 * GAUSS[1]
@@ -30,7 +30,7 @@ SCHEME = tableau()
 ROUNDING = 1e-9  # rounding of the time covered by a table of the sea
 
 
-@kernel()
+@kernel(counted=False)
 def sea_for_step(moving, work, t, h):
     """A table of the sea around all lines that holds for a step of the body of h s from t s"""
     water, room = moving.water, moving.room_of_sea
@@ -38,7 +38,7 @@ def sea_for_step(moving, work, t, h):
         open_sea(moving.sea, water, moving.nodes, work.position[0], work.velocity[0], room, t)
 
 
-@kernel()
+@kernel(counted=False)
 def piece(p, v, q, w, length, out):
     """out (4, 3): cubic from p at velocity v to q at velocity w (3,) in `length` s, coefficients of 1, τ, τ², τ³"""
     for j in range(3):
@@ -75,8 +75,9 @@ def advance_lines(moving, work, whole, t, h):
         piece(c[1, 0], c[1, 1], c[2, 0], c[2, 1], 0.5 * h, cubics[1])
         rows[0, 7:13] = 0.0
         found = run(
-            line_system(moving, i),
-            line_water(moving.water, first, last),
+            moving.systems[i],
+            moving.rooms[i],
+            moving.waters[i],
             Motion(knots, cubics, none, triples, triples, 0.0),
             Control(moving.tolerance, moving.tension[i], moving.distance[i], h, SHORTEST * h),
             SCHEME,
@@ -101,7 +102,7 @@ def advance_lines(moving, work, whole, t, h):
     return True
 
 
-@kernel()
+@kernel(counted=False)
 def put(y, x):
     """y = x for (n, 3) arrays: an array put into another at once takes three seconds to compile"""
     for i in range(y.shape[0]):
@@ -109,7 +110,7 @@ def put(y, x):
             y[i, j] = x[i, j]
 
 
-@kernel()
+@kernel(counted=False)
 def slopes(work, i):
     """Fill work.slope of line i: that of parabolas through an own step's end and the ones before and after."""
     time, pull, last = work.time[i], work.pull[i], work.used[i] - 1
@@ -126,14 +127,14 @@ def slopes(work, i):
             )
 
 
-@kernel()
+@kernel(counted=False)
 def end_slope(t0, f0, t1, f1, t2, f2):
     """Slope at t2 of the parabola through three points"""
     a, b = (f1 - f0) / (t1 - t0), (f2 - f1) / (t2 - t1)
     return b + (b - a) / (t2 - t0) * (t2 - t1)
 
 
-@kernel()
+@kernel(counted=False)
 def between(work, i, j, t, k):
     """N, component k of the pull of line i at t s in its own step from the end j to the next"""
     length = work.time[i, j + 1] - work.time[i, j]
@@ -161,7 +162,7 @@ def project(moving, work, t, h, given):
                         c[k, m] += (2 * k + 1) * p[k] * F
 
 
-@kernel()
+@kernel(counted=False)
 def foresee(moving, work, h, given):
     """given (n, TERMS, 3) N of a step of h s: the straight part of each pull in the last step, drawn on"""
     ratio = h / work.length[0]
@@ -173,7 +174,7 @@ def foresee(moving, work, h, given):
             c[1, m] = ratio * last[1, m]
 
 
-@kernel()
+@kernel(counted=False)
 def keep_lines(moving, work, h, given):
     """The step of the body of h s was taken: what was on trial is where the lines are now."""
     put(work.position[0], work.position[1])
@@ -194,7 +195,7 @@ def keep_lines(moving, work, h, given):
             work.before[i, 1 + k] = work.pull[i, last - 1, k]
 
 
-@kernel()
+@kernel(counted=False)
 def put_tensions(moving, work, row, t):
     """Tension of every line at t s of the step just taken, into a row of work.tension"""
     for i in range(moving.number.size):

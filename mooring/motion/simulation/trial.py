@@ -4,7 +4,9 @@ A line in its static shape has neither inertia nor drag.  It snaps where a line 
 out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's
 instability of a spring that stiffens), and the drag of the same chains damps this.  So both runs are of the whole body,
 in the same waves and gusts.  Both start a little off the equilibrium, since an instability would take hours to grow out
-of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.
+of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.  Where tensions of
+a first trial of SHORT already differ by more than CLEAR, they move without a longer one: lines that move leave nothing
+out, so that a trial which is too short could cost time and never be unsafe.
 
 The regimes of the simplified method (`mooring.lines.regimes`) were tried for this decision: of random chains, wires and
 ropes in their quasi-static regime, every second one differed by more than a tenth in a run
@@ -26,11 +28,12 @@ from ..moving_lines.prepare import dynamic_line, ends_of
 from .bending import STATIC
 from .failures import SimulationError
 
-LONGEST = 600.0  # s of a trial
+LONGEST, SHORT = 600.0, 100.0  # s of a trial, and of the first one
 # largest negligible change, over the largest tension or σ of a slow motion.  On chains in 14 and 20 m of water, from
 # calm to storm, a trial changed by more wherever an hour changed by more than a fifth; tensions of an hour changed up
 # to twice as much
 NEGLIGIBLE = 0.05
+CLEAR = 4 * NEGLIGIBLE  # change of a tension in a first trial that decides
 NUDGE = 2e-3  # initial offset of both trial runs, over the distance to the fairleads
 # share of the largest slow motion; smaller motions, and those that stay below their start, are not compared
 MINOR = 0.1
@@ -74,19 +77,14 @@ def chosen(run, moored, weather, settings):
     still = replace(still, duration=min(settings.duration, LONGEST))
     if not able or not _drives(weather):
         return Choice(replace(settings, dynamic_lines=()), (), left_out)
-    body, found, pace, failed = _nudged(moored), [], [], []
-    for names in ((), able):
-        clock = _Pace(still)
-        try:
-            found.append(run(body, weather, replace(still, dynamic_lines=names), 0, clock))
-        except SimulationError as error:
-            found.append(None)
-            failed.append(error)
-        pace.append(clock.seconds)
+    for length in sorted({min(SHORT, still.duration), still.duration}):
+        found, pace, failed = _both(run, moored, weather, replace(still, duration=length), able)
+        if not failed and _of_tension(moored, *found).share > CLEAR:
+            break
     if len(failed) == 2:
         raise failed[1]
     static, moving = found
-    begin = f'dynamic_lines = "auto": in a trial of {still.duration:g} s'
+    begin = f'dynamic_lines = "auto": in a trial of {length:g} s'
     if moving is None:
         told = f"left out: the motion of the lines: {failed[0]}"
         return Choice(replace(settings, dynamic_lines=()), (), (told, *left_out), tuple(pace))
@@ -99,6 +97,20 @@ def chosen(run, moored, weather, settings):
     which = f"{some} lines have a motion of their own" if moves else "lines stay in their static shape"
     words = f"{begin} {changes[0].words}, {changes[1].words}: {which}"
     return Choice(replace(settings, dynamic_lines=able if moves else ()), (words,), left_out, tuple(pace))
+
+
+def _both(run, moored, weather, settings, able):
+    """Realisations with static and with moving lines, None for one that fails, pace of each, and the errors"""
+    body, found, pace, failed = _nudged(moored), [], [], []
+    for names in ((), able):
+        clock = _Pace(settings)
+        try:
+            found.append(run(body, weather, replace(settings, dynamic_lines=names), 0, clock))
+        except SimulationError as error:
+            found.append(None)
+            failed.append(error)
+        pace.append(clock.seconds)
+    return found, pace, failed
 
 
 def able_to_move(system, settings, bends=False):

@@ -18,11 +18,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from .interpolation import on_ring, ring_table
 
 
+@in_memory
 class HullWater(NamedTuple):
     """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces, none for none; length : m
 

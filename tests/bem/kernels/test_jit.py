@@ -66,6 +66,24 @@ def test_a_second_change_in_one_tick_of_the_clock_is_seen(tmp_path):
     assert digest("STEP = 1.0\n") != digest("STEP = 2.0\n")
 
 
+@COMPILED
+def test_a_comment_or_a_docstring_compiles_nothing_again(tmp_path):
+    (tmp_path / "constants.py").write_text("STEP = 1.0\n")
+    callee, caller = tmp_path / "callee.py", tmp_path / "caller.py"
+    callee.write_text(CALLEE.format(constants="constants"))
+    caller.write_text(CALLER.format(callee="callee"))
+
+    def kept():
+        assert ended(caller, tmp_path / "cache", tmp_path, tmp_path).stdout == "20.0\n"
+        return sorted(file.relative_to(tmp_path) for file in (tmp_path / "cache").rglob("*.kernel"))
+
+    before = kept()
+    callee.write_text(
+        '"""A module"""\n# a comment\n\n' + callee.read_text().replace("(x):", '(x):\n    """x and one"""')
+    )
+    assert kept() == before and len(before) == 2
+
+
 def test_a_changed_callee_or_constant_in_any_folder_changes_the_result_of_a_cached_caller(tmp_path):
     house = tmp_path / "house"
     for room in ("beside", "far/away"):

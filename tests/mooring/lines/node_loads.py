@@ -1,4 +1,4 @@
-"""Forces on the nodes of a lumped line for tests, by the kernels that its runs compile, whose arrays are borrowed."""
+"""Forces on the nodes of a lumped line for tests, by the kernels that its runs compile."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem.kernels.borrowed import borrowed
 from hakobune.bem.kernels.jit import kernel
 from hakobune.mooring.lines.dynamics.lumped.bending import OF_BENDING
 from hakobune.mooring.lines.dynamics.lumped.forces import node_forces, stored_energy
-from hakobune.mooring.lines.dynamics.lumped.workspace import copy, to_rows, workspace
+from hakobune.mooring.lines.dynamics.lumped.workspace import to_rows, workspace
 
 
 class Loads(NamedTuple):
@@ -31,39 +30,14 @@ def loads(system, q, v=None, a=None, slip=None, since=None, u=None, du=None, cq=
     """
     given = [q, v, a, slip, q if since is None else since, u, du]
     rows = np.array([to_rows(np.zeros_like(q) if one is None else np.asarray(one, float)) for one in given])
-    w = rows.shape[2]
-    out = Loads(
-        np.zeros((3, w)), np.zeros((9, w)), np.zeros((9, w)), np.zeros(6), np.zeros((OF_BENDING, w)), np.zeros(4)
-    )
-    _fill(system, rows, cq, cv, *out)
-    return out
+    work, energy = workspace(system), np.zeros(4)
+    work.q[:], work.v[:], work.u[:], work.du[:] = rows[0], rows[1], rows[5], rows[6]
+    _fill(system, work, rows, cq, cv, energy)
+    bending = work.bending if work.bending.size else np.zeros((OF_BENDING, rows.shape[2]))
+    return Loads(work.r, work.D, work.B, work.power, bending, energy)
 
 
-@kernel()
-def _fill(system, rows, cq, cv, r, D, B, power, bending, energy):
-    s = borrowed(system)
-    room = workspace(s)
-    work = borrowed(room)
-    q, v, a, slip, since, u, du = borrowed((rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6]))
-    copy(work.q, q)
-    copy(work.v, v)
-    copy(work.u, u)
-    copy(work.du, du)
-    node_forces(s, work, a, slip, since, cq, cv)
-    copy(r, work.r)
-    for j in range(D.shape[1]):
-        for i in range(9):
-            D[i, j], B[i, j] = work.D[i, j], work.B[i, j]
-    for i in range(power.size):
-        power[i] = work.power[i]
-    _keep(bending, work.bending)
+@kernel(counted=False)
+def _fill(s, work, rows, cq, cv, energy):
+    node_forces(s, work, rows[2], rows[3], rows[4], cq, cv)
     energy[0], energy[1], energy[2], energy[3] = stored_energy(s, work.q, work.v)
-    rows[0, 0, 0], room.power[0] = rows[0, 0, 0], 0.0  # kept until here, see `borrowed`
-
-
-@kernel()
-def _keep(out, bending):
-    if bending.shape[1] == out.shape[1]:
-        for j in range(out.shape[1]):
-            for i in range(out.shape[0]):
-                out[i, j] = bending[i, j]

@@ -21,27 +21,27 @@ from .block_tridiagonal import column, difference, factor, inverse, product, put
 OF_BAND = 36  # numbers of each pivot: A⁻¹, U, L and M
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def times(f, a):
     """f a of a number and a tuple of nine"""
     a0, a1, a2, a3, a4, a5, a6, a7, a8 = a
     return (f * a0, f * a1, f * a2, f * a3, f * a4, f * a5, f * a6, f * a7, f * a8)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def taken(memory, at):
     """Nine numbers from memory[at …] of a pointer"""
     return column(memory, 1, at)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def beside(e, b):
     """e − b of a number, times the unit matrix, and a tuple of nine"""
     b0, b1, b2, b3, b4, b5, b6, b7, b8 = b
     return (e - b0, -b1, -b2, -b3, e - b4, -b5, -b6, -b7, e - b8)
 
 
-@kernel()
+@kernel(counted=False)
 def factor_band(D, B, bending, pivots, first, last):
     """pivots[j], j = first … last, of D and B (9, w) as of `block_tridiagonal.factor`
 
@@ -66,7 +66,7 @@ def factor_band(D, B, bending, pivots, first, last):
         put(out, OF_BAND * j + 9, U)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def applied(p, k, x, y, z):
     """The matrix at p[k …] times a vector"""
     return (
@@ -76,7 +76,7 @@ def applied(p, k, x, y, z):
     )
 
 
-@kernel()
+@kernel(counted=False)
 def substitute_band(pivots, bending, r, x, first, last):
     """x (3, w) of factored equations with the right hand r (3, w), which may be x itself."""
     p = address(pivots)
@@ -100,7 +100,7 @@ def substitute_band(pivots, bending, r, x, first, last):
         x[0, j], x[1, j], x[2, j] = applied(p, OF_BAND * j, a, b, c)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def factor_line(D, B, bending, pivots, last):
     """Pivots of the inner nodes of a line of `last` elements"""
     if bends(bending):
@@ -109,7 +109,7 @@ def factor_line(D, B, bending, pivots, last):
         factor(D, B, pivots, 1, last - 1)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def substitute_line(pivots, bending, r, x, last):
     """x (3, w) of its inner nodes with the right hand r (3, w), which may be x itself"""
     if bends(bending):

@@ -22,7 +22,7 @@ from .vectors import TINY, combine, dot, largest, less, load_three, minus, more,
 from .workspace import BED_DAMPING, BED_STIFFNESS, BED_THIN, LEVEL, NORMAL, TURN
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def plane_at(s, x, y):
     """Normal and level of the plane that touches the bed at (x, y), and how n turns along the course.
 
@@ -42,7 +42,7 @@ def plane_at(s, x, y):
     return n, n[0] * x + n[1] * y + up * f, bend * up * up * up
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def bearing(k, thickness, p):
     """Bed reaction without damping, its derivative and its energy at penetration p."""
     if p <= 0.0:
@@ -52,7 +52,7 @@ def bearing(k, thickness, p):
     return k * (p - 0.5 * thickness), k, 0.5 * k * (p * p - p * thickness + thickness * thickness / 3.0)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def slipped(n, x, y, z, limit):
     """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor that cut it, ≤ 1."""
     up = n[0] * x + n[1] * y + n[2] * z
@@ -62,7 +62,7 @@ def slipped(n, x, y, z, limit):
     return (f * x, f * y, f * z), f
 
 
-@kernel()
+@kernel(counted=False)
 def find_planes(s, work):
     """The plane that touches an uneven bed under each node"""
     for j in range(s.mass.size):
@@ -71,7 +71,7 @@ def find_planes(s, work):
         work.node[LEVEL, j], work.node[TURN, j] = level, turn
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def add_outer(D, w, j, f, a, b):
     """Add f a bᵀ to eight blocks of D."""
     for i in range(3):
@@ -81,7 +81,7 @@ def add_outer(D, w, j, f, a, b):
         store_three(D, w, row, (x + c * b[0], y + c * b[1], z + c * b[2]))
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def bed_forces(s, work, slip, since, cq, cv):
     """Reaction and friction of the bed.
 
@@ -138,7 +138,7 @@ def bed_forces(s, work, slip, since, cq, cv):
     work.power[BED], work.power[FRICTION] = total(lost), total(rubbed)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def pressing(s, j, q, v):
     """N, reaction of the bed on node j, its damping included; 0 above the bed"""
     h = s.bed_thickness[j]
@@ -150,7 +150,7 @@ def pressing(s, j, q, v):
     return max(0.0, bearing(s.bed_stiffness[j], h, p)[0] - s.bed_damping[j] * min(1.0, p / h) * rise)
 
 
-@kernel()
+@kernel(counted=False)
 def keep_slip(s, q, v, slip, since, before):
     """Friction displacement of all nodes after a step from `since` (3, w) m at `before` (3, w) m/s to q at v.
 
@@ -181,7 +181,7 @@ def keep_slip(s, q, v, slip, since, before):
     return work
 
 
-@kernel()
+@kernel(counted=False)
 def bed_energy(s, j, q):
     """J, stored in the bed under node j"""
     if s.bed_stiffness[j] == 0.0:

@@ -19,25 +19,22 @@ FLEXURE, BEFORE, AFTER, NEXT, OVERNEXT = range(5)
 OF_BENDING = 5
 
 
-@kernel()
 def joints(flexure, length, w):
     """`Work.bending` of a System, without columns where it has no bending stiffness"""
     if flexure.size == 0:
         return np.zeros((OF_BENDING, 0))
-    bending = np.zeros((OF_BENDING, w))
-    for j in range(1, length.size):
-        bending[FLEXURE, j] = flexure[j]
-        bending[BEFORE, j], bending[AFTER, j] = 1.0 / length[j - 1], 1.0 / length[j]
+    bending, n = np.zeros((OF_BENDING, w)), length.size
+    bending[FLEXURE, 1:n], bending[BEFORE, 1:n], bending[AFTER, 1:n] = flexure[1:n], 1.0 / length[:-1], 1.0 / length[1:]
     return bending
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def bends(bending):
     """Whether a line has bending stiffness.  One version of its kernels serves both: a second takes twenty seconds"""
     return bending.shape[1] > 0
 
 
-@kernel()
+@kernel(counted=False)
 def bend(bending, q, r, D, last, cq):
     """Add what bending does to r, and its tangent to D and `bending`, as in `Work`."""
     if bends(bending):
@@ -59,7 +56,7 @@ def bend(bending, q, r, D, last, cq):
             bending[OVERNEXT, j - 1] += cq * k * a * b
 
 
-@kernel()
+@kernel(counted=False)
 def bending_energy(flexure, length, q):
     """J"""
     total = 0.0

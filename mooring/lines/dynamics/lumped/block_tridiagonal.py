@@ -15,7 +15,7 @@ from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import address
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def inverse(a):
     """Inverse of a (3, 3) matrix, both as tuples row by row"""
     a00, a01, a02, a10, a11, a12, a20, a21, a22 = a
@@ -34,7 +34,7 @@ def inverse(a):
     )
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def product(a, b):
     """a b of (3, 3) matrices as tuples row by row"""
     a0, a1, a2, a3, a4, a5, a6, a7, a8 = a
@@ -52,7 +52,7 @@ def product(a, b):
     )
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def column(rows, w, j):
     """Column j of (9, w) rows that a pointer points to"""
     return (
@@ -68,7 +68,7 @@ def column(rows, w, j):
     )
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def difference(a, b):
     """a − b of tuples of nine"""
     a0, a1, a2, a3, a4, a5, a6, a7, a8 = a
@@ -76,7 +76,7 @@ def difference(a, b):
     return (a0 - b0, a1 - b1, a2 - b2, a3 - b3, a4 - b4, a5 - b5, a6 - b6, a7 - b7, a8 - b8)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def put(memory, at, a):
     """A tuple of nine into memory[at …] of a pointer"""
     (
@@ -92,7 +92,7 @@ def put(memory, at, a):
     ) = a
 
 
-@kernel()
+@kernel(counted=False)
 def factor(D, B, pivots, first, last):
     """pivots[j], j = first … last: A⁻¹, W and Z of the blocks D[:, j] and B[:, j + 1], which joins nodes j and j + 1.
 
@@ -110,7 +110,7 @@ def factor(D, B, pivots, first, last):
         put(out, 27 * j + 9, W)
 
 
-@kernel()
+@kernel(counted=False)
 def substitute(pivots, r, x, first, last):
     """x (3, w) of factored equations with the right hand r (3, w), which may be x itself."""
     w, given, out, p = r.shape[1], address(r), address(x), address(pivots)

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from hakobune.bem.kernels.borrowed import borrowed
 from hakobune.bem.kernels.jit import kernel
 
 from .band import substitute_line
@@ -25,7 +24,7 @@ from .books import FRICTION
 from .forces import node_forces, stored_energy
 from .stage import CONVERGED, begin_stage, solve_stage, spread, worst_element
 from .surroundings import fairlead_at, moves, water_at
-from .workspace import INERTIA, copy, largest_of, read, workspace, write
+from .workspace import INERTIA, copy, largest_of, read, write
 
 DONE, FULL, TOO_SHORT = range(3)
 NEWTON = 0.02  # residual of Newton's method, as a share of the step's tolerance
@@ -44,7 +43,7 @@ def tableau():
     return made
 
 
-@kernel()
+@kernel(counted=False)
 def record(row, t, step, s, work, energy):
     """One line of the history: see COLUMNS."""
     last = s.length.size
@@ -60,7 +59,7 @@ def record(row, t, step, s, work, energy):
     row[17], row[18], row[19] = least, most, step
 
 
-@kernel()
+@kernel(counted=False)
 def frame(row, x, h, q0, v0, q1, v1):
     """Positions at the share x of a step, by the cubic through both ends and their velocities, into row (n, 3)."""
     y = 1.0 - x
@@ -70,7 +69,7 @@ def frame(row, x, h, q0, v0, q1, v1):
             row[j, i] = y * y * start + x * x * end
 
 
-@kernel()
+@kernel(counted=False)
 def keep(i, K, V, power, a, v, p):
     """Accelerations, velocities and powers of stage i."""
     copy(K[i], a)
@@ -79,7 +78,7 @@ def keep(i, K, V, power, a, v, p):
         power[i, k] = p[k]
 
 
-@kernel()
+@kernel(counted=False)
 def mark(row, stations, T, elements):
     """Tensions at the nodes `stations`: the mean of the elements on both sides."""
     for k in range(stations.size):
@@ -87,7 +86,7 @@ def mark(row, stations, T, elements):
         row[k] = 0.5 * (T[max(j, 1)] + T[min(j + 1, elements)])
 
 
-@kernel()
+@kernel(counted=False)
 def lead(motion, t, room, q, v, a, last):
     """Put the last node where the fairlead is at time t; room : (3, 3)"""
     fairlead_at(motion, t, room[0], room[1], room[2])
@@ -95,7 +94,7 @@ def lead(motion, t, room, q, v, a, last):
         q[i, last], v[i, last], a[i, last] = room[0, i], room[1, i], room[2, i]
 
 
-@kernel()
+@kernel(counted=False)
 def load_state(state, q, v, a, slip):
     """The arrays (n, 3) of a State into rows (3, w)"""
     read(q, state.position)
@@ -104,7 +103,7 @@ def load_state(state, q, v, a, slip):
     read(slip, state.slip)
 
 
-@kernel()
+@kernel(counted=False)
 def store_state(state, q, v, a, slip):
     """The other way round"""
     write(state.position, q)
@@ -113,7 +112,7 @@ def store_state(state, q, v, a, slip):
     write(state.slip, slip)
 
 
-@kernel()
+@kernel(counted=False)
 def error(s, work, K, V, db, step, hd):
     """Filtered error of tensions (N) and positions (m), see `spread`, with the last stage's matrix."""
     last = s.length.size
@@ -127,7 +126,7 @@ def error(s, work, K, V, db, step, hd):
     return spread(work, last)
 
 
-@kernel()
+@kernel(counted=False)
 def predict(q, v, qh, vh, K, V, A, i, step, cv):
     """q̂ and v̂ of stage i from the stages before it"""
     for m in range(3):
@@ -139,21 +138,20 @@ def predict(q, v, qh, vh, K, V, A, i, step, cv):
             qh[m, j], vh[m, j] = along + cv * speed, speed
 
 
-@kernel()
-def run(system, sea, course, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
+@kernel(counted=False)
+def run(s, work, water, motion, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
     """Step from `state` to `until`; fills rows and frames, and `state` with the arrays of its end.
 
+    s, work : `System` of the line, and its `workspace`
     returns : why it stopped, rows used, frames used, time, step, rejected steps, Newton steps, element at fault
     """
-    s, water, motion = borrowed((system, sea, course))
-    A, db, c = borrowed(scheme)
-    stages, last, room = c.size, s.length.size, workspace(s)
-    work = borrowed(room)
-    w, d = work.q.shape[1], A[1, 1]
-    memory, power, place = np.zeros((6 + 2 * stages, 3, w)), np.zeros((stages, 6)), np.zeros((3, 3))
-    q, v, a, slip, qh, vh = borrowed((memory[0], memory[1], memory[2], memory[3], memory[4], memory[5]))
-    K, V = borrowed((memory[6 : 6 + stages], memory[6 + stages :]))
-    energy, used, drawn = rows[0, 7:13].copy(), 1, 0
+    A, db, c = scheme
+    stages, last, d = c.size, s.length.size, A[1, 1]
+    kept, power, energy, used, drawn = work.kept, work.powers, work.energy, 1, 0
+    q, v, a, slip, qh, vh = kept[0], kept[1], kept[2], kept[3], kept[4], kept[5]
+    K, V = kept[6 : 6 + stages], kept[6 + stages :]
+    for i in range(6):
+        energy[i] = rows[0, 7 + i]
     t, h, rejected, iterations, why = state.time, min(state.step, control.longest), 0, 0, DONE
     load_state(state, q, v, a, slip)
     copy(work.q, q)
@@ -177,9 +175,9 @@ def run(system, sea, course, control, scheme, state, until, rows, frame_times, f
         for i in range(1, stages):
             now = t + c[i] * step
             predict(q, v, qh, vh, K, V, A, i, step, cv)
-            k = borrowed(K[i])
+            k = K[i]
             copy(k, K[i - 1])
-            lead(motion, now, place, qh, vh, k, last)
+            lead(motion, now, work.fairlead, qh, vh, k, last)
             begin_stage(work, qh, vh, k, last, cq, cv)
             # the water is that at the expected positions of the nodes: an error of order h³
             if moving:
@@ -226,5 +224,4 @@ def run(system, sea, course, control, scheme, state, until, rows, frame_times, f
         h = min(h, control.longest)
     store_state(state, q, v, a, slip)
     worst = worst_element(work, last) if why == TOO_SHORT else 0
-    memory[0, 0, 0], room.power[0] = 0.0, 0.0  # kept until here, see `borrowed`
     return why, used, drawn, t, h, rejected, iterations, worst

@@ -47,7 +47,7 @@ from .workspace import (
 )
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def elongation_row(s, e, strain):
     """Row of s.elongation that holds at a strain of element e."""
     row = s.elongation_rows[e, 0]
@@ -56,7 +56,7 @@ def elongation_row(s, e, strain):
     return row
 
 
-@kernel()
+@kernel(counted=False)
 def find_rows(s, work):
     """The row of its table that holds for each element where its nodes are now"""
     q, known = work.q, work.element
@@ -67,7 +67,7 @@ def find_rows(s, work):
         known[SLOPE, e + 1] = s.elongation[row, 2]
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def tension(known, w, slot, strain, rate):
     """Tension of eight elements, its elastic part, ∂T/∂ε and ∂T/∂ε̇."""
     EA, hard = load_vector(known, STIFFNESS * w + slot), load_vector(known, HARD * w + slot)
@@ -81,7 +81,7 @@ def tension(known, w, slot, strain, rate):
     return T, choose_less(0.0, strain, elastic, 0.0), choose_less(0.0, T, k, 0.0), choose_less(0.0, T, b, 0.0)
 
 
-@kernel()
+@kernel(counted=False)
 def immersion(z, radius):
     """Share of a sphere's volume under z = 0, its derivative, and −∫ share dz from deep water to z, centre at z."""
     if z <= -radius:
@@ -93,7 +93,7 @@ def immersion(z, radius):
     return share, -0.75 * (1 - x * x) / radius, radius * (0.1875 - 0.25 * x * (2 - x * (1.5 - 0.25 * x * x)))
 
 
-@kernel()
+@kernel(counted=False)
 def pull_elements(work, elements, cq, cv):
     """Tensions, unit vectors towards the fairlead and tangent blocks of all elements; returns the power lost."""
     w, q, v, known = work.q.shape[1], address(work.q), address(work.v), address(work.element)
@@ -120,7 +120,7 @@ def pull_elements(work, elements, cq, cv):
     return total(lost)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def half_water(known, w, slot, t, x, a, du, cv):
     """Drag and inertia (3) of the halves of eight elements at their nodes, and the tangent: xx, yy, zz, xy, xz, yz.
 
@@ -149,7 +149,7 @@ def half_water(known, w, slot, t, x, a, du, cv):
     )
 
 
-@kernel()
+@kernel(counted=False)
 def load_nodes(work, a, cv):
     """Residual and tangent of all nodes but for bed and bodies; returns the power lost to drag and to inertia."""
     w, v, known, node = work.q.shape[1], address(work.v), address(work.element), address(work.node)
@@ -184,7 +184,7 @@ def load_nodes(work, a, cv):
     return total(lost_drag), total(lost_inertia)
 
 
-@kernel()
+@kernel(counted=False)
 def body_forces(s, work, a, cq, cv):
     """Buoyancy, drag and inertia of the bodies, spheres for buoyancy; out of the water they feel no drag."""
     q, v, u, du, r, D, power = work.q, work.v, work.u, work.du, work.r, work.D, work.power
@@ -206,7 +206,7 @@ def body_forces(s, work, a, cq, cv):
                 D[3 * i + m, j] += cv * c * x[i] * x[m] / speed if speed > 0.0 else 0.0
 
 
-@kernel()
+@kernel(counted=False)
 def node_forces(s, work, a, slip, since, cq, cv):
     """Residual work.r = forces − mass · a of all nodes, tangent blocks D and B, tensions T and powers.
 
@@ -233,7 +233,7 @@ def node_forces(s, work, a, slip, since, cq, cv):
         power[WORK] -= r[i, last] * v[i, last] + r[i, 0] * v[i, 0]
 
 
-@kernel()
+@kernel(counted=False)
 def stored_energy(s, q, v):
     """Kinetic energy of the dry line, elastic energy, potential of weight and buoyancy, and energy in the bed, J."""
     kinetic, elastic, potential, bed = 0.0, 0.0, 0.0, 0.0

@@ -11,27 +11,27 @@ import math
 
 import numpy as np
 
-from hakobune.bem.kernels.borrowed import borrowed
 from hakobune.bem.kernels.jit import kernel
 
 from .band import factor_line
 from .forces import node_forces
 from .stage import correction
 from .surroundings import water_at
-from .workspace import add, copy, largest_of, read, workspace, write
+from .workspace import add, copy, largest_of, read, write
 
 PASSES = 400
 LIMIT = 1e-10  # last correction, relative to the largest tension and to the line's length
 ROUNDING = 1e-14  # rounding of the distance of two nodes, over the line's length
 
 
-@kernel()
-def settle(system, sea, q, slip):
-    """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached."""
-    s, water = borrowed((system, sea))
-    last, room, before = q.shape[0] - 1, workspace(s), np.inf
-    work, rooms = borrowed(room), np.zeros((3, 3, room.q.shape[1]))
-    still, held, at = borrowed((rooms[0], rooms[1], rooms[2]))
+@kernel(counted=False)
+def settle(s, work, water, q, slip):
+    """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached.
+
+    s, work : `System` of the line, and its `workspace`, new
+    """
+    last, before = q.shape[0] - 1, np.inf
+    still, held, at = work.kept[0], work.kept[1], work.kept[2]
     read(held, slip)
     read(at, q)
     length, shortest, longest, stiffest = 0.0, np.inf, 0.0, 0.0
@@ -60,5 +60,4 @@ def settle(system, sea, q, slip):
         tau = min(tau * (3.0 if size < before and share == 1.0 else 0.5), 1e4)
         tau = max(tau, 1e-3)
         before = size
-    room.power[0], rooms[0, 0, 0] = 0.0, 0.0  # kept until here, see `borrowed`
     return passes

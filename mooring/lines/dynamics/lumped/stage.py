@@ -21,7 +21,7 @@ ITERATIONS = 12
 CONVERGED, NOT_FINITE, STALLED = range(3)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def changes(work, elements, scale):
     """Changes of tension (N) and place (m) by displacements ± scale · work.x, of which `change` and `spread` tell.
 
@@ -48,7 +48,7 @@ def changes(work, elements, scale):
     return largest(most), math.sqrt(squared / elements), ends, scale * math.sqrt(largest(far))
 
 
-@kernel()
+@kernel(counted=False)
 def worst_element(work, elements):
     """Number of the element whose tension changes most"""
     worst = 0
@@ -58,21 +58,21 @@ def worst_element(work, elements):
     return worst
 
 
-@kernel()
+@kernel(counted=False)
 def change(work, elements, scale):
     """Largest change of any element's tension (N) and of any node's position (m) by ± scale · work.x"""
     most, _, _, distance = changes(work, elements, scale)
     return most, distance
 
 
-@kernel()
+@kernel(counted=False)
 def spread(work, elements):
     """The same with the change of tension at either end, or the root mean square of all where that is larger."""
     _, mean, ends, distance = changes(work, elements, 1.0)
     return ends if mean <= ends else mean, distance  # nan stays
 
 
-@kernel()
+@kernel(counted=False)
 def begin_stage(work, q, v, a, last, cq, cv):
     """Places and velocities of the nodes by q̂ and v̂ (3, w), with the end nodes where they are, and a guess of a"""
     copy(work.q, q)
@@ -83,7 +83,7 @@ def begin_stage(work, q, v, a, last, cq, cv):
             work.v[i, j] += cv * a[i, j]
 
 
-@kernel()
+@kernel(counted=False)
 def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
     """Accelerations of the inner nodes, into a; leaves positions, velocities, forces and powers in `work`.
 
@@ -112,14 +112,14 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
     return STALLED, ITERATIONS
 
 
-@kernel()
+@kernel(counted=False)
 def correction(work, last, cq):
     """Accelerations that take away the residual, into work.x, and the largest change of tension and place by them."""
     substitute_line(work.pivots, work.bending, work.r, work.x, last)
     return change(work, last, cq)
 
 
-@kernel()
+@kernel(counted=False)
 def correct(work, a, last, cq, cv):
     """Add work.x to the accelerations of the inner nodes, and what follows to their velocities and places."""
     for i in range(3):

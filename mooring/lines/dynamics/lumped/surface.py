@@ -20,7 +20,7 @@ from .vectors import largest, more
 from .workspace import BUOYANCY, DRAG_NORMAL, OF_WATER, ROUND, WHOLE
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def place_of_surface(known, q, w, e):
     """x, y, 1/b and (z₂ − z₁)/b of eight elements from node e on"""
     low, high = load_vector(q, 2 * w + e), load_vector(q, 2 * w + e + 1)
@@ -30,14 +30,14 @@ def place_of_surface(known, q, w, e):
     return x, more(1.0 - more(x, -x), repeated(0.0)), short, rise * short
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def dry_share(x, y):
     """Q′"""
     half = 0.5 * y * y
     return choose_less(0.0, x, 1.0 - half, half)
 
 
-@kernel()
+@kernel(counted=False)
 def wet(work, elements):
     """Rows of drag, added mass and displaced water of all elements by how much of them is under water"""
     w, q, known = work.q.shape[1], address(work.q), address(work.element)
@@ -49,7 +49,7 @@ def wet(work, elements):
             store_vector(known, (DRAG_NORMAL + i) * w + e + 1, share * whole)
 
 
-@kernel()
+@kernel(counted=False)
 def weigh_dry(work, elements, cq):
     """Add what elements out of the water weigh more than under it to residual and tangent."""
     w, q, known = work.q.shape[1], address(work.q), address(work.element)
@@ -73,7 +73,7 @@ def weigh_dry(work, elements, cq):
         store_vector(B, at + 1, load_vector(B, at + 1) - K * (y * one * two - turning))
 
 
-@kernel()
+@kernel(counted=False)
 def energy_dry(s, e, q):
     """J, that element e has gained by being out of the water"""
     low, high = q[2, e], q[2, e + 1]

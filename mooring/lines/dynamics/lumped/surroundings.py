@@ -25,7 +25,7 @@ OF_PLACE = 8  # u, v, w; ∂u/∂x, ∂u/∂y, ∂v/∂y, ∂u/∂z, ∂v/∂z, 
 SHARES = 1.0 / np.array([-120.0, 24.0, -12.0, 12.0, -24.0, 120.0])  # 1 / Π (i − m) over m ≠ i
 
 
-@kernel()
+@kernel(counted=False)
 def ramp_at(t, ramp):
     """R, dR/dt and d²R/dt² at time t."""
     if t >= ramp:
@@ -38,7 +38,7 @@ def ramp_at(t, ramp):
     )
 
 
-@kernel()
+@kernel(counted=False)
 def fairlead_at(motion, t, p, v, a):
     """Position, velocity and acceleration of the fairlead, into p, v, a (3,)."""
     k, beyond = 0, motion.cubics.shape[0]
@@ -65,7 +65,7 @@ def fairlead_at(motion, t, p, v, a):
             a[i] += R2 * s + 2 * R1 * s1 - R * w * w * s
 
 
-@kernel()
+@kernel(counted=False)
 def time_weights(x, weights):
     """weights (2, SAMPLES): of the values at 0, 1, …, for the polynomial through them at x, and for its slope"""
     for i in range(SAMPLES):
@@ -77,7 +77,7 @@ def time_weights(x, weights):
         weights[0, i], weights[1, i] = value, slope
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def in_time(table, weights, part, nodes, at):
     """Eight numbers of the table at one time, or their slopes, from `at` on; table, weights : pointers"""
     total, w = weights[SAMPLES * part] * load_vector(table, at), SAMPLES * part
@@ -86,7 +86,7 @@ def in_time(table, weights, part, nodes, at):
     return total
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def moved_water(table, weights, part, n, j, d):
     """Velocity, or acceleration, of the water at eight nodes from j of n on, which are d (3) m from their places"""
     x, y, z = d
@@ -100,7 +100,7 @@ def moved_water(table, weights, part, n, j, d):
     )
 
 
-@kernel()
+@kernel(counted=False)
 def tabled_water(water, q, nodes, t, R, R1, u, du):
     """Add the water of the table at time t, with its ramp R and dR/dt, to u and du (3, w).
 
@@ -123,7 +123,7 @@ def tabled_water(water, q, nodes, t, R, R1, u, du):
             store_three(change, w, j, combine(1.0, load_three(change, w, j), R, brought))
 
 
-@kernel()
+@kernel(counted=False)
 def add_current(water, q, nodes, U, U1, u, du):
     """Add the current, with its ramp U and dU/dt, to u and du (3, w)."""
     level = water.level
@@ -140,7 +140,7 @@ def add_current(water, q, nodes, U, U1, u, du):
             du[i, j] += U1 * speed
 
 
-@kernel()
+@kernel(counted=False)
 def add_waves(water, q, nodes, t, R, R1, u, du):
     """Add the sum of all waves, with their ramp R and dR/dt, to u and du (3, w)."""
     for j in range(nodes):
@@ -161,13 +161,13 @@ def add_waves(water, q, nodes, t, R, R1, u, du):
             du[2, j] -= up * (R1 * sine + R * w * cosine)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def moves(water):
     """Whether anything moves the water; asked before `water_at` in steps, 2 % of which its call alone takes"""
     return water.level.size + water.omega.size + water.table.size > 0
 
 
-@kernel()
+@kernel(counted=False)
 def water_at(water, q, nodes, t, u, du):
     """Velocity u and acceleration du of the water at the first `nodes` points q, all (3, w), where it `moves`.
 

@@ -9,7 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 
+
+@in_memory
 class System(NamedTuple):
     """Per element (N,), with "half" meaning half an element; per node (N + 1,); bed as scalars and a vector."""
 
@@ -50,6 +53,7 @@ class System(NamedTuple):
     bed_profile: np.ndarray  # (k, 4) m along the course from which a row holds; height there, slope, bend; none: plane
 
 
+@in_memory
 class Water(NamedTuple):
     """Current at levels (k,), (k, 2) m/s, and waves: (w,) or (w, 2); depth may be inf.
 

@@ -8,13 +8,13 @@ from hakobune.bem.kernels.simd import choose_less, load_vector, store_vector, to
 TINY = 1e-300  # added under a root in a denominator
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def load_three(rows, w, j):
     """Columns j … j + 7 of rows (3, w) that a pointer points to"""
     return load_vector(rows, j), load_vector(rows, w + j), load_vector(rows, 2 * w + j)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def store_three(rows, w, j, a):
     """Put three vectors there."""
     x, y, z = a
@@ -23,7 +23,7 @@ def store_three(rows, w, j, a):
     store_vector(rows, 2 * w + j, z)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def minus(a, b):
     """a − b"""
     x, y, z = a
@@ -31,7 +31,7 @@ def minus(a, b):
     return x - p, y - q, z - r
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def dot(a, b):
     """a · b"""
     x, y, z = a
@@ -39,7 +39,7 @@ def dot(a, b):
     return x * p + y * q + z * r
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def combine(f, a, g, b):
     """f a + g b"""
     x, y, z = a
@@ -47,26 +47,26 @@ def combine(f, a, g, b):
     return f * x + g * p, f * y + g * q, f * z + g * r
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def less(a, b):
     """The smaller one of each"""
     return choose_less(a, b, a, b)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def more(a, b):
     """The larger one of each"""
     return choose_less(a, b, b, a)
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def total(a):
     """Sum of a vector"""
     c = to_scalars(a)
     return ((c[0] + c[1]) + (c[2] + c[3])) + ((c[4] + c[5]) + (c[6] + c[7]))
 
 
-@kernel(inline=True)
+@kernel(inline=True, counted=False)
 def largest(a):
     """Largest number of a vector"""
     c = to_scalars(a)

@@ -11,11 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import WIDTH
 
 from .band import OF_BAND
-from .bending import bends, joints
+from .bending import joints
 
 # rows of Work.element: 1/m, N, N s, 1/soft strain; strain, tension/EA and slope/EA of the material's row; halves, see
 # `System`
@@ -28,8 +29,10 @@ OF_ELEMENT = 19
 MASS, WEIGHT, INERTIA, BED_STIFFNESS, BED_DAMPING, BED_THIN, NORMAL, LEVEL, TURN = (0, 1, 2, 3, 4, 5, 6, 9, 10)
 OF_NODE = 11
 OF_PIVOT = 27  # see `block_tridiagonal.factor`
+STAGES = 3  # of a step, see `esdirk`
 
 
+@in_memory
 class Work(NamedTuple):
     """Arrays used over and over; n nodes in rows of w columns."""
 
@@ -51,6 +54,10 @@ class Work(NamedTuple):
     bending: np.ndarray  # (OF_BENDING, w), (OF_BENDING, 0) of one that does not
     tabled: bool  # whether an element has more than one row of `System.elongation`
     rises: bool  # whether the line may leave the water
+    kept: np.ndarray  # (6 + 2 STAGES, 3, w) what steps keep: place, velocity and others, and those of the stages
+    powers: np.ndarray  # (STAGES, 6)
+    energy: np.ndarray  # (6,) J
+    fairlead: np.ndarray  # (3, 3) its place, velocity, acceleration
 
 
 def width(n):
@@ -65,13 +72,7 @@ def to_rows(points):
     return rows
 
 
-@kernel()
-def columns(n):
-    """`width`, for kernels"""
-    return (n + WIDTH - 1) // WIDTH * WIDTH + WIDTH
-
-
-@kernel()
+@kernel(counted=False)
 def read(rows, points):
     """rows (3, w) = points (n, 3)"""
     for j in range(points.shape[0]):
@@ -79,7 +80,7 @@ def read(rows, points):
             rows[i, j] = points[j, i]
 
 
-@kernel()
+@kernel(counted=False)
 def write(points, rows):
     """points (n, 3) = rows (3, w)"""
     for j in range(points.shape[0]):
@@ -87,58 +88,34 @@ def write(points, rows):
             points[j, i] = rows[i, j]
 
 
-@kernel()
 def workspace(s):
     """Work for the line of a System."""
-    n = s.mass.size
-    w = columns(n)
+    n, w = s.mass.size, width(s.mass.size)
     points, blocks, along = np.zeros((6, 3, w)), np.zeros((2, 9, w)), np.zeros((5, w))
-    element, node, tabled, rises = np.zeros((OF_ELEMENT, w)), np.zeros((OF_NODE, w)), False, False
-    for e in range(w):
-        element[SHORT, e] = element[HARD, e] = element[ROUND, e] = node[BED_THIN, e] = 1.0
-        node[NORMAL + 2, e], node[LEVEL, e] = 1.0, -1.0  # the bed lies level and below columns without a node
-    for e in range(n - 1):
-        known, row = element[:, e + 1], s.elongation_rows[e, 0]
-        known[SHORT], known[STIFFNESS], known[DAMPING] = 1.0 / s.length[e], s.stiffness[e], s.damping[e]
-        known[HARD], known[BEGIN], known[OVER] = 1.0 / s.soft_strain[e], s.elongation[row, 0], s.elongation[row, 1]
-        known[SLOPE], tabled = s.elongation[row, 2], tabled or s.elongation_rows[e, 1] > row + 1
-        known[DRAG_NORMAL], known[DRAG_TANGENTIAL] = s.half_drag_normal[e], s.half_drag_tangential[e]
-        known[ADDED_NORMAL], known[ADDED_TANGENTIAL] = s.half_added_normal[e], s.half_added_tangential[e]
-        known[DISPLACED] = s.half_displaced[e]
-        for i in range(OF_WATER):
-            known[WHOLE + i] = known[DRAG_NORMAL + i]
-        known[BUOYANCY], known[ROUND], rises = s.buoyancy[e], s.waterline[e], rises or s.buoyancy[e] > 0.0
-    for j in range(n):
-        known = node[:, j]
-        known[MASS], known[WEIGHT], known[INERTIA] = s.mass[j], s.weight[j], s.inertia[j]
-        known[BED_STIFFNESS], known[BED_DAMPING] = s.bed_stiffness[j], s.bed_damping[j]
-        known[BED_THIN] = 1.0 / s.bed_thickness[j] if s.bed_thickness[j] > 0.0 else 1.0
-        known[NORMAL], known[NORMAL + 1], known[NORMAL + 2] = s.bed_normal[0], s.bed_normal[1], s.bed_normal[2]
-        known[LEVEL] = s.bed_level
+    element, node = np.zeros((OF_ELEMENT, w)), np.zeros((OF_NODE, w))
+    element[[SHORT, HARD, ROUND]] = node[BED_THIN] = 1.0
+    node[NORMAL + 2], node[LEVEL] = 1.0, -1.0  # the bed lies level and below columns without a node
+    first, last = s.elongation_rows.T
+    begin, over, slope, _ = s.elongation[first].T
+    water = s.half_drag_normal, s.half_drag_tangential, s.half_added_normal, s.half_added_tangential, s.half_displaced
+    element[:, 1:n] = [
+        1.0 / s.length, s.stiffness, s.damping, 1.0 / s.soft_strain, begin, over, slope, *water, *water, s.buoyancy,
+        s.waterline,
+    ]  # fmt: skip
+    node[:BED_THIN, :n] = s.mass, s.weight, s.inertia, s.bed_stiffness, s.bed_damping
+    thick = s.bed_thickness > 0.0
+    node[BED_THIN, :n][thick] = 1.0 / s.bed_thickness[thick]
+    node[NORMAL : NORMAL + 3, :n], node[LEVEL, :n] = s.bed_normal[:, None], s.bed_level
     bending = joints(s.flexure, s.length, w)
+    pivots = np.zeros((n, OF_BAND if bending.size else OF_PIVOT))
     return Work(
-        points[0],
-        points[1],
-        points[2],
-        points[3],
-        points[4],
-        points[5],
-        blocks[0],
-        blocks[1],
-        along[0],
-        along[1:4],
-        along[4],
-        element,
-        node,
-        np.zeros(6),
-        np.zeros((n, OF_BAND if bends(bending) else OF_PIVOT)),
-        bending,
-        tabled,
-        rises,
-    )
+        *points, *blocks, along[0], along[1:4], along[4], element, node, np.zeros(6), pivots, bending,
+        bool(np.any(last > first + 1)), bool(np.any(s.buoyancy > 0.0)), np.zeros((6 + 2 * STAGES, 3, w)),
+        np.zeros((STAGES, 6)), np.zeros(6), np.zeros((3, 3)),
+    )  # fmt: skip
 
 
-@kernel()
+@kernel(counted=False)
 def copy(y, x):
     """y = x for (3, w) arrays: a loop compiles in a fraction of the time of the array expression, as does `add`."""
     for i in range(3):
@@ -146,7 +123,7 @@ def copy(y, x):
             y[i, j] = x[i, j]
 
 
-@kernel()
+@kernel(counted=False)
 def add(y, f, x):
     """y += f x for (3, w) arrays."""
     for i in range(3):
@@ -154,7 +131,7 @@ def add(y, f, x):
             y[i, j] += f * x[i, j]
 
 
-@kernel()
+@kernel(counted=False)
 def largest_of(numbers):
     """Largest of numbers (n,): `max` of an array takes a quarter of a second to compile"""
     most = numbers[0]

@@ -1,0 +1,18 @@
+"""Named tuples that kernels take by address, not by value.
+
+By value a tuple of ninety arrays is six hundred arguments of every kernel that it is handed to, each written and read
+again: a quarter of the time that all kernels of bodies in time took to compile.  A class marked `in_memory` is laid out
+word after word at every call from Python, and kernels pass its address.  Kernels read it and do not make or change one;
+what its arrays hold may change.  How numba reads it: `addresses`.
+"""
+
+from __future__ import annotations
+
+marked = []  # classes that numba does not know yet
+
+
+def in_memory(kind):
+    """Decorator of a NamedTuple of numbers, arrays, further tuples of them, and lists of marked ones of one kind"""
+    marked.append(kind)
+    kind.in_memory = True
+    return kind
