@@ -20,11 +20,11 @@ from ..common.progress import duration
 from ..scene.scene import SceneError
 
 PER_PANEL = 4  # nodes
-# least number of frequencies times nodes^1.5 of a symmetric part at which preparing a band pays: on 576, 944 and 1976
-# nodes the preparation takes the time that 38, 17 and 6 single frequencies take more
-WORTH_SHARING = 5e5
-# most nodes for each frequency of a shared preparation: single frequencies are compressed from WORTH_COMPRESSING nodes
-# on (`bem.panels.compressed`), and the preparation takes as long as 6 of them on 2 200 nodes, 8 on 3 900
+# least number of frequencies times classes times nodes^1.5 of a symmetric part at which preparing a band pays: on 576
+# and 944 nodes of four classes, 1480 of two, 3136 of one it takes the time that 22, 12, 13, 18 single ones take more
+WORTH_SHARING = 2e6
+# most nodes for each frequency of a shared preparation: single frequencies are compressed from WORTH_COMPRESSING on
+# (`bem.panels.compressed`), and the preparation takes as long as 6 of them on 2 200 nodes, 8 on 3 900
 NODES_PER_FREQUENCY = 450
 MOST_SHARED = 10_000  # nodes: factors of 3.5 GB; on more every frequency is compressed
 FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
@@ -43,10 +43,10 @@ def shared_band(scene, mesh, lid=None, some=None):
     some : (n,) rad/s, ascending, if not all of the scene
     """
     omegas, nodes = scene.omegas() if some is None else some, PER_PANEL * len(mesh)
-    count = len(omegas) if scene.waves.band is None or some is not None else ADAPTIVE
-    if nodes < FEWEST or count * nodes**1.5 <= WORTH_SHARING or nodes > MOST_SHARED:
+    count, classes = len(omegas) if scene.waves.band is None or some is not None else ADAPTIVE, 2 ** len(mesh.symmetry)
+    if nodes < FEWEST or count * classes * nodes**1.5 <= WORTH_SHARING or nodes > MOST_SHARED:
         return None
-    if nodes > WORTH_COMPRESSING and count < nodes / NODES_PER_FREQUENCY:
+    if nodes * classes**0.5 > WORTH_COMPRESSING and count < nodes / NODES_PER_FREQUENCY:
         return None
     alone = PanelProblem(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
     if count < WORTH_SHARING_AXISYMMETRIC and alone.axisymmetric_geometry.sectors:
