@@ -12,6 +12,9 @@ from .threads import blas_threads, parallel_rows
 SIDE_BY_SIDE = 3000
 # residual relative to the right-hand side, above which A alone is too near to being singular
 LARGEST_RESIDUAL = 1e-10
+# unknowns from which real matrices are factored in single precision, in half the time, and their solutions refined
+WORTH_REFINING = 500
+ENOUGH, STEPS = 1e-12, 4  # residual that ends the refinement, and its most steps: of 3 136 unknowns 1e-6, 1e-13
 
 
 def solved_systems(matrices, sides):
@@ -19,7 +22,8 @@ def solved_systems(matrices, sides):
 
     matrices : (c, n, n) real or complex; sides : c of (n, columns)
     """
-    return _each(lambda i: _solved(matrices[i], sides[i]), len(sides), len(sides[0]) if len(sides) else 0)
+    solve = _solved if np.iscomplexobj(matrices) else _real
+    return _each(lambda i: solve(matrices[i], sides[i]), len(sides), len(sides[0]) if len(sides) else 0)
 
 
 def solved_beside_few(equations, counts):
@@ -59,8 +63,17 @@ def _solved(matrix, side):
         return np.full(side.shape, np.nan, np.result_type(matrix, side))
 
 
+def _real(matrix, side):
+    none = np.zeros((len(matrix), 0))
+    return _beside_few(matrix, none, none, side.astype(complex))[0].real
+
+
 def _beside_few(A, U, V, b):
     """x and its residual"""
+    if len(A) >= WORTH_REFINING:
+        x, left = _refined(A, U, V, b)
+        if left < LARGEST_RESIDUAL:
+            return x, left
     columns = b.shape[1]
     first = _solved(A, np.concatenate([b.real, b.imag, U], axis=1))
     x, of_waves = first[:, :columns] + 1j * first[:, columns : 2 * columns], first[:, 2 * columns :]
@@ -72,7 +85,39 @@ def _beside_few(A, U, V, b):
     return x, left
 
 
+def _refined(A, U, V, b):
+    """x and its residual, by factors of A in single precision and what they leave of b (Wilkinson 1963)"""
+    inverse = _about_inverse(A)
+    of_waves = inverse(U)
+    few = np.eye(U.shape[1]) + 1j * (V.T @ of_waves)
+    x, rest, left = np.zeros_like(b), b, np.inf
+    for _ in range(STEPS):
+        y = inverse(np.concatenate([rest.real, rest.imag], axis=1))
+        y = y[:, : b.shape[1]] + 1j * y[:, b.shape[1] :]
+        x = x + y - 1j * (of_waves @ _solved(few, V.T @ y))
+        rest = b - real_times_complex(A, x) - 1j * (U @ (V.T @ x))
+        left = _relative(rest, b)
+        if left < ENOUGH:
+            break
+    return x, left
+
+
+def _about_inverse(A):
+    """Function of real (n, columns) that gives A⁻¹ times them in single precision; its factors release the interpreter
+    lock as numpy's do
+    """
+    from scipy.linalg.lapack import sgetrf, sgetrs
+
+    # LAPACK wants columns: the transposed view is factored in place and solved transposed
+    factors, pivots, _ = sgetrf(A.astype(np.float32).T, overwrite_a=True)
+    return lambda b: sgetrs(factors, pivots, b.astype(np.float32), trans=1)[0].astype(float)
+
+
 def _left(A, U, V, b, x):
     """Largest residual of a column relative to its right-hand side"""
-    left = np.abs(real_times_complex(A, x) + 1j * (U @ (V.T @ x)) - b).max(axis=0)
-    return float((left / np.maximum(np.abs(b).max(axis=0), 1e-300)).max())
+    return _relative(real_times_complex(A, x) + 1j * (U @ (V.T @ x)) - b, b)
+
+
+def _relative(rest, b):
+    """Largest entry of a column relative to that of b, the largest of all columns"""
+    return float((np.abs(rest).max(axis=0) / np.maximum(np.abs(b).max(axis=0), 1e-300)).max())

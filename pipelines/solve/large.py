@@ -21,11 +21,11 @@ from ..common.progress import duration
 from ..scene.scene import SceneError
 
 PER_PANEL = 4  # nodes
-# least number of frequencies times nodes^1.5 of a symmetric part at which preparing a band pays: on 576, 944 and 1976
-# nodes the preparation takes the time that 38, 17 and 6 single frequencies take more
-WORTH_SHARING = 5e5
-# most nodes for each frequency of a shared preparation: single frequencies are compressed from WORTH_COMPRESSING nodes
-# on (`bem.panels.compressed`), and the preparation takes as long as 6 of them on 2 200 nodes, 8 on 3 900
+# least number of frequencies times classes times nodes^1.5 of a symmetric part at which preparing a band pays: on 576
+# and 944 nodes of four classes, 1480 of two, 3136 of one it takes the time that 22, 12, 13, 18 single ones take more
+WORTH_SHARING = 2e6
+# most nodes for each frequency of a shared preparation: single frequencies are compressed from WORTH_COMPRESSING on
+# (`bem.panels.compressed`), and the preparation takes as long as 6 of them on 2 200 nodes, 8 on 3 900
 NODES_PER_FREQUENCY = 450
 MOST_SHARED = 10_000  # nodes: factors of 3.5 GB; on more every frequency is compressed
 FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
@@ -33,7 +33,7 @@ FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
 # frequencies of 1 000 or 4 000 panels, with two threads 190 and 145
 WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 27  # frequencies that an adaptive band takes, about
-NODES_WORTH_TELLING = 3000
+NODES_WORTH_TELLING = 6000  # times the root of the classes: a frequency takes two seconds
 NODES_WORTH_ASKING = 1500  # a frequency on them takes two seconds, of which asking how long is a tenth
 COPIES = 3  # copies of a database in memory while it is created: numbers, file, and the image that is written
 
@@ -45,14 +45,19 @@ def shared_band(scene, mesh, lid=None, some=None):
     """
     omegas, nodes = scene.omegas() if some is None else some, PER_PANEL * len(mesh)
     count = len(omegas) if scene.waves.band is None or some is not None else ADAPTIVE
-    if nodes < FEWEST or count * nodes**1.5 <= WORTH_SHARING or nodes > MOST_SHARED:
+    if nodes < FEWEST or count * _size(mesh) ** 2 <= WORTH_SHARING * nodes**0.5 or nodes > MOST_SHARED:
         return None
-    if nodes > WORTH_COMPRESSING and count < nodes / NODES_PER_FREQUENCY:
+    if _size(mesh) > WORTH_COMPRESSING and count < nodes / NODES_PER_FREQUENCY:
         return None
     alone = PanelProblem(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
     if count < WORTH_SHARING_AXISYMMETRIC and alone.axisymmetric_geometry.sectors:
         return None
     return float(omegas.min()), float(omegas.max())
+
+
+def _size(mesh):
+    """Nodes of a symmetric part times the root of its symmetry classes, which take a frequency's time together"""
+    return PER_PANEL * len(mesh) * 2 ** (len(mesh.symmetry) / 2)
 
 
 def announced(problem, limits, console, processes=1, omegas=()):
@@ -66,7 +71,7 @@ def announced(problem, limits, console, processes=1, omegas=()):
     if isinstance(problem, ShapeProblem) and problem.method in RESOLVED and len(omegas):
         _announce_contour(problem, omegas, console, processes)
     panels = problem.panels if isinstance(problem, ShapeProblem) else problem
-    if not isinstance(panels, PanelProblem) or PER_PANEL * len(panels.mesh) < NODES_WORTH_TELLING:
+    if not isinstance(panels, PanelProblem) or _size(panels.mesh) < NODES_WORTH_TELLING:
         return None
     from hakobune.bem.panels.band.cost import cost, memory_alone
 

@@ -86,8 +86,9 @@ def seconds_alone(prepared, omega):
     waves, rankine = _seconds_of_waves(geometry, omega, gravity), _seconds_of_rows(geometry)
     if prepared.compressed:
         return EVALUATIONS_PER_DOUBLING * np.log2(n) * (waves + rankine) / len(geometry.images)
-    # `bem.panels.reciprocal_pairs` evaluates waves for half of the pairs, and real matrices are factored
-    return n * (waves / 2 + rankine) + len(geometry.classes) * _seconds_of_factor() * (n / TIMED_UNKNOWNS) ** 3
+    # `bem.panels.reciprocal_pairs` evaluates waves for half of the pairs; factors are in single precision
+    factor = _seconds_of_factor(np.float32) * (n / TIMED_UNKNOWNS) ** 3
+    return n * (waves / 2 + rankine) + len(geometry.classes) * factor
 
 
 def _seconds_of_waves(geometry, omega, gravity):
@@ -111,10 +112,10 @@ def _timed_rows(geometry):
     return np.arange(0, n, max(n // rows, 1))
 
 
-def _seconds_of_factor():
+def _seconds_of_factor(kind=np.float64):
     from scipy.linalg import lu_factor
 
-    A = np.random.default_rng(0).standard_normal((TIMED_UNKNOWNS, TIMED_UNKNOWNS))
+    A = np.random.default_rng(0).standard_normal((TIMED_UNKNOWNS, TIMED_UNKNOWNS)).astype(kind)
     return _seconds(lambda: lu_factor(A, check_finite=False))
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hakobune.bem.kernels.systems import solved_beside_few
+from hakobune.bem.kernels.systems import WORTH_REFINING, solved_beside_few, solved_systems
 
 
 def systems(singular):
@@ -44,3 +44,29 @@ def test_singular_system_has_no_finite_solution():
     A[2, 0] = U[2, 0] = 0.0
     found, left = solved_beside_few((A, U, V, b), (4, 4, 4))
     assert np.all(np.isfinite(found[0])) and not np.all(np.isfinite(found[2])) and not left < 1.0
+
+
+@pytest.mark.parametrize("size", [WORTH_REFINING, WORTH_REFINING + 41])
+def test_factors_in_single_precision_leave_no_more_than_rounding(size):
+    rng = np.random.default_rng(5)
+    A = rng.standard_normal((2, size, size)) / size**0.5 + 2 * np.eye(size)
+    A[1] *= 1e30  # units do not count
+    U, V = rng.standard_normal((2, 2, size, 7)) / size**0.5
+    b = rng.standard_normal((2, size, 3)) + 1j * rng.standard_normal((2, size, 3))
+    found, left = solved_beside_few((A, U, V, b), (3, 3))
+    assert left < 1e-11
+    for x, whole, side in zip(found, A + 1j * (U @ V.swapaxes(1, 2)), b, strict=True):
+        exact = np.linalg.solve(whole, side)
+        assert np.abs(x - exact).max() < 1e-10 * np.abs(exact).max()
+    real = solved_systems(A, list(b.real))
+    assert np.isrealobj(real[0]) and np.abs(A[0] @ real[0] - b[0].real).max() < 1e-10
+
+
+def test_matrices_that_single_precision_takes_for_singular_are_factored_in_double():
+    rng = np.random.default_rng(6)
+    A = np.eye(WORTH_REFINING)[None] + 1e-9 * rng.standard_normal((1, WORTH_REFINING, WORTH_REFINING))
+    A[0, 0] = A[0, 1] + 1e-9 * rng.standard_normal(WORTH_REFINING)
+    b = rng.standard_normal((1, WORTH_REFINING, 2)) + 0j
+    (x,), _ = solved_beside_few((A, np.zeros((1, WORTH_REFINING, 0)), np.zeros((1, WORTH_REFINING, 0)), b), (2,))
+    exact = np.linalg.solve(A[0], b[0])
+    assert np.abs(x - exact).max() < 1e-6 * np.abs(exact).max()

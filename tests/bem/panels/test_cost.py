@@ -35,7 +35,7 @@ def test_time_of_a_frequency_alone_is_that_of_its_rows_and_factors(monkeypatch):
     """Waves of half of the pairs; factors of n³ as measured with 1500; 600 evaluations a doubling of compressed ones"""
     monkeypatch.setattr(cost, "_seconds_of_waves", lambda *_: 0.02)
     monkeypatch.setattr(cost, "_seconds_of_rows", lambda *_: 0.003)
-    monkeypatch.setattr(cost, "_seconds_of_factor", lambda: 0.05)
+    monkeypatch.setattr(cost, "_seconds_of_factor", lambda *_: 0.05)
     assert cost.seconds_alone(prepared(3000), 0.5) == pytest.approx(3000 * 0.013 + 4 * 0.05 * 8)
     assert cost.seconds_alone(prepared(65536, compressed=True), 0.5) == pytest.approx(600 * 16 * 0.023 / 4)
     for other in (prepared(3000, sectors=SimpleNamespace(first=range(9))), prepared(3000, zero_draft=True)):
@@ -50,7 +50,7 @@ def test_a_band_takes_its_samples_its_rows_and_the_factors_of_all_classes(monkey
     monkeypatch.setattr(cost, "Snapshots", lambda *_: snapshots)
     monkeypatch.setattr(cost, "_seconds_of_waves", lambda g, w, _: 0.02 * w)
     monkeypatch.setattr(cost, "_seconds_of_rows", lambda *_: 0.003)
-    monkeypatch.setattr(cost, "_seconds_of_factor", lambda: 0.05)
+    monkeypatch.setattr(cost, "_seconds_of_factor", lambda *_: 0.05)
     found = cost.cost(geometry, (0.5, 2.0), 9.81)
     columns = 600 + 600
     assert found.memory == pytest.approx(8 * 2 * (4e6 + 2 * 2000 * columns) + 8 * 2000 * columns + 4e8)

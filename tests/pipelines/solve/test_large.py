@@ -44,6 +44,16 @@ def test_many_frequencies_on_many_panels_share_their_work():
     assert shared_band(scene(omegas=many), coarse) is None
 
 
+def test_bodies_without_mirror_planes_share_their_work_in_four_times_as_many_frequencies():
+    """One system of equations a frequency in place of four; the preparation takes as long"""
+    quarter = box(100, 50, 10, panels=2400)
+    whole = replace(quarter, symmetry="")
+    few, more = ({"from": 0.2, "to": 1.0, "count": count} for count in (7, 20))
+    assert shared_band(scene(omegas=few), quarter) == pytest.approx((0.2, 1.0))
+    assert shared_band(scene(omegas=few), whole) is None
+    assert shared_band(scene(omegas=more), whole) == pytest.approx((0.2, 1.0))
+
+
 def test_axisymmetric_bodies_share_their_work_in_hundreds_of_frequencies_only():
     many, more = {"from": 0.2, "to": 1.0, "count": 100}, {"from": 0.2, "to": 1.0, "count": 200}
     fine = buoy(10, 8, panels=1000)
