@@ -1,4 +1,4 @@
-"""The radiation–diffraction problem of boxes and vertical cylinders, for the methods that need no panels."""
+"""The radiation–diffraction problem of boxes and vertical cylinders, for the methods without panels."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from .shape_run import ShapeRun
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ShapeProblem(Problem):
-    """A box or buoy in water, its waterplane centred at the origin, or several by the contour method.
+    """A box or buoy in water with its waterplane centred at the origin, or several bodies by the contour method.
 
     method : contour, strip or inverse-strip; shape : box (length, beam, draft) or buoy (radius, draft)
-    sizes : m, in that order; tolerance : relative error asked for
+    sizes : m, in that order; tolerance : requested relative error
     shapes : of several `bodies`, the shape and sizes of each, in place of these
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None
-    omegas : (n,) rad/s, ascending, that will be asked for: of many some tell the errors of the others
+    omegas : (n,) rad/s, ascending, of the run: for many frequencies, errors of some give those of the others
         (`bem.methods.few_estimates`)
     """
 
@@ -46,7 +46,7 @@ class PreparedShapeProblem:
 
     @cached_property
     def solver(self):
-        """What solves a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
+        """Solver of a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
         s = self.problem
         if s.shapes:
             from ..contour.several.bodies import prepare_several
@@ -64,7 +64,7 @@ class PreparedShapeProblem:
 
     @cached_property
     def panels(self):
-        """The panels prepared; raises ValueError where there are none"""
+        """The prepared panels; raises ValueError without panels"""
         if self.problem.panels is None:
             raise ValueError(f"method {self.problem.method} has no panels to give pressures on")
         return self.problem.panels.prepared()
@@ -85,7 +85,7 @@ class PreparedShapeProblem:
 
     @property
     def displacing(self):
-        """(6,) whether a mode moves water at all; of several bodies (6N,)"""
+        """(6,) whether a mode displaces water; for several bodies (6N,)"""
         return np.array([moves for shape, _ in self.shapes for moves in [True] * 5 + [shape == "box"]])
 
     @property

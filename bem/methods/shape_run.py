@@ -13,10 +13,10 @@ from ..frequency import DRIFT, FrequencyRun
 class ShapeRun(FrequencyRun):
     """One frequency of a method without panels, by the prepared solver or a sharper one.
 
-    Few problems need one: heights of a gap and drafts at which what keel and sides radiate nearly cancels.
+    Few problems need one: gap heights and drafts for which radiation of keel and sides nearly cancels.
     """
 
-    most_sharper = 2  # digits more than the tolerance asks for
+    most_sharper = 2  # number of additional digits beyond the tolerance
 
     def __init__(self, prepared, omega, headings, want, theta, dofs, solver=None):
         super().__init__(prepared, omega, headings, want, theta, dofs)
@@ -31,7 +31,7 @@ class ShapeRun(FrequencyRun):
 
     @property
     def solves(self):
-        """Whether any equations have to be solved"""
+        """Whether any equations must be solved"""
         return bool(self.want - {"Froude_Krylov_force", "pressure"})
 
     @cached_property
@@ -44,7 +44,7 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def finer(self):
-        """The same by the finer body of the contour method"""
+        """The same frequency by the finer body of the contour method"""
         return self._first_order(self.solver.finer, self.want & DRIFT)
 
     def _first_order(self, solver, far_field):
@@ -53,12 +53,12 @@ class ShapeRun(FrequencyRun):
 
     @property
     def waves(self):
-        """(m,) headings; empty where no diffraction is wanted"""
+        """(m,) headings; empty if no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
     @cached_property
     def differences(self):
-        """Of the contour method, from the finer body; None for strips, whose error is that of strip theory"""
+        """From the finer body of the contour method; None for strips, whose error is that of strip theory"""
         if self.problem.method != "contour":
             return None
         ours, fine = self.first_order, self.finer

@@ -3,10 +3,10 @@
     η(p) = Σ_j s_j H₀(k|p − p_j|),      H(θ) = Σ_j s_j exp(−ik(x_j cosθ + y_j sinθ))
 
 H₀ Hankel's function of the first kind, sources on a convex curve inside the plan of the body.  The far field determines
-the propagating wave everywhere outside; the sources are its least-squares fit, without the combinations of them that
-send less than `SMALLEST` away, which are errors of H magnified.  Beyond the circle about the body the fit is as good as
-H; within it, beside a long body, detail finer than half a wave length is smoothed.  Waves that decay over the depth,
-like exp(−πr/h), are left out.  Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
+the propagating wave everywhere outside; the sources are its least-squares fit, without combinations of sources whose
+far field is below `SMALLEST`, which would magnify errors of H.  Beyond the circle about the body the fit is as accurate
+as H; within it, beside a long body, detail finer than half a wave length is smoothed.  Local waves, which decay like
+exp(−πr/h), are neglected.  Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Sources:
         return regular_inverse(self.sent, SMALLEST)
 
     def strengths(self, H):
-        """(…, s) of Kochin functions H (…, t), and the share of H that the sources do not send"""
+        """(…, s) of Kochin functions H (…, t), and the share of H that the sources do not reproduce"""
         found = H @ self.of_far_field.T
         size = np.linalg.norm(H)
         return found, float(np.linalg.norm(H - found @ self.sent.T) / size) if size > 0 else 0.0
@@ -52,7 +52,7 @@ class Sources:
         return np.concatenate(parts, axis=-1)
 
     def covers(self, places):
-        """(p,) whether places (p, 2) lie in the plan, where there is no wave"""
+        """(p,) whether places (p, 2) lie in the plan, where no wave is defined"""
         return covers(self.plan, places)
 
 
