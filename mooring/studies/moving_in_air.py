@@ -1,4 +1,4 @@
-"""Parts of a line out of the water that count as under it, at rest or in the run."""
+"""Parts of a line out of the water whose weight counts as submerged, at rest or during a run."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _warn_of_fairlead(line, time, z):
 
 
 def _warn_of_floating(line, time, z):
-    """Of nodes that rise above still water and both ends: nothing but their buoyancy, or a whip, holds them there."""
+    """Warn of nodes that rise above still water and both ends: only their buoyancy, or a whip, can hold them there."""
     above = z[:, 1:-1] - np.maximum(0.0, np.maximum(z[:, 0], z[:, -1]))[:, None]
     limit = max(segment.diameter for segment in line.segments)
     top = 0 if above[0].max() > limit else int(np.argmax(above.max(axis=1)))  # the state at rest has priority
