@@ -23,7 +23,7 @@ from hakobune.meshing.panels import assembled, with_symmetry
 
 from .passage import Passage
 
-EACH = 2  # places per place at which the squares are computed
+EACH = 2  # the squares are computed at one in this number of places
 STEP, TURN = 0.01, 1e-3  # displacement for finite differences, over the distance, and rotation, rad
 DEGREE = 5  # degree of the splines over ξ
 FINE = 5  # places between two that are solved
