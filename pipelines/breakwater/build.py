@@ -14,7 +14,7 @@ SIZES = {"kN_per_m3": KN, "t_per_m": TONNE, "kN_per_m": KN, "kPa": KN, "kN": KN}
 
 
 def breakwater_of(study):
-    """The `Breakwater` of a BreakwaterStudy.  Raises ValueError for bodies and lines that cannot be."""
+    """The `Breakwater` of a BreakwaterStudy.  Raises ValueError for impossible bodies and lines."""
     sea, waves = study.sea, study.waves
     return Breakwater(
         Water(**_si(study.water)),
@@ -45,7 +45,7 @@ def ranges_of(asked):
 
 
 def changing(breakwater):
-    """Values as `ranges_of` has them → the `Breakwater` changed to them"""
+    """Values named as in `ranges_of` → the `Breakwater` with these values"""
 
     def changed(angle_deg=None, **sizes):
         return breakwater.changed(**sizes, angle=None if angle_deg is None else math.radians(angle_deg))

@@ -1,4 +1,4 @@
-"""Kernels that numba compiles are announced at a terminal and timed; kernels from disk are no event of numba."""
+"""Kernels compiled by numba are announced at a terminal and timed; kernels loaded from disk are not."""
 
 from __future__ import annotations
 
