@@ -34,7 +34,7 @@ DEPTH_DIFFERS = 0.02  # relative difference of water depths that is reported; le
 BUCKLING = ("cell", "v", "h", "cone")  # families with a plateau
 LINEAR_TO = 0.15  # strain up to which Ueda (1981) treats a fender as a spring
 BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "stiffest")
-BEHIND = ("x", "gap", "dolphin", "dolphin_yield", "dolphin_beyond")  # keys that the fender of a simulation has not
+BEHIND = ("x", "gap", "dolphin", "dolphin_yield", "dolphin_beyond")  # keys that the fender of a simulation lacks
 DEFAULT = dict(zip(BerthFender.__struct_fields__[::-1], BerthFender.__struct_defaults__[::-1], strict=False))
 TAKEN = "the same energy, with a fender that differs from its catalogue"
 
@@ -220,7 +220,7 @@ def _in_time(approach, course):
 
 
 def _failures(study, approach, course):
-    """What fails of fenders and dolphins: by the kinetic-energy method as Ueda (1981) judges, section 6, and in time"""
+    """Failures of fenders and dolphins: by the kinetic-energy method (Ueda 1981, section 6), and in time"""
     table = study.fender[approach.first]
     alone = fender_of(table)
     found = list(beyond_batch("energy of the berthing", approach.energy, table, alone))

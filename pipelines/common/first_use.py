@@ -9,7 +9,7 @@ from ..printing import timing
 
 
 def tell_first_use():
-    """Say it on a terminal before the next kernel is compiled, and time all of them; returns the listener of numba."""
+    """Announce the compilation of the next kernel on a terminal, and time all of them; returns numba's listener."""
     from numba.core import event
 
     class Teller(event.Listener):

@@ -103,7 +103,7 @@ def _line(message, raw, kind):
 
 
 def _meant(key, keys):
-    """", {key} may be meant" for a key with another name or a misprint; "" if none is similar"""
+    """Text ", {key} may be meant" for a key with another name or a misprint; "" if none is similar"""
     other = [name for name, others in OTHER_NAMES.items() if name in keys and key.lower() in others.split()]
     found = other or difflib.get_close_matches(key.lower(), keys, 1, ALIKE)
     return f", {found[0]} may be meant" if found else ""
