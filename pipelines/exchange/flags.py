@@ -97,7 +97,7 @@ def import_(
 
 
 def _of_several(place, kind, names, known, others, points, output, fresh, uncoupled):
-    """`import_` of all bodies of a set; others : flags of one body; points : {flag: text} of each"""
+    """`import_` of all bodies of a set; others : flags for single bodies; points : {flag: text} of each"""
     from hakobune.bem.formats.afloat import Weight
 
     from .several import import_several
@@ -140,7 +140,7 @@ def body_(
 
 
 def _from_to(text):
-    """(low, high) in rad/s of "0.2:1.5", either left out for all.  Raises ValueError."""
+    """(low, high) in rad/s from a text such as "0.2:1.5"; an omitted bound is None.  Raises ValueError."""
     low, colon, high = (text or ":").partition(":")
     try:
         found = float(low or 0.0), float(high or "inf")

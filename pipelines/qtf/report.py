@@ -1,4 +1,4 @@
-"""What a person wants to know of forces of pairs: how large each part is, how far Newman's rule is off, errors."""
+"""Report on forces of wave pairs: size of each part, deviation of Newman's approximation, errors."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from hakobune.mooring.criteria.failing import fails
 
 from .question import A_WAVE, carried_by
 
-APART = 0.05  # difference of drift by pressure and by far field, over the largest drift, that is accepted
+APART = 0.05  # accepted difference of drift by pressure and by far field, over the largest drift
 NAMES = ("surge", "sway", "yaw")
 MODES = [0, 1, 5]
 ALL = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 
 def newman(forces, mode, heading):
-    """(d, n) signed √(DᵢDⱼ) of the diagonal of the squares, NaN where there is no pair"""
+    """(d, n) signed √(DᵢDⱼ) of the diagonal of the squares, NaN without a pair"""
     D = forces.squares[0, :, heading, heading, mode].real
     out = np.full((len(forces.frequency), len(D)), np.nan)
     for m in range(len(forces.frequency)):
@@ -27,8 +27,8 @@ def newman(forces, mode, heading):
 
 
 def diagonal_gap(forces):
-    """Largest difference of the pressure's mean drift from that of the far field in surge and sway, of the largest
-    mean drift; None where it is not known"""
+    """Largest difference of the pressure's mean drift from that of the far field in surge and sway, over the largest
+    mean drift; None if unknown"""
     if forces.added is None:
         return None
     h = np.arange(len(forces.headings))
@@ -37,9 +37,9 @@ def diagonal_gap(forces):
 
 
 def failures(stored, db=None):
-    """What fails of `StoredForces`: mean drift by pressure that is not that of the far field
+    """Failures of `StoredForces`: mean drift by pressure that differs from that of the far field
 
-    db : its open database, whose panels may be too large for the waves; None to say nothing of them
+    db : its open database, whose panels may be too large for the waves; None for no message on them
     """
     gap = None if stored.forces.kind is SUM else diagonal_gap(stored.forces)
     if gap is not None and gap > APART:
@@ -50,7 +50,7 @@ def failures(stored, db=None):
 
 
 def _smaller_panels(forces, db):
-    """The way out: panels that carry the waves, or waves that the panels carry"""
+    """The remedy: panels that resolve the waves, or longer waves"""
     size, most = (np.inf, np.inf) if db is None else (float(db.mesh.sizes.max()), _carried(db))
     if most >= forces.omega[-1]:
         return "the difference falls with more panels"
@@ -67,7 +67,7 @@ def _carried(db):
 
 
 def notes(stored):
-    """Lines of text about `StoredForces` beside their table"""
+    """Lines of text about `StoredForces`, in addition to their table"""
     forces, share = stored.forces, stored.share
     yield (
         f"{_held(stored.held)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
@@ -118,7 +118,7 @@ def _of_sums(stored):
 
 
 def parts_of_sums(forces, mode, heading):
-    """{name: (d, n)} T at sums of frequencies with each next part, of one heading"""
+    """{name: (d, n)} T at sum frequencies with each additional part, for one heading"""
     names = [("squares", "squares"), ("+ bound wave", "bound_wave"), ("+ body", "body"), ("+ surface", "surface")]
     found = {name: getattr(forces, part) for name, part in names if getattr(forces, part) is not None}
     sums = np.cumsum([value[:, :, heading, heading, mode] for value in found.values()], axis=0)
@@ -130,7 +130,7 @@ def _way(stored):
 
 
 def _relative(forces, errors):
-    """Root mean square of errors over that of the forces in equal headings, per cent of the larger of surge and sway"""
+    """Root mean square of errors over that of the forces in equal headings, per cent, the larger of surge and sway"""
     each = np.arange(len(forces.headings))
     parts = [np.abs(part[:, :, each, each]) ** 2 for part in (errors, forces.total)]
     error, force = (np.sqrt(np.nanmean(part, axis=(0, 1, 2))) for part in parts)
@@ -149,7 +149,7 @@ def _held(held):
 
 
 def levels(forces, mode, heading):
-    """{name: (d, n)} T by each level, of one heading"""
+    """{name: (d, n)} T by each level, for one heading"""
     rule = newman(forces, mode, heading)
     bound, squares, body = (
         getattr(forces, part)[:, :, heading, heading, mode] for part in ("bound_wave", "squares", "body")
