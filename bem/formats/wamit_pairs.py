@@ -3,8 +3,8 @@
     PER₁ PER₂ BETA₁ BETA₂ I Mod Pha Re Im        F(t) = Re Σᵢ Σⱼ Aᵢ Āⱼ ρg F̄_ij exp{+i(ωᵢ − ωⱼ)t}    of .12d
                                                  F(t) = Re Σᵢ Σⱼ Aᵢ Aⱼ ρg F̄_ij exp{+i(ωᵢ + ωⱼ)t}    of .12s
 
-with F̄ multiplied by ULEN for forces and by its square for moments; periods in s, headings in degrees that waves
-travel to, phases in degrees: the conjugates of ours.  Pairs of the other order have the conjugate, in .12s the same;
+with F̄ multiplied by ULEN for forces and by its square for moments; periods in s, headings in degrees that waves travel
+to, phases in degrees: the conjugates of ours.  Pairs with exchanged waves have the conjugate, in .12s the same value;
 the files have those with PER₁ ≤ PER₂.
 """
 
@@ -42,8 +42,8 @@ def write_pairs(forces, place, weight):
 
 
 def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
-    """`QuadraticForces` of NAME.12d or .12s, all of it as squares, since the file does not tell its parts; None without
-    one
+    """`QuadraticForces` of NAME.12d or .12s, all as squares, since the file does not separate the parts; None without a
+    file
 
     weight : ρg, N/m³; length : m, ULEN
     raises : FormatError for uneven frequencies, pairs of a difference or sum that are missing

@@ -1,7 +1,7 @@
-"""Fenders pressed by a body, and ropes from it to a fixed point or to another body, compiled.
+"""Fenders compressed by a body, and ropes from it to a fixed point or to another body, compiled.
 
-The face of a fender is at a in space.  A flat side of the body meets it, with outward normal m (unit, axes of the body)
-at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
+The face of a fender is at a in space.  A flat side of the body touches it, with outward normal m (unit, axes of the
+body) at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
 
     δ = s − c − m·q,    force on the body −N(δ) R m − T at a,    T = k_t u,  |T| ≤ μ N
 
@@ -11,7 +11,7 @@ of the body:
 
     e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
 
-On another body a moves with that body, which gets the opposite force there; u then turns with the body that is met.
+On another body a moves with that body, which receives the opposite force there; u then turns with the touched body.
 Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step; `settle` stores
 that of its end.
 """
@@ -36,7 +36,7 @@ DEPTH, STATE, SLIP, AT, FORCE = 0, 1, 2, 5, 8  # places in a row of `ContactWork
 
 
 class Contacts(NamedTuple):
-    """m fenders and ropes as the kernels read them.
+    """m fenders and ropes in the form that the kernels read.
 
     table : their curves; numbers : (m, 10) a − x₀ m, or a in the axes of the `other` body; m of a fender's side, or
     p, m; offset s − c, or L₀, m; μ; k_t N/m; 1 for a rope, or 0
@@ -55,7 +55,7 @@ class ContactWork(NamedTuple):
     """start, now : (m, 9) at the start of a step and now: δ or e, state of `hysteresis`, u (3) in space, q (3), force N
 
     parts : (2, N, 6) of fenders and of ropes; arm : (3,) m, of a on the other body
-    beyond : (1,) number of one that is beyond its table and refused, or −1
+    beyond : (1,) number of a contact that is beyond its table and refused, or −1
     """
 
     start: np.ndarray
@@ -75,7 +75,7 @@ def contact_work(contacts):
 
 @kernel(inline=True, counted=False)
 def pressed(contacts, work, i, depth):
-    """Force N of a deflection or elongation, m, which is kept with its state"""
+    """Force N of a deflection or elongation, m, which is stored with its state"""
     state = advanced(work.start[i, STATE], work.start[i, DEPTH], depth, contacts.table.marks[i, 0])
     force = reaction(contacts.table, i, depth, state)
     work.now[i, DEPTH], work.now[i, STATE], work.now[i, FORCE] = depth, state, force
@@ -108,7 +108,7 @@ def fender_force(contacts, work, i, R, v, f):
     turns = contacts.other[i] >= 0
     for j in range(3):
         now[i, AT + j] = R[0, j] * v[0] + R[1, j] * v[1] + R[2, j] * v[2]
-        # the body's point that was at the fender, from it, and what it had moved before
+        # the body's point that was at the fender, its distance from it, and its earlier displacement
         moved = R[j, 0] * start[i, AT] + R[j, 1] * start[i, AT + 1] + R[j, 2] * start[i, AT + 2] - v[j]
         before = start[i, SLIP + j]
         if turns:
@@ -131,7 +131,7 @@ def fender_force(contacts, work, i, R, v, f):
 
 @kernel(inline=True, counted=False)
 def rope_force(contacts, work, i, R, v, f):
-    """f (3,) N in space of rope i on its body, at the arm v (3,) m, where it was that to the other end"""
+    """f (3,) N in space of rope i on its body, at the arm v (3,) m, which pointed to the other end before"""
     c, span = contacts.numbers, 0.0
     for j in range(3):
         arm = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]

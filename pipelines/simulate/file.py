@@ -30,7 +30,7 @@ SCHEMA = "hakobune simulation 2"
 STATISTICS = RecordStatistics._fields
 SUMMARY = (*STATISTICS, *(f"{end}_{part}" for end in ("upper", "lower") for part in Extreme._fields))
 SLOW = ("Surge", "Sway", "Yaw")
-LEFT_OUT = "left out"  # first words of a finding on what is left out
+LEFT_OUT = "left out"  # first words of a finding on a neglected effect
 DECIMAL = re.compile(r"\d+\.\d+")
 LONGEST = 1000  # largest size of the findings of a seed, bytes
 SERIES = {  # name: (axes, unit, long name)
@@ -50,7 +50,7 @@ SERIES = {  # name: (axes, unit, long name)
         "force and moment of the first body of a hinge on the second, and the travel along or about its axis",
     ),
 }
-ONLY_WITH = "fender", "hinge"  # axes that are there only where they have a name
+ONLY_WITH = "fender", "hinge"  # axes that exist only if they have names
 FILLED = ("findings", "stored", "summary", "summary_checksum")
 ROWS = {
     "statistics": (("seed", "quantity", "statistic"), "unit of the quantity; T in s", "statistics of one run"),
@@ -73,7 +73,7 @@ class Header:
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
-    hinges : names of their quantities, as of `bem.hinges.told_of`
+    hinges : names of their quantities, from `bem.hinges.told_of`
     """
 
     identity: str
@@ -117,7 +117,7 @@ def create(path, header, seeds, kept, old=None):
 
 
 def _take_over(old, new, row):
-    """Copy a row, unless the new file keeps a record of it that the old one has not."""
+    """Copy a row, unless the new file keeps a record of it that the old one lacks."""
     seed = int(old["seed"][row])
     place = np.flatnonzero(new["seed"][()] == seed)
     if not len(place):
@@ -192,7 +192,7 @@ def opened(path, mode="r"):
 
 
 def is_run(path):
-    """Whether a file is that of a simulation, of whatever version, damaged or not; devices and pipes are not opened"""
+    """Whether a file is that of a simulation, of any version, damaged or not; devices and pipes are not opened"""
     return Path(path).is_file() and named(kind_filled_in(path)) == named(SCHEMA)
 
 
@@ -202,7 +202,7 @@ def row_values(file, row):
 
 
 def _stored_names(file, row):
-    """Names of what is stored of a row; deflections only where there are fenders, and so with hinges and anchors"""
+    """Names of the stored quantities of a row; deflections only with fenders, and likewise for hinges and anchors"""
     series = [name for name in SERIES if name in file] if row < len(file["kept_seed"]) else []
     return [*(name for name in ROWS if name in file), "findings", *series]
 
@@ -222,18 +222,18 @@ def _row_crc(file, row):
 
 
 def whole_rows(file):
-    """(seeds,) whether a row is there and is what was stored"""
+    """(seeds,) whether a row is stored and unchanged"""
     marks = file["stored"][()]
     return np.array([bool(mark) and mark == _row_crc(file, row) for row, mark in enumerate(marks)], bool)
 
 
 def told(file):
-    """Lines of text on the methods chosen for the runs of an open file, and on effects that are not included"""
+    """Lines of text on the methods chosen for the runs of an open file, and on neglected effects"""
     return tuple(filter(None, str(file.attrs.get("told", "")).split("\n")))
 
 
 def stored_findings(file):
-    """Lines of text on what holds of all runs, and what single runs found
+    """Lines of text: findings that hold for all runs, and findings of single runs
 
     Of those that differ in their decimals alone, as the mean frequency of each seed's waves, that with the largest.
     """
@@ -270,13 +270,13 @@ def fender_names(file):
 
 
 def summary_of(file, quantity):
-    """{statistic: value in SI} of a quantity over all runs, as "tension fore port 1" """
+    """{statistic: value in SI} of a quantity over all runs, such as "tension fore port 1" in the file"""
     place = list(file["quantity"].asstr()[()]).index(quantity)
     return dict(zip(SUMMARY, file["summary"][place], strict=True))
 
 
 def first_what_is_left_out(findings):
-    """Findings, each once, with those on effects that are not included first: they limit the value of the others"""
+    """Findings, each once, those on neglected effects first: they limit the accuracy of the others"""
     return tuple(sorted(dict.fromkeys(findings), key=lambda line: not line.startswith(LEFT_OUT)))
 
 
@@ -288,7 +288,7 @@ def put_summary(file, summary):
 
 
 def summary_is_whole(file):
-    """Whether the summary is there and what was stored"""
+    """Whether the summary is stored and unchanged"""
     return file["summary_checksum"][()] == crc(file["summary"][()])
 
 

@@ -1,4 +1,4 @@
-"""Large problems: which frequencies share their work, what it takes, and whether it fits."""
+"""Large problems: shared work of frequencies, its cost, and whether it fits the memory."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ..scene.scene import SceneError
 
 PER_PANEL = 4  # nodes
 # least number of frequencies times nodes^1.5 of a symmetric part at which preparing a band pays: on 576, 944 and 1976
-# nodes the preparation takes the time that 38, 17 and 6 single frequencies take more
+# nodes the preparation takes the extra time of 38, 17 and 6 single frequencies
 WORTH_SHARING = 5e5
 # most nodes for each frequency of a shared preparation: single frequencies are compressed from WORTH_COMPRESSING nodes
 # on (`bem.panels.compressed`), and the preparation takes as long as 6 of them on 2 200 nodes, 8 on 3 900
@@ -31,10 +31,10 @@ FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
 # least number of frequencies on an axisymmetric body (`bem.panels.axisymmetric`): the preparation takes as long as 115
 # frequencies of 1 000 or 4 000 panels, with two threads 190 and 145
 WORTH_SHARING_AXISYMMETRIC = 150
-ADAPTIVE = 27  # frequencies that an adaptive band takes, about
+ADAPTIVE = 27  # typical number of frequencies of an adaptive band
 NODES_WORTH_TELLING = 3000
 NODES_WORTH_ASKING = 1500  # a frequency on them takes two seconds, of which asking how long is a tenth
-COPIES = 3  # copies of a database in memory while it is created: numbers, file, and the image that is written
+COPIES = 3  # copies of a database in memory while it is created: numbers, file, and the written image
 
 
 def shared_band(scene, mesh, lid=None, some=None):
@@ -55,12 +55,11 @@ def shared_band(scene, mesh, lid=None, some=None):
 
 
 def announced(problem, limits, console, processes=1, omegas=()):
-    """`bem.panels.band.cost.Cost` of a large problem, after saying what it will take; None of others, and without a
-    band.
+    """`bem.panels.band.cost.Cost` of a large problem, printed beforehand; None for others, and without a band.
 
-    limits : how many limits of the frequency are still to be computed; processes : that each prepare the body
+    limits : number of limits of the frequency still to be computed; processes : that each prepare the body
     omegas : (n,) rad/s, of the run
-    Raises SceneError if the memory or the time is not there.
+    Raises SceneError if memory or time do not suffice.
     """
     if isinstance(problem, ShapeProblem) and problem.method == "contour" and len(omegas):
         _announce_contour(problem, omegas, console, processes)
@@ -81,7 +80,7 @@ def announced(problem, limits, console, processes=1, omegas=()):
 
 
 def _announce_contour(problem, omegas, console, processes):
-    """Say what the contour method will take where it is long; raises SceneError."""
+    """Print the expected time of the contour method if it is long; raises SceneError."""
     if problem.shapes:
         from hakobune.bem.contour.several.cost import cost
     else:
@@ -102,9 +101,9 @@ def _announce_contour(problem, omegas, console, processes):
 
 
 def check_database(header, frequencies, headings, names):
-    """Raise SceneError for a database that does not fit into the memory, in which it is laid out.
+    """Raise SceneError for a database larger than the memory in which it is laid out.
 
-    header : `bem.database.file.Header`; frequencies, headings : how many; names : of the quantities
+    header : `bem.database.file.Header`; frequencies, headings : their numbers; names : of the quantities
     """
     lengths = {"influenced_dof": len(names_of(header.bodies, header.modes))}
     lengths["radiating_dof"] = len(moving(header.bodies, header.modes))

@@ -1,6 +1,6 @@
-"""Moving lines of a body as the kernels read them: the arrays of all lines behind each other.
+"""Moving lines of a body in the form that the kernels read: the arrays of all lines one after another.
 
-Lines have different numbers of nodes; one kernel steps them all, so that their arrays lie in one of each kind and a
+Lines have different numbers of nodes; one kernel steps them all, so that all lines share one array of each kind and a
 line is a slice of it (`line_system`).
 """
 
@@ -29,7 +29,7 @@ class MovingLines(NamedTuple):
     friction, slip (m,) and course (m, 4) of the bed, a plane; elements, nodes, bodies, rows : (m + 1,) where the
     parts of each begin
     tension, distance : (m,) N, m, scales of their errors; tolerance : of a step
-    water : `Water` at all nodes, with a table of `sea` that is filled again and again; room_of_sea : of its sums
+    water : `Water` at all nodes, with a table of `sea` that is refilled; room_of_sea : of its sums
     stretch : (m, 6) m/m and m/rad, of each chord from anchor to fairlead by motions of its body along its axes at rest
     spring : (m,) N/m, EA/L
     """
@@ -100,7 +100,7 @@ def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
 
     lines : {number: DynamicLine}; fairleads : (m, 3) m in space, of these with the body at rest
     as_spring : `MovingLines.stretch` and `spring`; sea : LineSea that grows from still water, None for still water
-    raises : LineError where a line has no shape at rest
+    raises : LineError for a line without a shape at rest
     """
     still = water_arrays(None, None, 9.80665)
     states = [start(line, place, still) for line, place in zip(lines.values(), fairleads, strict=True)]
@@ -134,7 +134,7 @@ def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
 
 
 def _flexure(parts, systems):
-    """(n,) of all nodes, 0 in lines without bending stiffness; (0,) where no line has any"""
+    """(n,) of all nodes, 0 in lines without bending stiffness; (0,) if no line has any"""
     if not any(one.size for one in parts):
         return np.zeros(0)
     pairs = zip(parts, systems, strict=True)

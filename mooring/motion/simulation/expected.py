@@ -1,4 +1,4 @@
-"""What a linear body would do in the same waves: the scale of errors."""
+"""Response of a linear body to the same waves: the scale of errors."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ STILL = 0.1  # m, scale of a body without waves
 
 
 def expected_motion(moored, components):
-    """(N, 12) standard deviations of motions and velocities of the linear bodies, none below a share of the largest.
+    """(N, 12) standard deviations of motions and velocities of the linear bodies, at least a share of the largest.
 
-    All are computed at the frequencies of `moored.waves`: seeds have different frequencies, and the values that the
-    database stores for each would grow in number with them.
+    All are computed at the frequencies of `moored.waves`: seeds have different frequencies, for each of which the
+    database would store values.
     """
     reader, waves = moored.reader, moored.waves
     inertia = np.diag(reader.inertia).reshape(-1, 6)
