@@ -1,8 +1,8 @@
 """Arrays that kernels pass to each other without counting references.
 
-Numba counts references to every array at every call of a kernel that is not inlined, of a named tuple of thirty arrays
-thirty times two atomic additions: a quarter of the time of lines in motion.  A borrowed array is the same memory, not
-counted.  Whoever borrows keeps the owner: numba frees an array after the last line that names it.
+Numba counts references to every array at every call of a kernel that is not inlined, for a named tuple of thirty arrays
+thirty times two atomic additions: a quarter of the time of lines in motion.  A borrowed array is the same memory
+without a count.  The caller must keep the owner: numba frees an array after the last line that names it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from numba.extending import intrinsic, register_model
 
 
 class BorrowedArray(types.Array):
-    """Numba type of an array whose references are not counted; a slice of it is an array that is"""
+    """Numba type of an array whose references are not counted; a slice of it is a counted array"""
 
     def __init__(self, dtype, ndim, layout, readonly, aligned):
         name = f"BorrowedArray({dtype}, {ndim}, {layout}, {readonly}, {aligned})"
@@ -22,7 +22,7 @@ class BorrowedArray(types.Array):
 
 @register_model(BorrowedArray)
 class _Model(ArrayModel):
-    """Laid out as an array, without anything to count"""
+    """Memory layout of an array, without a reference count"""
 
     def traverse(self, builder):
         return []
@@ -35,7 +35,7 @@ class _Model(ArrayModel):
 
 
 def _lent(kind):
-    """The type `borrowed` gives: arrays, also those in tuples, are borrowed, anything else is as it was"""
+    """The type returned by `borrowed`: arrays, also those in tuples, are borrowed, anything else is unchanged"""
     if isinstance(kind, types.Array):
         return BorrowedArray(kind.dtype, kind.ndim, kind.layout, not kind.mutable, kind.aligned)
     if isinstance(kind, types.Optional):
@@ -48,12 +48,12 @@ def _lent(kind):
 
 @intrinsic
 def borrowed(typing, value):
-    """The array, or the tuple or named tuple, with its arrays borrowed; see above who has to keep `value`"""
+    """The array, or the tuple or named tuple, with its arrays borrowed; the caller must keep `value`, see above"""
     return _lent(value)(value), lambda context, builder, signature, arguments: arguments[0]
 
 
 if config.DISABLE_JIT:
 
     def borrowed(value):
-        """The value itself, with the compiler off"""
+        """The value itself, without compilation"""
         return value

@@ -44,9 +44,9 @@ def standing_waves(geometry, classes, table, depth_values):
 
 
 def directions(phase):
-    """Of a quarter circle, so that four times as many leave 1e-13 of J₀ up to this phase kR
+    """Directions of a quarter circle, so that four times as many have an error of 1e-13 in J₀ up to this phase kR
 
-    Jₙ(x) falls like Airy's function from n = x on: 1e-13 of it is left 10 x^(1/3) further.
+    Jₙ(x) decays like Airy's function from n = x on: to 1e-13 within a further 10 x^(1/3).
     """
     return int(np.ceil((phase + 10 * phase ** (1 / 3) + 12) / 4))
 

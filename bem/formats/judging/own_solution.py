@@ -91,7 +91,7 @@ def _images(headings):
 
 
 def own_of(values, mesh):
-    """`Own` of Values on their hull; None beside other bodies, with too many panels, or without a long wave to compare"""
+    """`Own` of Values on their hull; None beside other bodies, with too many panels, or without a long wave"""
     if values.others or len(mesh) > MOST_PANELS or any(values.get(name) is None for name in WANT[:2]):
         return None
     if not np.any(_sizes_of_waves(values, mesh) < READABLE):
