@@ -1,7 +1,7 @@
-"""One frequency of several vertical-sided bodies: the equations of `matching`, of all bodies and classes at once.
+"""One frequency of several vertical-sided bodies: the equations of `matching`, for all bodies and classes at once.
 
-Unknown are the velocities in all gaps, body by body, the e profiles of one times its n functions, and a constant for
-each body.  What follows is in coordinates of the scene, motions about its origin, body by body.
+Unknowns are the velocities in all gaps, body by body, the e profiles of one times its n functions, and a constant for
+each body.  Results are in coordinates of the scene, motions about its origin, body by body.
 """
 
 from __future__ import annotations

@@ -55,7 +55,7 @@ def side_quadrature(mesh, exponents, panels, sides, depth=np.inf):
 
 
 def _steady(stencil):
-    """(n,) whether errors of nodal values grow at most LARGEST times between the nodes of `Stencils`, without slivers"""
+    """(n,) whether errors of nodal values grow at most LARGEST times between nodes of `Stencils`, without slivers"""
     growth = np.abs(_line_rule(stencil).shape).sum(axis=-1).max(axis=1)
     return (growth < LARGEST) & (_missed(stencil).max(axis=1) < SLIVER)
 

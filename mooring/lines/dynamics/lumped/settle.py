@@ -27,7 +27,7 @@ ROUNDING = 1e-14  # rounding of the distance of two nodes, over the line's lengt
 
 @kernel()
 def settle(system, sea, q, slip):
-    """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached."""
+    """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 if it was not reached."""
     s, water = borrowed((system, sea))
     last, room, before = q.shape[0] - 1, workspace(s), np.inf
     work, rooms = borrowed(room), np.zeros((3, 3, room.q.shape[1]))
