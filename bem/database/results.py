@@ -85,7 +85,7 @@ def has_schema(path, schema):
 
 
 def check_version(path, schema, found=None):
-    """Raise VersionError for a file of the kind `schema` with another version, its seal intact or broken.
+    """Raise VersionError for a file of the kind `schema` with another version, even if its checksum is wrong.
 
     found : the attribute of the file; None to search the bytes, where HDF5 might fail on the file
     """

@@ -31,7 +31,7 @@ def inertia(body, length, center):
 
 
 def buoyancy(body, length, center):
-    """(6, 6) of the water's pressure at rest and the weight, N/m, N, N m"""
+    """(6, 6) hydrostatic stiffness from the water's pressure and the weight, N/m, N, N m"""
     weight, width = body.density * body.gravity, body.waterline
     righting = weight * body.area * length * (body.buoyancy_z - center)
     righting -= body.mass * length * body.gravity * (body.z0 - center)

@@ -22,7 +22,7 @@ SOCIETIES = ("LR", "AB", "NV", "BV", "GL", "NK", "NK semisubmersible")
 
 
 def chain_factor(diameter):
-    """d² (44 − 0.08 d), mm², of which breaking and proof loads of chain are multiples"""
+    """d² (44 − 0.08 d), mm²; breaking and proof loads of chain are multiples of this value"""
     return diameter**2 * (44 - 0.08 * diameter)
 
 
@@ -110,7 +110,7 @@ def equipment_of_box(dimensions, freeboard, mass):
     """[(society, number)] of a box, SR179 (1982), table 4.3.1; [] of other bodies, whose areas are unknown.
 
     dimensions : m, {"length", "beam", …}; freeboard m, or None; mass kg
-    The areas are those of its sides above water; the shape factors of BV are those of a plane below 40 m, 1.
+    The areas are those of the sides above water; BV's shape factors are 1, the value of a plane below 40 m.
     """
     if freeboard is None or not {"length", "beam"} <= set(dimensions):
         return []

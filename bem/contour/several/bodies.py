@@ -141,7 +141,7 @@ class SeveralBodies:
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
         """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; as `ContourBody.first_order`
 
-        dofs : all are found
+        dofs : ignored, all motions are solved
         """
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
@@ -149,7 +149,7 @@ class SeveralBodies:
             return SeveralFrequency(self, omega, headings, theta, density, gravity).result()
 
     def froude_krylov(self, omega, headings, dofs=None, density=1025.0, gravity=9.80665):
-        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : all are found"""
+        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : ignored"""
         k, beta = float(wavenumber(omega, self.depth, gravity)), np.atleast_1d(np.asarray(headings, float))
         each = []
         for body, place in zip(self.bodies, self.places, strict=True):

@@ -63,7 +63,7 @@ class LowRankWaves(NamedTuple):
 def low_rank_waves(geometry, band, gravity, accuracy):
     """`LowRankWaves` of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
 
-    accuracy : of W relative to 2π, of S_w and of ∂φ_I/∂n relative to their norms
+    accuracy : largest error of W relative to 2π, of S_w and ∂φ_I/∂n relative to their norms
     """
     g, snapshots = geometry, Snapshots(geometry, band, gravity)
     # tolerance of one row; errors of different rows add up like the root of their number
@@ -91,7 +91,7 @@ def low_rank_waves(geometry, band, gravity, accuracy):
 
 
 def _velocities(geometry, Z):
-    """(c, hull nodes, v) motions of each class, padded with zeros to the same number, and Z"""
+    """(c, hull nodes, v) motions of each class, padded with zeros to the same number, then the columns of Z"""
     g, modes = geometry, geometry.modes
     motions = np.zeros((len(g.classes), max(len(g.members(c)) for c in g.classes), g.hull))
     for moving, cls in zip(motions, g.classes, strict=True):

@@ -53,7 +53,7 @@ class Row(NamedTuple):
 
 
 def measured(job, pythons, caches):
-    """`Row` of a `Job`; a fault of the program is its note.
+    """`Row` of a `Job`; if the program fails, `note` has the cause.
 
     pythons : {program: interpreter}; caches : folder for files that programs keep on disk, None for their own
     """

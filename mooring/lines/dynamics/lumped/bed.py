@@ -1,7 +1,7 @@
 """The bed under the nodes of a line: reaction, friction, and the energy in both.
 
 A plane, or hills and valleys along one course, z = f(d) with d = (r − r₀)·c: straight facets whose edges are rounded by
-parabolas, so that the normal n = (−f′c, 1)/√(1 + f′²) turns without a jump.  On either a node at r has the penetration
+parabolas, so that the normal n = (−f′c, 1)/√(1 + f′²) turns without a jump.  The penetration of a node at r is
 
     p = level + h − n·r
 
