@@ -52,7 +52,7 @@ class GapVelocity(NamedTuple):
 def fixed_terms(profiles, beneath, unit, motions, bottom):
     """`FixedTerms` from potentials beneath in r = e + 2 rows, those of e profiles and two of ψ.
 
-    beneath : (r, n, r, n) potentials of all rows projected on all rows; unit : (n,) coefficients of 1 on the contour or None
+    beneath : (r, n, r, n) projections of all rows' potentials; unit : (n,) coefficients of 1 on the contour or None
     motions : `Motion` with a first axis of d; bottom : (d,) ∬ ψ w dA
 
     Under the body the integral over the bottom becomes one over the profiles by Green's identity.

@@ -171,7 +171,7 @@ def _modes(body, omega):
 
 
 def free_modes(free, inertia, stiffness):
-    """`natural_modes` of the motions that links leave free, columns of `free` (n, m); None for all motions
+    """`natural_modes` of the motions permitted by links, columns of `free` (n, m); None for all motions
 
     vectors : (…, n, m) of all motions
     """

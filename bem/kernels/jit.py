@@ -86,7 +86,7 @@ class Kernel:
         return self._dispatcher("")
 
     def _for_kernels(self):
-        """Without the code for calls from Python, which unpacks all arrays and named tuples of the arguments"""
+        """Dispatcher without the code for calls from Python, which unpacks arrays and named tuples of arguments"""
         made = self._dispatcher("called", no_cpython_wrapper=True)
         template = made.get_call_template
         made.get_call_template = lambda args, kws: template(*_without_values(args, kws))

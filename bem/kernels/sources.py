@@ -107,7 +107,7 @@ class Sources:
         ]
 
     def _keep(self):
-        """Where that cannot be written all is read again the next time."""
+        """Store the digests; if the file cannot be written, all sources are read again the next time."""
         self._before |= self._now
         with suppress(OSError):
             put_file(self.kept, json.dumps(self._before).encode())

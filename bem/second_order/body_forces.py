@@ -9,8 +9,8 @@ dS (Haskind; Molin 1979), from which Stokes's theorem eliminates second derivati
 
     ∬ ψ n·∇×(X × u) dS = ∮ ψ {(X·n) u_z − X_z (u·n)} dl − ∬ {(X·n) ∇ψ·u − (u·n) ∇ψ·X} dS,        u·n = V·n.
 
-The products are those of wave pairs; T is defined in `bem.panels.pressure_drift.mean_drift`.  The forcing of the free surface by products
-of first-order waves is not included.
+Products of wave pairs have T as defined in `bem.panels.pressure_drift.mean_drift`.  The forcing of the free surface by
+products of first-order waves is not included.
 """
 
 from __future__ import annotations

@@ -153,8 +153,8 @@ def bessel_orders(most, z):
 def _downwards(count, start, z):
     """(count, …) J_m without e^{|Im z|} by recurrence from an order `start` well above |z|, after Miller
 
-    Values grow by a factor of 2m/|z| per order: too large values are rescaled, together with the orders above, at the
-    origin by more than a double can represent, where they are 0.
+    Values grow by a factor of 2m/|z| per order: too large values are rescaled, together with the orders above.
+    At the origin the higher orders become 0, since a double cannot represent the scale.
     """
     from scipy.special import jve
 

@@ -3,7 +3,7 @@
     F_x = ± C_x q A_x,   F_y = ± C_y q A_y,   M_z = − sign(F_x F_y) (a/L) L √(F_x² + F_y²),   q = ½ ρ U²
 
 A box is symmetric fore and aft and port to starboard, so the angle between stream and x axis is reduced to 0 … 90° and
-forces point downstream.  The force acts on the upstream half, which turns the box broadside. Between the angles of a
+forces point downstream.  The force acts on the upstream half and turns the box broadside. Between the angles of a
 table coefficients are monotone cubics with slopes that have the same symmetry, so that forces have a continuous slope
 at all angles.
 """

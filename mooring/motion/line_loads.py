@@ -168,7 +168,7 @@ def ends_in_time(line, points):
 
 
 def tables_of(system, start):
-    """ForceTables of the lines with segments about the bodies' places at rest, and (n,) the number of each line's own.
+    """ForceTables of lines with segments about the bodies' places at rest, and (n,) the index of each line's table.
 
     start : (6N,) of the bodies at rest, from the given places.  Equal lines share a table.
     raises : ValueError naming a line without equilibrium

@@ -3,8 +3,8 @@
     F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
 
 in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position. The drift is
-Newman's with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves pass a fixed place with
-ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
+Newman's approximation with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves at a place
+have ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
 windows. A slow pose is predicted for the end of each window, and forces change linearly from those of the pose at its
 begin to those of the pose at its end, so that they are continuous for any motion. Within a window exp(−iωt) at equal
 steps is always the same matrix: a window costs two products of small real matrices. Between the steps forces are
@@ -195,7 +195,7 @@ def drift_damping(forces, omega, depth, gravity):
 def drift_on_current(forces, omega, direction, velocity, depth, gravity):
     """(q, HEADINGS, 3) D + B V of waves of omega (q,) rad/s towards `direction` (q,) rad, V (2,) m/s, all in space
 
-    over headings of the waves in the body's axes, with which the current is turned
+    The HEADINGS are those of the waves in the body's axes; the current keeps its angle to the waves.
     """
     drift, B = drift_damping(forces, omega, depth, gravity)
     towards = np.arctan2(velocity[1], velocity[0]) - np.asarray(direction)[:, None]

@@ -151,7 +151,7 @@ class _Known:
         return self.forces[self._place(omega, heading)]
 
     def at(self, omega, heading):
-        """Transfer and drift, zero where unknown, at frequencies omega among all"""
+        """Transfer functions and drift at omega, some of the stored frequencies; zero where unknown"""
         place = self._place(omega, heading)
         transfer = self.transfer._replace(omega=omega, heading=heading, value=self.transfer.value[place])
         return transfer, self.forces[place]

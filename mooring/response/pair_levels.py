@@ -155,9 +155,9 @@ def between_headings(headings, directions):
 
 
 def beside_newman(db, sea, level, spread=False):
-    """What a level has beside Newman's rule: a function of two frequencies, or None; and remarks, lines of text.
+    """Terms of a level beyond Newman's approximation: function of two frequencies, or None; and lines of remarks.
 
-    spread : whether `SpreadPairForces` will do, in a sea of several directions
+    spread : whether `SpreadPairForces` are acceptable, in a sea of several directions
     raises : ValueError for other seas of several directions and pairs that are not stored
 
     A remark on a neglected part of the force begins with "left out", and has its size and a command that computes it.

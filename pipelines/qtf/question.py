@@ -158,7 +158,7 @@ def _said(values):
 
 
 def multiples(low, high):
-    """(n,) multiples of a step, as their differences are, that end at `high` and begin closest to `low`, rad/s
+    """(n,) multiples of a step that end at `high` and begin closest to `low`, rad/s; differences are multiples too
 
     A frequency that is also a difference is solved once.
     """

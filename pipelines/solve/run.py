@@ -109,7 +109,7 @@ def _wider(stack, file, **more):
 
 
 def _store_free_body(file, plan):
-    """Motions and mean drift of frequencies that lack nothing else, where all their inputs are stored"""
+    """Store motions and mean drift of frequencies that lack only these, if all inputs are stored"""
     for row in pending(file).rows:
         flow = row_values(file, row.omega, row.headings, needed(row.want)) if row.want <= FOLLOWS else None
         if flow is not None:

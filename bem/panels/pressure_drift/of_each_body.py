@@ -27,7 +27,7 @@ MEAN = [0, 1, 5]  # surge, sway and yaw
 def drift_of_each(run, moving):
     """(m, bodies, 3) N/m², N m/m²: mean surge, sway and yaw of each, about its own point in its own axes.
 
-    run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : those that are not fixed float freely
+    run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : whether bodies that are not fixed float freely
     """
     check_panels(run.problem, run.geometry.mesh)
     surfaces, bodies, waves = hull_surfaces(run.geometry), run.problem.bodies, len(run.headings)

@@ -37,7 +37,7 @@ def slides(slope, friction):
 def lying_end(H, lying, weight, slope, friction):
     """Tension at the anchor and the length on the bed above the place where the tension becomes zero.
 
-    Negative where the line slides: the leg of a bight pulls the anchor down the slope.
+    The tension is negative if the line slides: the leg of a bight pulls the anchor down the slope.
     """
     rate = weight * (math.sin(slope) + friction * math.cos(slope))
     lift_off = H / math.cos(slope)

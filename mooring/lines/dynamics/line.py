@@ -276,7 +276,7 @@ class DynamicLine:
 
     @property
     def _slip(self):
-        """m, STUCK times the least stretch of an element that friction releases over its own length"""
+        """m, STUCK times the least stretch of an element by the friction on its own length"""
         stretch = [self.bed.friction * s.weight * s.size**2 / s.stiffness for s in self.segments if s.weight > 0]
         return max(STUCK * min(stretch, default=0.0), LEAST_SLIP)
 

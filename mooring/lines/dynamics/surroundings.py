@@ -107,7 +107,7 @@ class FairleadMotion:
 
 @dataclass(frozen=True)
 class CurrentProfile:
-    """Velocity (k, 2) m/s at heights z (k,) m, linear between them and constant beyond; it is there from the start."""
+    """Velocity (k, 2) m/s at heights z (k,) m, linear between them and constant beyond, without a ramp."""
 
     z: np.ndarray
     velocity: np.ndarray

@@ -1,6 +1,6 @@
 """Kernels that find the contacts of a line of given horizontal tension with the bed, from the fairlead to the anchor.
 
-A given tension determines the shape of the line.  A free span ends at its first contact (`touchdown`); from there the line
+The tension determines the line's shape.  A free span ends at its first contact (`touchdown`); from there the line
 lies on the bed to the last place from which a free span just clears the bed further down: inside a facet, at a sinker,
 or at a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension, so that
 it has one root too.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.

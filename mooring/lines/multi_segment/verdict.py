@@ -168,7 +168,7 @@ def heaps(line, rows, count, far, stray):
 
 @kernel()
 def stands(line, rows, count, states, slack, q, below, g):
-    """Whether the pieces of a line are in equilibrium; q, below : room for two states, g : no columns."""
+    """Whether the pieces of a line are in equilibrium; q, below : room for two states; g : array without columns."""
     far, stray = FAR * line.length, 100 * line.least
     for i in range(count):
         stray = max(stray, STRAY * (abs(rows[i, 5]) + (abs(rows[i, 6]) if rows[i, 0] == 0 else 0.0)))

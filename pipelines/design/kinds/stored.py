@@ -47,7 +47,7 @@ def kept(place, key, made):
 
 
 def numbers_of(path, text, database, made):
-    """`Numbers` of the study `text`, whose result is the file `path`: kept in NAME_numbers.json, or from `made()`"""
+    """`Numbers` of the study `text` with the result file `path`: from NAME_numbers.json, or from `made()` and stored"""
     place = path.with_name(f"{path.stem}_numbers.json")
     base = None if database is None else Path(database)
     return read_numbers(kept(place, lambda: key_of(text, base, path), lambda: plain(made())))
