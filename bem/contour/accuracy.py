@@ -10,12 +10,12 @@ plan, and `high` = max(g/4, 1)
     panels on the plan, p digits                10^(−1.2 − 1.3 p) high^3.3
     polynomials beyond those of the waves, e    10^(−2.4 − e/1.5)
 
-In the median each leaves thirty times less, and then what is largest differs from body to body.  The error is
-therefore not read from these but from a finer body (`finer`), in which all parts are finer.  Where one function of
-the gap more is worth up to six digits (a narrow gap, where even the first leaves 10^(−8)) it is that of the others.
+The median error of each part is thirty times smaller, and the largest part differs from body to body.  The error is
+therefore estimated not by these formulas but with a finer body (`finer`), in which all parts are finer.  In a narrow
+gap one more function of the gap is worth up to six digits; the error is then that of the other parts.
 
-Those bodies were at most a hundred waves long and mostly few.  Where fifty and more get to a low gap, panels of one
-digit left 10^(−1) and a table of none 10^(−2): they have three and one at least, which cost no time.
+Those bodies were a hundred waves long at most, most of them a few.  With fifty waves or more over a low gap, panels of
+one digit had an error of 10^(−1) and a table of none 10^(−2): the least are three and one digits, at no cost in time.
 """
 
 from __future__ import annotations

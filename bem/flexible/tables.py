@@ -1,6 +1,6 @@
 """Interpolation of a shape given at points, for example by a finite-element program, to the whole hull.
 
-    u(x) = Σ c_k |x − x_k|³ + a + Bx        (polyharmonic spline, which rigid motions are reproduced by to rounding)
+    u(x) = Σ c_k |x − x_k|³ + a + Bx        (polyharmonic spline; it reproduces rigid motions to rounding)
 
 Points in a plane or on a line do not determine the shape across it: there the shape is assumed constant.
 """

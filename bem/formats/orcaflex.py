@@ -126,7 +126,7 @@ def _draught(values):
 
 
 def _about_center(values):
-    """Inertia (6, 6) about the centre of mass, which OrcaFlex refers it to; stored about the rotation centre"""
+    """Inertia (6, 6) about the centre of mass, as in OrcaFlex; the database has it about the rotation centre"""
     inertia, mass = np.array(values.get("inertia_matrix"), float), float(values.get("mass"))
     return inertia - _steiner(mass, values.get("center_of_mass") - values.rotation_center)
 

@@ -1,7 +1,7 @@
 """The sources that a source imports, directly or through others, and a digest of them all.
 
-What a file imports and its own digest are kept beside the compiled kernels, by its time of change and size: reading all
-sources at every start took a third of the time of the smallest command.  A file that was read within `TICK` of its
+The imports and the digest of a source are stored beside the compiled kernels, with its time of change and size: reading
+all sources at each start took a third of the time of the smallest command.  A file that was read within `TICK` of its
 change is read again the next time, since a second change in the same tick of the file system's clock has the same time.
 """
 

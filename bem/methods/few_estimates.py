@@ -105,7 +105,7 @@ class FewEstimates:
         return self.differences[i, key]
 
     def _between(self, i, near, key):
-        """`Differences` on the parabola through three, and bounds of radiation and excitation"""
+        """`Differences` from the parabola through three frequencies, and bounds of radiation and excitation"""
         known = [self.differences[j, key][0] for j in near]
         weights = _lagrange(self.omegas[i], self.omegas[list(near)])
         mixed = Differences(*(sum(w * d[j] for w, d in zip(weights, known, strict=True)) for j in range(2)), [])

@@ -13,7 +13,7 @@ implies
 
     Â_m(i*, j*) = exp(im (α_s(j) − α_s(i))) Â_−m(i, j)
 
-The mesh contains only the part that its mirror planes leave; arguments and results are split into symmetry classes
+The mesh contains only the part on one side of its mirror planes; arguments and results are split into symmetry classes
 (`bem.panels.influence`).
 """
 

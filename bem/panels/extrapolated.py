@@ -24,7 +24,7 @@ TRUSTED = 1 / 3
 
 
 class ExtrapolatedRun(FrequencyRun):
-    """As the `bem.panels.one_frequency.PanelRun` it is made from, without most of the error of its mesh.
+    """A `bem.panels.one_frequency.PanelRun` extrapolated from two meshes, without most of the error of its mesh.
 
     Every quantity linear in the potentials is extrapolated, motions and drift forces follow from these; `pressure` is
     that on the mesh.

@@ -69,7 +69,7 @@ class Strips:
 
     @property
     def even(self):
-        """Whether no strip folds or is close to it"""
+        """Whether all strips are far from folding"""
         area = self.weights[..., 1:] / self.weights.max(axis=(1, 2), keepdims=True)
         return bool(np.all(area > LEAST**2)) and bool(np.all(self.weights > 0))
 

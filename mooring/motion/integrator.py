@@ -141,7 +141,7 @@ def take_step(scene, buoy, clock, t, h):
 def take_step_with_lines(scene, buoy, clock, moving, t, h):
     """`take_step` with moving lines: with the predicted pull, then lines along that course, then again with their pull.
 
-    The error includes the deviation of the course that lines followed: that predicted for the body.
+    The error includes the deviation of the body from its predicted course, which the lines followed.
     """
     lines, kept = moving
     work, trial = scene.line_work, clock.trial

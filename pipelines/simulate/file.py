@@ -1,8 +1,8 @@
 """The file of a simulation: one row for each seed, marked by its checksum once it is whole.
 
 Data first, then the mark, as in a database (`bem.database.integrity`): killed at any instant the file opens, and the
-same command makes the seeds that have no mark.  Its seal covers all else (`bem.database.results`).  More seeds make a
-wider file, which takes over the rows of the old one.  Records are kept of the first seeds only, statistics of all.
+same command runs the seeds without a mark.  A checksum of the file covers all other data (`bem.database.results`).  For
+more seeds a wider file takes over the rows of the old one.  Statistics of all seeds are stored, records of the first.
 """
 
 from __future__ import annotations

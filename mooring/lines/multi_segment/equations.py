@@ -2,9 +2,10 @@
 
 The contacts with the bed, found by `traverse` as a list of steps, determine the equations: a span ends on a facet, at a
 bed vertex or at the anchor, a floating buoy lies in the surface, at a vertex where the line slides into a heap its
-tension is zero or a sinker lies, and the line ends at the anchor with no excess length.  The unknowns are, in this order, H and V
-at the fairlead, the place, angle or normal force with which each span begins, s at bed vertices, the length of such a
-heap, and the weights of floating buoys; the last two columns of the derivatives are those by x and z of the fairlead.
+tension is zero or a sinker lies, and the line ends at the anchor with no excess length.  The unknowns are, in this
+order, H and V at the fairlead, the place, angle or normal force with which each span begins, s at bed vertices, the
+length of such a heap, and the weights of floating buoys; the last two columns of the derivatives are those by x and z
+of the fairlead.
 """
 
 from __future__ import annotations

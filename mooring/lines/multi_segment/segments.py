@@ -58,7 +58,7 @@ class PointLoad:
     """A sinker (weight > 0) or a buoy (weight < 0, its net buoyancy when submerged) at one point of a line.
 
     position : m of unstretched line from the anchor; weight : N, submerged
-    weight_in_air : N, at least 0, of a buoy out of the water; the SR179 report (1982) neglects it, as 0 does
+    weight_in_air : N, at least 0, of a buoy out of the water; the SR179 report (1982) takes 0
     """
 
     position: float

@@ -42,7 +42,7 @@ class Hawser:
 
     @property
     def bed_friction(self):
-        """0, it lies on no bed"""
+        """0; a hawser does not lie on the bed"""
         return 0.0
 
 

@@ -27,7 +27,7 @@ def check_held(stiffness, body):
 
 
 def begin_together(links, inverse, poses, speed):
-    """Poses and velocities (N, 6) that links hold, nearest by mass to those given; inverse : (6N, 6N) of the mass.
+    """Poses and velocities (N, 6) that satisfy the links, nearest to those given; inverse : (6N, 6N) of the mass.
 
     raises : ValueError without any nearby
     """
