@@ -43,7 +43,7 @@ class Folded(NamedTuple):
 
 
 def folded(theta, images):
-    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body: with four a quarter of a circle
+    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body; a quarter circle with four
 
     The result is kept, since every symmetry class of every frequency needs the same.
     """

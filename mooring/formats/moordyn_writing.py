@@ -77,8 +77,8 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     lighter = weighed_differently(system)
     if lighter:
         warnings.warn(
-            f"line {', '.join(lighter)} comes out of the water; there it weighs here what it does in water, and in "
-            "MoorDyn what it does in air",
+            f"line {', '.join(lighter)} comes out of the water; the part above has its weight in water here, and its "
+            "weight in air in MoorDyn",
             stacklevel=2,
         )
     lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]

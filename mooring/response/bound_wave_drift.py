@@ -208,7 +208,7 @@ def bound_to_newman(body, sea):
 
 
 def _slow_forces(body, sea):
-    """N, of bound waves and by Newman's approximation, the two terms of the ratio `bound_to_newman`; None likewise"""
+    """N, force of bound waves and force by Newman's approximation, for the ratio `bound_to_newman`, or None"""
     spectrum = sea.spectrum
     if not body.knows_drift or body.inertia is None:
         return None

@@ -12,7 +12,7 @@ finite depth it follows from the same two balances, of wave action and momentum 
 wall, and a body that scatters evenly, they give {1 − 2U_L/C_g} of the drift at rest in any depth.  The long waves bound
 to wave groups are neglected.  The yaw moment is treated like the forces; a yaw velocity is not included.
 
-On a current V the velocity through the water is U = ẋ − V: a body at rest feels, to first order,
+On a current V the velocity through the water is U = ẋ − V: the force on a body at rest is, to first order,
 
     D(V) = D + B V
 

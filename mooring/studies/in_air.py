@@ -33,7 +33,7 @@ def lines_in_air(state):
     ]
     if told:
         yield (
-            f"above still water and weighing there as in it: {', '.join(told)}; limit {IN_AIR:g}; lower the end that "
+            f"above still water, with the weight in water: {', '.join(told)}; limit {IN_AIR:g}; lower the end that "
             "is out, or give a line that is dry throughout its weight in air"
         )
 

@@ -24,7 +24,7 @@ def _warn_of_fairlead(line, time, z):
         warnings.warn(
             f"the fairlead is {z[top, -1]:.3g} m above still water {_when(time, top)}, allowed {IN_AIR:.0%} of the "
             f"line, {IN_AIR * line.length:.3g} m, and the line counts as under water there: with surface = true it "
-            "weighs as in air and feels no water",
+            "weighs as in air, without water loads",
             stacklevel=3,
         )
 
@@ -39,7 +39,7 @@ def _warn_of_floating(line, time, z):
         warnings.warn(
             f"the line is {z[top, node]:.3g} m above still water {_when(time, top)}, {line.nodes[node]:.4g} m of it "
             f"from the anchor, where it counts as under water; allowed: up to its diameter, {limit:.3g} m: with "
-            "surface = true it lies in the surface, weighs as in air above it and feels no water there",
+            "surface = true it lies in the surface and weighs as in air above it, without water loads",
             stacklevel=3,
         )
 

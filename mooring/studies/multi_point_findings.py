@@ -155,8 +155,8 @@ def _outside_the_method(result, depth):
     turn = np.abs(result.displacement[2::3]).max()
     if turn > TURNED:
         yield (
-            f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: they and the motions are those "
-            "of its heading at rest"
+            f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: forces and motions are those "
+            "at its heading at rest"
         )
     if result.conditions.waves and result.conditions.method == "regular_wave" and depth <= SHALLOW:
         yield (

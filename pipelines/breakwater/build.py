@@ -32,7 +32,7 @@ def breakwater_of(study):
 
 
 def anchors_of(study):
-    """The `Anchors` that a study asks for"""
+    """The `Anchors` of a study"""
     made = {"sinker": Sinker, "common_sinker": Sinker, "pile": Pile, "holding": Holding}
     tables = {key: getattr(study.anchors, key) for key in made}
     return Anchors(**{key: made[key](**_si(table)) for key, table in tables.items() if table is not None})

@@ -1,12 +1,12 @@
 """Few frequencies for a whole band, added where least is known until the estimated error is within tolerance.
 
-Each frequency goes to the database as usual; the error between them is estimated from what is stored
-(`bem.database.between_frequencies`).  A run that is resumed, or repeated, therefore asks only for what is missing
-to the tolerance.  Frequencies are placed without regard to values (`bem.database.interpolant.chosen`): placed where the
-estimated error is largest, as many leave errors beyond the tolerance where no value has shown a resonance yet.  The
-tolerance is relative to the largest coefficient of a band; the height of a resonance hangs on damping that can be a
-thousandth of it.  Resonances (`bem.database.resonances`) are therefore solved for too, and for drift those that grow
-the error ε of the waves radiated, 1/2ζ times at resonance, beyond the tolerance, if no frequency is in their breadth.
+Each frequency is stored as usual; the error between frequencies is estimated from the stored values
+(`bem.database.between_frequencies`).  A resumed or repeated run therefore computes only the frequencies still missing.
+Their places do not depend on values (`bem.database.interpolant.chosen`): the same number, placed where the estimated
+error is largest, would leave errors beyond the tolerance where no value has shown a resonance yet.  The tolerance is
+relative to the largest coefficient of a band; the height of a resonance depends on damping that can be a thousandth of
+it.  Resonances (`bem.database.resonances`) are therefore solved too; for drift also those that amplify, by 1/2ζ, the
+error ε of the radiated waves beyond the tolerance, if no frequency lies within their width.
 """
 
 from __future__ import annotations

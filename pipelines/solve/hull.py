@@ -102,7 +102,7 @@ def _share(scene, body):
 def _check_count(scene, total):
     if scene.several and scene.panels is None and total > MOST_PANELS:
         raise SceneError(
-            f"tolerance {scene.accuracy:g} asks for {total} panels on {len(scene.bodies)} bodies; allowed: "
+            f"tolerance {scene.accuracy:g} needs {total} panels on {len(scene.bodies)} bodies; allowed: "
             f"{MOST_PANELS}; leave out the highest frequencies or give panels (--panels)"
         )
 

@@ -188,7 +188,7 @@ def _haskind(values):
     why = not values.others and (_of_channel(values, found) or _of_depth(values))  # others reflect waves too
     if not why and others:  # a wrong unit or length would show in these too
         why = f"{', '.join(others)} agrees, so that units do: panels are too few for mode {i + 1}"
-    return [f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "
+    return [f"B_{i + 1}{i + 1} is {middle:.3g} times the value that follows from its excitation; "
             + (why or _why(middle, _slope(omega, ratio), ratio))]  # fmt: skip
 
 
@@ -280,7 +280,7 @@ def _long_waves(values):
                 )
             elif abs(np.log(abs(ratio))) > np.log(1 + 2 * TRUE if not volume else 1 + TRUE):
                 lines.append(
-                    f"heave force of the longest wave is {abs(ratio):.3g} times what C₃₃ makes of it; "
+                    f"heave force of the longest wave is {abs(ratio):.3g} times the value from C₃₃; "
                     + _factor_of_force(abs(ratio))
                 )
     floats = C is not None and C[2, 2] > FLOATS * values.density * values.gravity * size_of(values) ** 2

@@ -1,7 +1,7 @@
 """Kernels of one uniform line between an anchor at (0, 0) and a fairlead, one line at a time.
 
 The line is sorted into its `State`, solved by the closed form of that state (`suspended`, `sloping_bed`), and its
-fairlead is recomputed from its forces, so that a wrong answer is seen.  The doors in `solve` check input and result.
+fairlead is recomputed from its forces, so that a wrong answer is seen.  Functions of `solve` check input and result.
 """
 
 from __future__ import annotations

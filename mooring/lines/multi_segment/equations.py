@@ -82,7 +82,7 @@ def empty_equations(n, states):
 
 @kernel()
 def write_equation(e, value, a, i, b, j):
-    """Append the equation value = 0 with the derivatives a g[i] + b g[j]; what is more than the unknowns is counted."""
+    """Append the equation value = 0 with the derivatives a g[i] + b g[j]; surplus equations are counted."""
     row = e.done[0]
     e.done[0] += 1
     if row >= e.r.size:

@@ -2,8 +2,8 @@
 
 The tension determines the line's shape.  A free span ends at its first contact (`touchdown`); from there the line
 lies on the bed to the last place from which a free span just clears the bed further down: inside a facet, at a sinker,
-or at a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension, so that
-it has one root too.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
+or at a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension and
+has one root.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
 
 The end of that search is an option (`LineData.to_place`).  It ends at the anchor's place, with an excess length; or it
 ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's place grows with

@@ -86,7 +86,7 @@ def ways_of(breakwater, omega, count=WAYS, any_section=False):
     mean, spread = breakwater.sea.direction, breakwater.sea.spreading
     if not any_section and breakwater.section.shape != "rectangle" and (mean or spread is not None):
         warnings.warn(
-            "waves at an angle are told for rectangles: the sea in two dimensions is taken along the normal",
+            "waves at an angle are supported for rectangles only: the whole sea is taken along the normal",
             stacklevel=2,
         )
         return np.zeros((1, len(omega)))

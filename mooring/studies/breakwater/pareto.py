@@ -110,9 +110,9 @@ def beside_resonances(changed, found):
         _, number, period, passed = max(beside)
         told = ", ".join(f"{K:.2f} at {T:.3g} s" for T, K in zip(period, passed, strict=True))
         yield (
-            f"{len(beside)} of {len(steep)} of the best designs stand beside a resonance, most design {number}: K_T is "
-            f"{told}; a little more draft or period changes what passes by more than {STEEP:g}: take another, or give "
-            "waves.period closer together there"
+            f"{len(beside)} of {len(steep)} of the best designs are near a resonance, design {number} most: K_T is "
+            f"{told}; a slightly different draft or period changes K_T by more than {STEEP:g}: take another, or "
+            "give waves.period at closer values there"
         )
 
 

@@ -49,5 +49,5 @@ def results(breakwater, anchors=NONE):
         *rougher(breakwater, held, sea),
     ]
     if breakwater.lines is not None and not has_tensions:
-        warned.append(f"holding {breakwater.design[0]} tells no tension of these lines: no pretension and no anchors")
+        warned.append(f"holding {breakwater.design[0]} gives no tension of these lines: no pretension and no anchors")
     return Results(made, tides, held, sea, rows, warned, snapping(breakwater, tides, held))
