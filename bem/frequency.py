@@ -132,7 +132,7 @@ class FrequencyRun:
 
     @cached_property
     def tolerances(self):
-        """The largest error between two resolutions over the tolerance; errors of damping over a fraction of it"""
+        """Largest error between two resolutions over the tolerance; for damping over a fraction of the tolerance"""
         errors = self._at_least_haskind(*self.bounds)
         return max(largest_error(self, *errors), damping_error(self, errors[0]) / TRUSTED) / self.problem.tolerance
 

@@ -5,7 +5,7 @@
     E      K_h = A · B · C · K_b    ground class, damping factor, factor of the natural period, regional coefficient
 
 The user gives the factors; the report prints no tables.  Rules B and D have no formula.  A force is weight times
-coefficient; by C and F the worse of the weight without and with surcharge, at the centroid of each.
+coefficient; by C and F of the weight without or with surcharge, the worse, at its centroid.
 """
 
 from __future__ import annotations

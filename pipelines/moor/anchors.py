@@ -135,7 +135,7 @@ def _pile(where, table, safety):
 
 
 def quantities_of_anchors(anchors, along, up):
-    """{name: Quantity} over the lines of what anchors hold, use and need at pulls (n,) N; {} where there are none"""
+    """{name: Quantity} over the lines: capacity, use and required size of anchors at pulls (n,) N; {} without any"""
     if all(one is None for one in anchors):
         return {}
     rows = list(zip(anchors, along, up, strict=True))
