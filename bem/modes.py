@@ -167,10 +167,10 @@ def normal_velocities(centroids, normals):
 def displacing(mesh, modes=()):
     """(6,) whether a mode of a hull, a `meshing.panels.PanelMesh`, displaces water.
 
-    Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a relative
-    error of what they give says nothing.  A rotation counts if the mean square of its normal velocity is two per cent
+    Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: relative
+    errors of such modes have no meaning.  A rotation counts if the mean square of its normal velocity is two per cent
     of that of its arms, both about the vertical axis through the middle of the hull's surface, so that it does not
-    matter where the mesh lies.  Of several bodies (6N,), and then one for each of `modes`, which all do.
+    matter where the mesh lies.  For several bodies (6N,), followed by True for each of `modes`.
     """
     if modes:
         return np.append(displacing(mesh), [True] * len(modes))

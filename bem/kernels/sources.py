@@ -27,7 +27,7 @@ _NAME = re.compile(r"(\w[\w.]*)(?:\s+as\s+\w+)?\s*(?:#[^\n]*)?(?:,|$)")
 
 @cache
 def imported(file, root):
-    """Source files below `root` that one imports directly, as a tuple of Paths"""
+    """Source files below `root` imported directly by a source file, as a tuple of Paths"""
     out = []
     for origin, names, plain in _IMPORT.findall(file.read_bytes().decode()):
         if plain:
