@@ -279,8 +279,8 @@ def panel_errors(forces, coarser, refinement, by_motions=None):
     whole; in surge, sway and yaw of it, of the squares, of what is `added` to them and of the difference on the
     diagonal, the far field's; of root mean squares of a pair and its neighbours in mean and difference.  In heave, roll
     and pitch its square is added to that of the effect of motion errors, large near resonance.
-    `tests/bench/pair_errors.py` has the shares within a factor of three.  Meshes of different proportions, or equal in
-    one direction, give less information.
+    `tests/bench/pair_errors.py` prints the share of errors within a factor of three.  Meshes of different proportions,
+    or equal in one direction, give less information.
     coarser : (d, n, m, m, 6) the whole on the coarser mesh; refinement : panels for each panel of it
     by_motions : (d, n, m, m, 6) change of the squares on the coarser mesh by the motions of the finer mesh, or None
     """

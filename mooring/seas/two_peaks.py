@@ -117,7 +117,7 @@ class Enhanced(Spectrum):
 def torsethaugen(height, *, peak_period=None, gravity=GRAVITY, **period):
     """Swell and wind sea of a significant height (m) and the period (s) of the higher peak.
 
-    raises : ValueError for another period, and for one beyond 25 s or steeper than a wind raises
+    raises : ValueError for another period, a period above 25 s, or waves steeper than those of wind
     """
     given = [kind for kind, value in period.items() if value is not None]
     if peak_period is None or given:

@@ -176,10 +176,10 @@ def between(low, high, f_low, f_high, wide, room, least):
 
 @kernel()
 def touching_start(line, origin, q, g, at, facet, low, high, states, load_weights, rows):
-    """Start of the span that just touches the bed; from `low` it stays clear, from `high` it penetrates.
+    """Start of the span that just touches the bed; a start at `low` stays clear, a start at `high` penetrates.
 
-    For the fairlead they are first guesses, which are moved apart until they bracket the start.
-    q, at : left where it touches.  returns : start, step, index; the step is MISSED where none penetrated
+    For the fairlead `low` and `high` are first guesses, which are moved apart until they bracket the start.
+    q, at : the state where the span touches.  returns : start, step, index; the step is MISSED where none penetrated
     """
     q0, at0 = q.copy(), at.copy()
     step, index, wide = MISSED, facet, high - low

@@ -72,7 +72,7 @@ def estimates(runs):
 
 
 def answered(asked):
-    """The answer to a job"""
+    """Times, estimated errors and coefficients of a job, as plain values"""
     import numpy as np
 
     case = CASES[asked["case"]]
