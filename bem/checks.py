@@ -1,19 +1,19 @@
-"""Laws that every solved frequency has to satisfy, and what two meshes say about each other.
+"""Laws that every solved frequency must satisfy, and error estimates from two meshes.
 
-Each function takes the quantities of one frequency (`bem.frequency.FrequencyRun`) and returns the largest
-relative violation.  Radiation is measured by √|Zᵢᵢ Zⱼⱼ| with Z = A + iB/ω, forces by the larger of excitation and
-diffraction force over the headings.
+Each function takes the quantities of one frequency (`bem.frequency.FrequencyRun`) and returns the largest relative
+violation.  Radiation is relative to √|Zᵢᵢ Zⱼⱼ| with Z = A + iB/ω, forces to the larger of excitation and diffraction
+force over the headings.
 
-At resonance damping alone decides: its error is measured by √(bᵢ bⱼ) too (`damping_error`), about the rotation centre,
-with
+At resonance damping alone matters: its error is also measured relative to √(bᵢ bⱼ) (`damping_error`), about the
+rotation centre, with
 
     b = max(B, ωA / πN)       damping of its own size, or of that by which oscillations exp(−Bt / 2(M + A)) of any
                               mass M take N periods and more to die
 
-whatever the inertia and the restoring forces, which moorings change.  Resonance of so little damping does not build up
-within N periods: its height is that of the waves' duration.  N = 1000 is three hours of waves of 11 s.  In waves from
-rest, N periods long, the variance of the resonant motion is ∝ (1 − (1 − e⁻ˣ)/x)/x in the mean, x = 2B/b₀ ≤ 2 for
-B ≤ b₀ = ωA / πN: an error of b₀ε changes its standard deviation by ε/3 at most (tests/bench/damping_floor.py).
+whatever the inertia and the restoring forces, which moorings change.  Resonance with so little damping does not develop
+fully within N periods: its height depends on the duration of the waves.  N = 1000 is three hours of waves of 11 s.  In
+waves from rest, N periods long, the variance of the resonant motion is ∝ (1 − (1 − e⁻ˣ)/x)/x in the mean, x = 2B/b₀ ≤ 2
+for B ≤ b₀ = ωA / πN: an error of b₀ε changes its standard deviation by ε/3 at most (tests/bench/damping_floor.py).
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ import numpy as np
 from .drift import energy_defect
 from .modes import turning
 
-# the error falls like this power of the number of panels: to a fifth from 104 to 416 of them on the series box,
-# all coefficients, depths 12 m to infinity; estimates made with it are right in the median (tests/bench/tolerance.py)
+# the error falls with this power of the number of panels: by five from 104 to 416 panels on the series box, all
+# coefficients, depths 12 m to infinity; estimates made with it are right in the median (tests/bench/tolerance.py)
 ERROR_ORDER = 1.16
 PERIODS = 1000  # N, in a sea state
 
 
 def sufficient_accuracy(panels):
-    """Relative, of approximate equations: a twentieth of the discretisation error of so many panels
+    """Relative accuracy sufficient for approximate equations: a twentieth of the discretisation error of so many panels
 
-    That falls with `ERROR_ORDER` from one per cent at 250.
+    The discretisation error falls with `ERROR_ORDER` from one per cent at 250 panels.
     """
     return float(np.clip(0.05 * 0.01 * (250 / panels) ** ERROR_ORDER, 2e-5, 1e-4))
 
 
 def check(run):
-    """{name: largest relative violation}; NaN where what was computed allows no test"""
+    """{name: largest relative violation}; NaN for laws that the computed quantities cannot test"""
     out = dict.fromkeys(("reciprocity", "Haskind", "energy", "residual", "estimated_error"), np.nan)
     out["residual"] = run.residual
     energy = []
@@ -62,41 +62,41 @@ def reciprocity(run):
 
 
 def haskind(run):
-    """The same excitation from the diffraction and from the radiation potentials"""
+    """The excitation force from the diffraction potential and from the radiation potentials"""
     gap = np.abs(run.haskind - run.excitation)[:, run.dofs]
     return float((gap / excitation_scale(run)).max())
 
 
 def radiated_energy(run):
-    """B of the work done by a motion and of the power of its waves"""
+    """B from the work done by a motion and from the power of its waves"""
     far = run.radiated[np.ix_(run.dofs, run.dofs)]
     return float((np.abs(far - _wanted(run).imag) / radiation_scale(run)).max())
 
 
 def scattered_energy(run):
-    """(1/2π) ∫ |H|² dθ = −Re H(β) of the fixed body, less what damping lids take"""
+    """(1/2π) ∫ |H|² dθ = −Re H(β) of the fixed body, minus the absorption by damping lids"""
     H, t, m = run.kochin[1][0], len(run.theta), np.arange(len(run.headings))
     return float(np.abs(energy_defect(H[:, :t], H[m, t + m] + run.taken_at_rest)).max())
 
 
 def estimate(run, rough, refinement):
-    """Errors, found less true, of radiation (6, 6) and excitation (m, 6), from a coarser mesh of the same body.
+    """Errors, computed minus exact, of radiation (6, 6) and excitation (m, 6), from a coarser mesh of the same body.
 
-    refinement : how many panels there are for one of the coarse mesh
+    refinement : ratio of the panel number to that of the coarse mesh
     """
     share = share_left(refinement)
     return share * (rough.radiation - run.radiation), share * (rough.excitation - run.excitation)
 
 
 def share_left(refinement):
-    """Error of a mesh over what a coarser one has more; refinement as in `estimate`"""
+    """Error of a mesh over its difference from a coarser one; refinement as in `estimate`"""
     return 1 / (refinement**ERROR_ORDER - 1)
 
 
 def at_least_haskind(error, excitation, haskind, dofs):
-    """Errors of excitation (m, 6), in `dofs` no less than what two ways to the same force differ by.
+    """Errors of excitation (m, 6), in `dofs` at least the difference of two computations of the same force.
 
-    error : the errors that are known of otherwise; excitation, haskind : (m, 6) of diffraction and of radiation
+    error : errors estimated otherwise; excitation, haskind : (m, 6) of diffraction and of radiation
     """
     out, gap = np.array(error), excitation - haskind
     out[:, dofs] = np.where(np.abs(gap) > np.abs(error), gap, error)[:, dofs]
@@ -104,7 +104,7 @@ def at_least_haskind(error, excitation, haskind, dofs):
 
 
 def enlarged(error, by):
-    """Complex errors whose size is `by` more; those that are zero, by symmetry, stay so"""
+    """Complex errors with moduli enlarged by `by`; errors that are zero by symmetry remain zero"""
     size = np.abs(error)
     return np.where(size > 0, error / np.where(size > 0, size, 1.0), 0.0) * (size + by)
 
@@ -120,7 +120,7 @@ def largest_error(run, radiation, excitation):
 
 
 def damping_error(run, radiation):
-    """The largest error of damping by its own size, `damping_scale`, from errors of radiation (6, 6); 0 without any"""
+    """The largest error of damping relative to `damping_scale`, from errors of radiation (6, 6); 0 without errors"""
     if not run.radiates:
         return 0.0
     T = run.problem.transform[run.asked]
@@ -150,8 +150,8 @@ def damping_scale(radiation, displacing, periods=PERIODS):
 def excitation_scale(run, of=None):
     """(of,) size of the forces `of`, numbers, by default of the motions, infinite for modes that move no water
 
-    Sway in head sea and heave in short waves are nothing but error: no force counts as less than a fifth of the
-    largest, no moment as less than that of such a force at half the hull's radius.
+    Sway in head sea and heave in short waves are mere error: no force counts as less than a fifth of the largest, no
+    moment as less than that of such a force at half the hull's radius.
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
     turns = turning(run.problem.bodies, run.problem.modes)

@@ -13,13 +13,13 @@ from __future__ import annotations
 
 import numpy as np
 
-OF_EACH = {"body_drift_force_fixed": False, "body_drift_force": True}  # names of that of each body, and if it moves
+OF_EACH = {"body_drift_force_fixed": False, "body_drift_force": True}  # names for each body, and whether it moves
 
 
 def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gravity):
     """(headings, 3) mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin.
 
-    k, n : numbers, or arrays that broadcast over the headings; all else may then have further axes before these
+    k, n : numbers, or arrays that broadcast over the headings; other arguments may then have more leading axes
     H, slope : (headings, t) total Kochin function and derivative at equally spaced `theta`
     forward, forward_slope : (headings,) the same at θ = β; beta : (headings,) rad
     """
@@ -69,7 +69,7 @@ def _of_momentum(scattered, forward, forward_slope, beta, k, n, weight):
 def harmonics(H, theta):
     """Orders (t,), rising, and coefficients (…, t) of the Fourier series of H (…, t), equally spaced theta (t,) rad.
 
-    A Kochin function has no more harmonics than kR and a few: the series is the function, and its derivative exact.
+    A Kochin function has few harmonics beyond kR: the series equals the function, and its derivative is exact.
     """
     t = len(theta)
     order, below = np.arange(t) - t // 2, t // 2

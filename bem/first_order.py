@@ -1,4 +1,4 @@
-"""First-order quantities of one frequency, whichever method found them."""
+"""First-order quantities of one frequency, for all methods."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import numpy as np
 
 
 class FirstOrder(NamedTuple):
-    """About the origin at the centre of the waterplane, SI, signs as in `bem`; zero where not asked for.
+    """About the origin at the centre of the waterplane, SI, signs as in `bem`; zero where not requested.
 
-    m headings, t angles; Kochin functions come as H and dH/dθ, per metre or radian of motion and of wave amplitude.
+    m headings, t angles; Kochin functions are H and dH/dθ, per metre or radian of motion and of wave amplitude.
     """
 
     radiation: np.ndarray  # (6, 6) complex A + iB/ω

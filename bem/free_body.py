@@ -1,4 +1,4 @@
-"""Motions and mean drift of the free body from what is known of the flow at one frequency; no flow is solved for.
+"""Motions and mean drift of the free body from known results at one frequency; no flow problem is solved.
 
     {−ω²[M + A] − iω[B + B'] + C} X = F,      H = H_D + Σ Xⱼ Hⱼ
 
@@ -20,12 +20,12 @@ KOCHIN = ("kochin_radiation", "kochin_diffraction")
 
 
 def needed(want):
-    """Names of what "rao" and "drift_force" follow from"""
+    """Names of the quantities from which "rao" and "drift_force" are computed"""
     return COEFFICIENTS + (KOCHIN if "drift_force" in want else ())
 
 
 def motions(problem, omega, added_mass, damping, excitation):
-    """X (m, 6) m/m and rad/m of a `bem.problem.Problem` about its rotation centre, as all of these are.
+    """X (m, 6) m/m and rad/m of a `bem.problem.Problem` about its rotation centre, as for all arguments.
 
     added_mass, damping : (6, 6); excitation : (m, 6); of several bodies (6N, moving), (m, 6N) and X (m, moving)
     """
@@ -42,7 +42,7 @@ def free_body(problem, omega, headings, theta, flow):
     """{"rao": (m, 6)} of a `bem.problem.Problem`, and {"drift_force": (m, 3)} where Kochin functions are known.
 
     omega : rad/s; headings : (m,) rad; theta : (t,) rad, equally spaced
-    flow : {name: values} of `needed` as the database has them, at this frequency and these headings
+    flow : {name: values} of the `needed` quantities as in the database, at this frequency and these headings
     raises : FloatingPointError if viscous damping is not found
     """
     made = {"rao": motions(problem, omega, *(flow[name] for name in COEFFICIENTS))}

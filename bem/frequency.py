@@ -1,4 +1,4 @@
-"""One frequency of one problem: the quantities wanted, computed from no more than they need."""
+"""One frequency of one problem: the wanted quantities, with no more computation than they need."""
 
 from __future__ import annotations
 
@@ -25,8 +25,7 @@ DIFFRACTION = {
 }
 FREE = {"rao", "drift_force", "body_drift_force"}
 DRIFT = {"drift_force_fixed", "drift_force"}
-# fraction of the tolerance up to which an estimate is trusted: in 92 random bodies it was at least two thirds of the
-# error
+# largest trusted estimate as a fraction of the tolerance: for 92 random bodies it was at least two thirds of the error
 TRUSTED = 0.6
 
 
@@ -34,7 +33,7 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
     """Everything in `want` at one frequency, as a dictionary with the names of the database.
 
     prepared : from `bem.methods.panel_problem.prepare`
-    omega : rad/s, headings : (m,) rad towards which the waves travel, want : names of datasets
+    omega : rad/s, headings : (m,) rad that the waves travel to, want : names of datasets
     theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : names that are needed, None: all
     returns : arrays over the forces and motions of the problem (NaN where not in `dofs`), "checks", "wall_time" (s)
         and, where the method has one, "estimated_error" of names in `schema.ESTIMATES`
@@ -53,17 +52,17 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
 
 
 class FrequencyRun:
-    """The quantities of one frequency, each computed once, when asked for; subclasses implement a method.
+    """The quantities of one frequency, each computed once, on first use; subclasses implement a method.
 
-    A method gives `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
+    A method provides `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
     `bem.first_order.FirstOrder` (`kochin` at `theta` and at the headings, `haskind` None where it is unknown), `solves`
-    and `differences`: errors, with signs, of `radiation` (6, 6) and `excitation` (m, 6) as two resolutions show them,
-    or None; `kochin_errors` alike.
+    and `differences`: errors, with signs, of `radiation` (6, 6) and `excitation` (m, 6) from two resolutions, or None;
+    `kochin_errors` likewise.
     """
 
     most_sharper = 0  # largest number of sharper runs, one after another
-    interpolated = False  # whether `differences` are those of other frequencies
-    taken_at_rest = 0.0  # (m,) of the balance of energy of bodies at rest, what damping lids take of it
+    interpolated = False  # whether `differences` are interpolated from other frequencies
+    taken_at_rest = 0.0  # (m,) energy absorbed by damping lids in the balance of fixed bodies
     margin = 1.0  # factor on the error that follows from `differences`
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
@@ -78,7 +77,7 @@ class FrequencyRun:
         names = self.problem.dofs
         self.count, self.asked = len(names), [names.index(d) for d in (names if dofs is None else dofs)]
         self.free = bool(want & (FREE | {"pressure", POWER})) and self.problem.inertia_matrix is not None
-        # motions couple; a moment about another point than the origin needs forces too
+        # motions couple; a moment about another point than the origin also needs forces
         needed = np.any(self.problem.transform[self.asked], axis=0) | self.free
         self.forced = np.flatnonzero(needed).tolist()
         self.dofs = [d for d in self.forced if d in self.problem.moving]
@@ -89,7 +88,7 @@ class FrequencyRun:
 
     @property
     def question(self):
-        """What a run of the same frequency is made with, after its prepared problem"""
+        """Arguments of a run of the same frequency after the prepared problem"""
         return self.omega, self.headings, self.want, self.theta, [self.problem.dofs[d] for d in self.asked]
 
     def _timed(self, name, start):
@@ -102,7 +101,7 @@ class FrequencyRun:
 
     @property
     def radiated(self):
-        """(6, 6) B/ω from the far field, B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; None where none is computed"""
+        """(6, 6) B/ω from the far field, B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; None if it is not computed"""
         if not self.far_field:
             return None
         H = self.kochin[0][0][:, : len(self.theta)]
@@ -114,16 +113,16 @@ class FrequencyRun:
         return self.froude_krylov + self.diffraction
 
     def within_tolerance(self):
-        """These quantities with errors, as estimated, within the tolerance, those of damping by its own size.
+        """These quantities with estimated errors within the tolerance, errors of damping relative to its own size.
 
-        Where they are not, by the `sharper` run of the same frequency, up to `most_sharper` times, and as long as that
-        helps: on panels a thousand times as long as wide the error stays, while work and memory grow fourfold.
+        Otherwise the `sharper` run of the same frequency, up to `most_sharper` times while the error falls: on panels a
+        thousand times as long as wide the error remains, while work and memory grow fourfold.
         """
         run = self
         for _ in range(self.most_sharper if self.solves else 0):
             if run.differences is None or run.tolerances <= 1:
                 break
-            sharper = run.sharper  # the sharper run may have its own mesh and band
+            sharper = run.sharper  # the sharper run may use its own mesh and band
             if sharper is None:
                 break
             before, run = run, sharper()
@@ -133,27 +132,27 @@ class FrequencyRun:
 
     @cached_property
     def tolerances(self):
-        """The largest error between two resolutions over the tolerance, of damping over what is well within it"""
+        """Largest error between two resolutions over the tolerance; for damping over a fraction of the tolerance"""
         errors = self._at_least_haskind(*self.bounds)
         return max(largest_error(self, *errors), damping_error(self, errors[0]) / TRUSTED) / self.problem.tolerance
 
     @property
     def bounds(self):
-        """`differences` or, of those that are interpolated, no less in size"""
+        """`differences`, or upper bounds of their size where they are interpolated"""
         return self.differences
 
     @property
     def sharper(self):
-        """What makes a run of the same frequency with a smaller error, or None"""
+        """A run of the same frequency with a smaller error, or None"""
         return None
 
     @cached_property
     def errors(self):
-        """Estimated errors of `radiation` and `excitation`, of this no less than `haskind` shows, or None"""
+        """Estimated errors of `radiation` and `excitation`, the latter at least as shown by `haskind`, or None"""
         return None if self.bounds is None else self.enlarged(*self._at_least_haskind(*self.bounds))
 
     def enlarged(self, radiation, excitation):
-        """Errors with what no resolution shows"""
+        """Errors enlarged by contributions that a comparison of resolutions does not show"""
         return radiation, excitation
 
     def _at_least_haskind(self, radiation, excitation):
@@ -163,12 +162,12 @@ class FrequencyRun:
 
     @cached_property
     def rao(self):
-        """(m, moving) about the rotation centre, of the motions of bodies that are not fixed"""
+        """(m, moving) about the rotation centre, of the motions of all bodies that are not fixed"""
         return self._motions(self.radiation, self.excitation)
 
     @property
     def of_motion(self):
-        """(moving, 6) from the motions of `rao` to those about the origin, of several bodies (moving, 6N)"""
+        """(moving, 6) from the motions of `rao` to those about the origin; for several bodies (moving, 6N)"""
         return self.problem.transform[self.problem.moving]
 
     def _motions(self, radiation, excitation):
@@ -208,31 +207,31 @@ class FrequencyRun:
         return about(force, self.problem.rotation_center)
 
     def asked_only(self, values):
-        """`values` (…, 6), of several bodies (…, 6N), with NaN in place of degrees of freedom not asked for"""
+        """`values` (…, 6), for several bodies (…, 6N), with NaN for degrees of freedom that were not requested"""
         out = np.full_like(values, np.nan)
         out[..., self.asked] = values[..., self.asked]
         return out
 
     def asked_radiation(self, radiation):
-        """(6, 6), of several bodies (6N, moving), about the rotation centre, NaN where it is not asked for"""
+        """(6, 6), for several bodies (6N, moving), about the rotation centre, NaN where not requested"""
         T = self.problem.transform
         return self.asked_only(self.asked_only(T @ radiation @ T.T).T).T[:, self.problem.moving]
 
     def asked_motions(self, rao):
-        """Motions (m, moving) with NaN in place of those not asked for"""
+        """Motions (m, moving) with NaN for those not requested"""
         left_out = ~np.isin(self.problem.moving, self.asked)
         return np.where(left_out, np.nan, rao)
 
     def estimated_error(self):
-        """The largest relative one, `bem.checks.largest_error`; NaN without an estimate"""
+        """The largest relative error, `bem.checks.largest_error`; NaN without an estimate"""
         return np.nan if self.errors is None else largest_error(self, *self.errors)
 
     def estimated_errors(self):
-        """{name: absolute errors} of `schema.ESTIMATES` that are wanted, about the rotation centre.
+        """{name: absolute errors} of the wanted `schema.ESTIMATES`, about the rotation centre.
 
-        Those of motions and drift are what they change by when coefficients, forces and Kochin functions are corrected
-        by their errors: these nearly cancel in long waves, and at resonance what follows from them is not linear.  All
-        of them are then those between two resolutions: `haskind`, which raises one of them, would spoil what cancels.
+        Errors of motions and drift are their changes when coefficients, forces and Kochin functions are corrected by
+        their errors: in long waves these nearly cancel, and at resonance the dependence is not linear.  All of them are
+        then differences between two resolutions: `haskind`, which raises one of them, would destroy the cancellation.
         """
         if self.errors is None:
             return {}

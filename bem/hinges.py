@@ -2,11 +2,11 @@
 
     G X = 0,    D X = F + Gᵀμ,    X = Z q,  G Z = 0,    (Zᵀ D Z) q = Zᵀ F,    μ = (G Gᵀ)⁻¹ G (D X − F)
 
-A row of G says that the point of the link on the second body moves as that on the first along an axis of the first, or
-that both turn alike about one.  μ is the force and moment with which the first body holds the second.  A spring and a
-damper along a slider or about a hinge (a power take-off) pull back its travel s, how far the second is from the first
-along the axis or about it, with k (s − rest) + c ṡ.  One of the bodies may
-be SPACE, in coordinates of the scene, and a body that is alone is called ALONE.
+A row of G requires that the point of the link on the second body moves as on the first along an axis of the first, or
+that both turn alike about such an axis.  μ is the force and moment exerted by the first body on the second.  A spring
+and a damper along a slider or about a hinge (a power take-off) act on the travel s, the displacement of the second body
+from the first along or about the axis, with k (s − rest) + c ṡ.  One of the bodies may be SPACE, in coordinates of the
+scene; a single body is called ALONE.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .modes import Body
 
 SPACE, ALONE = "space", "body"
 KINDS = ("hinge", "ball", "rigid", "slider")
-DRIVEN = ("hinge", "slider")  # kinds of links with a travel, on which a spring and a damper may act
+DRIVEN = ("hinge", "slider")  # kinds of links with a travel, for which a spring and a damper are possible
 SHOWN = 7  # numbers of a link: force, moment, travel
 SAME = 1e-9  # singular value, relative to the largest, below which a constraint is redundant
 
@@ -31,7 +31,7 @@ class Link(NamedTuple):
 
     kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
     stiffness, damping : N/m, N s/m along the axis of a slider, N m, N m s about that of a hinge
-    rest : m, rad, the travel at which its spring pulls nothing
+    rest : m, rad, travel at which its spring exerts no force
     """
 
     name: str
@@ -45,12 +45,12 @@ class Link(NamedTuple):
 
     @property
     def along(self):
-        """(k, 3) unit vectors along which both points move alike, along the axes of the first"""
+        """(k, 3) unit vectors of constrained translation, along the axes of the first body"""
         return _across(self.axis) if self.kind == "slider" else np.eye(3)
 
     @property
     def held(self):
-        """(k, 3) unit vectors about which both bodies turn alike, along the axes of the first"""
+        """(k, 3) unit vectors of constrained rotation, along the axes of the first body"""
         return _across(self.axis) if self.kind == "hinge" else np.eye(3)[: 3 * (self.kind != "ball")]
 
 
@@ -60,7 +60,7 @@ def _across(axis):
 
 
 def end_of(reader, name):
-    """`bem.modes.Body` of a name and the slice of its motions, None where it is still.  Raises BetweenError."""
+    """`bem.modes.Body` of a name and the slice of its motions, None for a fixed body.  Raises BetweenError."""
     if name == SPACE:
         return Body(SPACE, fixed=True), None
     if name == ALONE and not reader.bodies:
@@ -93,7 +93,7 @@ def travel_of(reader, link):
 
 
 def told_of(links):
-    """(name, unit, column) of the results of links: of each force and moment, and of the travel of those DRIVEN
+    """(name, unit, column) of the results of links: each force and moment, and the travel of links in DRIVEN
 
     column : of SHOWN numbers for each link
     """
@@ -108,7 +108,7 @@ def told_of(links):
 
 
 def pulls_of(reader, omega, motions):
-    """(q, p, links, 6) N and N m per m of the springs and dampers of links alone, as `forces_of`
+    """(q, p, links, 6) N and N m per m of the springs and dampers of links alone, signs as in `forces_of`
 
     omega : (q,) rad/s, of motions (q, p, n)
     """
@@ -122,7 +122,7 @@ def pulls_of(reader, omega, motions):
 
 
 def _all_rows(reader, link):
-    """(6, n) of how far the point of the second body moves and turns from the first, along the axes of this"""
+    """(6, n) displacement and rotation of the second body's point relative to the first, along the axes of the first"""
     (first, own_of_first), (second, own_of_second) = (end_of(reader, name) for name in link.bodies)
     place = first.in_scene(link.position)
     turn = first.axes.T @ second.axes
@@ -154,7 +154,7 @@ def of_shapes(reader, body, point):
 
 
 def free_of(rows):
-    """Z (n, m), orthonormal: what rows G (r, n) leave free.  Raises ValueError where some say what others do."""
+    """Z (n, m), orthonormal: motions that rows G (r, n) leave free.  Raises ValueError for redundant rows."""
     _, size, vectors = np.linalg.svd(rows)
     if len(size) < len(rows) or size[-1] <= SAME * size[0]:
         raise ValueError(

@@ -23,9 +23,9 @@ BLOCK = 32  # directions at a time: four complex numbers each for every point
 
 
 class Folded(NamedTuple):
-    """Directions that have all others among their mirror images.
+    """Directions from which mirror images give all others.
 
-    angles : (u,) rad; place, image : (t,) of each direction its place there and number among `images` (i, 2), ±1
+    angles : (u,) rad; place, image : (t,) index of each direction in `angles` and in `images` (i, 2), ±1
     """
 
     angles: np.ndarray
@@ -36,16 +36,16 @@ class Folded(NamedTuple):
     def unfolded(self, value, slope, signs):
         """H and H′ (…, t) of a symmetry class from those at `angles` (…, u); signs : (i,) ±1 of the class there
 
-        An image has the sign of the class, and its derivative that of the turn too.
+        An image has the sign of the class, and its derivative also that of the change of angle.
         """
         turned = signs * self.images.prod(axis=1)
         return value[..., self.place] * signs[self.image], slope[..., self.place] * turned[self.image]
 
 
 def folded(theta, images):
-    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body: with four a quarter of a circle
+    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body; a quarter circle with four
 
-    It is kept, as every symmetry class of every frequency asks for the same.
+    The result is kept, since every symmetry class of every frequency needs the same.
     """
     return _folded(tuple(np.asarray(theta, float).tolist()), tuple(map(tuple, np.asarray(images).tolist())))
 

@@ -1,7 +1,7 @@
 """Modes of motion: normal velocities, parity under reflection, change of reference point.
 
-Of several bodies the rigid modes are six for each, one body after another; mode d is motion d mod 6 of body d div 6.
-Shapes of bodies that bend (`Mode`) come after all of them.
+With several bodies the rigid modes are six per body, one body after another; mode d is motion d mod 6 of body d div 6.
+Shapes of flexible bodies (`Mode`) follow after all of them.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 from . import DOFS
 
 # sign of a mode's potential under x → −x and under y → −y, about the origin
-MIRRORED = 1e-4  # largest asymmetry, over the largest displacement, at which a shape from a file counts as symmetric
+MIRRORED = 1e-4  # largest asymmetry over the largest displacement of a shape from a file that counts as symmetric
 PARITY = ((-1, 1), (1, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
 
 
@@ -21,8 +21,8 @@ class Body(NamedTuple):
     """One of several bodies.
 
     name : before the names of its motions
-    rotation_center : (3,) m; heading : rad about z of the axes that its motions, forces and moments are in
-    fixed : whether it scatters waves and does not move; place : (2,) m, of its own origin
+    rotation_center : (3,) m; heading : rad about z of the axes for its motions, forces and moments
+    fixed : True for a body that scatters waves and does not move; place : (2,) m, of its own origin
     """
 
     name: str
@@ -33,21 +33,21 @@ class Body(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) whose columns are its axes in those of the scene"""
+        """(3, 3) matrix whose columns are its axes in coordinates of the scene"""
         return turned(self.heading)[:3, :3].T
 
     @property
     def own_center(self):
-        """(3,) m, its rotation centre in coordinates of its own"""
+        """(3,) m, its rotation centre in its own coordinates"""
         return self.axes.T @ (np.asarray(self.rotation_center, float) - (*self.place, 0.0))
 
     def in_scene(self, point):
-        """(…, 3) m in coordinates of the scene of points (…, 3) in its own"""
+        """(…, 3) m in coordinates of the scene, from points (…, 3) in its own coordinates"""
         return np.asarray(point, float) @ self.axes.T + (*self.place, 0.0)
 
 
 class Mode(NamedTuple):
-    """A shape that a body, or several, move in beside their six rigid motions.
+    """A mode shape of one or several bodies in addition to their six rigid motions.
 
     name : without that of its body; turns : whether its amplitude is in rad; body : number of its body
     shape : with displacement((…, 3) m) → (…, 3), both in coordinates of the body
@@ -65,11 +65,11 @@ class Mode(NamedTuple):
 
     @property
     def moves(self):
-        """Numbers of the bodies that it moves"""
+        """Numbers of the bodies that move in the shape"""
         return self.on or (self.body,)
 
     def in_body(self, body, points):
-        """(…, 3) m per m or rad at points (…, 3) m, both in coordinates of a `Body`, or of the one there is (None)"""
+        """(…, 3) m per m or rad at points (…, 3) m, both in coordinates of a `Body`, or of the single body (None)"""
         if not self.on:
             return self.shape.displacement(points)
         return self.shape.displacement(body.in_scene(points)) @ body.axes
@@ -94,14 +94,14 @@ class Mode(NamedTuple):
 
 
 def words_of(bodies, modes=()):
-    """Names of the motions of what moves, as results have them: "surge", of several bodies "barge surge" """
+    """Names of the motions in results: "surge", or "barge surge" with several bodies, by body and motion"""
     before = [f"{body.name} " for body in bodies if not body.fixed] or [""]
     rigid = [name + dof.lower() for name in before for dof in DOFS]
     return (*rigid, *(_of_body(bodies, mode, " ").replace("_", " ") for mode in modes))
 
 
 def names_of(bodies, modes=()):
-    """Names of the modes of several bodies, as Capytaine has them; of none those of one body"""
+    """Names of the modes of several bodies, as in Capytaine; for an empty list those of one body"""
     rigid = [f"{body.name}__{dof}" for body in bodies for dof in DOFS] or DOFS
     return (*rigid, *(_of_body(bodies, mode, "__") for mode in modes))
 
@@ -146,7 +146,7 @@ def turned(heading):
 
 
 def modes_of(bodies, body_of_point, points, normals, modes=()):
-    """(n, 6N + m) normal velocities about the origin; each body moves its own points alone
+    """(n, 6N + m) normal velocities about the origin; each body moves only its own points
 
     body_of_point : (n,) numbers; modes : m `Mode`s
     """
@@ -165,12 +165,12 @@ def normal_velocities(centroids, normals):
 
 
 def displacing(mesh, modes=()):
-    """(6,) whether a mode of a hull, a `meshing.panels.PanelMesh`, moves water at all.
+    """(6,) whether a mode of a hull, a `meshing.panels.PanelMesh`, displaces water.
 
-    Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a relative
-    error of what they give says nothing.  A rotation counts if the mean square of its normal velocity is two per cent
+    Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: relative
+    errors of such modes have no meaning.  A rotation counts if the mean square of its normal velocity is two per cent
     of that of its arms, both about the vertical axis through the middle of the hull's surface, so that it does not
-    matter where the mesh lies.  Of several bodies (6N,), and then one for each of `modes`, which all do.
+    matter where the mesh lies.  For several bodies (6N,), followed by True for each of `modes`.
     """
     if modes:
         return np.append(displacing(mesh), [True] * len(modes))
@@ -193,7 +193,7 @@ def reference_change(center):
 
 
 def class_of(dof, symmetry):
-    """Symmetry class (sign in x, sign in y) that holds mode number `dof`."""
+    """Symmetry class (sign in x, sign in y) of mode number `dof`."""
     x, y = PARITY[dof % 6]
     return (x if "x" in symmetry else 1, y if "y" in symmetry else 1)
 

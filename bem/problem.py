@@ -1,4 +1,4 @@
-"""Data of a radiation–diffraction problem that every method needs: water, gravity, inertia and stiffness."""
+"""Data of a radiation–diffraction problem for all methods: water, gravity, inertia and stiffness."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ class Problem:
     """A floating body, or several, in water; subclasses add the shape and the method's parameters.
 
     depth : m, may be inf; density : kg/m³; gravity : m/s²; rotation_center : m
-    bodies : `bem.modes.Body` of each of several, whose motions have their own points; empty for one body
+    bodies : `bem.modes.Body` of each of several bodies, whose motions refer to their own points; empty for one body
     modes : `bem.modes.Mode` of each shape beyond the rigid motions
-    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`, of several bodies or with shapes
-        (n, moving); None leaves the bodies without motions; the stiffness of a structure is in it
+    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`, for several bodies or with shapes (n,
+        moving); None for no motions; the stiffness of a structure is included
     structural_damping : (n, moving), or None
     viscous : `bem.viscous.Viscous` or None
     tolerance : relative error asked for

@@ -1,12 +1,12 @@
-"""Laws between the stored numbers of a database, tried again on what is stored.
+"""Laws between the stored numbers of a database, checked on these numbers.
 
-With Z = A + iB/ω, sizes √|Zᵢᵢ Zⱼⱼ|, and every frequency by itself:
+With Z = A + iB/ω, relative to √|Zᵢᵢ Zⱼⱼ|, for every frequency separately:
 
     Z = Zᵀ;  B ≥ 0;  B/ω = (4ρg n/(kω)²) (1/2π) ∫ Re HᵢH̄ⱼ dθ;  F = F_FK + F_D;  (1/2π) ∫ |H_D|² dθ = −Re H_D(β)
     {−ω²[M + A] − iωB + C} X = F;  mean drift of H_D and of H_D + Σ XⱼHⱼ
 
-The signs are those of `bem.kochin`, `bem.motions` and `bem.drift`.  A number that was doubled, or belongs to another
-frequency, breaks one of them.
+The signs are those of `bem.kochin`, `bem.motions` and `bem.drift`.  A doubled number, or one of another frequency,
+violates one of the laws.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from .drift import OF_EACH, about, energy_defect, mean_drift, sum_about_origin
 from .modes import displacing, moving, turning
 from .waves import group_factor
 
-ROUNDING = 1e-6  # tolerance of laws that were used to compute the numbers
+ROUNDING = 1e-6  # tolerance of laws that the computation of the numbers uses
 SUM = 0.1  # tolerance of drift by pressure, whose error is of first order in that of potentials, motions and waves
 PRINTED = 1e-4  # the same for files of other programs with seven digits, whose rounding a resonance magnifies
 
 
 class Broken(NamedTuple):
-    """A law that stored numbers break: by how much at worst (relative), at which rad/s, and what is allowed"""
+    """A law violated by stored numbers: its largest relative violation, at which rad/s, and the limit"""
 
     law: str
     worst: float
@@ -37,7 +37,7 @@ class Broken(NamedTuple):
 def broken_laws(db, tolerance):
     """[Broken] of a `bem.database.Database`.
 
-    tolerance : relative; where the checks that were stored with a frequency are worse, they are what is allowed
+    tolerance : relative; where the checks stored with a frequency are larger, these are the limit
     """
     stored = np.array(list(db.checks().values()))
     allowed = 1.01 * np.fmax(tolerance, np.fmax.reduce(np.vstack([stored, np.zeros((1, len(db.omega)))])))
@@ -65,7 +65,7 @@ def damping_errors(db):
 
 
 def _laws(db, rounding):
-    """(law, (n,) relative violations, limit or None for that of the checks that were stored) of what is there"""
+    """(law, (n,) relative violations, limit or None for that of the stored checks) of the available quantities"""
     there = set(db.names)
     if {"added_mass", "radiation_damping"} <= there:
         yield from _radiation_laws(db, there)
@@ -80,7 +80,7 @@ def _laws(db, rounding):
     if "kochin_diffraction" in there:
         yield from _far_field_laws(db, there)
     for each, whole in zip(OF_EACH, ("drift_force_fixed", "drift_force"), strict=True):
-        if {each, whole} <= there and not db.has_damping_lids:  # damping lids take part of the drift of the far field
+        if {each, whole} <= there and not db.has_damping_lids:  # damping lids change the drift of the far field
             yield f"{whole} is the sum over the bodies", _sum_defect(db, db[each], db[whole]), SUM
 
 
@@ -146,7 +146,7 @@ def _far_field_laws(db, there):
 
 
 def _drift_defect(db, H, k, stored):
-    """Relative to the largest of forces and of moments, that of a force at one wave length / 2π at least"""
+    """Relative to the largest force and moment; moments count at least as that of a force at one wave length / 2π"""
     theta, beta = db["theta"], db.wave_direction
     turn = np.fft.fftfreq(len(theta), 1 / len(theta))
     turn[np.abs(turn) == len(theta) / 2] = 0.0
@@ -165,7 +165,7 @@ def _drift_defect(db, H, k, stored):
 
 
 def _sum_defect(db, each, whole):
-    """(n,) what the horizontal drift of all bodies by pressure is off that of the far field, of the largest force"""
+    """(n,) difference of all bodies' horizontal drift by pressure from that of the far field, over the largest force"""
     gap = np.abs(sum_about_origin(each, db.bodies) - whole)[..., :2]
     size = np.maximum(np.abs(each[..., :2]).max(axis=2), np.abs(whole[..., :2])).max(axis=(1, 2))
     return gap.max(axis=(1, 2)) / np.maximum(size, 1e-300)
@@ -179,7 +179,7 @@ def _trigonometric(theta, beta):
 
 
 def _largest(db, *values):
-    """(n, 1, 1 or 6) of forces and of moments, of several bodies (n, 1, 6N)"""
+    """(n, 1, 1 or 6) largest force and moment; for several bodies (n, 1, 6N)"""
     size = np.max([np.nan_to_num(np.abs(value)) for value in values], axis=0).max(axis=1, keepdims=True)
     for part in _kinds(db, range(size.shape[-1])):
         size[..., part] = size[..., part].max(axis=-1, keepdims=True)

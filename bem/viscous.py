@@ -1,7 +1,7 @@
 """Viscous damping of heave, roll and pitch that depends on the amplitude of the motion.
 
-A law gives the linear damping that takes the same energy out of a cycle.  For a drag N₂ |v| v on a motion
-of amplitude a at frequency ω, and in irregular motion with standard deviation σ,
+A law gives the linear damping that dissipates the same energy in a cycle.  For a drag N₂ |v| v on a motion of amplitude
+a at frequency ω, and in irregular motion with standard deviation σ,
 
     N = (8/3π) ω a N₂,      N = √(8/π) σ_v N₂       (equal for a = EQUIVALENT_AMPLITUDE · σ)
 
@@ -9,9 +9,9 @@ The SR179 report (1982), section 2.1.4, adds to the wave damping, in heave and i
 
     N̂ = b ξ_B,   N̂ = N √(B/2g) / (ρBdL),  roll: N √(B/2g) / (ρBdL (B/2)²),   ξ_B = ω²B/2g    (2.1.4.6, 2.1.4.7)
 
-with b(a) from forced oscillation.  Its roll normalisation is lost in print; that of its roll coefficients (2.1.3) is
-taken.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°, and its roll in irregular waves
-(appendix 1) asks for 2 %; with B² in place of (B/2)², as Himeno (1981) has it, it would have 10 %.
+with b(a) from forced oscillation.  Its roll normalisation is illegible in print; that of its roll coefficients (2.1.3)
+is used.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°, and its roll in irregular waves
+(appendix 1) needs 2 %; with B² in place of (B/2)², as in Himeno (1981), it would have 10 %.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Tabulated:
 
 @dataclass(frozen=True)
 class Viscous:
-    """Laws by degree of freedom, about the rotation centre, and the wave amplitude (m) they are linearised in.
+    """Laws by degree of freedom, about the rotation centre, and the wave amplitude (m) for their linearisation.
 
     wave_amplitude : of a regular wave; names : (n,) of the motions, of several bodies "barge__Roll" and so on
     """
@@ -108,8 +108,8 @@ def report_scale(dof, length, beam, draft, density, gravity):
 def linearised_response(omega, added_mass, damping, excitation, inertia, stiffness, viscous, most=200):
     """Motion amplitudes (headings, n) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, n, n).
 
-    The amplitude that the damping is taken at and the amplitude that it leads to move opposite ways; their
-    geometric mean is the answer at once where the damping alone limits the motion, and converges elsewhere.
+    The amplitude assumed for the damping and the resulting amplitude change in opposite directions; their geometric
+    mean is the solution at once where damping alone limits the motion, and converges elsewhere.
     raises : FloatingPointError if it does not
     """
     motions, equivalent = [], []
@@ -122,7 +122,7 @@ def linearised_response(omega, added_mass, damping, excitation, inertia, stiffne
             found = viscous.wave_amplitude * np.abs(X)
             if np.all(np.abs(found - assumed) <= 1e-10 * found.max()):
                 break
-            # a motion without a force of its own, that others bring about, starts with what they make of it
+            # a motion without a force of its own starts from the response to coupled motions
             assumed = np.where(assumed > 0, np.sqrt(assumed * found), found)
         else:
             raise FloatingPointError(f"ω = {omega:.6g} rad/s: equivalent viscous damping not found in {most} steps")

@@ -78,7 +78,7 @@ def viscous_of_text(scene, box, density, gravity):
 
 
 def box_of(body):
-    """{"length", "beam", "draft"} m of a table of a body, empty for one that is no box"""
+    """{"length", "beam", "draft"} m from the table of a body, empty for other shapes than a box"""
     return {key: body[key] for key in ("length", "beam", "draft")} if body.get("shape", "box") == "box" else {}
 
 

@@ -82,7 +82,7 @@ def incident_wave(points, beta, omega, k, depth, gravity=9.80665):
 
 
 def exponential_part(sign, phase):
-    """The even (sign 1) or odd (−1) part of exp(i phase), or all of it (0), and its derivative"""
+    """The even (sign 1) or odd (−1) part of exp(i phase), or the whole of it (0), and its derivative"""
     factor, value, slope = real_part(sign, phase)
     return factor * value, factor * slope
 

@@ -15,9 +15,9 @@
     sphere : center, radius
     outline : points, [[x, z], …] of a side view, breadth, m: a barge with raked ends, a bow; y : m, of its middle
 
-The parts below still water, z = 0, are joined, and their surface is meshed by gmsh.  What lies in z = 0 is left open.
-Flat panels with their corners on a circle hold less than it: all radii are enlarged by a share, 1 % or so, with which
-the panels hold the volume of the drawing.
+The parts below still water, z = 0, are joined, and gmsh meshes their surface.  The waterplane in z = 0 is left open.
+Flat panels with corners on a circle enclose less volume than the circle: all radii are enlarged by about 1 %, so that
+the panels enclose the volume of the drawing.
 """
 
 from __future__ import annotations
@@ -40,18 +40,18 @@ NEEDED = {
 }
 ALLOWED = {"cylinder": ("end_radius",), "outline": ("y",)}
 EVERY = ("shape", "turns", "cut")
-MOST_PARTS, FINEST, COARSEST = 200, 1e-3, 0.5  # size of panels over that of the hull
-MOST_TRIES, SAME_VOLUME = 8, 2e-3  # tries, and error of the volume that panels hold with their corners on the body
-# rad, by which the seam of a cylinder is turned off x, and how many times `around`: tried one after another, since of a
-# column that a mirror plane cuts panels may hold 4 % less or more than of a whole one
+MOST_PARTS, FINEST, COARSEST = 200, 1e-3, 0.5  # panel size as a share of the size of the hull
+MOST_TRIES, SAME_VOLUME = 8, 2e-3  # tries; relative error of the enclosed volume while the corners lie on the body
+# rad, angle of a cylinder's seam to x, and factor on `around`, tried in this order: panels of a column cut by a mirror
+# plane may enclose 4 % less or more volume than panels of a whole column
 TRIES = ((0.5 * math.pi, 1.0), (0.0, 1.0), (0.5 * math.pi, 1.5))
 SAME_CENTER = 1e-3  # distance in plan of the centres of buoyancy of drawing and panels, over the length
-AT_SURFACE = 1e-6  # distance from z = 0 that counts as the surface, as a share of the hull's size
+AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the surface, as a share of the hull's size
 
 
 @dataclass
 class Drawing:
-    """size : m, of panels; symmetry : as of a PanelMesh; around : panels on a circle; parts : [(table, turn rad)]"""
+    """size : m, panel size; symmetry : as in PanelMesh; around : panels on a circle; parts : [(table, turn rad)]"""
 
     size: float
     symmetry: str = ""
@@ -60,7 +60,7 @@ class Drawing:
 
 
 def read_drawing(path):
-    """PanelMesh of a drawing.  Raises ValueError naming file, part and what is allowed."""
+    """PanelMesh of a drawing.  Raises ValueError, which names the file, the part and the allowed values."""
     try:
         raw = tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -72,7 +72,7 @@ def read_drawing(path):
 
 
 def drawing_of(raw):
-    """`Drawing` of nested dictionaries as TOML gives them.  Raises ValueError."""
+    """`Drawing` of nested dictionaries read from TOML.  Raises ValueError."""
     unknown = set(raw) - {"size", "symmetry", "around", "parts"}
     if unknown or not isinstance(raw.get("parts"), list) or not 1 <= len(raw["parts"]) <= MOST_PARTS:
         what = f"{min(unknown)} is unknown" if unknown else "there are no parts"
@@ -129,9 +129,9 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`: of `TRIES` the first with its centre of buoyancy in plan, or the nearest to it.
+    """PanelMesh of a `Drawing`: the first of `TRIES` with the right centre of buoyancy in plan, else the nearest.
 
-    Raises ValueError where nothing lies below the surface, or panels do not suit it.
+    Raises ValueError where nothing lies below the surface, or where the panels fail a check.
     """
     if not any(part["shape"] == "cylinder" for part, _ in drawing.parts):
         return _of_volume(drawing, name, 0.0)[0]
@@ -150,9 +150,9 @@ def _center(mesh):
 
 
 def _of_volume(drawing, name, seam):
-    """PanelMesh with radii that give it the volume of the drawing, and (3,) m, the centre of buoyancy of the drawing"""
+    """PanelMesh whose radii give the volume of the drawing, and (3,) m, the centre of buoyancy of the drawing"""
     mesh, volume, center = _panels(drawing, name, 1.0, seam)
-    best, below, above = mesh, (1.0, mesh.volume), None  # panels change their number as radii grow, and volume jumps
+    best, below, above = mesh, (1.0, mesh.volume), None  # the panel number changes as radii grow: volume jumps
     lost = math.copysign(1.0, volume - mesh.volume)  # volume lost to the chords of parts; a round hole gains volume
     for _ in range(MOST_TRIES if any(part["shape"] in ("cylinder", "sphere") for part, _ in drawing.parts) else 0):
         if abs(best.volume / volume - 1) <= SAME_VOLUME:
@@ -169,7 +169,7 @@ def _of_volume(drawing, name, seam):
 
 
 def _panels(drawing, name, grown, seam):
-    """PanelMesh with radii `grown` by a factor, the volume of the body, m³, and its centre (3,) m"""
+    """PanelMesh with radii multiplied by `grown`, the volume of the body, m³, and its centre (3,) m"""
     with session(name or "drawing") as gmsh:
         occ = gmsh.model.occ
         body = []
@@ -206,7 +206,7 @@ def _panels(drawing, name, grown, seam):
 
 
 def outwards(mesh):
-    """The same panels with normals out of the body: alike across every edge, and each piece with a positive volume"""
+    """The same panels with outward normals: consistent across every edge, with a positive volume of each piece"""
     sides = {}
     for i, corners in enumerate(mesh.corners.tolist()):
         ring = [a for a, b in zip(corners, corners[1:] + corners[:1], strict=True) if a != b]
@@ -244,7 +244,7 @@ def _placed(occ, part, turn, grown, seam):
 
 
 def _solid(occ, part, grown, seam):
-    """Tag of the volume of a part, the seam of a cylinder turned by `seam` rad about its axis"""
+    """Tag of the volume of a part; the seam of a cylinder is turned by `seam` rad about the cylinder's axis"""
     shape, radius = part["shape"], grown * part.get("radius", 0.0)
     if shape == "cylinder":
         begin = np.array(part["from"], float)
@@ -270,7 +270,7 @@ def _extent(gmsh, body):
 
 
 def _below(occ, body, low, high, symmetry):
-    """The body cut to what is below z = 0 and on the positive side of its mirror planes"""
+    """The part of the body below z = 0 and on the positive side of its mirror planes"""
     reach = (high - low).max()
     low, high = low - reach, high + reach
     high[2] = 0.0

@@ -41,25 +41,25 @@ MESHIO = (".msh", ".vtu", ".vtk", ".stl", ".ply", ".off")
 READABLE = (*TEXT_READERS, *MESHIO, ".vtp", ".toml")
 WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
 
-LARGEST = 32  # MB; a hundred thousand panels with all their digits, more than any method here solves
-COUNTS = re.compile(  # numbers that readers use as the size of their arrays, whatever the file contains
+LARGEST = 32  # MB; a hundred thousand panels with all digits, more than any method of this program solves
+COUNTS = re.compile(  # counts from which readers allocate arrays, whatever the file contains
     rb"element[ \t]+\w+[ \t]+(\d+)|POINTS[ \t]+(\d+)|(?:CELLS|POLYGONS)[ \t]+(\d+)[ \t]+(\d+)|"
     rb"NumberOf(?:Points|Cells|Polys)=\"(\d+)\"|\$(?:Nodes|Elements)\s+(\d+)[ \t]*(\d*)|^OFF\s+(\d+)[ \t]+(\d+)"
 )
 PACKED = 1000.0  # values for a byte, at most, of a compressed file
-SAME_POINT = 1e-6  # points this close are one, as a share of the size of the mesh
-NO_AREA = 1e-9  # area of a panel without area, over the square of its longest edge
-DRAWN = 4e-3  # distance from the surface or mirror plane that a point is drawn to lie in, as a share of its edge
+SAME_POINT = 1e-6  # points closer than this share of the mesh size are one point
+NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
+DRAWN = 4e-3  # distance from the surface or a mirror plane of points that are moved into it, as a share of its edge
 
 
 def read_mesh(path):
     """Panels of the wetted hull in a file, as PanelMesh.
 
-    Points closer than 1e-6 of the mesh's size are one; those within `DRAWN` of a middling edge of z = 0 or of a mirror
-    plane are put into it.  Panels in z = 0 whose normal points up, a lid or a deck, have no water on them and are left
-    out, and so are panels without area.  A half or quarter on the negative side of its mirror plane is put on the
-    other.  Nothing else is changed: look at `meshing.quality.findings`.
-    Raises ValueError naming the file and what is wrong with it, FileNotFoundError if there is none.
+    Points closer than 1e-6 of the mesh size are merged; points within `DRAWN` of a typical edge of z = 0 or of a mirror
+    plane are moved into it.  Panels in z = 0 whose normals point up (a lid or a deck) touch no water and are removed,
+    as are panels without area.  A half or quarter on the negative side of its mirror plane is reflected to the positive
+    side.  Nothing else is changed: see `meshing.quality.findings`. Raises ValueError, which names the file and its
+    fault, and FileNotFoundError.
     """
     path = Path(path)
     suffix = path.suffix.lower()
@@ -94,12 +94,12 @@ def read_mesh(path):
 
 
 def write_mesh(mesh, path, lid=None, fields=None):
-    """Write a hull and, if there is one, its lid.
+    """Write a hull and, if given, its lid.
 
     mesh, lid : PanelMesh with the same mirror planes
-    path : .gdf, .pnl with the mirror planes in them; .nemoh, .dat with y = 0; .msh, .vtu the whole hull
+    path : .gdf, .pnl store the mirror planes; .nemoh, .dat store y = 0; .msh, .vtu store the whole hull
     fields : {name: (n,) one real value a panel}, for .vtu
-    Raises ValueError for a suffix that cannot be written, or fields that do not fit.
+    Raises ValueError for a suffix without a writer, or for fields of the wrong shape.
     """
     path, fields = Path(path), fields or {}
     suffix = path.suffix.lower()
@@ -121,7 +121,7 @@ def write_mesh(mesh, path, lid=None, fields=None):
 
 
 def _as_meant(mesh):
-    """The mesh with the points that are drawn a hair off the surface or a mirror plane put into it"""
+    """The mesh with points that lie slightly off the surface or a mirror plane moved into it"""
     reach = DRAWN * float(np.median(mesh.sizes))
     points = mesh.points.copy()
     for axis in ("z", *mesh.symmetry):
@@ -131,7 +131,7 @@ def _as_meant(mesh):
 
 
 def wetted(mesh):
-    """The mesh without panels that face the air in z = 0 or have no area"""
+    """The mesh without panels in z = 0 that face the air, and without panels of zero area"""
     flat = np.all(mesh.vertices[..., 2] == 0, axis=1)
     dry = (flat & (mesh.area_vectors[:, 2] > 0)) | (mesh.areas <= NO_AREA * mesh.sizes**2)
     used, corners = np.unique(mesh.corners[~dry], return_inverse=True)
@@ -139,7 +139,7 @@ def wetted(mesh):
 
 
 def _on_positive_side(mesh):
-    """The same hull by the half that has x ≥ 0, y ≥ 0, where the file has the other"""
+    """The same hull as its half x ≥ 0, y ≥ 0, if the file stores the other half"""
     size = float(np.ptp(mesh.points, axis=0).max())
     for axis in mesh.symmetry:
         side = mesh.points[:, "xy".index(axis)]
@@ -151,7 +151,7 @@ def _on_positive_side(mesh):
 
 
 def _check_head(path):
-    """Raise ValueError for a head that does not end before the file does: meshio would look for its end for ever."""
+    """Raise ValueError where the header of a file has no end: meshio would search for the end without limit."""
     suffix, content = path.suffix.lower(), path.read_bytes()
     said = [line for line in content.splitlines() if line.strip() and not line.lstrip().startswith(b"#")]
     whole = 84 + 50 * int.from_bytes(content[80:84], "little")
@@ -166,7 +166,7 @@ def _check_head(path):
 
 
 def _check_counts(path):
-    """Raise ValueError for a file that says it has more points or panels than bytes."""
+    """Raise ValueError for a file whose counts of points or panels exceed its size in bytes."""
     content = path.read_bytes()
     most = len(content) * (PACKED if path.suffix.lower() == ".vtu" else 1.0)
     for found in COUNTS.finditer(content):
@@ -184,7 +184,7 @@ def _says(path, words):
 
 
 def _read_poly_data(path):
-    """Polygons of VTK, in a .vtp or an old .vtk of that kind, as ParaView and meshmagick write them"""
+    """Polygons of VTK poly data, in a .vtp or an old .vtk file, as ParaView and meshmagick write them"""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkIOLegacy import vtkPolyDataReader
@@ -214,10 +214,10 @@ def _read_with_meshio(path):
 
     said = io.StringIO()
     try:
-        quiet = np.errstate(over="ignore")  # meshio takes four letters of a text .stl for a count of triangles
+        quiet = np.errstate(over="ignore")  # meshio reads four letters of a text .stl as a count of triangles
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said), quiet:
             found = meshio.read(path)
-    except (Exception, SystemExit) as error:  # meshio ends the program where it cannot read
+    except (Exception, SystemExit) as error:  # meshio exits the program when it cannot read a file
         cause = str(error) if str(error) not in ("", "1") else " ".join(said.getvalue().split())
         raise ValueError(f"{path}: cannot be read ({cause or type(error).__name__})") from error
     try:

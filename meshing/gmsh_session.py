@@ -1,7 +1,7 @@
-"""gmsh, and the only import of it: meshes are made in a session that is always closed, and leave it as values.
+"""The only import of gmsh: meshes are made in a session that is always closed, and returned as values.
 
-gmsh keeps one global state per process.  A session therefore holds a lock, reads no user settings, prints
-nothing, and leaves a state that the caller had opened before as it found it.
+gmsh keeps one global state per process.  A session therefore holds a lock, reads no user settings, prints nothing, and
+restores any state that the caller had opened before.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ def _import_gmsh():
 def session(name="hakobune"):
     """The gmsh module with an empty model `name`, silent, closed again whatever happens.
 
-    Works outside the main thread and leaves Ctrl-C alone (`interruptible=False`: gmsh's own handler would
-    replace Python's, and can be set in the main thread only).
-    Raises ImportError naming the missing system library if gmsh cannot be loaded.
+    The session works outside the main thread and does not change Ctrl-C (`interruptible=False`: gmsh's own handler
+    would replace Python's, and can be set in the main thread only). Raises ImportError, which names the missing system
+    library, if gmsh cannot be loaded.
     """
     gmsh = _import_gmsh()
     with _lock:
@@ -65,7 +65,7 @@ def session(name="hakobune"):
 
 
 def _restore_sigpipe():
-    """gmsh makes a closed pipe end the process again, behind Python's back, which turns it into BrokenPipeError."""
+    """Undo a change by gmsh: with it a closed pipe ends the process, and Python raises no BrokenPipeError."""
     if hasattr(signal, "SIGPIPE") and threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGPIPE, signal.getsignal(signal.SIGPIPE))
 
@@ -73,14 +73,14 @@ def _restore_sigpipe():
 def graded_patches(patches, symmetry="", name=""):
     """Flat patches filled with structured quadrilaterals that start from the given points of their sides.
 
-    patches : list of patches, each a list of 4 (or 3) sides that follow one another counter-clockwise seen
-        from the water; a side is a polyline (k, 3) m that shares its ends with its neighbours.  Opposite sides
-        have the same number of points.  With 3 sides the patch is polar about the point where the first one
-        starts: the third has as many points as the first, and the panels at that point are triangles.
+    patches : list of patches, each a list of 4 (or 3) sides in counter-clockwise order seen from the water; a side is a
+        polyline (k, 3) m that shares its ends with its neighbours.  Opposite sides have equal numbers of points.  A
+        patch of 3 sides is polar about the first point of the first side: the third side has as many points as the
+        first, and the panels at that point are triangles.
     returns : PanelMesh; a point two patches share is one point
 
-    gmsh has no cosine law for the points of a side, so every segment is a line of one element and the patch is
-    given its corners.
+    gmsh has no cosine spacing for the points of a side, so every segment is a line of one element, and the corners of
+    the patch are passed to gmsh.
     """
     with session(name or "patches") as gmsh:
         build = _Builder(gmsh)
@@ -92,7 +92,7 @@ def graded_patches(patches, symmetry="", name=""):
 
 
 def _poles_last(mesh, poles):
-    """The same with the pole as last corner of the triangles about it, so that they are symmetric as elements, too"""
+    """The same mesh with the pole as last corner of each triangle there, so that the elements are symmetric"""
     corners = mesh.corners.copy()
     for pole in poles:
         for shift in (1, 2):
@@ -104,8 +104,8 @@ def _poles_last(mesh, poles):
 def filled(outer, holes=(), size=1.0, symmetry="", name=""):
     """A flat polygon filled with quadrilaterals (a few triangles) of edges about `size`.
 
-    outer : (k, 3) m, closed polygon without its first point repeated, counter-clockwise seen from the side the
-        normals point to; holes : more such polygons, of any orientation
+    outer : (k, 3) m, closed polygon, first point not repeated, counter-clockwise seen from the side that the normals
+        point to; holes : more such polygons, of any orientation
     """
     with session(name or "filled") as gmsh:
         build = _Builder(gmsh)
@@ -121,8 +121,8 @@ def filled(outer, holes=(), size=1.0, symmetry="", name=""):
 def panels_of(gmsh, surfaces=None, symmetry="", name=""):
     """The triangles and quadrilaterals of the current model.
 
-    surfaces : {surface tag: (3,) vector its normals are to agree with, or None to take them as they are};
-        by default all surfaces of the model
+    surfaces : {surface tag: (3,) vector that gives the side of the normals, or None to keep their direction}; by
+        default all surfaces of the model
     """
     if surfaces is None:
         surfaces = {tag: None for _, tag in gmsh.model.getEntities(2)}
@@ -137,7 +137,7 @@ def panels_of(gmsh, surfaces=None, symmetry="", name=""):
 
 
 def write_msh(meshes, path):
-    """Write a .msh (format 4.1): every mesh a surface and a physical group of its own.
+    """Write a .msh file (format 4.1): every mesh is one surface and one physical group.
 
     meshes : {name of the group: PanelMesh without mirror planes}
     """
@@ -158,7 +158,7 @@ def write_msh(meshes, path):
 
 
 class _Builder:
-    """Points and lines by their coordinates, so that neighbours share them."""
+    """Points and lines identified by their coordinates, so that neighbouring patches share them."""
 
     def __init__(self, gmsh):
         self.geo = gmsh.model.geo

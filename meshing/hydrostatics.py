@@ -4,9 +4,9 @@ By Gauss's theorem over the wetted surface S, normals into the water,
 
     V = ∬ x n_x = ∬ y n_y = ∬ z n_z,    V x_B = ½ ∬ x² n_x, …,    ∬_waterplane f(x, y) = −∬ f n_z,
 
-each exact for polygons: panels are cut into triangles, so that a hull without holes stays without holes, and
-the midpoints of a triangle's edges integrate a quadratic exactly.  Restoring coefficients are those of
-J. N. Newman, Marine Hydrodynamics (1977), section 6.16, with weight and buoyancy allowed to differ.
+each exact for polygons: panels are cut into triangles, so that a closed hull remains closed, and the midpoints of a
+triangle's edges integrate a quadratic exactly.  Restoring coefficients are those of J. N. Newman, Marine Hydrodynamics
+(1977), section 6.16; weight and buoyancy may differ.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-OPEN_HULL = 0.01  # relative difference of the three volumes from which a hull is not closed
+OPEN_HULL = 0.01  # relative difference of the three volumes above which a hull is not closed
 
 
 @dataclass(frozen=True, eq=False)
 class Hydrostatics:
-    """What floating at rest says about a hull; positions in the coordinates of the mesh.
+    """Hydrostatics of a floating hull; positions in the coordinates of the mesh.
 
     volume : m³, the median of `volumes`
     volumes : (3,) m³, by x, y and z
@@ -103,8 +103,7 @@ def inertia_matrix(mass, center_of_mass, gyration, rotation_center=(0, 0, 0)):
     """(6, 6) kg, kg m, kg m² of a rigid body about `rotation_center`.
 
     mass : kg
-    gyration : (kxx, kyy, kzz) m, radii of gyration about axes through the centre of mass, which are taken to be
-        principal axes
+    gyration : (kxx, kyy, kzz) m, radii of gyration about axes through the centre of mass, assumed to be principal axes
     center_of_mass, rotation_center : (3,) m
 
         [[m, −m S], [m S, I_G − m S²]],    S a = r × a,    r from the rotation centre to the centre of mass
@@ -118,7 +117,7 @@ def inertia_matrix(mass, center_of_mass, gyration, rotation_center=(0, 0, 0)):
 
 
 class _Surface:
-    """Triangles of the whole hull, image by image, with what their integrals need."""
+    """Triangles of the whole hull, image by image, with the values that the integrals need."""
 
     def __init__(self, mesh):
         v = mesh.vertices
@@ -131,7 +130,7 @@ class _Surface:
     def integral(self, f):
         """∬ f n dS, component by component.  f : (…, 3) m to (…, 3) or (…, 1), quadratic at most
 
-        Image by image, so that what cancels by symmetry is zero to the last digit.
+        Summed image by image, so that terms that cancel by symmetry are exactly zero.
         """
         return sum(
             (f(self.midpoints * image).mean(axis=1) * (self.vectors * image)).sum(axis=0) for image in self.images
@@ -189,7 +188,7 @@ def _stiffness(plane, origin, buoyancy, weight):
     K[3, 3] = yy + moment[3]
     K[4, 4] = xx + moment[3]
     K[3, 4] = K[4, 3] = -xy
-    K[3, 5] = -moment[1]  # the forces keep their direction while yaw moves their points: not symmetric
+    K[3, 5] = -moment[1]  # forces keep their direction, yaw moves their points: not symmetric
     K[4, 5] = -moment[2]
     return K
 

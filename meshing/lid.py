@@ -1,8 +1,8 @@
 """Lid: panels on the water surface inside a floating body, against irregular frequencies.
 
-The boundary integral equation of the outside has false resonances at the eigenfrequencies of sloshing
-inside the hull.  Extending it by unknowns on the inner free surface removes them; the density there
-is zero in the exact solution, so the lid may be coarse and need not share its points with the hull.
+The boundary integral equation of the outer flow has irregular frequencies, the eigenfrequencies of sloshing inside the
+hull.  Additional unknowns on the inner free surface remove them; the exact density there is zero, so that the lid may
+be coarse and need not share points with the hull.
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ import numpy as np
 from .gmsh_session import filled, graded_patches
 from .panels import PanelMesh, joined, structured
 
-STRAIGHT = 1e-6  # sine of the turn up to which two waterline edges are one line
+STRAIGHT = 1e-6  # sine of the turn below which two waterline edges form one line
 OFF = 0.1  # largest distance of a chord from its ring, over the width of the lid
-AT_SURFACE = 1e-6  # points this close to z = 0 belong to the waterline, as a share of the draft
+AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the waterline, as a share of the draft
 
 
 def lid(mesh, size=None):
     """Panels of the inner free surface of a hull, normals up, with the mirror planes of the hull.
 
     mesh : PanelMesh
-    size : m, edge length to aim at; by default a third as many panels as the hull has
+    size : m, wanted edge length; by default a third as many panels as the hull
     returns : PanelMesh in z = 0, or None if nothing of the hull reaches the water surface
 
-    Every closed waterline that runs counter-clockwise has a lid; one that runs clockwise bounds a moonpool,
-    whose water is outside.  Raises ValueError if the waterline does not close, or touches itself.
+    Every closed waterline that runs counter-clockwise receives a lid; a clockwise one bounds a moonpool, whose water is
+    outside.  Raises ValueError if the waterline is open or touches itself.
     """
     loops = waterline(mesh)
     if not loops:
@@ -57,8 +57,9 @@ def polar_lid(mesh, size):
     returns : PanelMesh with the mirror planes of the hull, or None if the waterline is not one regular polygon
     raises : ValueError as `lid`
 
-    Edges along the rim are what counts.  Cylinder in 0.2 m of water under the keel, waves three sizes long, excitation:
-    0.4 % off, as with the lid that is not axisymmetric, 0.6 % with half of them along the rim and twice as many across.
+    The edges along the rim determine the accuracy.  Cylinder with 0.2 m of water under the keel, waves three sizes
+    long, error of excitation: 0.4 %, as with a lid that is not axisymmetric; 0.6 % with half the edges along the rim
+    and twice as many across.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)
@@ -74,7 +75,7 @@ def polar_lid(mesh, size):
 def rings_of(mesh):
     """[(ring (k, 3) m, its area m²)] of the waterlines of a hull; of moonpools the area is negative
 
-    Raises ValueError as `lid`.
+    Raises ValueError as `lid` does.
     """
     return [(ring, _area(ring)) for ring in _closed(waterline(mesh), mesh)]
 
@@ -85,10 +86,10 @@ def panelled(ring, size, symmetry):
 
 
 def waterline(mesh):
-    """Where the hull cuts the water surface: a list of (k, 3) m polylines, the body on their left.
+    """Intersection of the hull with the water surface: a list of (k, 3) m polylines with the body on their left.
 
-    Closed ones end with their first point, open ones on mirror planes; only the part of the hull that the mesh
-    holds.  Raises ValueError where more than two edges meet at a point.
+    Closed polylines end with their first point, open ones on mirror planes; only the meshed part of the hull is
+    covered.  Raises ValueError where more than two edges meet at a point.
     """
     welded = mesh.merged()
     points, edges = welded.points, _surface_edges(welded)
@@ -113,12 +114,12 @@ def waterline(mesh):
 
 
 def _surface_edges(mesh):
-    """[(a, b)] point numbers of panel edges in z = 0, against the panel's own direction: the body is left"""
+    """[(a, b)] point numbers of panel edges in z = 0, against the direction of the panel: the body is on the left"""
     flat = np.abs(mesh.points[:, 2]) <= AT_SURFACE * max(mesh.draft, 0.0)
     a = mesh.corners
     b = np.roll(a, -1, axis=1)
     ours = flat[a] & flat[b] & (a != b)
-    in_surface = flat[a].all(axis=1)  # a deck panel; its edges are not the waterline
+    in_surface = flat[a].all(axis=1)  # a deck panel; its edges are no part of the waterline
     ours[in_surface] = False
     return [(int(e), int(s)) for s, e in zip(a[ours], b[ours], strict=True)]
 
@@ -184,7 +185,7 @@ def _simplified(ring, size):
 
 
 def _spaced(place, first, last, size):
-    """Numbers from `first` up to, not including, `last` whose places on the polygon are about `size` apart"""
+    """Numbers from `first` to before `last` whose places on the polygon are about `size` apart"""
     wanted = max(1, round((place[last] - place[first]) / size))
     marks = np.linspace(place[first], place[last], wanted + 1)[:-1]
     near = first + np.abs(place[first:last, None] - marks).argmin(axis=0)
@@ -192,7 +193,7 @@ def _spaced(place, first, last, size):
 
 
 def _true(ring, others, size):
-    """`_simplified` with edges so short that they leave the ring by no more than `OFF` of the width of the lid there
+    """`_simplified` with edges short enough to deviate from the ring by at most `OFF` of the lid's width there
 
     others : rings that bound the same lid.  A long chord cuts across a bay, a moonpool or a narrow ring.
     """
@@ -205,9 +206,9 @@ def _true(ring, others, size):
 
 
 def _width(ring, others):
-    """(k,) m from each corner of a ring across the lid: to other rings, a quarter to its own where that comes back
+    """(k,) m from each corner of a ring across the lid: to other rings, or a quarter of the distance to the ring itself
 
-    A disc loses a share of its area four times as large as a narrow ring does by chords that leave both alike.
+    Chords of equal deviation reduce the area of a disc by a share four times as large as that of a narrow ring.
     """
     side = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
     place = np.cumsum(side) - side
@@ -232,7 +233,7 @@ def _filled(ring, holes, size, symmetry):
     if len(plan) == 4 and not holes and _is_rectangle(plan):
         return _grid(plan, size, symmetry)
     wanted = (_area(ring) + sum(_area(hole) for hole in holes)) / size**2
-    for _ in range(3):  # gmsh rounds edges up to whole panels and makes up to twice as many as asked for
+    for _ in range(3):  # gmsh rounds edge numbers up and may make twice as many panels as requested
         rings = [ring, *holes]
         plans = [_true(one, [other for other in rings if other is not one], size) for one in rings]
         made = filled(plans[0], plans[1:], size, symmetry, "lid")
@@ -252,12 +253,12 @@ def _grid(ring, size, symmetry):
 
 
 def _regular(ring):
-    """Corners (k, 3) and centre of a regular polygon, or its half or quarter at mirror planes; None twice of others"""
+    """Corners (k, 3) and centre of a regular polygon, also of half or a quarter of one; (None, None) of others"""
     arc = ring[np.hypot(ring[:, 0], ring[:, 1]) > 0]  # the corner of a quarter plane is its centre
     if len(arc) < 4:
         return None, None
     first, second, third = arc[[0, len(arc) // 3, 2 * len(arc) // 3], :2]
-    # the centre is as far from the first as from the others
+    # the centre is as far from the first corner as from the others
     ahead = 2 * np.stack([second - first, third - first])
     if abs(np.linalg.det(ahead)) < STRAIGHT * np.linalg.norm(ahead) ** 2:
         return None, None
@@ -284,7 +285,7 @@ def _area(ring):
 
 
 def _inside(ring, other):
-    """Is the first point of a ring inside the other one; by the number of crossings to the right."""
+    """Whether the first point of a ring is inside another ring, by the number of crossings to the right."""
     x, y = ring[0, :2]
     a, b = other, np.roll(other, -1, axis=0)
     crosses = (a[:, 1] > y) != (b[:, 1] > y)

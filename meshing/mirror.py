@@ -1,4 +1,4 @@
-"""Mirror planes found in a mesh of a whole hull, which is reduced to half or a quarter of its panels.
+"""Mirror planes found in the mesh of a whole hull, which is then reduced to half or a quarter of its panels.
 
 Two planes split a problem into four of a quarter the size, which takes a sixteenth of the work on dense systems.
 """
@@ -11,12 +11,12 @@ import numpy as np
 
 from .panels import PanelMesh
 
-SAME_POINT = 1e-6  # points this close are one, as a share of the size of the mesh
+SAME_POINT = 1e-6  # points closer than this share of the mesh size are one point
 
 
 def healed(mesh, near):
-    """The mesh with points closer than `near` m as one, at their middle, and what is that near to x = 0, y = 0 or z = 0
-    there; panels that have no area left go"""
+    """The mesh with points closer than `near` m merged at their middle, points within `near` of x = 0, y = 0 or z = 0
+    moved there, and panels without area removed"""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree
@@ -33,16 +33,16 @@ def healed(mesh, near):
 
 
 def _closed_up(panel):
-    """Four corners, of a triangle the last one twice, without one that repeats another"""
+    """Four corners of a panel without repeated points; a triangle repeats its last corner"""
     ring = list(dict.fromkeys(panel))
     return ring if len(ring) == 4 else [*ring, ring[-1]]
 
 
 def folded(mesh, tolerance=SAME_POINT):
-    """The part of a hull whose mirror images in x = 0 and y = 0 make it whole; the mesh itself where there are none.
+    """The part of a hull whose images in x = 0 and y = 0 complete the hull; the mesh itself without such symmetry.
 
     Every point, and every panel with its normal, must have an image within `tolerance` times the size of the hull; a
-    panel that crosses the plane is its own image and cannot be halved.  The images are then exact.
+    panel that crosses the plane is its own image and cannot be halved.  The images of the returned mesh are exact.
     """
     for axis in "xy":
         half = None if axis in mesh.symmetry else _half(mesh, "xy".index(axis), tolerance)

@@ -1,4 +1,4 @@
-"""Panel files of other programs that list numbered points, then panels of them.
+"""Panel files of other programs that list numbered points, then panels by point numbers.
 
     Nemoh       `2 s`, s = 1 for the mirror plane y = 0; points; a line of zeros; panels; a line of zeros
     Salome      numbers of points and of elements; points; elements `number type corners`, 203 and 204 are panels
@@ -109,7 +109,7 @@ def _diodore(path, text):
 
 
 def _aqwa(path, text):
-    """Points of the deck COOR, panels of the one deck ELM that has some; what is not a panel is left out"""
+    """Points of the deck COOR, panels of the only non-empty deck ELM; other elements are ignored"""
     points, decks, symmetry, within = [], [], set(), ""
     for k, line in enumerate(text.splitlines(), 1):
         words = line.split("*")[0].split()
@@ -132,7 +132,7 @@ def _aqwa(path, text):
 
 
 def read_hydrostar(path):
-    """HydroStar's mesh of one body; raises ValueError, also for a matrix of WAMIT, which has the same ending."""
+    """HydroStar's mesh of one body; raises ValueError, also for a WAMIT matrix file with the same ending."""
     rows = [(k, line.split()) for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1)]
     rows = [(k, words) for k, words in rows if words]
     points, panels, symmetry, within, kind = [], [], "", "", 0
@@ -154,7 +154,7 @@ def read_hydrostar(path):
 
 
 def _mesh(path, points, panels, symmetry):
-    """PanelMesh of rows (line, words): points `number x y z`, panels of their corners; a triangle may repeat one"""
+    """PanelMesh of rows (line, words): points `number x y z`, panels of corner numbers; triangles may repeat one"""
     numbers, places, corners = {}, [], []
     for k, words in points:
         if len(words) < 4:

@@ -1,8 +1,8 @@
-"""Panel mesh: a value with points, corners and mirror planes; everything else follows from these.
+"""Panel mesh: a value with points, corners and mirror planes, from which all other properties are derived.
 
-A panel is a flat quadrilateral given by four point numbers, counter-clockwise seen from the water, so that
-the normal ½ (p₂−p₀)×(p₃−p₁) points out of the body.  A triangle repeats its last corner.  A quadrilateral
-that is not flat is represented by its mean plane, which keeps the vector area and so the closed-surface sums.
+A panel is a flat quadrilateral given by four point numbers, counter-clockwise seen from the water, so that the normal ½
+(p₂−p₀)×(p₃−p₁) points out of the body.  A triangle repeats its last corner.  A quadrilateral that is not flat is
+represented by its mean plane, which preserves the vector area and therefore the sums over a closed surface.
 """
 
 from __future__ import annotations
@@ -13,20 +13,20 @@ from functools import cached_property
 import numpy as np
 
 SYMMETRIES = ("", "x", "y", "xy")
-SAME_PLACE = 1e-5  # points this close are one, as a share of the largest radius: files round
-SAME_SIDE = 1e-9  # points this close to a plane lie in it, as a share of the hull's size
-ROUND = 12  # turns about the vertical that map a mesh to itself, from which on it is one of revolution
+SAME_PLACE = 1e-5  # points closer than this share of the largest radius are one point: files round coordinates
+SAME_SIDE = 1e-9  # points closer to a plane than this share of the hull's size lie in the plane
+ROUND = 12  # least number of turns about the vertical that map a mesh to itself for a body of revolution
 
 
 @dataclass(frozen=True, eq=False)
 class PanelMesh:
-    """Panels of one part of a wetted hull, the rest following by reflection.
+    """Panels of the stored part of a wetted hull; reflections give the rest.
 
     points : (m, 3) m
     corners : (n, 4) numbers into `points`
-    symmetry : which coordinates are mirrored: "" none, "x" in the plane x = 0, "y" in the plane y = 0, "xy" both
-    body : (n,) number of the body that a panel belongs to, where there are several; each mirror plane is one of every
-        body then.  None for one body
+    symmetry : mirrored coordinates: "" none, "x" in the plane x = 0, "y" in the plane y = 0, "xy" both
+    body : (n,) number of the body of each panel; with several bodies each mirror plane is one of every body.  None for
+        one body
     """
 
     points: np.ndarray
@@ -59,11 +59,11 @@ class PanelMesh:
 
     @property
     def bodies(self):
-        """How many bodies there are"""
+        """Number of bodies"""
         return 1 if self.body is None else int(self.body.max(initial=-1)) + 1
 
     def of_body(self, number):
-        """The panels of one body of several, with the points they use"""
+        """The panels of one body of several, with the points of these panels"""
         if self.body is None:
             return self
         used, corners = np.unique(self.corners[self.body == number], return_inverse=True)
@@ -71,7 +71,7 @@ class PanelMesh:
 
     @property
     def copies(self):
-        """How many mirror images make the whole hull: 1, 2 or 4."""
+        """Number of mirror images of the whole hull: 1, 2 or 4."""
         return 2 ** len(self.symmetry)
 
     @property
@@ -129,7 +129,7 @@ class PanelMesh:
 
     @cached_property
     def is_round(self):
-        """Whether a twelfth or less of a turn about the vertical through the origin maps the hull to itself"""
+        """Whether a turn by 1/12 of a circle or less about the vertical through the origin maps the hull to itself"""
         points = self.whole().points if self.symmetry else self.points
         radius = np.hypot(*points[:, :2].T)
         if not len(points) or not radius.max() > 0:
@@ -175,7 +175,7 @@ class PanelMesh:
         return replace(joined(parts), name=self.name)
 
     def moved(self, dx=0.0, dy=0.0, dz=0.0):
-        """A shifted copy; a mirror plane it is shifted out of is written out first."""
+        """A shifted copy; a mirror plane off which the hull is shifted is replaced by the reflected panels."""
         base = self
         if ("x" in self.symmetry and dx) or ("y" in self.symmetry and dy):
             base = self.whole()
@@ -191,13 +191,14 @@ class PanelMesh:
         return replace(base, points=base.points @ turn)
 
     def scaled(self, factor):
-        """A copy with its points multiplied by `factor`, a positive number or one for each axis."""
+        """A copy with its points multiplied by `factor`, a positive number or three numbers, one per axis."""
         return replace(self, points=self.points * np.asarray(factor, float))
 
     def mirrored(self, axis):
-        """A copy that its image in the plane `axis` = 0 ("x" or "y") is added to; it must lie on one side of it.
+        """A copy completed by its image in the plane `axis` = 0 ("x" or "y"); the mesh must lie on one side of the
+        plane.
 
-        Raises ValueError where it does not, or has that image already.
+        Raises ValueError for a mesh on both sides, or with this mirror plane already.
         """
         side = self.vertices[..., "xy".index(axis)]
         reach = SAME_SIDE * np.abs(self.points).max(initial=0.0)
@@ -206,7 +207,7 @@ class PanelMesh:
         return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
 
     def clipped(self):
-        """The part below z = 0: panels that the surface cuts end there, as quadrilaterals and triangles.
+        """The part below z = 0: panels cut by the surface end at it, as quadrilaterals and triangles.
 
         Raises ValueError where nothing lies below.
         """
@@ -242,13 +243,13 @@ class PanelMesh:
 
 
 def _below(points, panel, cut):
-    """Numbers of the corners of a panel's part below z = 0; points of its edges in the surface are added to `cut`"""
+    """Numbers of the corners of a panel's part below z = 0; `cut` collects the points of its edges in the surface"""
     ring, corners = [], [n for i, n in enumerate(panel) if n != panel[i - 1]]
     for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
         if points[a, 2] <= 0:
             ring.append(a)
         if points[a, 2] * points[b, 2] < 0:
-            low, high = sorted((a, b))  # the same number from both panels of an edge
+            low, high = sorted((a, b))  # both panels of an edge give the same number
             share = points[low, 2] / (points[low, 2] - points[high, 2])
             ring.append(len(points) + len(cut))
             cut.append([*(points[low] + share * (points[high] - points[low]))[:2], 0.0])
@@ -256,7 +257,7 @@ def _below(points, panel, cut):
 
 
 def with_symmetry(mesh, symmetry):
-    """The same hull with some of its mirror planes alone, the images in the others written out"""
+    """The same hull with only the mirror planes `symmetry`; images in the other planes become panels"""
     for axis in set(mesh.symmetry) - set(symmetry):
         kept = mesh.symmetry.replace(axis, "")
         mesh = replace(replace(mesh, symmetry=axis).whole(), symmetry=kept)
@@ -264,7 +265,7 @@ def with_symmetry(mesh, symmetry):
 
 
 def assembled(hulls):
-    """One mesh of the hulls of several bodies, which keep their numbers; they have the same mirror planes."""
+    """One mesh of the hulls of several bodies, numbered in this order; all must have the same mirror planes."""
     hulls = list(hulls)
     number = np.repeat(np.arange(len(hulls)), [len(hull) for hull in hulls])
     starts = np.cumsum([0] + [len(hull.points) for hull in hulls[:-1]])
@@ -281,7 +282,7 @@ def _shared_symmetry(meshes):
 
 
 def joined(meshes):
-    """One mesh of several that have the same mirror planes."""
+    """One mesh of several meshes with the same mirror planes."""
     meshes = list(meshes)
     symmetry = _shared_symmetry(meshes)
     starts = np.cumsum([0] + [len(m.points) for m in meshes[:-1]])

@@ -1,9 +1,9 @@
-"""Seals of result files: a CRC-32 of the contents, which shows whether the file is as it was written.
+"""Seals of result files: a CRC-32 of the contents, which shows later changes of the file.
 
-HDF5   a block before the file, which HDF5 leaves to its user: a line with the CRC-32 of every byte after it,
-       then a line for each dataset, with which damage is named.  Where numbers are filled in later, their places
-       are listed and do not count: they have checksums of their own, and what HDF5 goes by while it reads is whole
-text   the last of the # lines at its head, with the CRC-32 of all other lines
+HDF5   a block before the file, which HDF5 reserves for users: a line with the CRC-32 of every byte after it,
+       then a line for each dataset, which locates damage.  Numbers that are filled in later are listed by place and
+       excluded: they have checksums of their own, and the structures that HDF5 reads are covered
+text   the last of the # lines of the header, with the CRC-32 of all other lines
 """
 
 from __future__ import annotations
@@ -18,15 +18,16 @@ from .whole_files import write_whole
 START = b"hakobune: "
 FILLED = b" but what is filled in"
 FIRST = re.compile(START + rb"CRC-32 ([0-9a-f]{8}) of what follows(" + FILLED + rb")?, HDF5 from byte (\d{1,18})\n")
-PLACE = re.compile(r"filled in (\d{1,18}) (\d{1,18})")  # first byte from that of HDF5, bytes
+PLACE = re.compile(r"filled in (\d{1,18}) (\d{1,18})")  # first byte counted from the start of HDF5, number of bytes
 DATASET = re.compile(r"([0-9a-f]{8}) (\d{1,18}) (\d{1,18}) (.+)")  # CRC-32, first byte from that of HDF5, bytes, name
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
-LEAST_BLOCK, LARGEST_BLOCK = 512, 2**20  # bytes; HDF5 looks for itself at 0, 512, 1024, …, powers of two
-LONGEST_HEAD = 2**16  # characters of a text in which its mark is looked for
+LEAST_BLOCK, LARGEST_BLOCK = 512, 2**20  # bytes; HDF5 looks for its start at 0, 512, 1024, …, powers of two
+LONGEST_HEAD = 2**16  # characters of a text that are searched for the seal
 AT_ONCE = 2**22  # bytes read of a file
-MOST_BEHIND = 2**24  # bytes of names and attributes behind the last numbers, beside as many as these
+MOST_BEHIND = 2**24  # bytes of names and attributes allowed after the last numbers, beyond an equal amount
 MARK = "  [CRC-32 of all else: "
-# either end of a mark that is damaged elsewhere; words of it alone, as "of all lines", stand in many a text
+# both ends of a seal, so that a seal damaged elsewhere is found; its words alone, such as "of all lines", occur in many
+# texts
 TRACE = re.compile(r"\[CRC-32|else: [0-9a-f]{8}\]")
 REMEDY = "copy it again, or delete it and make it again"
 
@@ -34,8 +35,8 @@ REMEDY = "copy it again, or delete it and make it again"
 def hdf5_seal(image, places, filled=(), kind="", size=LEAST_BLOCK):
     """The block before an HDF5 file.
 
-    image : its bytes; places : {name: (first byte, bytes)} of its datasets that are whole
-    filled : (first byte, bytes) of those that are filled in later; kind : of such a file, in words
+    image : bytes of the file; places : {name: (first byte, bytes)} of its complete datasets
+    filled : (first byte, bytes) of datasets that are filled in later; kind : of such a file, in words
     size : bytes of the block, if they are enough
     """
     filled = _joined(filled)
@@ -53,7 +54,7 @@ def hdf5_seal(image, places, filled=(), kind="", size=LEAST_BLOCK):
 
 
 def _joined(places):
-    """Places (first byte, bytes), ascending, those that touch as one"""
+    """Places (first byte, bytes) in ascending order; adjacent places are joined"""
     out = []
     for begin, count in sorted(places):
         if out and sum(out[-1]) >= begin:
@@ -73,7 +74,7 @@ def _kept(filled, size):
 
 
 def is_sealed(path):
-    """Whether an HDF5 file, or a text, has a seal, broken or not; False where there is no file"""
+    """Whether an HDF5 or text file has a seal, intact or broken; False where no file exists"""
     try:
         return _sealed_hdf5(path) if Path(path).is_file() else False
     except OSError:
@@ -81,7 +82,7 @@ def is_sealed(path):
 
 
 def kind_filled_in(path):
-    """What a file is that has a seal which leaves room for numbers to be filled in, broken or not; "" for any other"""
+    """Kind of a sealed file with numbers filled in later, seal intact or broken; "" for any other"""
     try:
         with Path(path).open("rb") as file:
             first = FIRST.fullmatch(file.readline(100))
@@ -91,7 +92,7 @@ def kind_filled_in(path):
 
 
 def damage(path):
-    """What is damaged of a sealed HDF5 file, in some words; "" where nothing is, or it has no seal.  Raises OSError."""
+    """Damage of a sealed HDF5 file, in words; "" for an intact file or one without a seal.  Raises OSError."""
     if not _sealed_hdf5(path):
         return ""
     with Path(path).open("rb") as file:
@@ -105,7 +106,7 @@ def damage(path):
         found = [DATASET.fullmatch(line) for line in lines]
         places = [*filled, *((int(part[2]), int(part[3])) for part in found if part)]
         last, size = begin + max(map(sum, places), default=0), file.seek(0, os.SEEK_END)
-        if size > 2 * last + MOST_BEHIND:  # a terabyte of zeros would be read for an hour
+        if size > 2 * last + MOST_BEHIND:  # reading a terabyte of zeros would take an hour
             return f"its end: it has {size:.3g} bytes, its numbers end at {last:.3g}"
         if _crc_without(file, begin, filled, zlib.crc32(rest)) == value:
             return ""
@@ -117,7 +118,7 @@ def damage(path):
 
 
 def _sealed_hdf5(path):
-    """Whether a file is HDF5 behind a block, which only sealed ones of ours have, or begins as a seal does"""
+    """Whether a file is HDF5 behind a block, as only this program's sealed files are, or begins as a seal does"""
     with Path(path).open("rb") as file:
         opening = file.read(len(SIGNATURE) + len(START))
         if opening.startswith(SIGNATURE) or not opening:
@@ -139,7 +140,7 @@ def _piece_differs(file, begin, line):
 
 
 def _crc_without(file, begin, filled, value):
-    """CRC-32, from `value` on, of an open file from the byte `begin` on, without the places that are filled in"""
+    """CRC-32, starting from `value`, of an open file from the byte `begin` on, without the places `filled` in later"""
     size = file.seek(0, os.SEEK_END)
     for first, end in _kept(filled, size - begin):
         file.seek(begin + first)
@@ -148,7 +149,7 @@ def _crc_without(file, begin, filled, value):
 
 
 def _crc(file, count, value=0):
-    """CRC-32, from `value` on, of the next `count` bytes of an open file, or of those that there are"""
+    """CRC-32, starting from `value`, of the next `count` bytes of an open file, or of those up to its end"""
     while count > 0:
         part = file.read(min(count, AT_ONCE))
         if not part:
@@ -159,22 +160,22 @@ def _crc(file, count, value=0):
 
 
 def write_sealed(path, text):
-    """Write a text whose first lines begin with #, sealed.  Raises `meshing.whole_files.NotWritten`."""
+    """Write a text whose first lines begin with #, with a seal.  Raises `meshing.whole_files.NotWritten`."""
     head = _end_of_head(text)
     text, head = (text, head) if head else (f"#\n{text}", 2)
     write_whole(path, text[: head - 1], f"{MARK}{zlib.crc32(text.encode()):08x}]", text[head - 1 :])
 
 
 def text_sealed(text):
-    """Whether a text has a seal, broken or not"""
+    """Whether a text has a seal, intact or broken"""
     return MARK in text[: _end_of_head(text)]
 
 
 def text_damaged(text):
-    """Whether a text, its lines ended by line feeds, has a seal that is broken"""
+    """Whether a text, with line feeds as line ends, has a broken seal"""
     head = _end_of_head(text)
     place = text.find(MARK, 0, head)
-    if place < 0:  # a new line within the head ends it there
+    if place < 0:  # a line feed inside the header ends the header there
         return TRACE.search(text, 0, LONGEST_HEAD) is not None
     end = place + len(MARK) + 9
     value = zlib.crc32(text[end:].encode(), zlib.crc32(text[:place].encode()))
@@ -182,7 +183,7 @@ def text_damaged(text):
 
 
 def _end_of_head(text):
-    """Where the lines at the beginning that begin with # end, after the last line feed"""
+    """Index after the last line feed of the leading lines that begin with #"""
     end = 0
     while text.startswith("#", end):
         end = text.find("\n", end) + 1 or len(text)

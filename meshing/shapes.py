@@ -1,12 +1,12 @@
 """Hulls from a few dimensions: box and buoy, as quadrilaterals graded towards every edge and the waterline.
 
-The potential of a body with right-angled edges is singular there; with panels whose size falls with the square
-of the distance towards the edge,
+The potential of a body with right-angled edges is singular there; with panels whose size decreases with the square of
+the distance to the edge,
 
     half length  x_i = L/2 sin(π i / 2n),      draft  z_i = −d/2 (1 − cos(π i / n)),
 
-the error of a constant-panel solution falls with the square of the panel size, with equal panels at first order
-only.  The waterplane centre is the origin, the hull ends at z = 0.
+the error of a constant-panel solution decreases with the square of the panel size; with equal panels it is of first
+order only.  The origin is the centre of the waterplane, and the hull ends at z = 0.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=
     """Wetted surface of a box.
 
     length, beam, draft : m, along x, y, z
-    panels : at most so many on the whole hull
+    panels : largest number of panels on the whole hull
     symmetry : "xy" meshes x ≥ 0, y ≥ 0; "x" x ≥ 0; "y" y ≥ 0; "" everything
     counts : (n_length, n_beam, n_draft) over half the length, half the beam and the draft, instead of `panels`:
         4 (n_length n_beam + (n_length + n_beam) n_draft) on the whole hull
@@ -56,7 +56,7 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
     radius, draft : m
     counts : (n_quarter, n_radius, n_draft) over a quarter of the circumference, the radius and the draft,
         instead of `panels`: 4 n_quarter (n_radius + n_draft) on the whole hull
-    bottom : False leaves the wall only, of a cylinder that stands on the sea bed
+    bottom : False omits the bottom, for a cylinder that stands on the sea bed
     panels, symmetry, grading : as for `box`
 
     The circle is the polygon of N = 4 n_quarter sides of equal area, with its corners at
@@ -78,7 +78,7 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
 
 
 class TooFewPanels(ValueError):
-    """Fewer panels than a hull is made of; least : that it takes"""
+    """Fewer panels than the shape needs; least : smallest number for this hull"""
 
     def __init__(self, panels, least):
         super().__init__(f"panels is {panels}; allowed: at least {least} on the whole hull")
@@ -88,10 +88,10 @@ class TooFewPanels(ValueError):
 def box_counts(length, beam, draft, panels=500, longest=math.inf):
     """(n_length, n_beam, n_draft) for at most `panels` on the whole hull.
 
-    The counts are as the square roots of half the length, half the beam and twice the draft (which has an edge at
-    both ends): cosine grading then makes panels at every edge equally thin, and it is the edges that decide.
-    Box 400 × 50 × 10 m, 450 panels: worst added mass 0.3 % off with (12, 4, 4), 2 % with (23, 2, 3).
-    longest : m, edges are not longer, even if that takes more panels (short waves)
+    The counts are proportional to the square roots of half the length, half the beam and twice the draft (which has an
+    edge at both ends): cosine grading then makes panels at every edge equally thin, and the edges determine the
+    accuracy. Box 400 × 50 × 10 m, 450 panels: largest error of added mass 0.3 % with (12, 4, 4), 2 % with (23, 2, 3).
+    longest : m, upper limit of edges, even if more panels are needed (short waves)
     """
     a, b = length / 2, beam / 2
     return fitted_counts((a, b, 2 * draft), lambda n: 4 * (n[0] * n[1] + (n[0] + n[1]) * n[2]), panels,
@@ -105,14 +105,14 @@ def buoy_counts(radius, draft, panels=500, bottom=True, longest=math.inf):
 
 
 def _most(extent, longest):
-    """Panels over an extent so that the longest, π/2 of the mean by cosine grading, is not above `longest`."""
+    """Panels over an extent for which the longest edge, π/2 times the mean by cosine grading, is at most `longest`."""
     return math.ceil(math.pi / 2 * extent / longest) if longest < math.inf else 1
 
 
 def fitted_counts(edges, total, panels, needed):
-    """The largest counts in proportion to the roots of `edges` whose `total` stays within `panels`.
+    """The largest counts proportional to the roots of `edges` whose `total` is at most `panels`.
 
-    What rounding leaves unused goes to the direction that is farthest below its wish; `needed` is kept in any case.
+    Panels left by rounding go to the direction farthest below its target; `needed` is a lower limit in any case.
     """
     wishes = np.sqrt(edges)
     lowest = WELL_RESOLVED if panels >= 200 else (1, 1, 2)
@@ -182,7 +182,7 @@ def _rectangle(place, s, t):
 
 
 def _quarter_rim(radius, n):
-    """(n+1, 2) corners in the first quadrant of the polygon of 4n sides that has the area of the circle"""
+    """(n+1, 2) corners in the first quadrant of the polygon of 4n sides with the area of the circle"""
     angle = np.pi / 2 * np.arange(n + 1) / n
     step = np.pi / 2 / n
     rim = radius * math.sqrt(step / math.sin(step)) * np.stack([np.cos(angle), np.sin(angle)], axis=1)
@@ -207,7 +207,7 @@ def _disc_sector(rim, fractions, z):
 
 
 def _unfolded(quarter, symmetry):
-    """The part that `symmetry` leaves to be stored, from a quarter of the hull"""
+    """The part that is stored with the planes `symmetry`, from a quarter of the hull"""
     written_out = "".join(axis for axis in "xy" if axis not in symmetry)
     part = PanelMesh(quarter.points, quarter.corners, written_out, quarter.name)
     return replace(part.whole() if written_out else part, symmetry=symmetry)

@@ -3,8 +3,8 @@
     y(x, s) = f(x) Y(s),  z = Z(s):    a rectangle B/2 × d with its corner rounded by r₀, drawn in towards the ends by
     f = 1 − tᵖ,  t the share of entrance or run from its inner to its outer end,  p = φ/(1 − φ)
 
-φ is the fullness of the waterplane of bow or stern.  With the coefficient of the middle section
-C_M = 1 − (1 − π/4) 2r₀²/(B d) the block coefficient is
+φ is the fullness of the waterplane of bow or stern.  With the coefficient of the middle section C_M = 1 − (1 − π/4)
+2r₀²/(B d) the block coefficient is
 
     C_B = C_M {1 − l [(1 − φ_b) + (1 − φ_s)]},
 
@@ -38,7 +38,7 @@ def ship(
 
     length, beam, draft : m; block : C_B; bow, stern : fullness φ of entrance and run, both or neither
     waterplane : C_WP, without these
-    panels : at most so many on the whole hull; counts : (n_length, n_bottom, n_side) over the length, half the bottom,
+    panels : largest number on the whole hull; counts : (n_length, n_bottom, n_side) over the length, half the bottom,
     and bilge with side, instead: 2 n_length (n_bottom + n_side) on the whole hull; longest : as for `shapes.box`
     raises : ValueError, one line
     """
@@ -55,7 +55,7 @@ def ship(
         along, bow, stern = _form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern)
     n_length, n_bottom, n_side = counts or ship_counts(length, beam, draft, panels, longest)
     u = np.arange(n_length + 1) / n_length
-    x = 0.5 * (u - 0.5) - 0.25 * np.cos(np.pi * u)  # a pointed end is no edge: panels half as long as evenly spaced
+    x = 0.5 * (u - 0.5) - 0.25 * np.cos(np.pi * u)  # a pointed end is no edge: panels half as long as with even spacing
     t = np.maximum((np.abs(x) - (0.5 - along)) / along, 0.0)
     girth = _girth(n_bottom, n_side, 0.5 * beam, draft, radius)[::-1]
     at_depth = [np.interp(girth[:, 1], [-draft, 0.0], np.broadcast_to(end, 2)) for end in (bow, stern)]
@@ -70,7 +70,7 @@ def ship(
 
 
 def _form(block, middle, bow, stern):
-    """Share of the length of entrance and run, and the fullness of both"""
+    """Share of the length of entrance and of run, and the fullness of both"""
     if not BLOCKS[0] <= block <= BLOCKS[1]:
         raise ValueError(f"block coefficient is {block:g}; allowed: {BLOCKS[0]:g} to {BLOCKS[1]:g}")
     if (bow is None) != (stern is None):
@@ -93,7 +93,7 @@ def _form(block, middle, bow, stern):
 
 
 def _fullness(block, waterplane, wide, high):
-    """Share of the length of entrance and run, LONG or else LONGEST, and φ at keel and waterline
+    """Share of the length of entrance and run, LONG or else LONGEST, and φ at keel and at waterline
 
     block, waterplane : coefficients; wide, high : radius of the bilge over half the beam, and over the draft
     """
@@ -126,7 +126,7 @@ def ship_counts(length, beam, draft, panels=500, longest=math.inf):
 
 
 def counts_of_ship(mesh):
-    """The counts that a mesh of `ship` was made with"""
+    """The counts used by `ship` for a mesh"""
     x, _, z = mesh.points.T
     stations = np.unique(np.round(x / np.ptp(x), 7))
     middle = np.abs(x / np.ptp(x) - stations[len(stations) // 2]) < 1e-6

@@ -1,4 +1,4 @@
-"""Text files as other programs leave them: UTF-8 with or without the byte order mark of Windows, regular, of a size."""
+"""Text files of other programs: UTF-8 with or without the byte order mark of Windows, regular files of limited size."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ LARGEST = 256  # MB; a record of ten million values
 def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
     """The text of a regular file, without a byte order mark.
 
-    error : class raised with one line; errors : as of `bytes.decode`; largest : MB
-    raises : error where there is no file, no text, no permission, something endless (a device, a pipe), too much, or
-        a seal (`seals`) that is broken
+    error : class that is raised, with one line of text; errors : as of `bytes.decode`; largest : MB
+    raises : error for a missing file, no text, no permission, an endless file (device, pipe), excessive size, or a
+        broken seal (`seals`)
     """
     path = Path(path)
     try:
@@ -39,7 +39,7 @@ def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
 
 
 def _content(path, error, largest):
-    """Bytes of a file, of a `.gz` what is packed in it; error for more than `largest` MB of these"""
+    """Bytes of a file, unpacked for `.gz`; raises `error` above `largest` MB"""
     if path.suffix != ".gz":
         return path.read_bytes()
     with gzip.open(path) as packed:
@@ -50,7 +50,7 @@ def _content(path, error, largest):
 
 
 def check_size(path, error=ValueError, largest=LARGEST):
-    """Raises `error` where a path is no regular file or has more than `largest` MB; OSError where none can be seen."""
+    """Raises `error` where a path is no regular file or exceeds `largest` MB; OSError without access."""
     found = Path(path).stat()
     if stat.S_ISDIR(found.st_mode):
         raise error(f"{path} cannot be read: Is a directory")
@@ -61,7 +61,7 @@ def check_size(path, error=ValueError, largest=LARGEST):
 
 
 def numbers_of(line):
-    """The numbers that a line begins with, as Fortran reads a list: 1.D0 and 1, 2 count; a word ends it"""
+    """The numbers at the beginning of a line, as Fortran reads them: 1.D0 and 1, 2 are accepted; a word ends them"""
     found = []
     for word in line.replace(",", " ").split():
         try:
@@ -72,5 +72,5 @@ def numbers_of(line):
 
 
 def csv_rows(text):
-    """Rows of a CSV text with names of columns, as a `csv.DictReader`; empty lines and those after # are left out"""
+    """Rows of a CSV text with column names, as a `csv.DictReader`; empty lines and # lines are skipped"""
     return csv.DictReader(line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#"))

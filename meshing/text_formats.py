@@ -1,8 +1,8 @@
-"""Panel files that are plain text: WAMIT GDF and OBJ, read and written; Nemoh and HAMS, written (read: `node_lists`).
+"""Plain-text panel files: WAMIT GDF and OBJ, read and written; Nemoh and HAMS, written (read by `node_lists`).
 
-All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1),
-which is the order of PanelMesh: normals come out as they are in the file, into the water.  Readers change no
-orientation; `meshing.quality.findings` tells when it is wrong.
+All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1), the
+order of PanelMesh: normals keep the direction of the file, into the water.  Readers change no orientation;
+`meshing.quality.findings` reports wrong ones.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ FOOT = 0.3048  # m
 def read_gdf(path):
     """Low-order WAMIT geometry: header, ULEN GRAV, ISX ISY, NPAN, then four corners a panel.
 
-    GRAV says whether lengths are metres or feet; ULEN does not scale the corners.
+    GRAV determines whether lengths are metres or feet; ULEN does not scale the corners.
     """
     lines = read_text(path, errors="replace").splitlines()
     if len(lines) < 4:
@@ -72,7 +72,7 @@ def write_gdf(mesh, path, gravity=9.80665):
 
 
 def write_nemoh(mesh, path):
-    """Write a PanelMesh for Nemoh, whose only mirror plane is y = 0; x = 0 is written out."""
+    """Write a PanelMesh for Nemoh, which supports only the mirror plane y = 0; images in x = 0 become panels."""
     if "x" in mesh.symmetry:
         whole = mesh.whole()
         if mesh.symmetry == "xy":
@@ -107,10 +107,11 @@ def write_pnl(mesh, path):
 
 
 def read_obj(path):
-    """Wavefront's: points `v x y z`, panels `f` of points from 1, or from the last one read, −1; normals do not count.
+    """Wavefront OBJ: points `v x y z`, panels `f` by point number, from 1, or −1 for the last point read; normals are
+    ignored.
 
-    A corner may be point/texture/normal, whose numbers are others, which libraries of meshes take for those of points.
-    Polygons of more than four corners are cut, which keeps what lies within them where they are convex.  Coordinates
+    A corner may be point/texture/normal: only the first number is a point. Polygons of more than four corners are cut,
+    which preserves the surface of convex ones.  Coordinates
     are taken as m.  raises : ValueError naming the line
     """
     points, panels = [], []
@@ -130,7 +131,7 @@ def read_obj(path):
 def read_stl(path):
     """Triangles of a text .stl: three lines `vertex x y z` each, with any lines between them; coordinates in m
 
-    raises : ValueError naming the word that is no number, and vertices that are no threes
+    raises : ValueError, which names a word that is no number, or vertices not in groups of three
     """
     words = re.findall(r"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", read_text(path, errors="replace"), re.IGNORECASE)
     wrong = next((word for row in words for word in row if not _is_number(word)), None)
@@ -143,7 +144,7 @@ def read_stl(path):
 
 
 def cut(corners):
-    """Corners of a polygon as panels of three or four, cut from its first; those of fewer as they are"""
+    """Corners of a polygon as panels of three or four, cut from its first corner; three or four remain as they are"""
     last = max(len(corners) - 1, 2)
     return [[corners[0], *corners[i : i + 3]] for i in range(1, last, 2)]
 
@@ -181,7 +182,7 @@ def _panel(path, k, row, numbers):
 
 
 def length_unit(path, gravity):
-    """m per unit of length of a GDF file, from its acceleration of gravity.  Raises ValueError for neither m nor ft."""
+    """m per unit of length of a GDF file, from its acceleration of gravity.  Raises ValueError if neither m nor ft."""
     if 9.7 < gravity < 9.9:
         return 1.0
     if 31.8 < gravity < 32.5:
@@ -203,7 +204,7 @@ def _numbers(path, k, line, count):
 
 
 def _all_numbers(path, lines, first):
-    """Numbers of all words from line `first` on, counted from 1; None where a word is none"""
+    """Numbers of all words from line `first` on, counted from 1; None where a word is no number"""
     try:
         values = [float(word) for line in lines[first - 1 :] for word in line.split()]
     except ValueError:
@@ -212,9 +213,9 @@ def _all_numbers(path, lines, first):
 
 
 def _panel_by_panel(path, lines, panels):
-    """Twelve numbers of each panel, as WAMIT reads them: each from a new line, on as many lines as they take
+    """Twelve numbers of each panel, as WAMIT reads them: each panel begins a new line and may continue on further lines
 
-    What follows the twelfth on its line is a remark, and so is what follows the last panel, but for dipole panels.
+    Text after the twelfth number on its line is a remark, as is text after the last panel, except dipole panels.
     """
     values, k = [], 4
     for number in range(1, panels + 1):

@@ -18,10 +18,10 @@ def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.in
     """A pyvista Plotter with the whole hull in it.
 
     mesh, lid : PanelMesh
-    field : (n,) one value a panel of `mesh`, or of the whole hull; coloured, with a colour bar `field_name`
-    normals : arrows out of the hull, on a part of the panels if there are many
-    depth : m, draws the sea bed unless infinite; font : file of one with the letters of the name, or None
-    Raises ValueError for a field that has not one value a panel.
+    field : (n,) one value per panel of `mesh`, or of the whole hull; coloured, with a colour bar `field_name`
+    normals : draws arrows out of the hull, on a part of the panels if there are many
+    depth : m, draws the sea bed if finite; font : font file with the letters of the name, or None
+    Raises ValueError for a field without one value per panel.
     """
     import pyvista as pv
 
@@ -47,7 +47,7 @@ def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.in
 
 
 def show(plotter, title, screenshot=None):
-    """Show a Plotter in a window, or write its picture to the file `screenshot`, which needs no display; close it."""
+    """Show a Plotter in a window, or write its picture to the file `screenshot`, without a display; close it."""
     try:
         if screenshot is None:
             plotter.show(title=title)
@@ -59,9 +59,9 @@ def show(plotter, title, screenshot=None):
 
 
 def write_page(plotter, path):
-    """Write a Plotter as a page of its own, to turn in any browser without a network; close it.
+    """Write a Plotter as an HTML page that any browser can turn without a network; close the Plotter.
 
-    Raises ValueError without the packages that do it.
+    Raises ValueError if the packages for it are missing.
     """
     import asyncio
 
@@ -95,7 +95,7 @@ def _draw_hull(plotter, whole, values, field_name):
 
 
 def _surface(mesh):
-    """PolyData with one cell a panel, in the order of the panels"""
+    """PolyData with one cell per panel, in the order of the panels"""
     import pyvista as pv
 
     quads, triangles, order = split(mesh.corners)
@@ -105,7 +105,7 @@ def _surface(mesh):
 
 
 def _arrows(mesh):
-    """Arrows about as long as a typical panel, evenly thinned out"""
+    """Arrows as long as a typical panel, on an even selection of panels"""
     import pyvista as pv
 
     shown = np.arange(0, len(mesh), max(1, math.ceil(len(mesh) / MOST_NORMALS)))
@@ -117,7 +117,7 @@ def _arrows(mesh):
 
 
 def _waterline(mesh):
-    """Panel edges in z = 0 that belong to one panel, as lines; None if there are none"""
+    """Panel edges in z = 0 that belong to only one panel, as lines; None without such edges"""
     import pyvista as pv
 
     flat = np.abs(mesh.points[:, 2]) <= 1e-6 * max(mesh.draft, 0.0)

@@ -1,6 +1,6 @@
-"""Files that are there whole or not at all: written beside under another name, read back, then renamed.
+"""Files written whole or not at all: written under another name, read back, then renamed.
 
-A disk may be full, a quota or a limit reached: then the name has what it had before, and one line says why.
+If the disk is full or a quota is reached, the old file remains, and an error of one line gives the reason.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from pathlib import Path
 
 
 class NotWritten(OSError):
-    """A file could not be written; the file that was there before is unchanged."""
+    """A file could not be written; the earlier file of that name is unchanged."""
 
 
 def write_whole(path, *content):
-    """Put texts or bytes, one after another, into a file, in place of what it had.
+    """Write texts or bytes, one after another, to a file and replace its content.
 
-    raises : NotWritten, one line, where they do not arrive on the disk
+    raises : NotWritten, one line, where they cannot be written to the disk
     """
     parts = [part.encode() if isinstance(part, str) else part for part in content]
     with made_beside(path) as partial:
@@ -31,7 +31,7 @@ def write_whole(path, *content):
 
 @contextlib.contextmanager
 def made_beside(path):
-    """Context with the path of a file to be made, of the same suffix, that takes the name `path` when it is whole"""
+    """Context with the path of a new file of the same suffix, renamed to `path` when it is complete"""
     path = Path(path)
     partial = path.with_name(f"{path.stem}.partial{path.suffix}")
     try:
@@ -49,9 +49,9 @@ def made_beside(path):
 
 
 def keep_room(path):
-    """Have every byte of a file that is written in place on the disk, holes of a sparse copy too.  Raises NotWritten.
+    """Allocate every byte of a file that is written in place, including holes of a sparse copy.  Raises NotWritten.
 
-    A file that is no regular one, or not there, is left to whoever opens it.
+    A file that is missing or not regular is not touched here; the code that opens it reports the error.
     """
     try:
         if not Path(path).is_file():
@@ -73,6 +73,6 @@ def keep_room(path):
 
 
 def not_written(path, error):
-    """The NotWritten of a file and the OSError that came of writing it"""
+    """The NotWritten for a file and the OSError that caused it"""
     reason = error.strerror or " ".join(str(error).split())
     return NotWritten(f"{path} cannot be written: {reason}; the file that was there before is unchanged")

@@ -1,4 +1,4 @@
-"""`hakobune check`: of a result, is the file still what was written, and its database; of a database, its physics."""
+"""`hakobune check`: whether a result and its database are unchanged; for a database, its physics."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ TEXT = (".csv",)
 
 
 def check(path, console, repair=False):
-    """Print whether a result is whole, or the checks and findings of a database; 0 if all is there and holds, else 1.
+    """Print whether a result is intact, or the checks and findings of a database; 0 if nothing fails, else 1.
 
-    repair : what is damaged of a database is marked as unsolved before
+    repair : mark damaged parts of a database as unsolved first
     raises : ValueError for a file that is neither
     """
     say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
@@ -36,17 +36,17 @@ def check(path, console, repair=False):
 
 
 def is_result(path):
-    """Whether a file is the result of a study, by its name or by what is in it"""
+    """Whether a file is the result of a study, by its name or by its content"""
     if path.suffix.lower() in TEXT:
         return True
     return not kind_filled_in(path) if is_sealed(path) else schema_of(path).startswith(OURS)
 
 
 def check_result(path, say, repair=False):
-    """Say what a result is and whether it is whole; returns 0 if it is, else 1.
+    """Report the kind of a result and whether it is intact; returns 0 if it is, else 1.
 
     say : takes each line; repair : raise DatabaseError, results are not repaired
-    raises : ValueError where there is no file, and for one of another version of its schema, of which nothing is known
+    raises : ValueError for a missing file, and for one of an unknown version of its schema
     """
     if repair:
         raise DatabaseError(f"{path} is a result, and only a database can be repaired; if it is damaged: {REMEDY}")
@@ -71,7 +71,7 @@ def check_result(path, say, repair=False):
 
 
 def _found(path):
-    """What a result is, and whether it has a seal.  Raises ValueError for one damaged, or of another version."""
+    """Kind of a result, and whether it has a seal.  Raises ValueError for a damaged one, or one of another version."""
     if path.suffix.lower() in TEXT:
         return "a table", text_sealed(read_text(path))
     schema = schema_of(path)
@@ -80,7 +80,7 @@ def _found(path):
 
 
 def _check_sweep(path, say):
-    """Which cases of a sweep are there: it fills case by case, and has no checksums"""
+    """Which cases of a sweep are complete: a sweep is filled case by case, and has no checksums"""
     count, missing = case_count(path), len(pending(path))
     say(f"{path}: a file of sweep, {count - missing} of {count} cases are stored; a sweep has no checksums")
     if missing:
@@ -89,7 +89,7 @@ def _check_sweep(path, say):
 
 
 def _remarks(path):
-    """What became of the database of a result"""
+    """Remarks on the present state of a result's database"""
     import h5py
 
     with h5py.File(path) as file:

@@ -1,4 +1,4 @@
-"""The `hakobune` command.  Heavy imports happen inside the commands, so that help answers at once."""
+"""The `hakobune` command.  Heavy imports happen inside the commands, so that help appears at once."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ from .validation.series.flags import series
 from .validation.stress.command import stress
 from .waves.flags import waves
 
-OWN_FORMS = ("keys",)  # commands that write JSON of their own
+OWN_FORMS = ("keys",)  # commands that write their own JSON
 app = App(
     name="hakobune",
     help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
@@ -56,7 +56,7 @@ app = App(
     version=__version__,
     result_action="return_value",
     suppress_keyboard_interrupt=False,
-    help_format="plaintext",  # without the 0.1 s that a reader of Markdown takes to load
+    help_format="plaintext",  # without the 0.1 s that the import of a Markdown reader takes
 )
 app.register_install_completion_command(help="Install completion of commands and flags for bash, zsh or fish.")
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
@@ -185,9 +185,9 @@ def plot(
     *,
     output: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
 ):
-    """Draw coefficients, excitation, motions and drift of a database, by default into a .png beside it.
+    """Draw coefficients, excitation, motions and drift of a database, by default to a .png beside it.
 
-    Several bodies have one picture each, with the name of the body added; beams have one of their bending.
+    With several bodies there is one picture for each, with the name of the body added; beams have one of their bending.
     """
     from hakobune.bem.bodies.one_of_several import each_body
     from hakobune.bem.database import open_database
@@ -298,7 +298,7 @@ def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     command = arguments[0] if arguments and arguments[0].replace("-", "").isalpha() and arguments[0][0] != "-" else ""
     name = f"hakobune {command}".strip()
-    timed = timing.FLAG in arguments  # asked of this command itself, not of one that runs it, as a sweep does
+    timed = timing.FLAG in arguments  # requested for this command itself, not for a command inside a sweep
     if timed:
         timing.begin()
         arguments = [word for word in arguments if word != timing.FLAG]
@@ -308,7 +308,7 @@ def main(arguments=None):
             status = app(arguments, exit_on_error=False, print_error=False) or 0
         sys.stdout.flush()
         return status
-    except BrokenPipeError:  # who read what is printed has gone, and with it the wish to know
+    except BrokenPipeError:  # the reader of the output has closed, so that no message is needed
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 128 + signal.SIGPIPE
     except MissingArgumentError as error:
@@ -391,7 +391,7 @@ def _write_mesh(raw, output):
     from .scene.scene import make_scene
     from .solve.hull import make_hull
 
-    # a mesh alone needs neither water nor waves; in deep water and long waves they ask for no panels
+    # a mesh alone needs neither water nor waves; deep water and long waves require no panels
     raw["water"].setdefault("depth", float("inf"))
     if not set(raw["waves"]) - {"headings_deg"}:
         raw["waves"]["periods"] = [1000.0]

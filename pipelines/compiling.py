@@ -1,4 +1,4 @@
-"""`hakobune doctor --compile`: every kernel compiled ahead, by small studies in a folder of their own."""
+"""`hakobune doctor --compile`: compile every kernel ahead, by small studies in a temporary folder."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ BODIES = (
 
 
 def compile_all(tables=(LINES, BODIES)):
-    """Run the commands of tables, each in a process, and print what is done.  Returns what failed, a line for each"""
+    """Run the commands of tables, each in a process, and print progress.  Returns failures, one line each"""
     count, done, begin = sum(map(len, tables)), [], time.monotonic()
 
     def run(table, folder):
@@ -51,6 +51,6 @@ def compile_all(tables=(LINES, BODIES)):
 
 
 def _environment():
-    """So that these processes find this package, wherever it is"""
+    """Environment in which these processes find this package"""
     root = Path(__file__).parents[1]
     return os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, (str(root), os.environ.get("PYTHONPATH"))))}

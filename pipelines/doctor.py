@@ -66,9 +66,9 @@ def _version(name):
 
 
 def _left_over():
-    """Folders that installations from before the packages were below `hakobune` left in site-packages, "" for none.
+    """Folders in site-packages left by installations that predate the `hakobune` package, "" for none.
 
-    Folders of these names without our modules are those of other projects.
+    Folders of these names without our modules belong to other projects.
     """
     place = Path(sysconfig.get_path("purelib"))
     ours = [name for name, module in OLD.items() if (place / name / module).is_file()]
@@ -78,7 +78,7 @@ def _left_over():
 
 
 def _gmsh():
-    """The mesher's shared libraries are loaded when it is"""
+    """The import of gmsh also loads its shared libraries"""
     from hakobune.meshing.gmsh_session import session
 
     try:

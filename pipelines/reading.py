@@ -1,4 +1,4 @@
-"""Reading the result of any study from its file."""
+"""Reading of the result of any study from its file."""
 
 from __future__ import annotations
 

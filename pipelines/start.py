@@ -1,4 +1,4 @@
-"""Where the `hakobune` command begins: Ctrl-C is one line from the first moment, before anything else is loaded."""
+"""Start of the `hakobune` command: Ctrl-C gives one line from the first moment, before anything else is loaded."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import sys
 from .printing import timing
 from .printing.spelled import spell_out
 
-# commands that solve large linear systems, which more than one BLAS thread serves
+# commands that solve large linear systems, which benefit from several BLAS threads
 SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sections")
 
 
@@ -17,8 +17,8 @@ def main():
     """The command line of this process.  Returns the exit status."""
     signal.signal(signal.SIGINT, _leave)
     if not set(sys.argv[1:2]) & set(SOLVING):
-        # products of some dozen rows gain nothing from BLAS threads, which wait for each other where a core is taken:
-        # `moor` took 5 s of processor time on a busy machine with two cores in place of 0.8
+        # products of some dozen rows gain nothing from BLAS threads, which wait for each other on a busy core: `moor`
+        # took 5 s of processor time on a busy machine with two cores instead of 0.8
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
             os.environ.setdefault(name, "1")
     spell_out(sys.stdout, sys.stderr)
@@ -42,6 +42,6 @@ def main():
 
 
 def _leave(number, frame):
-    """Nothing is begun, so nothing is lost."""
+    """Nothing has begun, so nothing is lost."""
     os.write(2, b"hakobune: interrupted\n")
     os._exit(130)

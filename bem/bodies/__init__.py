@@ -1,1 +1,1 @@
-"""Databases of several bodies: what is of one of them."""
+"""Databases of several bodies: access to one of them."""

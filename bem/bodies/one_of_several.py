@@ -1,4 +1,4 @@
-"""One body of a database of several: its own forces, and its own motions."""
+"""One body of a database of several: the forces on it, and its motions."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ OWN_DRIFT = {name.removeprefix("body_"): name for name in OF_EACH}  # {name of t
 
 @dataclass(frozen=True, eq=False)
 class OneOfSeveral:
-    """What a `Database` of several bodies, or of one that bends, holds of the rigid motions of the body `number`.
+    """Rigid motions and forces of body `number` in a `Database` of several bodies, or of a flexible one.
 
-    Forces, mean drift and added mass are those on it, motions and radiation its own.  Quantities have the axes of a
-    database of one body; of a fixed body there are no motions.
+    Forces, mean drift and added mass are those on this body, motions and radiation its own.  Quantities have the axes
+    of a database of one body; a fixed body has no motions.
     """
 
     database: Database
@@ -52,12 +52,12 @@ class OneOfSeveral:
 
     @property
     def fixed(self) -> bool:
-        """Whether it does not move"""
+        """Whether the body is fixed"""
         return bool(self.database.bodies) and self.database.bodies[self.number].fixed
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Quantities that are of this body alone"""
+        """Quantities of this body alone"""
         axes = {"influenced_dof"} if self.fixed else {"influenced_dof", "radiating_dof"}
         found = (name for name in self.database.names if axes & {*QUANTITIES[name][0]})
         own = [name for name in found if not (self.fixed and "radiating_dof" in QUANTITIES[name][0])]
@@ -73,7 +73,7 @@ class OneOfSeveral:
 
     @property
     def reader(self):
-        """None: the motions of one body follow from those of all"""
+        """None: the motions of one body depend on those of all"""
         return None
 
     @property
@@ -82,18 +82,18 @@ class OneOfSeveral:
 
     @property
     def _motions(self):
-        own = moving(self.database.bodies)  # without shapes, which come after all of these
+        own = moving(self.database.bodies)  # without shapes, which follow all of these
         return [own.index(d) for d in self._forces if d in own]
 
 
 def each_body(database):
-    """`OneOfSeveral` of every body, also of one that bends; of a database of one rigid body itself"""
+    """`OneOfSeveral` of every body, also of a flexible one; for a database of one rigid body the database itself"""
     count = len(database.bodies) or bool(database.modes)
     return [OneOfSeveral(database, i) for i in range(count)] or [database]
 
 
 def body_named(database, name):
-    """`OneOfSeveral` of the body of a name.  Raises DatabaseError for one that is not there."""
+    """`OneOfSeveral` of the named body.  Raises DatabaseError for an unknown name."""
     found = [one for one in each_body(database) if database.bodies and one.name == name]
     if not found:
         known = ", ".join(body.name for body in database.bodies) or "one body without a name"

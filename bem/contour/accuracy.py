@@ -1,7 +1,7 @@
-"""How fine the parts of the contour method are for a relative error of 10^(−digits) in coefficients and forces.
+"""Resolution of the parts of the contour method for a relative error of 10^(−digits) in coefficients and forces.
 
-Each part was coarsened alone on 230 random bodies (L/B 1 … 20, B/d 0.2 … 100, H/d 1.02 and up, λ/L 0.2 … 20).  What
-it then leaves in 95 % of them is less than, with r = gap / min(draft, scale), g = gap / scale, the scale that of the
+Each part was coarsened alone on 230 random bodies (L/B 1 … 20, B/d 0.2 … 100, H/d 1.02 and up, λ/L 0.2 … 20).  The
+resulting error in 95 % of them is less than, with r = gap / min(draft, scale), g = gap / scale, the scale that of the
 plan, and `high` = max(g/4, 1)
 
     functions of the gap, T in each family      10^(−8 (1 + r)^(−0.7) − (T − 1)(0.8 + 1.7 / (1 + r/4)))
@@ -10,12 +10,12 @@ plan, and `high` = max(g/4, 1)
     panels on the plan, p digits                10^(−1.2 − 1.3 p) high^3.3
     polynomials beyond those of the waves, e    10^(−2.4 − e/1.5)
 
-In the median each leaves thirty times less, and then what is largest differs from body to body.  The error is
-therefore not read from these but from a finer body (`finer`), in which all parts are finer.  Where one function of
-the gap more is worth up to six digits (a narrow gap, where even the first leaves 10^(−8)) it is that of the others.
+The median error of each part is thirty times smaller, and the largest part differs from body to body.  The error is
+therefore estimated not by these formulas but with a finer body (`finer`), in which all parts are finer.  In a narrow
+gap one more function of the gap is worth up to six digits; the error is then that of the other parts.
 
-Those bodies were at most a hundred waves long and mostly few.  Where fifty and more get to a low gap, panels of one
-digit left 10^(−1) and a table of none 10^(−2): they have three and one at least, which cost no time.
+Those bodies were a hundred waves long at most, most of them a few.  With fifty waves or more over a low gap, panels of
+one digit had an error of 10^(−1) and a table of none 10^(−2): the least are three and one digits, at no cost in time.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from __future__ import annotations
 from math import ceil, log10
 from typing import NamedTuple
 
-KAPPA, PLAN = 1.15, 1.3  # digits of the result for one of the table, and of the panels
+KAPPA, PLAN = 1.15, 1.3  # digits of the result per digit of the table, and of the panels
 CLEAR = 1e-8  # eigenvalue of a profile that the error of the mode sums does not reach
-DIGIT = 1.0  # extra digits of the finer body: its own error, a tenth in the mean, is then negligible
+DIGIT = 1.0  # extra digits of the finer body: its own error, on average a tenth, is then negligible
 
 
 def height(gap, scale):
-    """`high` of the module: what a gap of many plan scales makes worse, 1 for others"""
+    """`high` of the module: factor for errors that grow with the gap over the plan's scale, 1 for low gaps"""
     return max(gap / scale / 4, 1.0)
 
 
 class Accuracy(NamedTuple):
-    """digits : aimed at; terms : functions in each of the three families of the gap; smallest : `Profiles.smallest`
+    """digits : target; terms : functions in each of the three families of the gap; smallest : `Profiles.smallest`
 
     modes : evanescent modes per smallest length; kappa : digits of the table in κ
     plan : digits of the plan's panels; extra : polynomials per side and class beyond those that waves need
-    further : as many more on the shorter side, after rounding
+    further : the same number more on the shorter side, after rounding
     """
 
     digits: float
@@ -68,10 +68,10 @@ def accuracy(digits, draft, gap, scale):
 
 
 def finer(coarse, draft, gap, scale):
-    """`Accuracy` against which the error of a coarser one is seen: every part better by a factor of ten in the mean.
+    """`Accuracy` for the error estimate of a coarser one: every part better by a factor of ten on average.
 
-    Functions of the gap, whose number is for the worst bodies, are one more where they may be what is wrong with
-    the others; polynomials, whose number comes in steps, the next that there is.
+    The number of gap functions, chosen for the worst bodies, is increased by one where they may dominate the error; the
+    number of polynomials, which changes in steps, to the next step.
     """
     fine, far = (accuracy(coarse.digits + n * DIGIT, draft, gap, scale) for n in (1, 2))
     return fine._replace(

@@ -1,4 +1,4 @@
-"""What the contour method takes: seconds of one thread, and memory.
+"""Cost of the contour method: seconds of one thread, and memory.
 
 With p the sum of the highest degrees on end and side in the table, p' of the waves', and c values of κ in the table,
 on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along them) within a factor of two
@@ -26,9 +26,9 @@ class Cost(NamedTuple):
 
 
 def cost(body, k):
-    """`Cost` of a `ContourBody` with the finer one beside it, for waves of up to k rad/m.
+    """`Cost` of a `ContourBody` with its finer one, for waves of up to k rad/m.
 
-    On a circle nothing is tabulated; both together take 8e-8 (ka)³ s within a factor of two, ka 280 … 1100.
+    On a circle no table is needed; both together take 8e-8 (ka)³ s within a factor of two, ka 280 … 1100.
     """
     if not isinstance(body.plan, Rectangle):
         return Cost(0.0, CIRCLE * (k * body.plan.radius) ** 3, 0.0)

@@ -5,10 +5,10 @@ The normal velocity u in the gap under the keel and v on the side, both away fro
     outside   φ = φ₀ + Σ Zₙ N(kₙ) ⟨u + v, Zₙ⟩ / ⟨Zₙ, Zₙ⟩
     beneath   φ = ψ + c + Σ (ε_q / s) cos l_qζ T(l_q) ⟨u − ∂ψ/∂n, cos l_qζ⟩
 
-on the contour, N and T the Neumann-to-Dirichlet maps of the plan, from normal velocity to potential.  u = Σ u_pj
-U_p(ζ) ψ_j(contour), U_p the profiles of the gap; both potentials are equal when tested with every U_p ψ_j.  c exists
-in the class with net flux only, where it is the multiplier of the conservation of volume under the body.  φ₀ is the
-incident wave together with its reflection and diffraction by a rigid plan contour: its normal velocity is zero.
+on the contour, N and T the Neumann-to-Dirichlet maps of the plan, from normal velocity to potential.  u = Σ u_pj U_p(ζ)
+ψ_j(contour), U_p the profiles of the gap; both potentials are equal when tested with every U_p ψ_j.  c exists only in
+the class with net flux, as the multiplier of the conservation of volume under the body.  φ₀ is the incident wave
+together with its reflection and diffraction by a rigid plan contour: its normal velocity is zero.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class GapVelocity(NamedTuple):
 def fixed_terms(profiles, beneath, unit, motions, bottom):
     """`FixedTerms` from potentials beneath in r = e + 2 rows, those of e profiles and two of ψ.
 
-    beneath : (r, n, r, n) potentials tested with everything; unit : (n,) coefficients of 1 on the contour or None
+    beneath : (r, n, r, n) projections of all rows' potentials; unit : (n,) coefficients of 1 on the contour or None
     motions : `Motion` with a first axis of d; bottom : (d,) ∬ ψ w dA
 
     Under the body the integral over the bottom becomes one over the profiles by Green's identity.

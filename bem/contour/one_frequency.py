@@ -15,7 +15,7 @@ from .plan.plane_waves import far_field
 
 
 def combined(weights, maps, rows, single):
-    """Σ_c weightsᵢⱼ_c maps_c + rowsᵢⱼ single, (r, n, r, n): the sum over evanescent modes, and one mode by itself"""
+    """Σ_c weightsᵢⱼ_c maps_c + rowsᵢⱼ single, (r, n, r, n): the sum over evanescent modes, and one separate mode"""
     r, n = len(weights), maps.shape[1]
     total = (weights.reshape(r * r, -1) @ maps.reshape(len(maps), -1)).reshape(r, r, n, n)
     return (total + np.multiply.outer(rows, single)).transpose(0, 2, 1, 3)

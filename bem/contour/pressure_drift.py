@@ -1,7 +1,7 @@
 """Mean drift by the pressure on the sides of a box or vertical cylinder, from the flow of the contour method.
 
 Formula of `bem.methods.near_field`.  The bottom contributes no surge, sway or yaw, and on a side ∂φ/∂n is that of the
-motions, so that for φ = Σ fₙ(s) Zₙ(z) there remain
+motions, so that for φ = Σ fₙ(s) Zₙ(z) the remaining terms are
 
     ∫ |∇φ|² dz = ∫ |Σ f'ₙ Zₙ|² + |Σ fₙ Z'ₙ|² + |∂φ/∂n|² dz,    ∫ X·∇φ dz,    ζ,        −d < z < 0
 
@@ -9,10 +9,10 @@ which `side_flow` integrates in advance for the nodes of a table in κ; each wav
 
 As a check of the far field: every evanescent mode exerts opposite forces on the side and in the gap, which cancel, and
 none appears in the far field, if the potentials on both sides of the gap are equal.  The error is of first order in
-their difference, where that of forces and far field is of second: the flow is solved again with a finer body.  In
-resonant roll the drift is the small difference of pressures tens of times as large.  Box in 20 and 100 m, tolerance
-1e-3: near and far field differ by 5e-5 of the largest force on the fixed one, with the body of the forces by 5e-4 to
-8e-4; in 2000 m by 4e-4 and 3e-2.
+their difference, where that of forces and far field is of second order: the flow is therefore solved again with a finer
+body.  In resonant roll the drift is the small difference of pressures tens of times as large.  Box in 20 and 100 m,
+tolerance 1e-3: near and far field differ by 5e-5 of the largest force on the fixed body, with the body of the forces by
+5e-4 to 8e-4; in 2000 m by 4e-4 and 3e-2.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from .plan.potentials import plan_values
 from .side_flow import depth_sums
 
 POLYNOMIALS = 4  # more on the sides of a box than forces need: with none near and far field differ four times as much
-PRESSURES = 2e-5  # relative error of pressures at best: `side_flow.CUT`; as much more where `height` is more than 1
+PRESSURES = 2e-5  # best relative error of pressures: `side_flow.CUT`; larger in proportion to `height` above 1
 DISTINCT = 1e-9  # `accuracy.CLEAR` of pressures
 
 

@@ -1,10 +1,10 @@
-"""How many waves along a body are resolved by methods without panels."""
+"""Number of waves along a body that methods without panels resolve."""
 
 from __future__ import annotations
 
 import numpy as np
 
-MOST_WAVES = {"box": 200, "buoy": 400}  # along the body: a box takes 30 s then, a buoy 10 s
+MOST_WAVES = {"box": 200, "buoy": 400}  # along the body: a box then takes 30 s, a buoy 10 s
 
 
 def waves_along(sizes, k):

@@ -2,10 +2,10 @@
 
     φ = Σ fₙ Zₙ(z)    and at a small distance r from the keel    φ = c + wr + (2b/3π) r² ln r + Σ cₚ r^(2p/3)
 
-The sum with a smooth cut-off at N modes converges fast where r ≫ 1/k_N.  Nearer to the keel the expansion replaces
-it: w is the vertical speed of the keel's edge and b the rate at which the side turns about it, both those of the
-hull, and the powers are those of water in an edge of 270° at rest.  c₁, c₂, c₃ follow from ∂φ/∂z a little farther up,
-and |∇φ|², singular like r^(−2/3), is integrated without error to the edge.
+The sum with a smooth cut-off at N modes converges fast for r ≫ 1/k_N.  Nearer to the keel the expansion replaces it: w
+is the vertical speed of the keel's edge and b the rate at which the side turns about it, both known from the hull, and
+the powers are those of water at a fixed edge of 270°.  c₁, c₂, c₃ follow from ∂φ/∂z a little farther up, and |∇φ|²,
+singular like r^(−2/3), is integrated without error up to the edge.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ START, END = 0.01, 4.0  # c₁, c₂, c₃ are fitted between START of draft or 
 # fraction of the draft: sums at the surface converge as those at this distance from the keel.  At a wall that moves
 # through the surface they have terms K/kₙ³: with the modes that the keel needs, φ at Kh = 9 was 1.5 % off
 SURFACE = 0.02
-LATEST, MODES = 0.03, 20000  # START may be up to LATEST, to do with so many modes
+LATEST, MODES = 0.03, 20000  # START may be increased up to LATEST, so that this number of modes suffices
 POWERS = np.array([2, 4, 6]) / 3
 
 
@@ -58,9 +58,9 @@ class DepthFlow(NamedTuple):
 
 
 def depth_flow(freq, surface):
-    """`DepthFlow` of a solved `ContourFrequency`, to be integrated; surface : m, what changes near z = 0 is as long
+    """`DepthFlow` of a solved `ContourFrequency`, to be integrated; surface : m, length of changes near z = 0
 
-    The points are those of the body and `surface`, whatever the frequency.
+    The points depend on the body and `surface`, not on the frequency.
     """
     modes = _DepthModes.of(freq)
     draft = modes.gap.draft
@@ -98,7 +98,7 @@ class _DepthModes(NamedTuple):
         return cls(gap, outer, table, (body.profiles.combinations @ outer.rows).T)
 
     def flow(self, r):
-        """φ_g and ∂φ_g/∂z at distances r (q,) from the keel, (2, q, a), of as many modes as they need"""
+        """φ_g and ∂φ_g/∂z at distances r (q,) from the keel, (2, q, a), from as many modes as needed"""
         k, h, z = self.outer.k, self.gap.depth, r - self.gap.draft
         out = np.zeros((2, len(r), 3 + self.table.shape[1] * self.rows.shape[1]))
         out[:, :, 0] = depth_factor(z, k, h), depth_factor_slope(z, k, h)
@@ -113,7 +113,7 @@ class _DepthModes(NamedTuple):
 
 
 def _count(gap, distance):
-    """Modes with which sums have converged at a distance from the keel"""
+    """Number of modes with which sums have converged at a distance from the keel"""
     return int(np.ceil(CUT * gap.depth / (np.pi * distance)))
 
 

@@ -6,8 +6,8 @@ singularity of the keel's edge (`bem.depth_modes.gap_profiles`); equality of the
 (`matching`).  After Ijima's method in the SR179 report (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid
 Mech. 46 (1971).  Conventions as in `bem`.
 
-Frequency-independent are the maps beneath, and a table in κ of those outside, from which the evanescent modes are
-summed (`modal_sums`).  The functions of the plan are hierarchical in their degree, so that one table serves every
+The maps beneath, and a table in κ of those outside, from which the evanescent modes are summed (`modal_sums`), are
+independent of frequency.  The functions of the plan are hierarchical in their degree, so that one table serves every
 frequency that needs that degree or less.  A frequency solves one plane Helmholtz problem around the plan.
 """
 
@@ -34,7 +34,7 @@ from .plan.rectangle import Rectangle
 from .rigid_motions import Motion, bottom_integral, motion
 
 TOLERANCES = (1e-7, 0.1)
-MARGIN = 0.5  # digits in addition to those asked for
+MARGIN = 0.5  # digits in addition to the requested ones
 # fraction of the largest wavenumber along the contour at which the asymptotic range of the table in κ begins
 ALONG = 0.25
 SMALL = 100  # unknowns of a class or a plane problem, a few hundred at most
@@ -108,8 +108,8 @@ class ContourBody:
     def first_order(self, omega, headings=(), theta=(), dofs=range(6), density=1025.0, gravity=9.80665):
         """`FirstOrder` at one frequency.
 
-        omega : rad/s; headings : (m,) rad towards which the waves travel; theta : (t,) rad, of the Kochin functions
-        dofs : degrees of freedom 0 … 5 that are needed; the others stay zero
+        omega : rad/s; headings : (m,) rad that the waves travel to; theta : (t,) rad, of the Kochin functions
+        dofs : needed degrees of freedom 0 … 5; the others remain zero
         Raises ValueError for a frequency that is not positive and finite, and an angle that is not finite.
         """
         if not 0 < omega < np.inf:
@@ -120,7 +120,7 @@ class ContourBody:
             return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
 
     def resolution(self, omega, gravity=9.80665):
-        """What the equations at a frequency are resolved with: equal ones leave errors that are smooth in frequency"""
+        """Resolution of the equations at a frequency: with equal resolution errors are smooth in frequency"""
         k = float(wavenumber(omega, self.depth, gravity))
         degree, top = degrees(self, k)
         return degree, top, len(self.plan.contour(k, degree, self.tolerance).weights)
@@ -143,7 +143,7 @@ class ContourBody:
 
     @cached_property
     def finer(self):
-        """The same body with a digit more, from which the error of this one is estimated"""
+        """The same body with one more digit, for the error estimate of this one"""
         fine = finer(self.accuracy, self.draft, self.depth - self.draft, self.plan.scale)
         return ContourBody(self.plan.to(fine), self.draft, self.depth, fine)
 
@@ -224,7 +224,7 @@ class ContourBody:
 
     @memoised
     def fixed_terms(self, cls, degree, top, dofs):
-        """`bem.contour.matching.FixedTerms` of the motions `dofs`; functions up to `degree` out of those up to `top`"""
+        """`bem.contour.matching.FixedTerms` of the motions `dofs`; functions up to `degree` among those up to `top`"""
         own, unit = self.plan.subset(cls, degree, top), self.unit(cls, top)
         each, shape = [self.motion(d, top) for d in dofs], (len(dofs), 2, len(own))
         motions = Motion(*(np.reshape([m[i][:, own] for m in each], shape) for i in range(3)))
@@ -246,7 +246,7 @@ class ContourBody:
 
     @memoised
     def unit(self, cls, degree):
-        """(n,) coefficients of 1, None where the class has no net flux"""
+        """(n,) coefficients of 1, None if the class has no net flux"""
         if cls != (1, 1):
             return None
         contour = self.plan.polynomial_contour(degree)

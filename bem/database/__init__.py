@@ -1,7 +1,7 @@
-"""The database of a scene: its schema, its HDF5 file, its rows, and interpolation between its frequencies and headings.
+"""Database of a scene: schema, HDF5 file, rows, and interpolation between stored frequencies and headings.
 
-The functions of `rows` in DOOR and those of other modules in ELSEWHERE can be imported from here.  They are loaded when
-asked for: h5py takes 0.1 s, which `hakobune --help`, needing no more than the names of `schema`, does not have.
+The functions of `rows` in DOOR and those of other modules in ELSEWHERE can be imported from here.  They are loaded on
+first use: h5py takes 0.1 s, too long for `hakobune --help`, which needs only the names of `schema`.
 """
 
 from importlib import import_module

@@ -1,13 +1,13 @@
 """Quantities of a database at its headings and at frequencies between the stored ones, with estimated errors.
 
-Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which later echoes make
-one-sided; forces and Kochin functions with the distance ahead of the origin at which the hull meets the wave
-(`interpolant`).  A stored frequency has its stored number.  Beyond the band added mass tends to its stored limits,
+Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], one-sided since echoes arrive
+later; forces and Kochin functions with the distance ahead of the origin at which the hull meets the wave
+(`interpolant`).  A stored frequency returns its stored number.  Beyond the band added mass tends to its stored limits,
 
     A(ω) = A(0) + [A(ω₁) − A(0)] (ω/ω₁)² below,    A(ω) = A(∞) + [A(ω_n) − A(∞)] (ω_n/ω)² above,
 
-the leading terms of both ends; the difference from the first power is the estimated error.  Entries whose limit is
-infinite, as that of heave in finite depth, keep their end value with an infinite error.  Other quantities are not
+the leading terms of both ends; the difference from the first power is the estimated error.  Entries with an infinite
+limit, such as heave in finite depth, keep their end value with an infinite error.  Other quantities are not
 extrapolated.
 """
 
@@ -27,14 +27,14 @@ FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 KOCHIN = ("kochin_radiation", "kochin_diffraction")
 DRIFT = ("drift_force_fixed", "drift_force")
 SAME = 1e-9  # relative in omega
-FEWEST_RINGING = 12  # frequencies of which water that rings is found
-FEWEST = 4  # frequencies of which something is known between
-LEAD = 9  # digits of a lead, in lengths of the body: those that symmetry makes equal are equal
-KEPT = 1 << 27  # bytes of values that are kept for who asks again
+FEWEST_RINGING = 12  # least number of frequencies for the detection of resonances of the water
+FEWEST = 4  # least number of frequencies for interpolation
+LEAD = 9  # digits of a lead, in body lengths: leads that are equal by symmetry must be exactly equal
+KEPT = 1 << 27  # bytes of values that are kept for repeated calls
 
 
 class BetweenError(ValueError):
-    """A quantity is not known in a wave; one line says which, where it is known and what helps."""
+    """A quantity is unknown in a wave; the message names the quantity, its known range and a remedy."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,8 +42,8 @@ class Between:
     """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
 
     headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
-    outlines : the same of each of several bodies that move; empty for one
-    shapes : of each motion beyond the rigid ones the number of its body among those that move
+    outlines : the same for each of several moving bodies; empty for one body
+    shapes : for each motion beyond the rigid ones, the number of its body among the moving bodies
     limits : {"added_mass_zero", "added_mass_infinity": (6, 6)}, those that are stored
     wall : m, y of a wall along x, or None: waves then meet the hull's image in it, too
     """
@@ -61,7 +61,7 @@ class Between:
     shapes: tuple = ()
 
     def value(self, omega, name):
-        """A quantity (q, …) at omega (q,) rad/s.  Raises BetweenError for what is not known."""
+        """A quantity (q, …) at omega (q,) rad/s.  Raises BetweenError outside the known range."""
         omega = np.atleast_1d(np.asarray(omega, float))
         known, values = self._values.get(name, (np.zeros(0), None))
         place = np.searchsorted(known, omega)
@@ -78,23 +78,23 @@ class Between:
         return values[np.searchsorted(known, omega)]
 
     def forget(self):
-        """Let go of what is kept for who asks again, some hundred megabytes; who does waits as at first."""
+        """Release the values kept for repeated calls, some hundred megabytes; the next call computes them again."""
         for name, one in vars(Between).items():
             if isinstance(one, cached_property):
                 vars(self).pop(name, None)
 
     def error(self, omega, name):
-        """(q, …) estimated error of `value`, about one standard deviation; of a complex quantity that of the modulus.
+        """(q, …) estimated error of `value`, about one standard deviation; for complex quantities that of the modulus.
 
-        It is that of the interpolation, zero at stored frequencies; the solver's own is stored beside each quantity.
+        It covers interpolation and is zero at stored frequencies; the solver's error is stored beside each quantity.
         """
         omega = np.atleast_1d(np.asarray(omega, float))
         return self._everywhere(omega, name, self._deviation)
 
     def largest_error(self, omega, names):
-        """(q,) estimated error at omega (q,), relative to the largest stored of its kind, the largest over `names`.
+        """(q,) largest estimated error over `names` at omega (q,), relative to the largest stored of the same kind.
 
-        Diagonal coefficients, and forces over all headings, are their own kind; couplings have √(ii · jj).
+        Each diagonal coefficient is one kind, and so is a force over all headings; couplings refer to √(ii · jj).
         """
         return np.max([self._relative(self.error(omega, name), name) for name in names], axis=0)
 
@@ -112,16 +112,16 @@ class Between:
 
     @property
     def span(self):
-        """(lowest, highest) rad/s at which everything stored is known"""
+        """(lowest, highest) rad/s between which every stored quantity is known"""
         return float(self.omega[0]), float(self.omega[-1])
 
     def stored(self, omega):
-        """(q,) number of the stored frequency that each of omega (q,) is, −1 for none"""
+        """(q,) index of the stored frequency equal to each omega (q,), −1 for none"""
         near = np.abs(self.omega[:, None] - omega).argmin(axis=0)
         return np.where(np.abs(self.omega[near] - omega) <= SAME * np.abs(omega), near, -1)
 
     def inside(self, omega):
-        """omega (q,) as an array.  Raises BetweenError naming the first value beyond the stored, or between too few."""
+        """omega (q,) as an array.  Raises BetweenError for the first value outside, or with too few frequencies."""
         omega, (low, high) = np.atleast_1d(np.asarray(omega, float)), self.span
         outside = ~((omega >= low * (1 - SAME)) & (omega <= high * (1 + SAME)))
         if outside.any():
@@ -140,7 +140,7 @@ class Between:
         return omega
 
     def _everywhere(self, omega, name, within):
-        """`within` (omega, name) inside the band, added mass by its limits beyond"""
+        """`within` (omega, name) inside the band; beyond the band added mass follows from its limits"""
         self._check(name)
         if name != "added_mass":
             return within(self.inside(omega), name)
@@ -159,7 +159,7 @@ class Between:
         return out
 
     def has_limit(self, limit):
-        """Whether a limit of added mass is stored and finite for some motion"""
+        """Whether a limit of added mass is stored and finite for at least one motion"""
         return limit in self.limits and bool(np.any(np.isfinite(np.diag(self.limits[limit]))))
 
     def _check(self, name):
@@ -203,7 +203,7 @@ class Between:
         return out
 
     def _unseen(self, omega, name):
-        """Half the step between stored frequencies, in the middle of it: a resonance there leaves no trace in drift"""
+        """Half the step of stored frequencies, at its middle: a resonance inside leaves no trace in drift"""
         values = self.quantities[name]
         i = np.clip(np.searchsorted(self.omega, omega) - 1, 0, len(self.omega) - 2)
         share = (omega - self.omega[i]) / (self.omega[i + 1] - self.omega[i])
@@ -220,7 +220,7 @@ class Between:
         return np.max(error / np.where(scale > 0, scale, np.inf), axis=tuple(range(1, error.ndim)))
 
     def _seen(self, scale):
-        """(n,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
+        """(n,) infinite for motions that move no water, as yaw of a buoy: their coefficients are rounding errors"""
         rigid = len(scale) - len(self.shapes)
         kinds = scale[:rigid].reshape(-1, 2, 3)
         largest = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
@@ -231,7 +231,7 @@ class Between:
 
     @cached_property
     def over_headings(self):
-        """Sums over headings that `between_headings.at_headings` keeps"""
+        """Sums over headings, kept by `between_headings.at_headings`"""
         return {}
 
     @cached_property
@@ -249,7 +249,7 @@ class Between:
 
     @cached_property
     def ringing(self):
-        """(p,) poles of water that rings, in the variable s of `interpolant`, as the motions of the body feel it"""
+        """(p,) poles of water resonances in the variable s of `interpolant`, as the body motions respond to them"""
         if len(self.omega) < FEWEST_RINGING or not set(RADIATION) <= set(self.quantities):
             return np.zeros(0, complex)
         own = np.einsum("nii->ni", self._impedance)
@@ -276,17 +276,17 @@ class Between:
         return value + self._level(name, self.quantities[name]) if name == "added_mass" else value
 
     def _level(self, name, values):
-        """What added mass alone is fitted from: far from all frequencies a fit tends to zero"""
+        """Limit that is subtracted from added mass before a fit: far from all frequencies a fit tends to zero"""
         return values[-1] if name == "added_mass" else 0.0
 
     def _both(self, omega):
-        """Impedance (q, n, n); that asked for last is kept, since damping is asked for where added mass was"""
+        """Impedance (q, n, n); the last result is kept, since calls for damping follow calls for added mass"""
         if self._values.get("impedance", (np.zeros(0),))[0].tobytes() != omega.tobytes():
             self._values["impedance"] = omega, self._fit("impedance", omega)
         return self._values["impedance"][1]
 
     def _growth(self, name, omega, dimensions):
-        """(q, 1, …) factor removed before a fit: Kochin functions grow like k, and a fit has one variance"""
+        """(q, 1, …) factor removed before a fit: Kochin functions grow like k, and a fit assumes one variance"""
         k = self._abscissa(omega).phase if name in KOCHIN else np.ones(len(omega))
         return k.reshape(-1, *[1] * (dimensions - 1))
 
@@ -297,8 +297,8 @@ class Between:
         return B - 1j * self.omega[:, None, None] * (A - A[-1])
 
     def _lead(self, name):
-        """m, how far ahead of the origin, along the wave, the hull meets it; per heading, angle or both, and of several
-        bodies for the motions of each: what comes by way of others comes later"""
+        """m, distance ahead of the origin, along the wave, at which the hull meets it; per heading, angle or both, and
+        of several bodies for the motions of each: waves scattered by other bodies arrive later"""
         towards = np.stack([np.cos(self.headings), np.sin(self.headings)], axis=1)
         away = np.stack([np.cos(self.theta), np.sin(self.theta)], axis=1)
         if name in FORCES and self.outlines:
@@ -317,12 +317,12 @@ class Between:
 
     @property
     def _owners(self):
-        """(n,) number of the body of each motion, among those that move"""
+        """(n,) number of the body of each motion, among the moving bodies"""
         return [*np.repeat(range(len(self.outlines)), 6), *self.shapes]
 
 
 def _towards(limit, end, share, error):
-    """(q, n, n) from the `end` of the band towards its limit, or the error of that; share (q,) from 0 there to 1"""
+    """(q, n, n) from the `end` of the band towards the limit, or the error of this; share (q,) from 0 there to 1"""
     share, known = share[:, None, None], np.isfinite(limit)
     limit = np.where(known, limit, end)
     if error:
@@ -348,7 +348,7 @@ def between(db):
 
 
 def _of_moving(db, name):
-    """A quantity, of several bodies the forces on those that move: they alone are solved for"""
+    """A quantity; with several bodies, forces on the moving ones: the equations are solved only for these"""
     axes = QUANTITIES[name][0]
     if "influenced_dof" not in axes or not db.bodies:
         return db[name]

@@ -1,7 +1,7 @@
-"""Any heading from the stored ones: turned round bodies, mirror images, then plane waves over the plan of the hull.
+"""Any heading from the stored ones: round bodies turned, mirror images, then plane waves over the plan of the hull.
 
-A round body sees the same wave from everywhere: with R of a turn by α about its axis F(β + α) = R F(β), drift likewise,
-H(θ + α; β + α) = H(θ; β).  One stored heading is enough, and nothing is interpolated.
+A round body sees the same wave from every heading: with R of a turn by α about its axis F(β + α) = R F(β), drift
+likewise, H(θ + α; β + α) = H(θ; β).  One stored heading is enough, without interpolation.
 
 On a body with a plane of symmetry the mirror image of a wave exerts the mirror image of the force.  With P the signs of
 the six modes in the mirror (−1 for those that change side), F(β′) = P F(β):
@@ -9,18 +9,18 @@ the six modes in the mirror (−1 for those that change side), F(β′) = P F(β
     plane y = 0:  β′ = −β,      P = (+ − + − + −),    drift (+ − −)
     plane x = 0:  β′ = π − β,   P = (− + + + − −),    drift (− + −)
 
-A force or Kochin function is linear in the incident wave at the hull, so that over β it is a sum of
-exp(ik x·e), e = (cos β, sin β), x in the plan of the hull.  Were all parts of the plan equal and independent, two
-headings would have the covariance of these waves, for a plan of 2a by 2b about c
+A force or Kochin function is linear in the incident wave at the hull, so that over β it is a sum of exp(ik x·e), e =
+(cos β, sin β), x in the plan of the hull.  If all parts of the plan were equal and independent, two headings would have
+the covariance of these waves, for a plan of 2a by 2b about c
 
     κ(β, β′) = exp(ik c·Δ) f(ka Δ_x) f(kb Δ_y),    Δ = e − e′,    f(x) = (1 − ¹⁄₅) sin x / x + ¹⁄₅ cos x
 
-with a fifth of the weight at the ends of the hull; quantities quadratic in the wave (drift) have κ².  Values
-between are those of Gaussian-process regression with κ, as in `interpolant`: the phase of the wave at the ends of the
-hull is in it, and kR = 3.4 is followed over gaps of 30° to 0.6 % in surge, where a spline is 4 % off.  The remaining
-variance is the estimated error.  Beside a wall the waves that it reflects are waves that meet the hull's image in it:
-the plan is that of both, and the plane parallel to the wall is none of symmetry.  With the wall at y = w, waves towards
-−β are those towards β and their reflection, but for a phase:  F(−β) = exp(−2ikw sin β) F(β), drift the same.
+with a fifth of the weight at the ends of the hull; quantities quadratic in the wave (drift) have κ².  Values between
+headings follow from Gaussian-process regression with κ, as in `interpolant`: κ contains the phase of the wave at the
+ends of the hull, and for kR = 3.4 the error of surge over gaps of 30° is 0.6 %, 4 % by a spline.  The remaining
+variance is the estimated error.  Beside a wall, reflected waves are waves that meet the hull's image in the wall: the
+plan contains both, and a plane parallel to the wall is no plane of symmetry.  With the wall at y = w, waves towards −β
+are those towards β with their reflection, except for a phase:  F(−β) = exp(−2ikw sin β) F(β), drift the same.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ from .between_frequencies import BetweenError
 
 SAME = 1e-9  # rad
 WIDEST_GAP = np.deg2rad(45.0)  # widest gap between neighbouring headings that is interpolated
-ENDS = 0.2  # share of the plan that lies at its ends
+ENDS = 0.2  # share of the weight at the ends of the plan
 NUGGET = 1e-10  # regularisation of the kernel, relative to its diagonal
-KEPT = 4  # sums over the ring whose weights are kept
-NEAR = 1e-4  # rad, below which sin x / x is its series: as a difference of products it would lose digits
-LONGEST = 2.0  # ka of the longest wave with an own κ: for longer ones κ would be a constant
+KEPT = 4  # number of sums over the ring that are kept with their weights
+NEAR = 1e-4  # rad, below which sin x / x is computed by its series: a difference of products would lose digits
+LONGEST = 2.0  # ka of the longest wave with its own κ: for longer waves κ would be constant
 MIRRORS = {
     "y": (lambda beta: -beta, np.array([1, -1, 1, -1, 1, -1]), np.array([1, -1, -1])),
     "x": (lambda beta: np.pi - beta, np.array([-1, 1, 1, 1, -1, -1]), np.array([-1, 1, -1])),
@@ -52,11 +52,11 @@ MIRRORS = {
 class Ring:
     """Headings (M,) rad from 0 to 2π of stored waves and their mirror images.
 
-    source : (M,) number of the stored heading; force, drift : (M, 6), (M, 3) signs; theta : (M, t) numbers of the
+    source : (M,) index of the stored heading; force, drift : (M, 6), (M, 3) signs; theta : (M, t) indices of the
     angles at which the stored Kochin function is that of the image; images : {plane: (t,) numbers of the images of θ}
-    angles : (t,) rad, of Kochin functions; is_round : whether all follows at any heading by a turn of the body
+    angles : (t,) rad, of Kochin functions; is_round : whether a turn of the body gives all values at any heading
     wall : m, its y, or None
-    from_others : whether values at any heading follow from those of other rings, so that no gap is too wide
+    from_others : whether values at any heading follow from other rings, so that gaps of any width are allowed
     """
 
     headings: np.ndarray
@@ -83,20 +83,20 @@ class Ring:
         return values[..., self.source[:, None], self.theta]
 
     def stored(self, wanted):
-        """(p,) number of the heading of the ring that each of `wanted` is, −1 for none"""
+        """(p,) index of the ring heading equal to each of `wanted`, −1 for none"""
         apart = np.abs(_wrapped(self.headings[:, None] - wanted))
         near = apart.argmin(axis=0)
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """(p,) whether headings follow from −β beside a wall: not stored, and on the side where fewer are"""
+        """(p,) whether headings beside a wall are computed from −β: not stored, and on the side with fewer"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
         side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
         return (side * np.sin(wanted) < -SAME) & (self.stored(wanted) < 0)
 
     def gap(self, wanted):
-        """(p,) rad between the neighbours of headings, or of what a wall reflects them into; 0 about a round body"""
+        """(p,) rad between the neighbours of headings, or of their reflections in a wall; 0 for a round body"""
         wanted = np.atleast_1d(wanted)
         if self.is_round or self.from_others:
             return np.zeros(len(wanted))
@@ -105,7 +105,7 @@ class Ring:
         return offset.min(axis=0) + (2 * np.pi - offset).min(axis=0)
 
     def inside(self, wanted):
-        """`wanted` (p,) rad as an array.  Raises BetweenError for one in a gap above 45°."""
+        """`wanted` (p,) rad as an array.  Raises BetweenError for a heading in a gap above 45°."""
         wanted = np.atleast_1d(np.asarray(wanted, float))
         if not np.all(np.isfinite(wanted)):
             raise BetweenError(f"wave direction is {wanted[~np.isfinite(wanted)][0]}; allowed: finite, rad")
@@ -123,7 +123,7 @@ class Ring:
 class AtHeadings:
     """Quantities of a ring at headings `wanted` (p,) rad in waves of `k` (q,) rad/m.
 
-    The plan of the hull has half sides `half` about `middle`, m; quadratic : for what is of second order in the wave
+    The plan of the hull has half sides `half` about `middle`, m; quadratic : for quantities of second order in the wave
     """
 
     ring: Ring
@@ -139,7 +139,7 @@ class AtHeadings:
         return self.unfolded(values[:, self.place] if one else _joined(self.weights, values), kind)
 
     def unfolded(self, values, kind):
-        """(q, p, …) at the headings wanted from values (q, u, …) at the `folded` ones"""
+        """(q, p, …) at the wanted headings from values (q, u, …) at the `folded` ones"""
         if self._as_folded:
             return values
         values = values[:, self.source]
@@ -157,13 +157,13 @@ class AtHeadings:
         return values
 
     def deviation(self, values, independent):
-        """(q, u, …) standard deviation of `value`; `independent` (…) values of the ring do not follow from others"""
+        """(q, u, …) standard deviation of `value`; `independent` (…) ring values do not follow from others"""
         scale = np.sum(np.abs(_joined(self._root, values)) ** 2, axis=1) / np.maximum(independent, 1)
         left = self._left.reshape(*self._left.shape, *[1] * (values.ndim - 2))
         return np.sqrt(left * scale[:, None])
 
     def unfolded_deviation(self, deviation, kind):
-        """(q, p, …) of deviations (q, u, …) at the `folded` headings: of a turned vector, of both its parts"""
+        """(q, p, …) of deviations (q, u, …) at `folded` headings; a turned vector combines its two components"""
         if self._as_folded or not self.ring.is_round:
             return deviation[:, self.source]
         if kind == "kochin":
@@ -177,14 +177,14 @@ class AtHeadings:
 
     @cached_property
     def _folds(self):
-        """{plane: (p,) whether the image of a heading in it is used}: images agree to the last digit"""
+        """{plane: (p,) whether the mirror image of a heading is used}: mirror images then agree to the last digit"""
         c, s = np.cos(self.wanted), np.sin(self.wanted)
         folds = {plane: (s if plane == "y" else c) < -SAME for plane in self.ring.images}
         return folds if self.ring.wall is None else {**folds, "wall": self.ring.reflected(self.wanted)}
 
     @property
     def folded(self):
-        """(u,) rad, the headings wanted or their mirror images on one side of every plane of symmetry, each once"""
+        """(u,) rad, wanted headings or their mirror images on one side of every plane of symmetry, each once"""
         return self._once[0]
 
     @property
@@ -208,7 +208,7 @@ class AtHeadings:
 
     @cached_property
     def _as_folded(self):
-        """Whether every heading wanted is its own folded one, in their order: Kochin functions are not copied then"""
+        """Whether every wanted heading is already folded, in order: Kochin functions are then not copied"""
         return (
             len(self.folded) == len(self.wanted)
             and not any(map(np.any, self._folds.values()))
@@ -218,12 +218,12 @@ class AtHeadings:
 
     @cached_property
     def place(self):
-        """(u,) number of the heading of the ring that each folded one is, −1 for none"""
+        """(u,) index of the ring heading equal to each folded heading, −1 for none"""
         return self.ring.stored(self.folded)
 
     @cached_property
     def weights(self):
-        """(q, u, M); a stored heading has its own value alone"""
+        """(q, u, M); a stored heading has weight only on its own value"""
         weights = self._whitened @ self._root
         found = self.place >= 0
         weights[:, found] = np.eye(len(self.ring.headings))[self.place[found]]
@@ -231,7 +231,7 @@ class AtHeadings:
 
     @cached_property
     def _root(self):
-        """R (q, M, M) of the inverse R*R of κ among the ring and its nugget"""
+        """R (q, M, M) of the inverse R*R of κ over the ring with its nugget"""
         headings = self.ring.headings
         return np.linalg.inv(np.linalg.cholesky(self._kernel(headings, headings) + NUGGET * np.eye(len(headings))))
 
@@ -241,7 +241,7 @@ class AtHeadings:
 
     @cached_property
     def _left(self):
-        """(q, p) share of the variance that remains at the headings wanted"""
+        """(q, p) share of the variance that remains at the wanted headings"""
         left = np.maximum(1 - np.sum(np.abs(self._whitened) ** 2, axis=-1) - 2 * NUGGET, 0)
         return np.where(self.place >= 0, 0.0, left)
 
@@ -261,8 +261,8 @@ class AtHeadings:
 def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None, motions=6):
     """`Ring` of stored headings (m,) rad and angles theta (t,) of Kochin functions.
 
-    symmetry : planes, from `whole_mirrors`; theta : equally spaced from 0, t a multiple of 4 where there are any
-    is_round : whether a turn about the vertical leaves the body as it is, so that no mirrors are needed
+    symmetry : planes, from `whole_mirrors`; theta : equally spaced from 0, t a multiple of 4 or 0
+    is_round : whether the body is unchanged by a turn about the vertical, so that no mirror planes are needed
     from_others, wall : see `Ring`; motions : more than six are of several bodies, without mirrors
     """
     symmetry = "" if is_round else symmetry
@@ -277,7 +277,7 @@ def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None
         angles, images[plane] = np.concatenate([angles, angles[:, image]]), image
     found = np.mod(found, 2 * np.pi)
     found = np.where(2 * np.pi - found < SAME, 0.0, found)
-    order = np.argsort(np.round(found / SAME), kind="stable")  # a stored heading goes before its image
+    order = np.argsort(np.round(found / SAME), kind="stable")  # a stored heading precedes its image
     kept = order[np.concatenate([[True], np.diff(found[order]) > 2 * SAME])]
     held = found[kept], source[kept], force[kept], drift[kept], angles[kept]
     return Ring(*held, images, np.asarray(theta), is_round, from_others, wall)
@@ -286,7 +286,7 @@ def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None
 def at_headings(ring, wanted, omega, between, quadratic=False):
     """`AtHeadings` (p,) rad at omega (q,) rad/s for the hull of a `between_frequencies.Between`.
 
-    The last `KEPT` are kept with their weights, which forces, Kochin functions, drift and errors share.
+    The last `KEPT` results are kept with their weights, which forces, Kochin functions, drift and errors share.
     """
     omega = np.asarray(omega, float)
     of_ring = ring.headings.tobytes(), ring.force.tobytes(), ring.is_round
@@ -308,13 +308,13 @@ def _at_headings(ring, wanted, omega, between, quadratic):
 
 
 def whole_mirrors(symmetry, matrices, center):
-    """Planes of symmetry, of "", "x", "y", "xy", in which all of `matrices` (6, 6) and `center` are their own image."""
+    """Planes of symmetry, "", "x", "y" or "xy", under which all of `matrices` (6, 6) and `center` are unchanged."""
     return "".join(plane for plane in symmetry if _is_mirrored(plane, matrices, center))
 
 
 def is_turned(matrices, center):
-    """Whether `matrices` (6, 6) and `center` stay what they are, to rounding of files, when turned about the z axis"""
-    turn = _turn(np.array([1.0]), "force")[0]  # one radian: no part of a circle
+    """Whether turns about the z axis leave `matrices` (6, 6) and `center` unchanged, to the rounding of files"""
+    turn = _turn(np.array([1.0]), "force")[0]  # one radian: no fraction of a circle
     on_axis = np.abs(np.asarray(center)[:2]).max() <= 1e-6
     return bool(on_axis and all(_is_same(m, turn @ m @ turn.T, 1e-6) for m in matrices))
 

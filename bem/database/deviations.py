@@ -1,6 +1,6 @@
-"""Estimated errors of what a `reader.Reader` says: of both interpolations, carried on to what follows from them.
+"""Estimated errors of a `reader.Reader`: both interpolations, propagated to derived quantities.
 
-Every deviation is about one standard deviation, of a complex quantity that of the modulus.
+Every deviation is about one standard deviation; for complex quantities that of the modulus.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from . import far_field_drift
 from .between_frequencies import DRIFT, KOCHIN, RADIATION
 
 STEP = 1e-3  # finite-difference step, relative to the deviations that are propagated
-DRAWS = 8  # random draws; they give a standard deviation to within a quarter
+DRAWS = 8  # random draws; they estimate a standard deviation to within a quarter
 
 
 def carried(reader, omega, headings, name, names):
-    """(q, p, …) deviation of "rao" or drift, of those of the quantities `names` that they follow from."""
+    """(q, p, …) deviation of "rao" or drift, propagated from those of the quantities `names`."""
     found = reader.where_stored(omega, headings, name)
     if found is not None and found.complete:
         return np.zeros(found.values.shape)
@@ -51,7 +51,7 @@ def carried(reader, omega, headings, name, names):
 
 
 def interpolated(reader, omega, headings, name):
-    """(q, p, …) deviation of a quantity at omega (q,) rad/s and headings (p,) rad, None for those stored."""
+    """(q, p, …) deviation of a quantity at omega (q,) rad/s and headings (p,) rad, None for the stored headings."""
     error = reader.between.error(omega, name)
     if headings is None or name in (*RADIATION, "kochin_radiation"):
         return error
@@ -60,7 +60,7 @@ def interpolated(reader, omega, headings, name):
     values, error = mirrored(values), np.abs(mirrored(error))
     over = reader.to_headings(omega, headings, name)
     independent = len(ring.headings)
-    if name != "kochin_diffraction":  # values that are zero by symmetry are no evidence
+    if name != "kochin_diffraction":  # values that are zero by symmetry carry no information
         size = np.abs(values).max(axis=0)
         independent = np.sum(size > 1e-6 * size.max(axis=0), axis=0) / 2 ** len(ring.images)
     if name == "excitation_force" and "kochin_radiation" in reader.between.quantities:
@@ -73,7 +73,7 @@ def interpolated(reader, omega, headings, name):
 
 
 def one_by_one(equation, parts, errors):
-    """Deviation of equation(parts) when each quantity deviates by its own number, one after the other.
+    """Deviation of equation(parts) when each quantity deviates by one number of its own, one quantity after another.
 
     parts : {name: array}; errors : the same of deviations
     """
@@ -85,11 +85,11 @@ def one_by_one(equation, parts, errors):
 
 
 def by_chance(equation, parts, errors, smooth, waves):
-    """Deviation of equation(parts) when all quantities (q, …) deviate by chance, those of `smooth` smoothly over θ.
+    """Deviation of equation(parts) under random deviations of all quantities (q, …), smooth over θ for `smooth`.
 
-    waves : (q,) k times the radius of the hull, harmonics that a Kochin function has over its last axis
-    Shifted by one number at all angles they would keep their slope, and the moment would seem to be known.  Chance is
-    the same at all frequencies, so that an estimate does not depend on what else is asked for.
+    waves : (q,) k times the radius of the hull, the number of harmonics of a Kochin function over its last axis
+    A shift by one number at all angles would keep their slope, and the estimated error of the moment would vanish.  The
+    random draws are equal at all frequencies, so that an estimate does not depend on the other frequencies.
     """
     generator, value, variance = np.random.default_rng(0), equation(parts), 0.0
     angles = parts[smooth[0]].shape[-1]

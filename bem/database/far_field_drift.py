@@ -1,14 +1,14 @@
-"""Mean drift of a body of a database in any wave: from its Kochin functions, less what the far field errs.
+"""Mean drift of a database body in any wave: from its Kochin functions, corrected for the error of the far field.
 
 Drift follows from motions X and Kochin functions (`bem.drift`).  Energy,
 
     −Re H(β) = (1/2π) ∫ |H|² dθ + kP/(2ρgC_g),    P = ½ω² X* B′ X the power absorbed,
 
-stands for the forward value in the forces, which would else be the small difference of what errors do not respect;
-the moment has none.  At stored waves the far field of the fixed body misses the stored drift by what panels err; this
-is taken out, straight between frequencies.  Where no Kochin functions are stored the drift itself is interpolated.
+replaces the forward value in the forces, which would else be a small difference of inexact numbers; the moment has
+none.  At stored waves the far field of the fixed body deviates from stored drift by the error of panels; this
+deviation, linear between frequencies, is subtracted.  Without Kochin functions the drift itself is interpolated.
 
-Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad or None for those stored.
+Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad or None for the stored ones.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .between_frequencies import DRIFT, KOCHIN, BetweenError
 
 
 def drift(reader, omega, headings, fixed):
-    """(q, p, 3) N/m² and N m/m² where no stored number serves.  Raises BetweenError where nothing does."""
+    """(q, p, 3) N/m² and N m/m² for waves without a stored value.  Raises BetweenError for unknown drift."""
     name = DRIFT[0] if fixed else DRIFT[1]
     if reader.rebuilds_drift:
         over = None if headings is None else reader.to_headings(omega, headings, name)
@@ -66,7 +66,7 @@ def of_far_field(reader, omega, headings, radiated, H, X):
 
 
 def _absorbed(reader, omega, X):
-    """(q, p) W/m², ½ω² X* B′ X of the damping beside radiation"""
+    """(q, p) W/m², ½ω² X* B′ X, with the damping B′ in addition to radiation"""
     loss = np.einsum("qpi,ij,qpj->qp", X.conj(), reader.damping, X).real
     if reader.viscous:
         laws = reader.viscous
@@ -78,7 +78,7 @@ def _absorbed(reader, omega, X):
 
 
 def _amiss(reader, omega, headings):
-    """(q, p, 3) by how much the far field misses stored drift of the fixed body, straight between frequencies"""
+    """(q, p, 3) deviation of the far field from stored drift of the fixed body, linear between frequencies"""
     if DRIFT[0] not in reader.between.quantities:
         return 0.0
     known, at_stored = reader.omega, reader.missed_drift
@@ -94,6 +94,6 @@ def _amiss(reader, omega, headings):
 
 
 def missed(reader):
-    """(n, m, 3) how far the far field is from stored drift of the fixed body at stored waves"""
+    """(n, m, 3) deviation of the far field from stored drift of the fixed body at stored waves"""
     radiated, H = reader.far_field(reader.omega)
     return of_far_field(reader, reader.omega, None, radiated, H, None) - reader.between.quantities[DRIFT[0]]

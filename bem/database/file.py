@@ -1,4 +1,4 @@
-"""The file behind a database: opened only if it is one, laid out whole, seen only when whole."""
+"""The file behind a database: opened only if it is valid, laid out whole, visible only when complete."""
 
 from __future__ import annotations
 
@@ -47,16 +47,16 @@ REMEDY = "copy it again, or solve it again with --fresh"
 
 @dataclass(frozen=True, eq=False)
 class Header:
-    """What is known before the first frequency is solved.
+    """Values known before the first frequency is solved.
 
     mesh, lid : PanelMesh, or None for no lid
     water_depth : m (may be inf); density : kg/m³; gravity : m/s²; rotation_center : (3,) m
-    body : values of the names in `schema.BODY`, those that are known
+    body : known values among the names in `schema.BODY`
     theta : (t,) rad, directions of the Kochin functions
     dimensions : what the scene calls the body's sizes, m
-    scene, scene_hash : text, and the hash of the part that may not change while a file grows
+    scene, scene_hash : text, and the hash of the part that must not change while a file grows
     attributes : further root attributes
-    bodies : `bem.modes.Body` of each of several bodies, whose values have a row for each; empty for one
+    bodies : `bem.modes.Body` of each of several bodies, whose values have one row per body; empty for one body
     modes : `bem.modes.Mode` of each shape beyond the rigid motions
     """
 
@@ -77,7 +77,7 @@ class Header:
 
 
 def check_place(path):
-    """Raise DatabaseError if no file can be made under this name; before any work is done for it."""
+    """Raise DatabaseError if no file can be made under this name; called before the computation."""
     path = Path(path)
     if path.is_dir():
         raise DatabaseError(f"{path} is a folder")
@@ -88,13 +88,13 @@ def check_place(path):
 
 
 def check_replaceable(path):
-    """Raise DatabaseError if there is a file under this name that is no database, of whatever version, or in use."""
+    """Raise DatabaseError if the file under this name is in use, or is not a database of any version."""
     if not Path(path).exists():
         return
     if Path(path).is_file() and kind_filled_in(path) == FORMAT and damage(path):
-        return  # HDF5 may read for ever in what is damaged
+        return  # HDF5 may read without end in a damaged file
     try:
-        if h5py.is_hdf5(path):  # an empty file would be made one by opening it
+        if h5py.is_hdf5(path):  # opening an empty file would turn it into an HDF5 file
             with h5py.File(path, "r+") as file:
                 if file.attrs.get("format") == FORMAT:
                     return
@@ -106,12 +106,12 @@ def check_replaceable(path):
 
 @contextlib.contextmanager
 def beside(path, later=()):
-    """A new file that takes the name `path` when it is whole, sealed (`results`), and vanishes if it never is.
+    """A new file, renamed to `path` when complete and sealed (`results`), and deleted if it is not completed.
 
-    later : names of datasets and groups whose numbers are filled in later, which the seal leaves out
-    raises : `meshing.whole_files.NotWritten` where it does not arrive on the disk, and the old file is as it was
+    later : names of datasets and groups whose numbers are filled in later, which the seal excludes
+    raises : `meshing.whole_files.NotWritten` if it cannot be written to the disk; the old file is then unchanged
 
-    HDF5 makes it in memory, since it ends in a segmentation fault on a disk that is full.
+    HDF5 builds the file in memory, since it crashes with a segmentation fault on a full disk.
     """
     path = Path(path)
     check_place(path)
@@ -128,9 +128,9 @@ def beside(path, later=()):
 
 @contextlib.contextmanager
 def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
-    """The open HDF5 file, given by its path or open already.
+    """The open HDF5 file, from a path or an open file.
 
-    checked : seal or schema have been checked, and need not be again
+    checked : seal or schema have been checked already
 
     Raises DatabaseError if it is not a database of this schema version.
     """
@@ -161,20 +161,20 @@ def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
             )
         check_database_version(path, int(file.attrs.get("schema_version", 0)))
         with damage_named(path):
-            if not (checked or file.userblock_size):  # nothing in a file that is sealed can have changed
+            if not (checked or file.userblock_size):  # a sealed file cannot have changed
                 check_schema(file)
             yield file
 
 
 @contextlib.contextmanager
 def damage_named(path):
-    """Context in which what HDF5 says of a file that it cannot make sense of is a DatabaseError of one line"""
+    """Context that turns HDF5's errors about an unreadable file into a DatabaseError of one line"""
     try:
         yield
     except (OSError, KeyError, RuntimeError) as error:
         said = str(error.args[0]) if error.args else ""
         if "ynchronously" not in said and not (isinstance(error, RuntimeError) and said.endswith(")")):
-            raise  # errors of HDF5 have the cause in brackets; this one does not
+            raise  # errors of HDF5 have the cause in brackets; this error does not
         if "write" in said:
             cause = os.strerror(error.errno) if getattr(error, "errno", None) else said
             raise NotWritten(f"{path} cannot be written: {cause}; the data stored before is kept") from None
@@ -190,7 +190,7 @@ def _reason(error):
 
 
 def lay_out(file, header, omega, wave_direction, names):
-    """Fill a new file with everything known beforehand, and NaN for every number still to come."""
+    """Write all values known beforehand to a new file, and NaN for every number that follows later."""
     file.attrs.update(_attributes(header))
     values = {
         "omega": omega,
@@ -288,9 +288,9 @@ def _read_mesh(group):
 
 
 def read_header(file, attributes=None):
-    """The `Header` a file was made with.  Raises DatabaseError if a part of it is gone.
+    """The `Header` with which a file was made.  Raises DatabaseError if part of it is missing.
 
-    attributes : {name: value} of the file, if they have been read
+    attributes : {name: value} of the file, if already read
     """
     try:
         return _header(file, dict(file.attrs) if attributes is None else attributes)
@@ -339,6 +339,6 @@ _EMPTY = Header(PanelMesh(np.zeros((0, 3)), np.zeros((0, 4))), None, np.inf, 0, 
 
 
 def steps_text(seconds):
-    """{step: s} as at most 480 bytes of JSON, the room that was allocated; a longer list is summed up."""
+    """{step: s} as at most 480 bytes of JSON, the allocated room; a longer list is summarised."""
     text = json.dumps(seconds)
     return (text if len(text) <= 480 else json.dumps({"total": sum(seconds.values())})).encode()

@@ -1,9 +1,9 @@
-"""Whether a database is still what was written into it: its schema, and checksums of every number.
+"""Whether a database is unchanged since it was written: its schema, and checksums of every number.
 
-The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become
-valid in one step (`storing.append`); checks and wall time of a frequency have one for the whole row; the seal of the
-file (`results`) covers the rest: structure, attributes, coordinates, body, mesh.  Files from before there were
-checksums have marks of one byte and no seal, and are held to the schema alone.
+The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become valid
+in one step (`storing.append`); checks and wall time of a frequency have one CRC-32 for the row; the seal of the file
+(`results`) covers the rest: structure, attributes, coordinates, body, mesh.  Files older than checksums have marks of
+one byte and no seal; only their schema is checked.
 """
 
 from __future__ import annotations
@@ -18,24 +18,24 @@ from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, OF_SE
 
 ROWS = "row_checksum"
 MARK = np.uint32
-LATER = ("rao", "drift_force_fixed", "drift_force")  # files with checksums may lack their estimated errors
+LATER = ("rao", "drift_force_fixed", "drift_force")  # estimated errors of these may be missing in files with checksums
 REMEDY = "'hakobune check FILE --repair' marks it as unsolved, and the command that made the file solves it again"
 
 
 class DatabaseError(ValueError):
-    """The file cannot be used as asked; one line says why and what helps."""
+    """The file cannot be used for the request; the message gives the reason and a remedy."""
 
 
 class DamagedError(DatabaseError):
-    """The file is a database, but no longer what was written."""
+    """The file is a database whose contents have changed since it was written."""
 
 
 class VersionError(DatabaseError):
-    """The file is whole, or may be, and of another version of its schema."""
+    """The file is intact, as far as is known, and has another version of the schema."""
 
 
 def crc(*parts):
-    """CRC-32 of arrays, one after another; never 0, which means that nothing is there"""
+    """CRC-32 of arrays, one after another; never 0, which marks an empty cell"""
     value = 0
     for part in parts:
         value = zlib.crc32(np.ascontiguousarray(part).tobytes(), value)
@@ -48,9 +48,9 @@ def has_checksums(file):
 
 
 def _read(file, name):
-    """A whole dataset, by the lower level of h5py: the upper one takes five times as long, a tenth of a millisecond.
+    """A whole dataset, by the low-level interface of h5py: the high-level one takes five times as long, 0.1 ms.
 
-    Raises DatabaseError for one whose size is damaged: HDF5 would read on for hours.
+    Raises DatabaseError for a dataset of damaged size: HDF5 would read for hours.
     """
     dataset = h5py.h5d.open(file.id, name.encode())
     if dataset.get_space().get_simple_extent_npoints() * dataset.get_type().get_size() > file.id.get_filesize():
@@ -63,7 +63,7 @@ def _read(file, name):
 
 
 def check_schema(file):
-    """Raise DatabaseError unless a file has the datasets, axes, types and finite coordinates that it must have."""
+    """Raise DatabaseError unless a file has the required datasets, axes, types and finite coordinates."""
     for problem in _schema_problems(file):
         raise DamagedError(f"{file.filename} is damaged: {problem}; copy it again, or solve it again with --fresh")
 
@@ -98,7 +98,7 @@ def _schema_problems(file):
 
 
 def _wrong_scene(file):
-    """Of a file without a seal, whose text would be believed as it is"""
+    """Fault in the scene of a file without a seal, whose text is not covered by a checksum"""
     try:
         tomllib.loads(str(file.attrs.get("scene", "")))
     except tomllib.TOMLDecodeError as error:
@@ -138,9 +138,9 @@ def _wrong_coordinates(file, coordinates):
 
 
 def damaged_cells(file, name, values=None):
-    """Which marked cells of a quantity are not what was stored: a bool array over `schema.cell_axes`.
+    """Marked cells of a quantity that differ from the stored values: a bool array over `schema.cell_axes`.
 
-    values : the whole dataset, if it has been read
+    values : the whole dataset, if already read
     """
     marks = file["stored"][name][()]
     values = file[name][()] if values is None else values
@@ -157,7 +157,7 @@ def damaged_cells(file, name, values=None):
 
 
 def damaged_rows(file):
-    """(n,) bool: which solved frequencies have checks or a wall time that are not what was stored"""
+    """(n,) bool: solved frequencies whose checks or wall time differ from the stored values"""
     solved = file["solved"][()]
     if ROWS not in file:
         return np.zeros(len(solved), bool)
@@ -173,7 +173,7 @@ def check_rows(file, rows):
 
 
 def remark(file, name):
-    """Give the cells of a quantity that are marked as stored their checksums."""
+    """Write checksums for the cells of a quantity that are marked as stored."""
     marks, estimate = file["stored"][name], f"estimated_error/{name}"
     values = [file[path][()] for path in (name, estimate) if path in file]
     for cell in map(tuple, np.argwhere(marks[()])):
@@ -181,7 +181,7 @@ def remark(file, name):
 
 
 def row_crcs(file):
-    """CRC-32 of the checks and the wall time that are stored for each frequency, a list"""
+    """CRC-32 of the stored checks and wall time of each frequency, a list"""
     checks = np.stack([file["checks"][name][()] for name in CHECKS], axis=1)
     return [
         checks_crc(dict(zip(CHECKS, row, strict=True)), bytes(text))
@@ -219,7 +219,7 @@ def _where(file, damaged):
 
 
 def repair(file):
-    """Mark damaged cells of an open file as not stored, their numbers NaN.  returns : {name: how many}
+    """Mark damaged cells of an open file as not stored and set their numbers to NaN.  returns : {name: number of cells}
 
     raises : DatabaseError for damage that marks cannot mend
     """

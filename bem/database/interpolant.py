@@ -1,20 +1,20 @@
-"""Interpolation of functions of frequency between few values, with an estimate of its error.
+"""Interpolation of functions of frequency from few values, with an estimate of the error.
 
 Kernel interpolation (Gaussian-process regression without noise): with kernel κ, nodes x and values f
 
     f(y) ≈ κ(y, x) κ(x, x)⁻¹ f,    variance σ² [κ(y, y) − κ(y, x) κ(x, x)⁻¹ κ(x, y)],    σ² = f* κ(x, x)⁻¹ f / n
 
-(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eqs 2.25, 2.26).  Hydrodynamic
-quantities of a body of length L are smooth in frequency but for echoes: a wave that returns from a distance d has the
-phase exp(ikd), d > 0 because it returns later.  So
+(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eqs 2.25, 2.26).  Hydrodynamic quantities of a
+body of length L are smooth in frequency except for echoes: a wave that returns from a distance d has the phase
+exp(ikd), d > 0 because it returns later.  So
 
     κ(x, y) = exp(−(s − t)²/2ℓ²) Σⱼ aⱼ exp(i(k − q) dⱼ),    s = ½ (ω √(L/g) + √(kL)),    Σ aⱼ = 1
 
-with s, k of x and t, q of y.  Water that rings, in a moonpool or a gap, is a pole s_p that all quantities of the body
-share (`bem.kernels.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull at
-the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ and
-set of echoes fits all quantities: every member of a family is fitted and weighted by the inverse fourth power of its
-error at nodes left out (Rippa, Adv. Comput. Math. 11, 1999).
+with s, k of x and t, q of y.  A resonance of the water in a moonpool or a gap is a pole s_p that all quantities of the
+body share (`bem.kernels.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull
+at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ
+and set of echoes fits all quantities: every member of a family is fitted and weighted by the inverse fourth power of
+its error at nodes left out (Rippa, Adv. Comput. Math. 11, 1999).
 """
 
 from __future__ import annotations
@@ -29,19 +29,19 @@ import numpy as np
 from ..kernels.poles import poles
 from ..waves import wavenumber
 
-RINGING = 100.0  # variance of water that rings, at the node where it is largest
-NUGGET = 1e-9  # regularisation relative to the kernel's diagonal; its factorisation keeps about seven digits
-ROUNDING = 2 * NUGGET  # variance, relative, that is not distinguished from none: nodes have half of it
+RINGING = 100.0  # variance of a water resonance at the node where it is largest
+NUGGET = 1e-9  # regularisation relative to the kernel's diagonal; its factorisation is accurate to about seven digits
+ROUNDING = 2 * NUGGET  # relative variance that counts as zero: at nodes it is half of this
 LEADS = (1.0, 0.7)  # shares of the `lead` that are subtracted
 BLOCK = 256  # places handled at once
 KEPT = 1 << 27  # bytes of rows kept for the next function at the same frequencies
-WINDOW = 64  # nodes that are fitted together
-SHARP = 0.3  # largest imaginary part of a pole, in units of s, that counts as sharp
+WINDOW = 64  # number of nodes that are fitted together
+SHARP = 0.3  # largest imaginary part of a sharp pole, in units of s
 SEEN = 0.01  # fraction of the largest value
-MOST_RINGING, FEW_KERNELS = 8, 9  # poles that are tried, with one kernel of so many
+MOST_RINGING, FEW_KERNELS = 8, 9  # number of poles that are tried, with one kernel from this number on
 # largest ratio of squared errors at left-out nodes, with and without a pole, at which the pole is accepted
 BELIEVED = 0.1
-SAMPLE = 15  # functions of a group that stand for all of them
+SAMPLE = 15  # functions of a group that are used as a sample of it
 
 
 class Abscissa(NamedTuple):
@@ -82,24 +82,24 @@ def _returned(x, y, delays, weights):
 
 
 def _echoes(step, ratio, last):
-    """Delays 0, step … last, each `ratio` times the one before"""
+    """Delays 0, step … last, each `ratio` times the previous one"""
     delays = np.arange(0, last + step / 2, step)
     weights = ratio ** np.arange(len(delays))
     return delays, weights / weights.sum()
 
 
-# what each of them gains, and on which bodies: tests/bench/fit_interpolation.py
+# accuracy gained by each, and the bodies concerned: tests/bench/fit_interpolation.py
 _ROWS = (
     _echoes(1.0, 0.0, 0.0),
     *(_echoes(1.0, ratio, 2.0) for ratio in (0.05, 0.1, 0.2)),
     *(_echoes(0.5, ratio, 2.0) for ratio in (0.2, 0.4)),
     *(_echoes(0.1, np.exp(-0.1 / decay), 2.5) for decay in (0.1, 0.2)),
 )
-_REACHES = ((1.2, 4.8), (1.8, 7.2), (2.5, 10.0), (3.5, 14.0))  # wider ones cost digits and gain nothing
+_REACHES = ((1.2, 4.8), (1.8, 7.2), (2.5, 10.0), (3.5, 14.0))  # wider ones lose digits and improve nothing
 FAMILY = tuple(Member(*reach, *row, lead) for reach in _REACHES for row in _ROWS for lead in LEADS)
 SPREAD = Member(
     1.2, np.inf, *_echoes(0.1, np.exp(-0.1 / 0.12), 2.5), 1.0
-)  # kernel that spreads the nodes before any value is known
+)  # kernel that distributes the nodes before any value is known
 
 
 def abscissa(omega, depth, gravity, length):
@@ -122,7 +122,7 @@ class Rows(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
-    """Frequencies at which functions are known, and the weights of a fit; real functions take the real part of κ.
+    """Frequencies at which functions are known, and the weights of a fit; for real functions the real part of κ.
 
     x : Abscissa (n,)
     """
@@ -138,7 +138,7 @@ class Nodes:
         return _root(self._kernels(self.x, self.x))
 
     def rows(self, y):
-        """`Rows` at the places y; those asked for last are kept"""
+        """`Rows` at the places y; the last result is kept"""
         key = y.smooth.tobytes()
         if key not in self._kept:
             made = self._rows(y)
@@ -179,7 +179,7 @@ class Interpolant:
     """Functions known at `nodes`: values (n, g, c), lead (g, c) or (1, c), of all groups, in lengths of the body.
 
     The c functions of a group share the weights of the members and their estimated error: a Kochin function at its
-    angles is one group, a coefficient a group by itself.  Complex values are one-sided, real ones not.
+    angles is one group, a coefficient is a group by itself.  Complex functions are one-sided, real ones are not.
     """
 
     nodes: Nodes
@@ -187,7 +187,7 @@ class Interpolant:
     lead: np.ndarray
 
     def value(self, y):
-        """(q, g, c) at y; at the nodes what is known there but for the nugget"""
+        """(q, g, c) at y; at the nodes the known value except for the nugget"""
         return np.concatenate([self._value(part) for part in _blocks(y)])
 
     def deviation(self, y):
@@ -220,7 +220,7 @@ class Interpolant:
 
     @cached_property
     def _shifted(self):
-        """{lead: values (g, n, c) with that taken out}"""
+        """{lead: values (g, n, c) without the phase of that lead}"""
         return {
             lead: np.ascontiguousarray((self.values * self._phase(lead, self.nodes.x, self.lead)).swapaxes(0, 1))
             for lead in LEADS
@@ -228,12 +228,12 @@ class Interpolant:
 
     @cached_property
     def _sample(self):
-        """Values (n, g, s) and leads (g, s) of some functions of each group, that stand for all in its weights"""
+        """Values (n, g, s) and leads (g, s) of sample functions of each group, from which its weights follow"""
         some = slice(None, None, max(1, self.lead.shape[1] // SAMPLE))
         return self.values[:, :, some], self.lead[:, some]
 
     def _phase(self, lead, x, leads):
-        """(n, g, c); a symmetric hull has most leads four times, and exponentials take longer than all the rest"""
+        """(n, g, c); on a symmetric hull most leads occur four times, and exponentials dominate the computing time"""
         distinct, place = np.unique(leads, return_inverse=True)
         phase = np.exp(1j * lead * np.multiply.outer(x.phase, distinct))
         return phase[:, place.reshape(leads.shape)]
@@ -263,7 +263,7 @@ class Interpolant:
 
 
 class Window(NamedTuple):
-    """Nodes `first` to `last` of all, and the gaps `low` to `high` between nodes for which they serve"""
+    """Nodes `first` to `last` of all nodes, and the gaps `low` to `high` between nodes in which they are used"""
 
     nodes: Nodes
     first: int
@@ -273,7 +273,7 @@ class Window(NamedTuple):
 
 
 def windows(x, real=False, ringing=()):
-    """`Window`s of nodes x (n,) rising: all in one, or where there are many, some with neighbours on both sides
+    """`Window`s of nodes x (n,), rising: one for all nodes, or for many nodes several with neighbours on both sides
 
     ringing : (p,) poles of the water, in the variable s of x
     """
@@ -291,10 +291,10 @@ def windows(x, real=False, ringing=()):
 class Joined:
     """An `Interpolant` in each of `windows` of nodes x, arguments as there, from node to node.
 
-    What a fit lacks at its nodes, the share of the nugget, is put back by straight lines: nodes have their values, and
-    where one window takes over from another nothing jumps.  So has the deviation, none at the nodes: damping of a
-    thousandth of its largest, which decides a resonance, is known beside a node as well as at it.  Groups that are zero
-    at every node, as most couplings of a symmetric body, are zero between, and nothing is fitted to them.
+    The residual of a fit at its nodes, due to the nugget, is added back linearly: nodes return their values, and the
+    function is continuous from window to window.  The deviation is treated alike and is zero at the nodes: damping of a
+    thousandth of its largest value, which governs a resonance, is then as accurate beside a node as at it.  Groups that
+    are zero at every node, such as most couplings of a symmetric body, are zero between nodes and are not fitted.
     """
 
     x: Abscissa
@@ -328,7 +328,7 @@ class Joined:
         return out
 
     def _place(self, y):
-        """Number of the gap between nodes and the share of it that lies below, each (q,)"""
+        """Index of the gap between nodes and the relative position in it, from its lower node, each (q,)"""
         s = self.x.smooth
         gap = np.clip(np.searchsorted(s, y.smooth, side="right") - 1, 0, len(s) - 2)
         return gap, (y.smooth - s[gap]) / (s[gap + 1] - s[gap])
@@ -340,7 +340,7 @@ class Joined:
 
     @cached_property
     def _parts(self):
-        """A `Part` for each window, none where nothing moves"""
+        """A `Part` for each window; none if all groups are zero"""
         moving, lead = self.values[:, self._moving], self.lead if len(self.lead) == 1 else self.lead[self._moving]
         windows = self.windows if moving.size else ()
         return [Part(w, Interpolant(w.nodes, moving[w.first : w.last], lead)) for w in windows]
@@ -348,14 +348,14 @@ class Joined:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """An `Interpolant` in a `Window`; nothing is fitted before it is asked for"""
+    """An `Interpolant` in a `Window`; the fit is computed on first use"""
 
     window: Window
     fit: Interpolant
 
     @cached_property
     def lack(self):
-        """(n, g, c) what the fit lacks at its nodes"""
+        """(n, g, c) residual of the fit at its nodes"""
         return self.fit.values - self.fit.value(self.window.nodes.x)
 
     @cached_property
@@ -370,7 +370,7 @@ def _blocks(y):
 
 @cache
 def _kernels():
-    """Members of the family that differ in more than their lead, and (members,) which of them is each member's"""
+    """Members of the family that differ in more than their lead, and (members,) index of the kernel of each member"""
     number, first = {}, []
     place = [
         number.setdefault((m.reach, m.nodes, m.delays.tobytes(), m.weights.tobytes()), len(number)) for m in FAMILY
@@ -389,15 +389,15 @@ def _by_lead():
 
 
 def _root(kernel):
-    """R (…, n, n) of the inverse R*R of a kernel among nodes and its nugget"""
+    """R (…, n, n) of the inverse R*R of a kernel over the nodes with the nugget"""
     return np.linalg.inv(np.linalg.cholesky(kernel + NUGGET * np.eye(kernel.shape[-1])))
 
 
 def ringing_of(x, values):
-    """(p,) sharp poles, in the variable s of x (n,), of functions (n, m) that ring between their nodes
+    """(p,) sharp poles, in the variable s of x (n,), of functions (n, m) that resonate between their nodes
 
-    A pole is believed that is seen at a node and, as those of noise do not, tells nodes that are left out; one as broad
-    as SHARP is smooth without it.
+    A pole is accepted if it shows at a node and, unlike poles of noise, predicts nodes that are left out; a pole as
+    broad as SHARP is fitted well without a pole term.
     """
     found, residues = poles(x.smooth, values)
     inside = (found.real > x.smooth[0]) & (found.real < x.smooth[-1]) & (np.abs(found.imag) < SHARP)
@@ -407,7 +407,7 @@ def ringing_of(x, values):
     order = [k for k in np.argsort(-seen)[:MOST_RINGING] if seen[k] > SEEN]
     kept = np.zeros(0, complex)
     error = _left_out(x, values, kept) if order else 0.0
-    for pole in found.real[order] - 1j * np.abs(found.imag[order]):  # its width is a rounding error
+    for pole in found.real[order] - 1j * np.abs(found.imag[order]):  # the width is a rounding error
         more = np.append(kept, pole)
         with_it = _left_out(x, values, more)
         if np.any(with_it < BELIEVED * error):
@@ -416,17 +416,17 @@ def ringing_of(x, values):
 
 
 def _left_out(x, values, ringing):
-    """(m,) square of what the best of some kernels misses at nodes x (n,) that are left out, of functions (n, m)"""
+    """(m,) least squared error, over some kernels, at nodes x (n,) that are left out, of functions (n, m)"""
     roots = _root(Nodes(x, False, ringing)._kernels(x, x)[::FEW_KERNELS])
     inverse = np.sum(np.abs(roots) ** 2, axis=1)[..., None]
     return np.sum(np.abs(roots.conj().swapaxes(1, 2) @ (roots @ values) / inverse) ** 2, axis=1).min(axis=0)
 
 
 def _left_open(row, root):
-    """(m,) share of the variance that remains at m places, from the kernel between these and those (m, n)
+    """(m,) share of the variance that remains at m places, from the kernel between these places and the nodes (m, n)
 
-    By the inverse itself, with entries of 1e9, it would be noise of 1e-7: that stood for an error of half a per cent of
-    added mass in long waves, where a hundredth of a per cent was true.
+    The inverse itself has entries of 1e9 and would give noise of 1e-7: this appeared as an error of 0.5 % of added mass
+    in long waves, where the true error was 0.01 %.
     """
     return 1 - np.sum(np.abs(row @ root.conj().T) ** 2, axis=1)
 
@@ -437,10 +437,9 @@ def unknown(x, y):
 
 
 def chosen(x, y, count):
-    """Indices of `count` of the points y (m,) to be known next, one after the other, when x are known.
+    """Indices of `count` points of y (m,) to be computed next, one after another, if x are known.
 
-    It is where `unknown` is largest; when that is the nugget, which it cannot tell from
-    nothing, where the next known point is farthest away.
+    Each is the point of largest `unknown`; where all are below the nugget, the point farthest from known points.
     """
     new = []
     for _ in range(count):

@@ -1,9 +1,9 @@
-"""Natural periods of a body, free or restrained, with added mass taken at each mode's own frequency.
+"""Natural periods of a body, free or restrained, with added mass at the frequency of each mode.
 
     (C + K) q = ω² (M + A(ω)) q
 
-For the j-th smallest eigenvalue λⱼ(ω) the natural frequency is the root of ω² = λⱼ(ω).  λⱼ is continuous,
-positive and bounded, so every j has a root, whichever motion it belongs to at each frequency.
+The natural frequency of the j-th smallest eigenvalue λⱼ(ω) is the root of ω² = λⱼ(ω).  λⱼ is continuous, positive and
+bounded, so every j has a root, whichever motion dominates the mode at each frequency.
 """
 
 from __future__ import annotations
@@ -17,8 +17,7 @@ from .resonances import by_motion, free_modes, positive, zeros
 
 @dataclass(frozen=True)
 class NaturalPeriods:
-    """Modes in the order Surge … Yaw, of several bodies one after another, of the motion that carries most of their
-    kinetic energy.
+    """Modes in the order Surge … Yaw, for several bodies one after another, named by the motion of most kinetic energy.
 
     names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
     shapes : (n, n), rows are modes, largest component 1 after rotations are multiplied by `scale` m
@@ -41,8 +40,8 @@ class NaturalPeriods:
 def natural_periods(body, coupled=True) -> NaturalPeriods:
     """Natural periods of a body with frequency-dependent added mass.
 
-    body : `bem.database.reader.Reader`, `restrained` by its mooring; its added mass is kept at its end value outside
-    what is known, and `inside` says so.  coupled : False for each motion alone
+    body : `bem.database.reader.Reader`, `restrained` by its mooring; its added mass keeps its end value outside
+    value, which `inside` reports.  coupled : False for each motion alone
     raises : ValueError where inertia, stiffness or added mass are not stored
     """
     if body.inertia is None or body.stiffness is None:
@@ -54,7 +53,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     C = kept * 0.5 * (body.stiffness + body.stiffness.T) / unit
 
     def modes(w):
-        """λ (q, n), vectors in columns (q, n, n) and the mass (q, 6, 6) they are of"""
+        """λ (q, n), eigenvectors in columns (q, n, n) and the mass matrix (q, 6, 6) used"""
         M = kept * (body.inertia + body.held_added_mass(w)) / unit
         M = 0.5 * (M + M.swapaxes(1, 2))
         return *free_modes(free, positive(M), C), M
@@ -65,7 +64,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     own = np.arange(len(frequencies))
     _, vectors, M = modes(np.abs(frequencies))
     known = body.knows_added_mass(frequencies)
-    # at a resonance of the water in a gap or a moonpool, the motion that drives it has the same frequency
+    # at a resonance of the water in a gap or a moonpool, the coupled motion has the same frequency
     known = known & (np.linalg.eigvalsh(M)[:, 0] > 0)
     vectors = vectors[own, :, own]
     energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
@@ -74,7 +73,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     names = tuple(name for name, mode in zip(body.names, order, strict=True) if mode >= 0)
     order = order[order >= 0]
     frequencies, shapes, known = frequencies[order], shapes[order], known[order]
-    # eigenvalues of a mode without restoring are rounding errors of the stiffest one
+    # eigenvalues of a mode without restoring are rounding errors relative to the stiffest mode
     free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
@@ -84,7 +83,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
 def _own_frequencies(eigenvalues, places=()):
     """(n,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode
 
-    places : (q,) rad/s, rising, among which the first root is sought, where the water of gaps makes several
+    places : (q,) rad/s, rising, among which the first root is sought, where gap water causes several roots
     """
     start = eigenvalues(np.zeros(1))[0]
     own = np.arange(len(start))

@@ -3,18 +3,18 @@
     {−ω²[M + A] − iω[B + B′] + [C + C′]} X = F,    H = H_D + Σ_j X_j H_j,    drift from H by the far field (`drift`)
 
 A, B, F and the Kochin functions H_j, H_D are interpolated (`between_frequencies`, `between_headings`); motions and
-drift are never: they follow by their equations, so that a resonance between stored frequencies is resolved.
-Forces over the headings are those of Haskind's relation where Kochin functions of the radiation are stored,
+drift are computed from their equations, so that a resonance between stored frequencies is resolved. Where Kochin
+functions of the radiation are stored, forces over the headings follow from Haskind's relation,
 
     F_j(β) = −4i ρg n/k² H_j(β + π),    n = C_g/C,
 
-less the error of this at the stored headings, interpolated.  Drift needs more frequencies than forces, being of second
-order in them; its error says so.  In a stored wave the answer is the stored number.  Where no Kochin functions are
-stored the drift itself is interpolated, with an error that counts the step to the next stored frequency.
+corrected by its interpolated error at the stored headings.  Drift is of second order and needs more frequencies than
+forces, as its error shows.  In a stored wave the result is the stored number.  Without Kochin functions the drift
+itself is interpolated, with an error that includes the step to the next stored frequency.
 
-Of several bodies the motions are n = 6 for each that moves, one body after another, then the shapes of those that bend,
-all in every equation; drift is
-that of the whole about the origin, and that of each (`drift_of_each`) the stored one of bodies that float freely.
+With several bodies the motions are n = 6 for each moving body, one body after another, then the shapes of flexible
+bodies, all coupled; drift is that of the whole about the origin, and drift of each body (`drift_of_each`) the stored
+one of freely floating bodies.
 """
 
 from __future__ import annotations
@@ -44,14 +44,13 @@ NEEDED["drift_force"] = (*KOCHIN, *NEEDED["rao"])
 
 @dataclass(frozen=True, eq=False)
 class Reader:
-    """A body of a database, or several, freely floating unless `restrained`; n motions, six for each that moves, and
-    shapes.
+    """One or several bodies of a database, floating freely unless `restrained`; n motions: six per body, and shapes.
 
-    between : stored quantities over frequency; inertia, stiffness : (n, n) or None; damping : (n, n) beside radiation
+    between : stored quantities over frequency; inertia, stiffness : (n, n) or None; damping : (n, n) without radiation
     rotation_center : m; symmetry : planes of hull and water, "", "x", "y" or "xy"
     is_round : whether the hull is one of revolution about the vertical through the origin
-    own : whether stored motions and drift are those of this body
-    viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
+    own : whether stored motions and drift belong to this body
+    viscous : `bem.viscous.Viscous`, damping in addition to radiation at its wave amplitude; or None
     mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several, empty for one
     modes : `bem.modes.Mode` of each shape
     links : `bem.hinges.Link` between them, exact
@@ -92,7 +91,7 @@ class Reader:
 
     @property
     def rigid(self):
-        """Number of the motions that are rigid, the first ones"""
+        """Number of rigid motions, which are the first"""
         return len(self.words) - len(self.modes)
 
     @property
@@ -102,7 +101,7 @@ class Reader:
 
     @property
     def axes_at_rest(self):
-        """(N, 6) m, rad of what moves: the origin of the axes of each, at its rotation centre, and their turn"""
+        """(N, 6) m, rad of each moving body: the origin of its axes, at its rotation centre, and their rotation"""
         centers = [(body.rotation_center, body.heading) for body in self.bodies if not body.fixed]
         return np.array([[*center, 0, 0, turn] for center, turn in centers or [(self.rotation_center, 0)]], float)
 
@@ -133,12 +132,12 @@ class Reader:
 
     @property
     def knows_drift(self):
-        """Whether mean drift is stored, or what it follows from"""
+        """Whether mean drift is stored, or the quantities that it follows from"""
         return self.rebuilds_drift or "drift_force" in self.between.quantities
 
     @property
     def rebuilds_drift(self):
-        """Whether Kochin functions are stored, so that drift between stored waves follows the motions"""
+        """Whether Kochin functions are stored, so that drift between stored waves is computed from the motions"""
         return set(KOCHIN) <= set(self.between.quantities)
 
     @property
@@ -158,7 +157,7 @@ class Reader:
         )
 
     def linked(self, links):
-        """The same bodies with `bem.hinges.Link`s between them.  Raises ValueError for what cannot be."""
+        """The same bodies with `bem.hinges.Link`s between them.  Raises ValueError for impossible links."""
         found = replace(self, links=(*self.links, *links), own=self.own and not links)
         if links:
             free_of(found._held)
@@ -171,11 +170,11 @@ class Reader:
 
     @cached_property
     def _held(self):
-        """(r, n) what links hold to zero"""
+        """(r, n) combinations of motions that links constrain to zero"""
         return np.vstack([rows_of(self, link) for link in self.links])
 
     def link_forces(self, omega, headings, motions):
-        """(q, p, links, 6) force and moment per m, along axes of the first body, with which it holds the second
+        """(q, p, links, 6) force and moment per m, along axes of the first body, exerted by it on the second
 
         motions : (q, p, n) of these bodies in these waves, with the springs and dampers of links (`hinges.driven`)
         """
@@ -184,9 +183,9 @@ class Reader:
         return forces_of(self.links, self._held, left) + pulls_of(self, self.inside(omega), motions)
 
     def floating(self):
-        """The same body without the viscous damping of stored motions, with everything motions follow from.
+        """The same body without viscous damping in stored motions, if all quantities for its motions are stored.
 
-        Raises BetweenError naming what is missing.
+        Raises BetweenError, which names the missing quantity.
         """
         self._check_inertia()
         missing = [name for name in NEEDED["rao"] if name not in self.between.quantities]
@@ -199,13 +198,13 @@ class Reader:
         return replace(self, viscous=None, own=self.own and not self.viscous)
 
     def without_drift(self):
-        """The same body with its motions alone, as one held unsymmetrically, whose drift has no mirror images"""
+        """The same body with motions only, as one with unsymmetric restraint, whose drift has no mirror images"""
         left_out = (*DRIFT, "kochin_diffraction")
         kept = {name: values for name, values in self.between.quantities.items() if name not in left_out}
         return replace(self, between=replace(self.between, quantities=kept))
 
     def critical_damping(self, mode):
-        """2√(C (M + A)) of one mode alone, A at its own natural frequency, held outside the stored ones.
+        """2√(C (M + A)) of one mode alone, A at its natural frequency, or the end value outside the stored ones.
 
         Raises ValueError for a mode without restoring.
         """
@@ -219,7 +218,7 @@ class Reader:
             return float(np.sqrt(C / (M + self.held_added_mass(omega)[0, mode, mode])))
 
         omega = own(self.omega[-1])
-        for _ in range(50):  # A changes little over the frequencies; Aitken's process squares what is left
+        for _ in range(50):  # A changes little over the frequencies; Aitken's process squares the remaining error
             first = own(omega)
             second = own(first)
             bend = second - 2 * first + omega
@@ -229,15 +228,15 @@ class Reader:
         return 2 * C / omega
 
     def knows_added_mass(self, omega):
-        """(q,) whether added mass is known at omega (q,) rad/s: in the band, or beyond where its limit is stored"""
+        """(q,) whether added mass is known at omega (q,) rad/s: in the band, or beyond it if its limit is stored"""
         return np.abs(np.atleast_1d(omega) - self._nearest(omega)) <= 0
 
     def held_added_mass(self, omega):
-        """(q, n, n) at omega (q,) rad/s from 0, with the end value where it is not known"""
+        """(q, n, n) at omega (q,) rad/s from 0, with the end value where it is unknown"""
         return self.between.value(self._nearest(omega), "added_mass")
 
     def coefficients(self, omega, motions=None):
-        """Added mass and radiation damping (q, n, n) at omega (q,) rad/s; 0 of motions that are not asked for."""
+        """Added mass and radiation damping (q, n, n) at omega (q,) rad/s; 0 for motions that are not requested."""
         omega, known = self.inside(omega), range(len(self.damping))
         out = [] if motions is None else [i for i in known if i not in motions]
         return tuple(_known(name, without_rows(self.between.value(omega, name), out)) for name in RADIATION)
@@ -247,7 +246,7 @@ class Reader:
         return self.between.inside(omega)
 
     def forces(self, omega, headings=None, name="excitation_force"):
-        """(q, p, n) complex, N/m and N m/m, at omega (q,) rad/s and headings (p,) rad, None for those stored."""
+        """(q, p, n) complex, N/m and N m/m, at omega (q,) rad/s and headings (p,) rad, None for the stored ones."""
         stored = self.between.value(self.inside(omega), name)
         if headings is None:
             return stored
@@ -288,7 +287,7 @@ class Reader:
     def drift(self, omega, headings=None, fixed=False):
         """(q, p, 3) mean drift per squared wave amplitude, N/m² and N m/m², of the floating or the fixed body.
 
-        Raises BetweenError where it is not known.
+        Raises BetweenError for unknown drift.
         """
         omega, name = self.inside(omega), DRIFT[0] if fixed else DRIFT[1]
         found = self.where_stored(omega, headings, name)
@@ -298,7 +297,7 @@ class Reader:
         return value if found is None else found.over(value)
 
     def body_named(self, name):
-        """`bem.modes.Body` of one of several bodies.  Raises BetweenError for one that is not there."""
+        """`bem.modes.Body` of one of several bodies, by name.  Raises BetweenError for an unknown name."""
         found = [body for body in self.bodies if body.name == name]
         if not found:
             known = ", ".join(body.name for body in self.bodies) or "one body without a name"
@@ -306,13 +305,13 @@ class Reader:
         return found[0]
 
     def motions_of(self, motions, body):
-        """(…, 6) of one of several bodies from those of all (…, n); zero of a fixed one"""
+        """(…, 6) motions of one of several bodies from those of all (…, n); zero for a fixed body"""
         if body.fixed:
             return np.zeros((*np.shape(motions)[:-1], 6), complex)
         return motions[..., self.columns_of(body)]
 
     def columns_of(self, body):
-        """Slice of the motions of one of several bodies among all, None of a fixed one"""
+        """Slice of the motions of one of several bodies among all; None for a fixed body"""
         if body.fixed:
             return None
         first = 6 * [one.name for one in self.bodies if not one.fixed].index(body.name)
@@ -322,7 +321,7 @@ class Reader:
         """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, fixed ones too, about its
         own point in its own axes, interpolated; of all fixed, or of motions as stored, whatever restrains these.
 
-        Raises BetweenError where it is not stored.
+        Raises BetweenError if it is not stored.
         """
         omega, (name,) = self.inside(omega), (key for key, moves in OF_EACH.items() if moves != fixed)
         if name not in self.between.quantities:
@@ -337,8 +336,8 @@ class Reader:
         """A quantity and its estimated error, about one standard deviation, at omega (q,) rad/s and headings (p,) rad.
 
         headings : None for those stored
-        returns : value (q, …) as stored, error (q, …) in its unit, of a complex quantity that of the modulus
-        raises : BetweenError outside what is stored, naming it
+        returns : value (q, …) as stored, error (q, …) in its unit, for complex quantities that of the modulus
+        raises : BetweenError outside the stored range, which it names
         """
         omega = np.atleast_1d(np.asarray(omega, float))
         if name in NEEDED and (name != "drift_force_fixed" or self.rebuilds_drift):
@@ -355,11 +354,11 @@ class Reader:
         return self.between.value(omega, name), self.between.error(omega, name)
 
     def ring_of(self, name):
-        """`Ring` of stored waves and mirror images; what depends on the motions has the mirrors of the moving body"""
+        """`Ring` of stored waves and mirror images, for quantities of motions with the symmetry of the moving body"""
         return self._moving_ring if name in ("rao", DRIFT[1]) else self.ring
 
     def to_headings(self, omega, headings, name=""):
-        """`AtHeadings` that takes a quantity from its ring to headings (p,) rad at omega (q,) rad/s"""
+        """`AtHeadings` that transfers a quantity from its ring to headings (p,) rad at omega (q,) rad/s"""
         return at_headings(self.ring_of(name), headings, omega, self.between, name in (*DRIFT, *OF_EACH))
 
     def of_haskind(self, omega, headings):
@@ -382,12 +381,12 @@ class Reader:
         return np.linalg.solve(D, F.swapaxes(1, 2)).swapaxes(1, 2)
 
     def dynamic_stiffness(self, omega, A, B):
-        """(q, n, n) complex force per motion, N/m … N m/rad, of the linear body; arguments as of `solved`"""
+        """(q, n, n) complex force per motion, N/m … N m/rad, of the linear body; arguments as in `solved`"""
         w = omega[:, None, None]
         return -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
 
     def where_stored(self, omega, headings, name):
-        """`Stored` numbers of motions or drift in these waves, None where there are none"""
+        """`Stored` numbers of motions or drift in these waves; None if nothing is stored"""
         place = self.between.stored(omega)
         if name not in self.between.quantities or not (self.own or name == DRIFT[0]) or not np.any(place >= 0):
             return None
@@ -401,12 +400,12 @@ class Reader:
 
     @cached_property
     def missed_drift(self):
-        """(n, m, 3) how far the far field is from stored drift of the fixed body at stored waves"""
+        """(n, m, 3) deviation of the far field from stored drift of the fixed body at stored waves"""
         return far_field_drift.missed(self)
 
     @cached_property
     def ring(self):
-        """`Ring` of the stored waves, and of their images, that forces are known in"""
+        """`Ring` of the stored waves and their images, for forces"""
         return self._ring_with(())
 
     @cached_property
@@ -466,8 +465,8 @@ def reader(db):
 
 
 def _check_rows(db, quantities):
-    """Raise BetweenError for numbers that are missing at some of the stored frequencies alone: what is read between
-    them would be known nowhere"""
+    """Raise BetweenError for numbers that are missing at only some of the stored frequencies: interpolation between
+    them would be unknown everywhere"""
     for name in (*RADIATION, "excitation_force"):
         if name in quantities:
             wrong = ~np.isfinite(quantities[name]).reshape(len(db.omega), -1)

@@ -1,12 +1,12 @@
-"""Resonances of a body of a database: where few stored frequencies see nothing of its motions, and how high they are.
+"""Resonances of a database body: where a few stored frequencies miss peaks of its motions, and their height.
 
     C q = ω² (M + A(ω)) q,    ζ = q*(B + B′)q / 2ω q*(M + A)q
 
 Eigenvalues λⱼ(ω) of C and M + A, in rising order, are continuous in frequency, so that every root of √λⱼ(ω) = ω lies
 between two neighbouring places of different sign of √λⱼ − ω.  A lightly damped motion follows 1 / (2ζ) at the root and
-is half as strong in energy at ω (1 ± ζ): that width, and not the step between stored frequencies, says where the motion
-has to be known.  Coefficients are smooth there and come from `between_frequencies`; the height of a peak hangs on
-damping alone, and is as uncertain as that.
+has half the energy at ω (1 ± ζ): this width, and not the step of stored frequencies, determines where the motion is
+needed.  Coefficients are smooth there and come from `between_frequencies`; the height of a peak depends on damping
+alone, with its uncertainty.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .between_frequencies import FEWEST, BetweenError
 SHARP = 0.25  # damping ratio above which a peak is less than twice the static motion
 AROUND = 2.0 ** np.arange(-3, 8)  # places on both sides of a peak, in units of its width
 WIDEST = 0.3  # largest relative distance from a frequency, on both sides
-CLOSE = 1e-11  # relative, of a natural frequency: interpolated added mass has rounding errors of 1e-12
+CLOSE = 1e-11  # relative accuracy of a natural frequency: interpolated added mass has rounding errors of 1e-12
 MOST = 100
 LEAST = 1e-9  # smallest inertia considered, relative to the largest
 STEPS = 4  # places between two stored frequencies
@@ -31,10 +31,10 @@ QUIET = 1e-3  # smallest peak reported, relative to the largest motion of its ki
 
 @dataclass(frozen=True)
 class Resonance:
-    """A peak of one motion, number `mode` and called `name`, at omega rad/s in waves towards `heading` rad.
+    """A peak of one motion, index `mode`, called `name`, at omega rad/s in waves towards `heading` rad.
 
     peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
-    viscous : whether damping of this motion beside that of waves is in it
+    viscous : whether this motion has damping besides that of waves
     """
 
     mode: int
@@ -56,9 +56,9 @@ class Resonance:
 
 
 def resonances(body):
-    """[Resonance] of a `reader.Reader` within its stored frequencies, rising; [] where they are not known.
+    """[Resonance] of a `reader.Reader` within its stored frequencies, rising; [] where they are unknown.
 
-    Those whose damping ratio is below a quarter, and that waves of the stored headings excite.
+    Only those with a damping ratio below a quarter that waves of the stored headings excite.
     """
     if body not in _FOUND:
         _FOUND[body] = _resonances(body)
@@ -103,10 +103,10 @@ def natural_modes(inertia, stiffness):
 
 
 def positive(inertia):
-    """Symmetric inertia (…, n, n), those with eigenvalues of 0 and less with the least that are above in place of them
+    """Symmetric inertia (…, n, n), with eigenvalues of 0 and less replaced by the smallest positive one
 
-    Where the water of a gap or a moonpool resonates added mass takes more than the body has: λ grows beyond all bounds
-    on the way there, and a search goes on past it.
+    At resonance of the water in a gap or a moonpool, negative added mass exceeds the mass of the body: λ grows without
+    limit towards this frequency, and the search continues beyond it.
     """
     values = np.linalg.eigvalsh(inertia)
     if np.all(values[..., 0] > 0):
@@ -117,9 +117,9 @@ def positive(inertia):
 
 
 def by_motion(energies):
-    """(n,) which mode is called by each motion: the assignment with the largest sum of energy shares; −1 for none.
+    """(n,) index of the mode of each motion: the assignment with the largest sum of energy shares; −1 for none.
 
-    energies : (m, n) kinetic, rows are modes, fewer than motions where links hold some
+    energies : (m, n) kinetic energy, rows are modes, fewer than motions where links constrain some
     """
     shares = energies / energies.sum(axis=1, keepdims=True)
     modes, motions = np.arange(len(shares)), np.argmax(shares, axis=1)
@@ -133,7 +133,7 @@ def by_motion(energies):
 
 
 def zeros(functions, low, f, high, g):
-    """(m,) ω at which m functions, nearly straight, are zero between low (m,) and high (m,), where they are f and g.
+    """(m,) ω at which m functions, nearly straight, are zero between low (m,), value f, and high (m,), value g.
 
     functions : (m,) → (m,).  A secant within a bracket, whose end is taken at half its value when it stays for the
     second time (Illinois; Dowell and Jarratt, BIT 11, 1971): three steps square the error.
@@ -182,7 +182,7 @@ def _modes(body, omega):
 
 
 def free_modes(free, inertia, stiffness):
-    """`natural_modes` of the motions that links leave free, the columns of `free` (n, m), or of all for None
+    """`natural_modes` of the motions permitted by links, columns of `free` (n, m); None for all motions
 
     vectors : (…, n, m) of all motions
     """
@@ -193,11 +193,11 @@ def free_modes(free, inertia, stiffness):
 
 
 def _resonance(body, mode, omega, q):
-    """The Resonance of a natural mode q (n,), or None where waves do not excite it"""
+    """The Resonance of a natural mode q (n,), or None if waves do not excite it"""
     low, high = body.between.span
     ratio = _ratio(body, omega, q, 0.0)
     damping = max(ratio, 1e-9)
-    if abs(ratio) >= SHARP:  # far below 0 where coefficients beyond what the panels carry give energy
+    if abs(ratio) >= SHARP:  # far below 0 where coefficients beyond the resolution of the panels supply energy
         return None
     places = np.clip(_places(omega, damping), low, high)
     for _ in range(2):

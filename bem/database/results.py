@@ -1,6 +1,6 @@
-"""Results of studies in HDF5: written whole and sealed (`meshing.seals`), read only if they are what was written.
+"""Results of studies in HDF5: written whole and sealed (`meshing.seals`), read only if unchanged.
 
-Their attribute `schema` is "hakobune", what they are, and a version; databases have none.
+Their attribute `schema` is "hakobune", the kind of result, and a version; databases have none.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .integrity import DamagedError, DatabaseError, VersionError
 from .schema import FORMAT, SCHEMA_VERSION
 
 OURS = "hakobune "
-MAKES = {  # commands, by what they make
+MAKES = {  # commands, by their results
     FORMAT: "solve SCENE --output {} --fresh",
     "mooring study": "moor STUDY --database DATABASE --output {}",
     "response study": "response STUDY --database DATABASE --output {}",
@@ -32,16 +32,16 @@ MAKES = {  # commands, by what they make
     "channels": "line-dynamics STUDY --output {}",
     "sweep": "sweep SWEEP --output {} --fresh",
 }
-COMMAND = "{} STUDY --output {}"  # command of results that have the name of their command
+COMMAND = "{} STUDY --output {}"  # command of results named after their command
 RESULT_VERSION = 2  # version of the common schema of result files (version 1: one schema per command)
 READS = {kind: RESULT_VERSION for kind in MAKES if kind != FORMAT}  # version that is read
 # the name of the attribute, its type and its space as HDF5 writes them, and the number
 NUMBER = re.compile(rb"schema_version\0.{25}(.{8})", re.DOTALL)
-HIGHEST = 1000  # version that may be one; more is damage
+HIGHEST = 1000  # highest plausible version; a higher number is damage
 STATUS = (
     20,
     4,
-)  # first byte and bytes of the flags in a superblock that change while a file is open or its writer killed
+)  # first byte and length of the flags in a superblock that change while a file is open or its writer killed
 
 
 def seal_of(file, image, later=()):
@@ -62,7 +62,7 @@ def seal_of(file, image, later=()):
 
 
 def check_seal(path, remedy=seals.REMEDY):
-    """Raise DamagedError, which names what is damaged, unless a file is what was sealed, or has no seal."""
+    """Raise DamagedError, which names the damaged part, unless a file is as it was sealed, or has no seal."""
     try:
         damaged = seals.damage(path)
     except OSError as error:
@@ -72,7 +72,7 @@ def check_seal(path, remedy=seals.REMEDY):
 
 
 def check_any_version(path, found=None):
-    """As `check_version`, of a file of whatever kind, databases among them; found : its attribute `schema`, or None"""
+    """As `check_version`, for files of any kind including databases; found : its attribute `schema`, or None"""
     for kind, version in READS.items():
         check_version(path, f"{OURS}{kind} {version}", found)
     if found is None:
@@ -80,14 +80,14 @@ def check_any_version(path, found=None):
 
 
 def has_schema(path, schema):
-    """Whether a file is HDF5 of this kind, of whatever version; raises DatabaseError for one whose seal is broken"""
+    """Whether a file is HDF5 of this kind, of any version; raises DatabaseError for a broken seal"""
     return named(schema_of(path)) == named(schema)
 
 
 def check_version(path, schema, found=None):
-    """Raise VersionError for a file of the kind of a `schema` that is of another version, its seal broken or not.
+    """Raise VersionError for a file of the kind `schema` with another version, even if its checksum is wrong.
 
-    found : the attribute of the file; None to look for it in the bytes, where HDF5 is not to be trusted with them
+    found : the attribute of the file; None to search the bytes, where HDF5 might fail on the file
     """
     kind, version = named(schema), schema.rsplit(" ", 1)[1]
     if found is None:
@@ -101,7 +101,7 @@ def check_version(path, schema, found=None):
 
 
 def check_database_version(path, found=None):
-    """As `check_version`, of a database; found : its number, None to look for it in the bytes"""
+    """As `check_version`, for a database; found : its version number, None to search the bytes"""
     if found is None:
         found = [struct.unpack("<q", part)[0] for part in _numbers(path, NUMBER)]
         found = [one for one in found if 0 <= one <= HIGHEST and one != SCHEMA_VERSION][-1:]
@@ -110,7 +110,7 @@ def check_database_version(path, found=None):
 
 
 def another_version(path, what, found, ours, makes):
-    """What is said of a file of another version of its schema"""
+    """Message about a file with another version of its schema"""
     again = f"make it again by 'hakobune {makes.format(path)}'" if makes else "make it again"
     return (
         f"{path} is {what} of schema version {found}, and this program reads version {ours}; {again}, or "
@@ -119,19 +119,19 @@ def another_version(path, what, found, ours, makes):
 
 
 def _numbers(path, pattern):
-    """What a pattern of bytes has in its brackets, of every place in a file; [] for one that cannot be read"""
+    """Groups of a pattern of bytes at every match in a file; [] for an unreadable file"""
     try:
         with Path(path).open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as image:
             found = [match[1] for match in pattern.finditer(image)]
-    except (OSError, ValueError):  # an empty file has no map
+    except (OSError, ValueError):  # an empty file cannot be mapped
         return []
     return found
 
 
 def schema_of(path):
-    """The attribute `schema` of a file, "" where there is no file, or another
+    """The attribute `schema` of a file; "" where the file or the attribute is missing
 
-    raises : as `check_seal`, and VersionError where a file whose seal is broken may be whole and of another version
+    raises : as `check_seal`, and VersionError where a file with a broken seal may be intact with another version
     """
     if not Path(path).is_file():
         return ""
@@ -149,7 +149,7 @@ def schema_of(path):
 
 @contextlib.contextmanager
 def opened_result(path, schema):
-    """The open HDF5 file of a result with this `schema`.  Raises DatabaseError, also for one whose seal is broken."""
+    """The open HDF5 file of a result with this `schema`.  Raises DatabaseError, also for a broken seal."""
     path = Path(path)
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
@@ -172,7 +172,7 @@ def file_of(schema):
 
 
 def what_is(file):
-    """What an open HDF5 file is, in words"""
+    """Kind of an open HDF5 file, in words"""
     schema = str(file.attrs.get("schema", ""))
     if schema.startswith(OURS):
         return file_of(schema)
@@ -180,7 +180,7 @@ def what_is(file):
 
 
 def no_file_of(path, schema):
-    """What is said of a file that is none of a `schema`, with the command that makes one"""
+    """Message about a file without the wanted `schema`, with the command that makes such files"""
     kind = named(schema)
     try:
         with h5py.File(path) as file:

@@ -1,9 +1,9 @@
-"""The database of one scene: an HDF5 file that fills row by row and can be killed at any instant.
+"""The database of one scene: an HDF5 file that is filled row by row and survives a kill at any instant.
 
-Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made,
-so that an append changes numbers in place and never the structure of the file.  Beside it, in /stored, lies
-one mark per frequency (and heading).  Data first, flush, then the mark.  The file is made under another name
-and renamed, so that it exists only whole; it is widened by a new one (`widening`).
+Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made, so that an
+append changes numbers in place and never the structure of the file.  The group /stored has one mark per frequency (and
+heading).  Data are written first, then flushed, then marked.  The file is made under another name and renamed, so that
+it is never incomplete; `widening` replaces it by a new one.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ if TYPE_CHECKING:
 
     from .reader import Reader
 
-SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
+SAME = 1e-9  # relative in omega, rad in heading: less than a user's smallest step, more than rounding
 
 
 @dataclass(frozen=True)
 class Row:
-    """What one frequency still lacks: `want` names, at `headings` (rad)."""
+    """Missing quantities of one frequency: `want` names, at `headings` (rad)."""
 
     omega: float
     headings: tuple[float, ...]
@@ -65,7 +65,7 @@ def create(path, header, omega, wave_direction, names):
 
 @contextlib.contextmanager
 def writing(path):
-    """The open file of a database, for `append`; only one process at a time may have it."""
+    """The open file of a database, for `append`; only one process at a time may open it."""
     if not isinstance(path, h5py.File):
         keep_room(path)
     with opened(path, "r+") as file:
@@ -82,7 +82,7 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """{name: values, shaped as `append` takes them} of one frequency, or None where not all of them are stored."""
+    """{name: values, shaped as `append` expects them} of one frequency, or None if some of them are not stored."""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
@@ -96,7 +96,7 @@ def row_values(file, omega, headings, names):
 
 
 def pending(path):
-    """What the file, by path or open, still lacks of everything it was made or extended for."""
+    """Missing rows of everything that the file, by path or open, was made or extended for."""
     with opened(path) as file:
         names = [name for name in QUANTITIES if name in file]
         limits = tuple(name for name in names if name in LIMITS and not file["stored"][name][()])
@@ -135,9 +135,9 @@ def open_database(path: str | os.PathLike[str] | h5py.File) -> Database:
 class Database:
     """The solved part of a file, frequencies ascending.
 
-    names : quantities the file is for; rows : (all,) which of its frequencies are solved
-    omega : (n,) rad/s, the solved ones; wave_direction : (m,) rad; attributes : those of the file
-    file : what is read from while it is open; None, or closed, opens `path` for every reading
+    names : quantities of the file; rows : (all,) which of its frequencies are solved
+    omega : (n,) rad/s, the solved ones; wave_direction : (m,) rad; attributes : of the file
+    file : open file for reading; if None or closed, every reading opens `path`
     """
 
     path: Path
@@ -161,7 +161,7 @@ class Database:
         raise AttributeError(f"a database contains no {name!r}")
 
     def __contains__(self, name: object) -> bool:
-        """Whether every solved frequency has a quantity"""
+        """Whether a quantity is stored at every solved frequency"""
         return isinstance(name, str) and self.holds(name)
 
     def __getitem__(self, name: str) -> np.ndarray:
@@ -178,7 +178,7 @@ class Database:
             return value[self.rows] if _first_axis(name) == "omega" else value
 
     def require(self, *names: str) -> None:
-        """Raise DatabaseError if one of the quantities is not there, saying what to add to the command."""
+        """Raise DatabaseError if one of the quantities is missing; the message gives the addition to the command."""
         for name in names:
             if name not in QUANTITIES:
                 raise DatabaseError(f"{name!r} is not a quantity of a database; allowed: {', '.join(QUANTITIES)}")
@@ -192,7 +192,7 @@ class Database:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to continue")
 
     def require_one_body(self) -> None:
-        """Raise DatabaseError for a database of several bodies, naming them, or of one that bends."""
+        """Raise DatabaseError for a database of several bodies, which it names, or of a flexible body."""
         if self.bodies:
             names = ", ".join(body.name for body in self.bodies)
             raise DatabaseError(
@@ -201,7 +201,7 @@ class Database:
         self.require_rigid()
 
     def require_rigid(self) -> None:
-        """Raise DatabaseError for a database of bodies that bend: it holds motions that rigid studies do not know."""
+        """Raise DatabaseError for a database of flexible bodies, whose motions rigid studies do not support."""
         if self.modes:
             raise DatabaseError(
                 f"{self.path} is for a body with {len(self.modes)} motions beyond the six, {self.modes[0].name} …; "
@@ -210,18 +210,18 @@ class Database:
 
     @cached_property
     def asked(self) -> np.ndarray:
-        """(all,) rad/s, of the frequencies that the file is for"""
+        """(all,) rad/s, requested frequencies of the file"""
         with self.opened() as file:
             return file["omega"][()]
 
     @cached_property
     def has_viscous_motions(self) -> bool:
-        """Whether stored motions and drift of the free body hold viscous damping, which belongs to one wave height"""
+        """Whether stored motions and drift of the free body include viscous damping, which depends on wave height"""
         return "viscous" in self._scene
 
     @property
     def has_damping_lids(self) -> bool:
-        """Whether lids on the water take energy: damping is then more than the waves far away carry"""
+        """Whether lids on the water absorb energy: damping then exceeds the radiated energy"""
         return bool(self._scene.get("damping_lids"))
 
     @property
@@ -233,7 +233,7 @@ class Database:
     def _scene(self) -> dict[str, Any]:
         import tomllib
 
-        with contextlib.suppress(tomllib.TOMLDecodeError):  # a scene of another program's words has no tables
+        with contextlib.suppress(tomllib.TOMLDecodeError):  # a scene converted from another program has no tables
             return tomllib.loads(self.header.scene)
         return {}
 
@@ -256,26 +256,26 @@ class Database:
     def reader(self) -> Reader:
         """`bem.database.reader.Reader`: the bodies in any wave, with estimated errors, from the stored rows
 
-        raises : DatabaseError for a database of several bodies or of one that bends, which studies of one rigid body
-            do not know
+        raises : DatabaseError for a database of several bodies or of a flexible one, unsupported by studies of one
+            rigid body
         """
         self.require_one_body()
         return self.bodies_reader
 
     @cached_property
     def bodies_reader(self) -> Reader:
-        """`reader`, also of several bodies and of those that bend"""
+        """`reader`, also for several bodies and for flexible ones"""
         from .reader import reader
 
         self.require()
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:
-        """A quantity at omega (q,) rad/s and headings (p,) rad, None for those stored: value (q, …) as stored,
+        """A quantity at omega (q,) rad/s and headings (p,) rad, None for the stored ones: value (q, …) as stored,
         estimated error (q, …).
 
-        raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside what is stored and for what
-            does not follow
+        raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside the stored range and for unknown
+            values
         """
         return self.reader.at(omega, name, headings)
 

@@ -44,11 +44,11 @@ class Storing:
         self.headings = {}
 
     def add(self, omega, headings, result):
-        """Take what was computed for one frequency, which `store` stores.
+        """Add the results of one frequency, which `store` stores.
 
         omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
-        result : {name: array}, and "checks", "estimated_error", "wall_time" as `solve_frequency` returns them
-        Raises DatabaseError, and takes nothing, if a value has the wrong shape or is not finite.
+        result : {name: array}, and "checks", "estimated_error", "wall_time" as returned by `solve_frequency`
+        Raises DatabaseError, and adds nothing, if a value has the wrong shape or is not finite.
         """
         (i,) = places_on(self.axes, [omega], "omega")
         key = tuple(headings)
@@ -67,14 +67,14 @@ class Storing:
         self.waiting.append(Solved(i, columns, values, errors, result.get("checks", {}), result.get("wall_time", {})))
 
     def store(self):
-        """Store and mark what was added, each frequency once"""
+        """Store and mark all added results, each frequency once"""
         rows, self.waiting = sorted(self.waiting, key=lambda row: row.place), []
         if rows:
             _append(self.file, self.opened, rows)
 
 
 class Opened(dict):
-    """{name: dataset} of a file, each looked for once: h5py takes 0.05 ms to find one, as long as to write to it"""
+    """{name: dataset} of a file, each looked up once: h5py takes 0.05 ms to find one, as long as to write to it"""
 
     def __init__(self, file):
         super().__init__()
@@ -86,7 +86,7 @@ class Opened(dict):
 
 
 def append(file, omega, headings, result):
-    """Store what was computed for one frequency, then mark it; arguments and errors as of `Storing.add`.
+    """Store the results of one frequency, then mark it; arguments and errors as of `Storing.add`.
 
     file : from `rows.writing`
     """
@@ -107,8 +107,8 @@ def _append(file, opened, rows):
             put(opened[estimate_of(name)], name, [(row, row.errors[name]) for row in having])
         marks[name] = [(row, _mark(row, name, sealed)) for row in having]
     _append_checks(opened, rows, sealed)
-    # motions before what they follow from: a run killed between the two would else make them again from what is
-    # stored, without their estimated errors
+    # motions before quantities derived from them: a run killed between the two would else recompute those from stored
+    # motions, without their estimated errors
     free = [name for name in names if name in NEEDS_MOTION]
     for group in (free, [name for name in names if name not in NEEDS_MOTION]):
         file.flush()
@@ -119,7 +119,7 @@ def _append(file, opened, rows):
 
 
 def _mark(row, name, sealed):
-    """Of the cells of a row: their checksums, or 1 in a file without"""
+    """Marks of the cells of a row: checksums, or 1 in a file without them"""
     parts = [row.values[name], *([row.errors[name]] if name in row.errors else [])]
     if len(cell_axes(name)) > 1:
         return np.array([crc(*cell) if sealed else 1 for cell in zip(*parts, strict=True)], MARK)
@@ -127,8 +127,8 @@ def _mark(row, name, sealed):
 
 
 def _append_checks(opened, rows, sealed):
-    """The worst of each check of a frequency, and its wall times, summed"""
-    low, high = rows[0].place, rows[-1].place + 1  # rows between these are written as they were read
+    """The largest violation of each check of a frequency, and its summed wall times"""
+    low, high = rows[0].place, rows[-1].place + 1  # rows between these are rewritten as they were read
     checks = {name: opened[f"checks/{name}"][low:high] for name in CHECKS}
     texts = opened["wall_time"][low:high]
     sums = opened[ROWS][low:high] if sealed else None
@@ -150,7 +150,7 @@ def _append_checks(opened, rows, sealed):
 
 
 def put(dataset, name, rows):
-    """Write what is stored with a quantity of (row, value) in ascending order, in as few writes as there are gaps"""
+    """Write (row, value) of a quantity in ascending order, with as few writes as there are gaps"""
     every = list(range(dataset.shape[1])) if len(cell_axes(name)) > 1 else None
     if every is not None and any(row.columns != every for row, _ in rows):
         for row, value in rows:

@@ -1,8 +1,8 @@
-"""Widening a database by frequencies, headings and quantities: a new file that takes over the rows of the old one.
+"""Widening of a database by frequencies, headings and quantities: a new file that copies the rows of the old one.
 
-It is made beside the old one and takes its name when it is whole, so that a run can be killed at any instant.  Groups
-beside the grid over frequencies are written whole, sealed with the file and kept while it is widened; a group has
-datasets with axes of its own, whose names are their attribute `axes`.
+It is made beside the old one and renamed when complete, so that a run can be killed at any instant.  Groups beside the
+grid over frequencies are written whole, sealed with the file and kept when it is widened; a group has datasets with
+axes of its own, named in their attribute `axes`.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ GROUPS = ("qtf", "qtf_sum")
 
 
 def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
-    """Widen a file by frequencies, headings and quantities; what it holds is kept, the rest is pending.
+    """Widen a file by frequencies, headings and quantities; its contents are kept, the rest is pending.
 
-    header : takes the place of the stored one where something is added; one of another `scene_hash` at once
-    anew : names of which nothing is kept
-    Returns whether anything had to be added: then a new file has the name, and one that was given open is the old one.
+    header : replaces the stored one where something is added, or at once if its `scene_hash` differs
+    anew : names of quantities whose stored values are dropped
+    Returns whether anything was added: then a new file has the name, and a file given open is the old one.
     """
     with writing(path) as old:
         kept = read_header(old)
@@ -49,7 +49,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
 
 
 def write_group(path, name, datasets, attributes):
-    """Put a group into a database, in place of one of that name; a new file takes the name when it is whole.
+    """Write a group to a database, in place of one of that name; a new file is renamed when complete.
 
     As `fill`.
     """
@@ -90,9 +90,9 @@ def take_over(old, new, anew=()):
 
 
 def at_angles(values, count):
-    """Kochin functions (…, count) at more evenly spaced angles than those (…, t) that resolve them
+    """Kochin functions (…, count) at more evenly spaced angles, from values (…, t) at angles that resolve them
 
-    They are trigonometric polynomials to the last digits there, which their series carries to any angles.
+    They are trigonometric polynomials to the last digits there, and the series gives their values at any angle.
     """
     series = np.fft.fft(values, axis=-1)
     half, out = values.shape[-1] // 2, np.zeros((*values.shape[:-1], count), complex)
@@ -107,7 +107,7 @@ def _union(old, new, same):
 
 
 def fill(file, name, datasets, attributes):
-    """Put a group into an open file, in place of one of that name.
+    """Write a group to an open file, in place of one of that name.
 
     datasets : {name: (axes, unit, values)}, the axes first; attributes : of the group
     """

@@ -1,12 +1,12 @@
 """Depth modes of a vertical-sided body, and basis functions of the velocity in the gap under its keel.
 
-ζ is measured from the bed, the gap under the keel is 0 < ζ < s = h − d.  Modes in depth, K = ω²/g:
+ζ is measured from the bed, the gap under the keel is 0 < ζ < s = h − d.  Modes over the depth, K = ω²/g:
 
     outside   Z₀ = cosh kζ / cosh kh,  k tanh kh = K;    Zₙ = cos kₙζ,  kₙ tan kₙh = −K
     beneath   cos l_qζ,  l_q = qπ/s
 
-At the keel's edge of 270° in water the horizontal velocity u(ζ) is singular like distance^(−1/3), then ^(+1/3),
-then regular.  It is expanded in three Gegenbauer families
+At the keel's edge, with an angle of 270° in the water, the horizontal velocity u(ζ) is singular like distance^(−1/3),
+then ^(+1/3), then regular.  It is expanded in three Gegenbauer families
 
     U = (s² − ζ²)^(ν−½) C₂ₚ^(ν)(ζ/s),   ν = 1/6, 5/6, 1/2,   p = 0 … terms − 1,
 
@@ -14,8 +14,8 @@ scaled so that the mean of p = 0 is one and, by Gegenbauer's integral (DLMF 18.1
 
     ∫₀ˢ U cos lζ dζ = s (−1)^p 2^ν Γ(1+ν) J_{2p+ν}(ls) / (ls)^ν,     I in place of (−1)^p J for cosh.
 
-Arrays over functions run family by family: f = 3 · terms of them.  "Rows" are the functions of ζ, or of z, that the
-modes are tested with: the f of the gap, then those that are given (`outer_rows`, `inner_rows`).
+Arrays over functions are ordered family by family: f = 3 · terms in all.  "Rows" are the test functions of ζ, or of z:
+the f of the gap, then additional ones (`outer_rows`, `inner_rows`).
 """
 
 from __future__ import annotations
@@ -113,7 +113,7 @@ class Gap:
         return np.vstack([self.cosine_moments(l), one, z])
 
     def wave_rows(self, k):
-        """⟨·, Z₀⟩ of the same, (f + 2,)"""
+        """⟨·, Z₀⟩ of the same functions, (f + 2,)"""
         return np.concatenate([self.wave_moments(k), side_integrals(self.draft, self.depth, k)])
 
     def side_wave_moments(self, k, l):
@@ -131,7 +131,7 @@ class Gap:
         return np.vstack([self.cosine_moments(l), 0 * l, 2 * self.height * sign / l**2])
 
     def mean_rows(self):
-        """⟨·, 1⟩ of the same, (f + 2,)"""
+        """⟨·, 1⟩ of the same functions, (f + 2,)"""
         s = self.height
         return np.concatenate([self.mean, [s, s**3 / 3]])
 
@@ -146,9 +146,9 @@ class Gap:
     def mode_count(self, k, modes, shortest=np.inf, further=8):
         """Evanescent modes outside, with `modes` of them per smallest length of gap, side and `shortest` (m).
 
-        The moments of function p reach their asymptotic form, which the sums need, at kₙs ≈ (2p)²; the modes theirs
-        at n = kh.  `further` is for the p above 0: sums of combinations that nearly vanish need more.  Counts are
-        rounded up in steps of a fifth, so that the memoised tail weights are few.
+        The moments of function p reach their asymptotic form, which the sums need, at kₙs ≈ (2p)²; the modes theirs at
+        n = kh.  `further` is for functions p > 0: sums of combinations that nearly vanish need more modes.  Counts are
+        rounded up in steps of a fifth, so that few tail weights are memoised.
         """
         s, h = self.height, self.depth
         least = 8 + further * (self.terms**2 - 1)
@@ -156,7 +156,7 @@ class Gap:
         return _rounded(count)
 
     def inner_count(self, modes, shortest):
-        """Modes beneath, for a plan of which the smallest half breadth or radius is `shortest` (m)."""
+        """Modes beneath the keel, for a plan with the smallest half breadth or radius `shortest` (m)."""
         return _rounded(max(modes * max(1.0, self.height / shortest), 32 * self.terms**2))
 
     def outer_modes(self, omega, count, gravity):
@@ -168,7 +168,7 @@ class Gap:
         return OuterModes(k, wave_norm, self.wave_rows(k), kn, norms, self.outer_rows(kn))
 
     def inner_modes(self, count):
-        """`InnerModes` q = 1 … count; they do not depend on the frequency."""
+        """`InnerModes` q = 1 … count; they are independent of the frequency."""
         l = np.arange(1, count + 1) * np.pi / self.height
         return InnerModes(l, self.inner_rows(l))
 
@@ -189,7 +189,7 @@ def _rounded(count):
 
 @lru_cache(maxsize=512)
 def tail_weights(count, power):
-    """(count,) weights that turn Σ f(n), n = 1 … count, into the sum to infinity.
+    """(count,) weights that extend Σ f(n), n = 1 … count, to infinity.
 
     power : f(n) ~ n^(−power) (c₀ + c₁/n + …) plus oscillating terms
 

@@ -1,10 +1,9 @@
 """Velocity profiles in the gap: linearly independent, orthonormal combinations of the functions of `gap`.
 
-The three families are nearly dependent: with nine functions the eigenvalues of ⟨U, Σ cos l_qζ cos l_qζ / l_q U⟩
-reach down to 1e-13.  Combinations that are small in this norm are left out, the others are normalised, which
-magnifies the truncation error of the sums over modes.  With 8 T² modes to the height of the gap, T functions in each
-family, that is 3e-8, with 24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6
-with fewer.
+The three families are nearly dependent: with nine functions the eigenvalues of ⟨U, Σ cos l_qζ cos l_qζ / l_q U⟩ reach
+down to 1e-13.  Combinations that are small in this norm are dropped, the others are normalised, which magnifies the
+truncation error of the sums over modes.  With 8 T² modes per gap height, T functions in each family, it is 3e-8, with
+24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6 with fewer.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ DEPENDENT = 24  # modes to the gap per T², see above
 class Profiles:
     """e orthonormal profiles made of the functions of a `Gap`; rows r = e + 2 as there.
 
-    smallest : eigenvalue that is kept, of the norm of functions that have norm one each
+    smallest : smallest eigenvalue that is kept, for functions of unit norm
     """
 
     gap: Gap
@@ -36,7 +35,7 @@ class Profiles:
 
     @cached_property
     def combinations(self):
-        """(r, f + 2) from rows of functions to rows of profiles; the last two stay as they are"""
+        """(r, f + 2) from rows of functions to rows of profiles; the last two are unchanged"""
         modes, f = self.gap.inner_modes(self.gap.inner_count(800, np.inf)), len(self.gap.mean)
         norm = mode_sum(modes.rows, self.gap.inner_decays, 2 / self.height / modes.wavenumbers)[:f, :f]
         norm += np.outer(self.gap.mean, self.gap.mean)

@@ -1,1 +1,1 @@
-"""Bodies that bend: shapes beyond the six rigid motions, what they weigh, and what holds them."""
+"""Flexible bodies: shapes beyond the six rigid motions, their mass and their stiffness."""

@@ -1,4 +1,4 @@
-"""Free-free shapes of a uniform Euler–Bernoulli beam, and the load that they say about it.
+"""Free-free shapes of a uniform Euler–Bernoulli beam, and the loads in the beam for a given shape.
 
     w(s) = ½ {cos μs/cos μ + cosh μs/cosh μ},  tan μ + tanh μ = 0        even about the middle
     w(s) = ½ {sin μs/sin μ + sinh μs/sinh μ},  tan μ − tanh μ = 0        odd
@@ -88,7 +88,7 @@ class Beam(NamedTuple):
             self.kind, (none, none, slope)), axis=-1)  # fmt: skip
 
     def loads(self, x):
-        """Of a unit of the shape at x (…,) m: bending moment EI w″, N m, and shear force EI w‴, N; in torsion the
+        """Loads per unit of the shape at x (…,) m: bending moment EI w″, N m, and shear force EI w‴, N; in torsion the
         moment GJ θ′ alone"""
         if self.turns:
             return (self.rigidity * self.along(x, 1),)
@@ -123,9 +123,9 @@ def second(beams, points):
 
 def half_turns(number):
     """μ of a bending shape: roots of tan μ ± tanh μ = 0"""
-    from scipy.optimize import brentq  # takes 0.6 s to load, and only scenes with modes need it
+    from scipy.optimize import brentq  # its import takes 0.6 s, and only scenes with modes need it
 
-    middle = (number / 2 + 0.25) * np.pi  # tanh μ is 1 to rounding but for the first ones
+    middle = (number / 2 + 0.25) * np.pi  # tanh μ is 1 to rounding except for the first shapes
     sign = 1 if number % 2 else -1
     return brentq(lambda m: np.sin(m) + sign * np.tanh(m) * np.cos(m), middle - 0.3, middle + 0.3, xtol=1e-15)
 
@@ -135,7 +135,7 @@ def bent(number, s, slope=0):
     mu, s = half_turns(number), np.asarray(s, float)
     even, shift = number % 2 == 1, slope * np.pi / 2
     wave = np.cos(mu * s + shift) / np.cos(mu) if even else np.sin(mu * s + shift) / np.sin(mu)
-    odd = bool(slope % 2) == even  # whether the derivative has sinh, the odd one, and not cosh
+    odd = bool(slope % 2) == even  # whether the derivative contains sinh, the odd function, and not cosh
     up, down = np.exp(mu * (s - 1)), np.exp(-mu * (s + 1))
     edge = (up - down if odd else up + down) / (1 + np.exp(-2 * mu) if even else 1 - np.exp(-2 * mu))
     return 0.5 * (wave + edge)

@@ -5,9 +5,9 @@
 
 n out of the body, w vertical: the second derivatives of the potential energy of water and weight, so that C = Cᵀ.  The
 first part is that of J. N. Newman (Wave effects on deformable bodies, Applied Ocean Research 16, 1994), z ∇·u that of a
-wetted surface that deforms.  With a rotation about e, u_ij = e × u_j and the second part is zero; of rigid motions C is
-the classical matrix.  Beams know their u_ij (`beams.second`): pressure on their ends compresses them.  Of shapes from
-files nothing is known of it, and ½ {(u_j·∇) u_i + (u_i·∇) u_j} is taken.
+wetted surface that deforms.  With a rotation about e, u_ij = e × u_j and the second part is zero; for rigid motions C
+is the classical matrix.  Beams provide their u_ij (`beams.second`): pressure on their ends compresses them.  For shapes
+from files u_ij is unknown, and ½ {(u_j·∇) u_i + (u_i·∇) u_j} is used.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def inertia(displacements, masses):
 def of_weight(displacements, slopes, masses, gravity, rigid, second=None):
     """(m, m) N/m; displacements (m, p, 3) and gradients (m, p, 3, 3) at points of mass (p,) kg
 
-    rigid : how many of the motions are rigid, the first ones; second : (f, f, p, 3) u_ij of the others, or None
+    rigid : number of rigid motions, which come first; second : (f, f, p, 3) u_ij of the others, or None
     """
     out = np.einsum("ipb,jpb,p->ij", slopes[:, :, 2], displacements, masses)
     if second is not None:
@@ -56,7 +56,7 @@ def of_water(displacements, slopes, depths, area_vectors, density, gravity, rigi
 
 
 def _symmetric(matrix, rigid):
-    """With what shapes do to rigid motions as rigid motions do to shapes, whose u_ij is known"""
+    """The matrix with its coupling of rigid motions to shapes copied from the transposed block, whose u_ij is known"""
     matrix[rigid:, :rigid] = matrix[:rigid, rigid:].T
     own = matrix[rigid:, rigid:]
     matrix[rigid:, rigid:] = 0.5 * (own + own.T)

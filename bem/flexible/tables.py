@@ -1,8 +1,8 @@
-"""A shape known at points, as a finite-element program gives it, everywhere on the hull.
+"""Interpolation of a shape given at points, for example by a finite-element program, to the whole hull.
 
-    u(x) = Σ c_k |x − x_k|³ + a + Bx        (polyharmonic spline, which rigid motions are reproduced by to rounding)
+    u(x) = Σ c_k |x − x_k|³ + a + Bx        (polyharmonic spline; it reproduces rigid motions to rounding)
 
-Points that lie in a plane, or on a line, say nothing across it: there the shape is taken as constant.
+Points in a plane or on a line do not determine the shape across it: there the shape is assumed constant.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 FLAT = 1e-6  # extent, relative to the largest, below which points lie in a plane or on a line
-MOST = 1500  # points of one system of equations; of more each place takes the nearest of them
+MOST = 1500  # points in one system of equations; with more points each place uses the nearest ones
 NEAREST = 60
 FEWEST = 5
 
@@ -36,7 +36,7 @@ class Table:
     def error(self, points):
         """Of the largest displacement, at points (n, 3) m of a hull: what a spline of |x − x_k| has otherwise
 
-        Three to ten times the true error of shapes of a beam; nothing is known of what points in a plane do not say.
+        Three to ten times the true error for shapes of a beam; the effect of points in one plane is not included.
         """
         rough = _spline(self._own(self.points), self.displacements, "linear")(self._own(points))
         gap = np.linalg.norm(rough - self.displacement(points), axis=1).max()
@@ -44,12 +44,12 @@ class Table:
 
     @property
     def dimensions(self):
-        """In how many directions the points extend: 3, or 2 in a plane, or 1 on a line"""
+        """Number of directions in which the points extend: 3, or 2 in a plane, or 1 on a line"""
         return self._axes.shape[1]
 
     @cached_property
     def _axes(self):
-        """(3, d) directions that the points extend in"""
+        """(3, d) directions in which the points extend"""
         _, sizes, axes = np.linalg.svd(self.points - self.points.mean(axis=0), full_matrices=False)
         return axes[sizes > FLAT * sizes[0]].T
 

@@ -1,9 +1,9 @@
-"""What a file of another program says of a body, held against the hull that it is of.
+"""Data of a body in another program's file, compared with its hull.
 
     C₃₃ = ρ g A_w,    V,    m = ρ V        of the hull in its water; a length in a wrong unit shows in each of them
 
-With mass, centre of mass and radii of gyration that the file does not say, the motions follow as those of a solved
-body: inertia about the rotation centre, stiffness of the hull with the weight.
+With mass, centre of mass and radii of gyration, which the file lacks, the motions follow as for a solved body: inertia
+about the rotation centre, stiffness of the hull with the weight.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 class Weight(NamedTuple):
     """mass : kg, by default the displaced; center : (3,) m, by default the file's, else 0; gyration : (3,) m
 
-    Each is None where it is not given.
+    Each is None if not given.
     """
 
     mass: float | None = None
@@ -40,9 +40,9 @@ class Weight(NamedTuple):
 
 
 def on_hull(values, mesh, weight=Weight()):  # noqa: B008 - a frozen value
-    """Values whose body has the geometry of a hull (PanelMesh in its water), and lines on what was done.
+    """Values whose body has the geometry of a hull (PanelMesh in its water), and messages on the changes.
 
-    weight : what is given in place of what the file says.  Raises FormatError where file and hull contradict.
+    weight : replaces the values of the file.  Raises FormatError for a contradiction of file and hull.
     """
     body, remarks = dict(values.body), []
     if weight.center is not None:
@@ -75,7 +75,7 @@ def _still(values, mesh, body):
 
 
 def _check(values, still):
-    """Raise FormatError where the files are of another hull, in another water or unit"""
+    """Raise FormatError if the files are for another hull, water or unit"""
     volume, C = values.body.get("displaced_volume"), values.body.get("hydrostatic_stiffness")
     if volume is not None and abs(volume / still.volume - 1) > SAME_VOLUME:
         raise FormatError(
@@ -94,7 +94,7 @@ def _check(values, still):
 
 
 def _with_weight(body, values, still, weight):
-    """Put mass, inertia and the stiffness with the weight into a body; lines on what was taken.  Raises ValueError."""
+    """Put mass, inertia and the stiffness with the weight into a body; messages on assumptions.  Raises ValueError."""
     body["mass"] = still.mass
     if weight.gyration is not None:
         center = body["center_of_mass"]
@@ -106,7 +106,7 @@ def _with_weight(body, values, still, weight):
 
 
 def _about_mass(values, still, body):
-    """A line on a mass that is not the displaced one.  Raises FormatError for one that is another unit."""
+    """A message on a mass that differs from the displaced one.  Raises FormatError for a mass in another unit."""
     displaced = values.density * still.volume
     ratio = body.get("mass", displaced) / displaced
     if not 1 / FAR_MASS < ratio < FAR_MASS:
@@ -119,7 +119,7 @@ def _about_mass(values, still, body):
 
 
 def _about_weight(C, still, values):
-    """In words whether the weight is in a hydrostatic stiffness, by its roll and pitch"""
+    """In words whether a hydrostatic stiffness includes the weight, by its roll and pitch"""
     arm = still.mass * values.gravity * (still.center_of_mass[2] - values.rotation_center[2])
     off = [abs(C[i, i] - still.stiffness[i, i]) for i in (3, 4)]
     bare = [abs(C[i, i] - still.stiffness[i, i] - arm) for i in (3, 4)]
@@ -132,7 +132,7 @@ def _about_weight(C, still, values):
 
 
 def _with_motions(values):
-    """Values with the motions of the free body, where all that they follow from is there"""
+    """Values with the motions of the free body, if all their inputs are present"""
     M, C = (values.body.get(name) for name in ("inertia_matrix", "hydrostatic_stiffness"))
     terms = [values.quantities.get(name) for name in NEEDED]
     if "rao" in values.quantities or M is None or any(term is None for term in terms):

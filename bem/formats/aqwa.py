@@ -4,7 +4,7 @@
            ADDEDMASS, DAMPING   structure twice, frequency, A (6, 6);  FORCERAO  structure, heading, frequency, F, φ
     .LIS   the same in tables of each structure
 
-SI, exp(−iωt), directions that waves travel to, as ours; all about the centre of gravity, where phases are of too.
+SI, exp(−iωt), directions that waves travel to, as ours; everything, including phases, is about the centre of gravity.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ..waves import wavenumber
 from .values import FormatError, Values, body_of, lines_of
 
 NUMBER = re.compile(r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?")
-DEEP = 1e4  # m, that is written for deep water
+DEEP = 1e4  # m, depth that is written for deep water
 SIDES = ("X", "Y", "Z", "RX", "RY", "RZ")
 LIMITS = {"ADDEDMASS_LF": "added_mass_zero", "ADDEDMASS_HF": "added_mass_infinity"}
 

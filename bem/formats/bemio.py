@@ -6,9 +6,9 @@ frequencies.  Rows are of the body, columns of the motions of all N bodies.
 
     impulse response of radiation  K/ρ = 2/π ∫ B̄ ω cos ωt dω,  of excitation  1/π ∫ (re cos ωt − im sin ωt) dω,
 
-Forces, motions and coefficients are about the centre of gravity, where WEC-Sim has the origin of its bodies.  Impulse
-responses are by the trapezoidal rule between the lowest and the highest stored frequency, B̄ and X interpolated
-linearly: WEC-Sim's start, no better than the band.  Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
+Forces, motions and coefficients are about the centre of gravity, the origin of bodies in WEC-Sim.  Impulse responses
+are by the trapezoidal rule between the lowest and the highest stored frequency, B̄ and X interpolated linearly: a start
+for WEC-Sim, limited by the band.  Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
 """
 
 from __future__ import annotations
@@ -233,7 +233,7 @@ def _read(file, name, which):
         "center_of_mass": np.ravel(own["cg"][()]),
         "displaced_volume": float(np.ravel(own["disp_vol"][()])[0]),
     }
-    if hydro["linear_restoring_stiffness"].size:  # empty where the program before gave none
+    if hydro["linear_restoring_stiffness"].size:  # empty if the source program gave none
         known["hydrostatic_stiffness"] = rho * g * hydro["linear_restoring_stiffness"][()]
     return Values(omega, np.radians(degrees), depth, rho, g, quantities, known, known["center_of_mass"], name=name,
                   others=others)  # fmt: skip

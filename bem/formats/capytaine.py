@@ -1,10 +1,10 @@
 """The netCDF file of Capytaine (documentation, "Outputs"): labelled, SI, exp(−iωt), directions travelled to, as ours.
 
-Complex numbers have an axis `complex` of re, im at the end, as `capytaine.export_dataset` splits them.  The names are
-ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Mean drift is that of
-`far_field_mean_drift_force`, whose pairs of different headings are NaN here.
-Of several bodies modes are called `barge__Surge`, along the axes of the scene and about the point of each, and what is
-of one body has an axis `body`.  Files of netCDF 3, which it writes where netCDF4 is not installed, are read too.
+Complex numbers have a last axis `complex` of re, im, as `capytaine.export_dataset` splits them.  The names are ours,
+which follow Capytaine's; modes are labelled, so that their order does not matter.  Mean drift is that of
+`far_field_mean_drift_force`, whose pairs of different headings are NaN here. With several bodies modes are called
+`barge__Surge`, along the axes of the scene and about the point of each, and quantities of one body have an axis `body`.
+netCDF 3 files, which Capytaine writes without netCDF4, are read too.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ def _put(file, name, axes, unit, data, split=False):
 
 
 def _drift(file, values):
-    """Mean drift of pairs of headings, as Capytaine has it; of two different ones it is not known"""
+    """Mean drift of pairs of headings, as in Capytaine; unknown for two different headings"""
     m = np.arange(len(values.wave_direction))
     for axis in PAIR:
         file.create_dataset(axis, data=values.wave_direction).make_scale(axis)
@@ -113,7 +113,7 @@ def read(place, known=None):
 
 
 def _opened(place):
-    """An h5py.File; of a file of netCDF 3 one in memory with the same datasets and axes"""
+    """An h5py.File; for a netCDF 3 file one in memory with the same datasets and axes"""
     with open(place, "rb") as begin:
         if begin.read(3) != b"CDF":
             return h5py.File(place)
@@ -182,7 +182,7 @@ def _read(file, name, known):
 
 
 def _is_upper(file, name):
-    """Whether a matrix is stored as S33 S34 S35 S44 S45 S55, as programs beside Capytaine 1 did"""
+    """Whether a matrix is stored as S33 S34 S35 S44 S45 S55, as by programs with Capytaine 1"""
     return name in file and "hydrostatic_S" in [_axis_name(file[name], place) for place in range(file[name].ndim)]
 
 
@@ -194,7 +194,7 @@ def _from_upper(numbers):
 
 
 def _ordered(file, name, axes, places):
-    """Values of a dataset on our axes in our order, from whichever order they are stored in"""
+    """Values of a dataset on our axes in our order, from any stored order"""
     dataset = file[name]
     stored = [_axis_name(dataset, place) for place in range(dataset.ndim)]
     data = dataset[()]

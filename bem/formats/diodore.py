@@ -5,8 +5,8 @@
     [INCIDENCE_EFM_MOD_h] heading, [INCIDENCE_EFM_PH_h] heading      period, size and phase (rad) of the excitation
     [INCIDENCE_EFM_FFK_MOD_h], [INCIDENCE_EFM_DIFF_MOD_h]            of its parts;    [INCIDENCE_DFM_h]  mean drift
 
-SI, of F = i |F| exp(iφ) in exp(−iωt).  AQUA+ has [FROUDE-KRYLOV_FORCES_AND_MOMENTS] in sections of the same name and
-no sum.  All is about the centre of gravity.  Depth, density and gravity are not in the file.
+SI, with F = i |F| exp(iφ) in exp(−iωt).  AQUA+ has [FROUDE-KRYLOV_FORCES_AND_MOMENTS] in sections of the same name and
+no sum.  Everything is about the centre of gravity.  Depth, density and gravity are not in the file.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def _sections(place):
 
 
 def _tables(place, sections):
-    """{name: [(rest of its line, (k, q) numbers)]} of the sections that have some"""
+    """{name: [(rest of its line, (k, q) numbers)]} of the non-empty sections"""
     out = {}
     for name, rest, lines in sections:
         try:

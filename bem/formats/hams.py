@@ -1,9 +1,9 @@
 """A project of HAMS: Input/ControlFile.in, HullMesh.pnl, Hydrostatic.in, and Output/Wamit_format/Buoy.1 .3 …
 
 The results are in the files of WAMIT (`wamit`) with its time factor, made dimensionless by Reference_body_length, with
-a first column as Output_frequency_type says (`PERIOD_KINDS`); here it is written as 4, the period.  HAMS of Y. Liu
+a first column given by Output_frequency_type (`PERIOD_KINDS`); here it is written as 4, the period.  HAMS of Y. Liu
 (2019), J. Mar. Sci. Eng. 7(3).  HAMS-MREL, for several bodies, has AmssDamp.1, ExcForce.3 …, Reference_body_center_1,
-HullMesh_1.pnl and Hydrostatic_1.in on, hulls in axes that LCS_1 … put into those of the water.
+HullMesh_1.pnl and Hydrostatic_1.in on, hulls in axes whose position in the water LCS_1 … give.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ PERIOD_KINDS = {1: "deep wavenumber", 2: "wavenumber", 3: "frequency", 4: "perio
 
 
 def write(values, place):
-    """Write the folder of a project; its parts that HAMS would make are there already.  Returns the paths."""
+    """Write the folder of a project, including the parts that HAMS would compute.  Returns the paths."""
     from hakobune.meshing.files import write_mesh
 
     place = Path(place)
@@ -128,7 +128,7 @@ def read(place, known):
 
 
 def _control_of(path):
-    """{key: rest of its line} up to the line that ends the file for HAMS; what follows it explains the keys"""
+    """{key: rest of its line} up to the line at which HAMS stops reading; later text explains the keys"""
     said = {}
     for line in lines_of(path):
         if "End HAMS Control file" in line:

@@ -1,11 +1,11 @@
-"""A folder of HydroStar's files of one quantity each (.rao, .dat), as it and HAMS write them, read only.
+"""A folder of HydroStar's files with one quantity each (.rao, .dat), as HydroStar and HAMS write them, read only.
 
     # … Water density, Gravity acceleration, Waterdepth, Ref.pt incident wave, Forward speed, Reference point of body 1
     #RAOTYPE AddedMass | WaveDamping | LOAD, Excitation   #COMPONENT ij, of a force i   #HEADING degrees
     ω rad/s   values for each heading   phases in degrees for each heading
 
-SI, of exp(+iωt): the conjugates of ours; waves travel to the heading.  Of matrices the lower triangle may be there
-alone.  Read off files of HydroStar 8 and of HAMS, whose numbers stand in WAMIT's files beside them.
+SI, with exp(+iωt): the conjugates of ours; waves travel to the heading.  Matrices may have only the lower triangle.
+Derived from files of HydroStar 8 and of HAMS, whose numbers are also in WAMIT's files beside them.
 """
 
 from __future__ import annotations

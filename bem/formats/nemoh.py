@@ -1,9 +1,9 @@
 """A folder of Nemoh: Nemoh.cal, Mesh/ (hull, Hydrostatics.dat, KH.dat) and Results/*.tec, in SI and exp(−iωt) as ours.
 
 RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij of i = 1 … 6; ExcitationForce.tec,
-DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6.
-Nemoh.cal knows frequencies and headings by first, last and count: others are refused.  Zones are counted, not named:
-Nemoh 2 calls those of the excitation "Diffraction force" too.  Names are taken in any case, as Nemoh 3 writes results/.
+DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6. Nemoh.cal
+gives frequencies and headings by first, last and count: others are refused.  Zones are counted, not named: Nemoh 2
+calls those of the excitation "Diffraction force" too.  File names are accepted in any case, as Nemoh 3 writes results/.
 G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
 """
 
@@ -158,7 +158,7 @@ def read(place, known=None):
 
 
 def hull_of(place, known=None):
-    """The file of the hull that Nemoh.cal names; None where it is not there.  Raises FormatError."""
+    """The file of the hull named in Nemoh.cal; None if it is missing.  Raises FormatError."""
     place = Path(place)
     cal = _cal_of(_inside(place, "Nemoh.cal"))
     mesh = cal.bodies[body_of(place, len(cal.bodies), known)].mesh
@@ -171,7 +171,7 @@ def hull_of(place, known=None):
 
 
 def _inside(folder, name):
-    """A path of a folder, in whichever case it is written there"""
+    """A path in a folder, with any case of its letters"""
     if (folder / name).exists() or not folder.is_dir():
         return folder / name
     return next((path for path in folder.iterdir() if path.name.lower() == name.lower()), folder / name)
@@ -186,7 +186,7 @@ class Body(NamedTuple):
 
 
 class Cal(NamedTuple):
-    """What Nemoh.cal says: SI, headings (m,) rad, crest (x, y) m that phases are of, bodies : [Body]"""
+    """Content of Nemoh.cal: SI, headings (m,) rad, crest (x, y) m that phases refer to, bodies : [Body]"""
 
     density: float
     gravity: float
@@ -217,7 +217,7 @@ def _cal_of(path):
         for _ in range(int(numbers(1)[0])):
             next(lines, None)
         bodies.append(Body(mesh, motions, forces))
-    numbers(3)  # frequencies, which results have too
+    numbers(3)  # frequencies, which are also in the results
     count, first, last = numbers(3)[:3]
     headings = np.radians(np.linspace(first, last, int(count)))
     return Cal(density, gravity, depth or np.inf, tuple(crest), bodies, headings)
@@ -238,13 +238,13 @@ def _six(place, rows):
 
 
 def _taken(rows, places, axis):
-    """Six rows along an axis by their places, zero where there is none"""
+    """Six rows along an axis by their indices, zero for missing ones"""
     parts = [np.zeros_like(np.take(rows, 0, axis)) if at is None else np.take(rows, at, axis) for at in places]
     return np.stack(parts, axis)
 
 
 def _about(place, body):
-    """(3,) m, the point that rotations and moments are about.  Raises FormatError where there are several."""
+    """(3,) m, the point of rotations and moments.  Raises FormatError for several points."""
     points = [row[4:7] for row in (*body.motions, *body.forces) if row[0] == 2]
     if not points:
         return np.zeros(3)
@@ -259,7 +259,7 @@ def _zones(path, count, columns):
     for line in lines_of(path):
         try:
             row = [float(word) for word in line.split()]
-        except ValueError:  # a title, with which the table before ends
+        except ValueError:  # a title, which ends the previous table
             head += line
             tables += [[]] if tables[-1] else []
             continue
@@ -283,7 +283,7 @@ def _zones(path, count, columns):
 
 
 def _body(folder, which, count):
-    """What Hydrostatics.dat and KH.dat say, those with _0, _1 … of several bodies"""
+    """Content of Hydrostatics.dat and KH.dat, with _0, _1 … for several bodies"""
     own = f"_{which}" if count > 1 else ""
     whole, first = _inside(folder, "KH.dat"), _inside(folder, "KH_0.dat")
     if count > 1 and whole.exists() and first.exists() and np.array_equal(np.loadtxt(whole), np.loadtxt(first)):

@@ -7,9 +7,9 @@
     yaw bow to port; directions that the waves travel to
 
     K = C + m g (z_G − z_R) in roll and pitch: the stiffness of buoyancy alone about the reference origin R, since
-    OrcaFlex lets the weight act at the centre of mass by itself.
+    OrcaFlex applies the weight at the centre of mass separately.
 
-Matrices are written symmetric, which OrcaFlex demands: (A + Aᵀ)/2.  A model holds the water depth and density too.
+Matrices are written symmetric, as OrcaFlex requires: (A + Aᵀ)/2.  A model also contains the water depth and density.
 """
 
 from __future__ import annotations
@@ -66,14 +66,14 @@ TO_OMEGA = {
     "period (s)": lambda x: np.where(np.asarray(x) == 0, np.inf, 2 * np.pi / np.where(np.asarray(x) == 0, 1.0, x)),
 }
 SAME_FREQUENCY = 1e-6  # relative
-DEEP = 1e5  # m, written for water without end, which the file cannot say, and read as that
+DEEP = 1e5  # m, written for infinite depth, which the file cannot represent, and read as infinite
 CENTRE = ("CentreOfMass", "CentreOfGravity")  # key of the centre of mass in OrcaFlex 11, and in earlier versions
 WHAT = ("Length", "Mass", "Force")
 HEAVE_ROLL_PITCH = np.ix_((2, 3, 4), (2, 3, 4))
 
 
 def write(values, place):
-    """Write NAME.yml, a model with one vessel.  Returns its path.  Raises FormatError where it lacks what it needs."""
+    """Write NAME.yml, a model with one vessel.  Returns its path.  Raises FormatError if data are missing."""
     values.need("added_mass", "radiation_damping", "excitation_force")
     place = Path(place)
     name, depth = _quoted(values.name), float(min(values.water_depth, DEEP))
@@ -126,20 +126,20 @@ def _draught(values):
 
 
 def _about_center(values):
-    """Inertia (6, 6) about the centre of mass, which OrcaFlex refers it to; stored about the rotation centre"""
+    """Inertia (6, 6) about the centre of mass, as in OrcaFlex; the database has it about the rotation centre"""
     inertia, mass = np.array(values.get("inertia_matrix"), float), float(values.get("mass"))
     return inertia - _steiner(mass, values.get("center_of_mass") - values.rotation_center)
 
 
 def _steiner(mass, arm):
-    """(6, 6) moments of a mass at `arm` m, of which the rotations alone are filled"""
+    """(6, 6) moments of a mass at `arm` m; only the rotations are filled"""
     moved = np.zeros((6, 6))
     moved[3:, 3:] = mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
     return moved
 
 
 def _weight(values):
-    """(6, 6) N m/rad that the weight takes from roll and pitch: m g (z_G − z_R)"""
+    """(6, 6) N m/rad, reduction of roll and pitch stiffness by the weight: m g (z_G − z_R)"""
     moment = np.zeros((6, 6))
     if values.get("center_of_mass") is not None and values.get("mass") is not None:
         arm = values.get("center_of_mass")[2] - values.rotation_center[2]
@@ -171,7 +171,7 @@ def _matrices(values):
 def read(place, known):
     """The Values of the first draught of a vessel type of NAME.yml.  Raises FormatError.
 
-    known : {"gravity": m/s²}, and "body", which vessel type from 1, where there are several
+    known : {"gravity": m/s²}, and "body", index of the vessel type from 1, if there are several
     """
     place = Path(place)
     try:
@@ -198,7 +198,7 @@ class Units(NamedTuple):
 
 
 def _units(general, place):
-    """Units of the section General.  Raises FormatError for a unit that is not known here."""
+    """Units of the section General.  Raises FormatError for an unknown unit."""
     system = general.get("UnitsSystem", "SI")
     names = SYSTEMS.get(system)
     if system == "User":
@@ -306,7 +306,7 @@ def _crest(group, k, headings):
 
 def _read_body(draught, about, gravity, units):
     body = {}
-    if draught.get("DisplacedVolume") is not None:  # ~ where it follows from the mass
+    if draught.get("DisplacedVolume") is not None:  # ~ if it follows from the mass
         body["displaced_volume"] = units.length**3 * float(draught["DisplacedVolume"])
     if None not in (draught.get("CentreOfBuoyancy") or [None]):
         body["center_of_buoyancy"] = units.length * np.array(draught["CentreOfBuoyancy"], float)

@@ -1,4 +1,4 @@
-"""What a file of another program can hold of a database: the solved frequencies, in the conventions of `bem`."""
+"""Content of another program's file for a database: the solved frequencies, in the conventions of `bem`."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from ..database.schema import BODY, LIMITS, QUANTITIES
 from ..modes import moving, reference_change
 
 CARRIED = tuple(name for name in QUANTITIES if not name.startswith("kochin") and name != "pressure")
-# largest difference, over the largest value, of two data sets of one heading; files print four digits or more
+# largest difference, over the largest value, of two data sets for one heading; files print four digits or more
 SAME_HEADING = 1e-3
-LARGEST = 2000  # MB of a text file, of forces of many pairs of waves
-EVEN = 1e-6  # relative to the step, of numbers that are one step apart
+LARGEST = 2000  # MB of a text file with forces of many wave pairs
+EVEN = 1e-6  # tolerance relative to the step for equally spaced numbers
 
 
 class FormatError(ValueError):
-    """A file of another program cannot be written or read; one line says what, where and the way out."""
+    """A file of another program cannot be written or read; the message gives the reason and a remedy."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +28,7 @@ class Values:
 
     quantities : {name of `schema.QUANTITIES`: array}, axes as there; body : {name of `schema.BODY`: value}
     rotation_center : (3,) m; mesh : PanelMesh, or None; name : of the body
-    others : bodies beside it, which are held fixed; left_out : lines on what of the files is not taken, and why
+    others : bodies beside it, which are fixed; left_out : messages on ignored data, with the reason
     bodies : `bem.modes.Body` of each of several, for formats that hold them; their motions along the axes of the scene
     """
 
@@ -47,11 +47,11 @@ class Values:
     left_out: tuple = ()
 
     def get(self, name):
-        """A quantity or a value of the body; None where it is not there"""
+        """A quantity or a value of the body; None if missing"""
         return self.quantities.get(name, self.body.get(name))
 
     def need(self, *names):
-        """The quantities.  Raises FormatError naming those that are not there."""
+        """The quantities.  Raises FormatError, which names the missing ones."""
         missing = [name for name in names if self.get(name) is None]
         if missing:
             way = "give it by --only"
@@ -66,7 +66,7 @@ def about(values, point):
 
     x_old = T x_new,  F_new = Tᵀ F_old,  A_new = Tᵀ A_old T,    T = [[1, −r×], [0, 1]],  r from the new to the old
 
-    Limits that are not finite everywhere, as heave at ω = 0 in finite depth, are left out.
+    Limits that are not finite everywhere, such as heave at ω = 0 in finite depth, are removed.
     """
     if values.bodies:
         return _about_each(values, point)
@@ -139,9 +139,9 @@ def _of_one(values, number):
 
 
 def values_of(db, several=False):
-    """The Values of an opened database.  Raises DatabaseError where nothing is solved yet.
+    """The Values of an opened database.  Raises DatabaseError if nothing is solved yet.
 
-    several : whether those of several bodies are wanted, else they are refused
+    several : whether to return several bodies, otherwise they are refused
     """
     db.require_rigid()
     if not several:
@@ -186,9 +186,9 @@ def _along_scene(values):
 
 
 def body_of(place, count, known):
-    """Index from 0 of the body that is asked for by known["body"], from 1.  Raises FormatError.
+    """Index from 0 of the body given by known["body"], from 1.  Raises FormatError.
 
-    Its coefficients are those of the body that moves while the others are held.
+    Its coefficients are those of the moving body with the others fixed.
     """
     body = (known or {}).get("body")
     if body is None and count == 1:
@@ -203,7 +203,7 @@ def body_of(place, count, known):
 
 
 def evenly(what, numbers, unit, way_out):
-    """(first, last, count) of numbers one step apart.  Raises FormatError: some files know no others."""
+    """(first, last, count) of equally spaced numbers.  Raises FormatError: some files support no others."""
     steps = np.diff(numbers)
     if len(steps) and not np.all(np.abs(steps - steps.mean()) <= EVEN * steps.mean()):
         raise FormatError(
@@ -214,7 +214,7 @@ def evenly(what, numbers, unit, way_out):
 
 
 def lines_of(path):
-    """Lines of a text file that another program wrote, bytes that are no text replaced.  Raises FormatError."""
+    """Lines of another program's text file, with undecodable bytes replaced.  Raises FormatError."""
     return read_text(path, FormatError, errors="replace", largest=LARGEST).splitlines()
 
 
@@ -244,11 +244,11 @@ def table_of(path, columns, separator=None):
 
 
 def gridded(path, coordinates, values, modes=()):
-    """Rising coordinates and values on their grid.  Raises FormatError where a place is empty or filled twice.
+    """Rising coordinates and values on their grid.  Raises FormatError for an empty place, or one filled twice.
 
     coordinates : list of (k,); values : (k, …); returns : list of (n_i,), array (n_0, n_1, …, …)
-    modes : for each of the last coordinates all numbers that it may have; what of them is nowhere in the table is 0,
-        as programs leave out what symmetry makes 0 (WAMIT user manual, version 7.4, chapter 5)
+    modes : all possible numbers of each of the last coordinates; those missing from the table are 0, since programs
+        omit values that are 0 by symmetry (WAMIT user manual, version 7.4, chapter 5)
     """
     free = len(coordinates) - len(modes)
     axes, places = zip(*(np.unique(axis, return_inverse=True) for axis in coordinates), strict=True)
@@ -271,7 +271,7 @@ def gridded(path, coordinates, values, modes=()):
     other = ((grid[places] != values) & ~np.isnan(values)).any(axis=tuple(range(1, values.ndim)))
     twice = np.zeros(shape, bool)
     twice[tuple(place[other] for place in places)] = True
-    if np.any(twice | (counts == 0)):  # a place that is filled again with the same is one
+    if np.any(twice | (counts == 0)):  # a place filled again with the same value counts once
         where = np.argwhere(twice | (counts == 0))[0]
         said = ", ".join(f"{axis[i]:.6g}" for axis, i in zip(axes, where, strict=True))
         raise FormatError(f"{path}: {counts[tuple(where)]} values for {said}; allowed: one for each, of a full table")
@@ -279,7 +279,7 @@ def gridded(path, coordinates, values, modes=()):
 
 
 def omega_of(column, kind, depth, gravity, length=1.0):
-    """(n,) rad/s of numbers that say a frequency, 0 and infinity among them
+    """(n,) rad/s from numbers that represent a frequency, including 0 and infinity
 
     kind : "period", s, whose 0 is ω = ∞ and −1 ω = 0; "frequency", rad/s, "wavenumber" or "deep wavenumber", rad/m,
         and "wavelength", m: of the first three 0 is ω = 0 and −1 ω = ∞
@@ -298,10 +298,10 @@ def omega_of(column, kind, depth, gravity, length=1.0):
 
 
 def with_headings_once(values):
-    """Values whose headings are each there once: those that differ by whole turns are one where they agree.
+    """Values with each heading once: headings that differ by full circles are merged if they agree.
 
-    Programs list −180 and 180, or 0 and 360.  Raises FormatError where the two differ by more than `SAME_HEADING` of
-    the largest value of their quantity.
+    Programs list −180 and 180, or 0 and 360.  Raises FormatError if the two differ by more than `SAME_HEADING` of the
+    largest value of their quantity.
     """
     turned = np.mod(values.wave_direction, 2 * np.pi)
     turned = np.where(turned > 2 * np.pi - 1e-6, 0.0, turned)

@@ -8,12 +8,12 @@
     .hst          I J C̄                              C = ρg L^(2 + p_I + p_J) C̄
     .mmx          volume, centres and mass (`wamit_out`)
 
-with p = 0 for translations and 1 for rotations, L = ULEN; PER as IPEROUT says, by default the period in s, −1 at ω = 0
-and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.  Pairs
-I, J and modes I that symmetry makes 0 are left out.  Written with L = 1 m.  The .8 file is of the free body where
-motions are stored, which a .4 file beside it tells, else of the fixed one; of several bodies, whose modes are numbered
-on, 7 to 12 and so on, it is left out.  Neither depth, density, gravity nor hull is
-in these files; ULEN and the point that moments are about are in the inputs beside them (`wamit_inputs`).
+with p = 0 for translations and 1 for rotations, L = ULEN; PER as given by IPEROUT, by default the period in s, −1 at ω
+= 0 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.
+Pairs I, J and modes I that are 0 by symmetry are omitted.  Written with L = 1 m.  The .8 file is of the free body if
+motions are stored, as a .4 file beside it shows, else of the fixed one; for several bodies, whose modes are numbered 7
+to 12 and so on, it is omitted.  These files contain neither depth, density, gravity nor hull; ULEN and the point of
+moments are in the inputs beside them (`wamit_inputs`).
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def write(values, place):
 
 
 def stands_for(values, name):
-    """(6, 6) of a limit, or of the frequency next to it where the limit is not there, or not finite"""
+    """(6, 6) of a limit, or of the frequency next to it if the limit is missing or not finite"""
     limit = values.get(name)
     if limit is not None and np.all(np.isfinite(limit)):
         return limit
@@ -82,7 +82,7 @@ def stands_for(values, name):
 
 
 def _moved(values):
-    """Numbers of the modes of what moves, from 1"""
+    """Numbers of the modes of the moving bodies, from 1"""
     return [d + 1 for d in moving(values.bodies)]
 
 
@@ -112,10 +112,10 @@ def _forces(values, X, index, twice=False):
 
 
 def read(place, known):
-    """The Values of NAME.1 and what lies beside it (`wamit_inputs`), or of NAME.out, which holds all of it.
+    """The Values of NAME.1 and the files beside it (`wamit_inputs`), or of NAME.out, which contains all of them.
 
-    known : {"density", "gravity"}, and where they are given "water_depth" m, "length_unit" m, "rotation_center" (3,) m
-        and "body", from 1.  Raises FormatError.
+    known : {"density", "gravity"}, and if given "water_depth" m, "length_unit" m, "rotation_center" (3,) m and "body",
+        from 1.  Raises FormatError.
     """
     place = Path(place)
     whole = place.suffix.lower() == ".out"
@@ -145,7 +145,7 @@ def read(place, known):
         if suffix in tables:
             try:
                 headings, F = _read_forces(tables[suffix], omega, headings, columns, DRIFT_INDEX)
-            except OtherPlaces as error:  # motions and forces are whole without it
+            except OtherPlaces as error:  # motions and forces are complete without it
                 left_out.append(f"{error}; it is left out")
                 continue
             F = F.real * rho_g * length ** (1 + POWER[np.array(DRIFT_INDEX) - 1])
@@ -179,7 +179,7 @@ def coupled(place, known, count):
 
 
 def hull_of(place, known=None):
-    """The .gdf of a body beside NAME.1 or NAME.out; None where it is not there"""
+    """The .gdf of a body beside NAME.1 or NAME.out; None if missing"""
     place = Path(place)
     given = inputs_of(place, {name: known.get(name) for name in ("body",)} if known else {})
     if given.hull:
@@ -188,7 +188,7 @@ def hull_of(place, known=None):
 
 
 class OtherPlaces(FormatError):
-    """A file is of other periods or headings than those beside it."""
+    """A file has other periods or headings than those beside it."""
 
 
 class Columns(NamedTuple):
@@ -198,7 +198,7 @@ class Columns(NamedTuple):
     modes: np.ndarray
 
     def of_body(self, table):
-        """Whether a table of forces has some of the body"""
+        """Whether a table of forces has some of the body's"""
         return bool(np.isin(table.rows[:, -5], self.modes).any())
 
     def omega(self, column):
@@ -208,7 +208,7 @@ class Columns(NamedTuple):
 
 
 def tables_beside(place):
-    """{suffix: Table} of the files of the name of `place`, or of the names that HAMS-MREL has beside AmssDamp.1"""
+    """{suffix: Table} of the files with the name of `place`, or with HAMS-MREL's names beside AmssDamp.1"""
     widths = {".1": (4, 5), ".hst": (3,)} | dict.fromkeys(FORCES, (7,)) | dict.fromkeys(DRIFTS, (8,))
     names = NAMES_OF_HAMS if place.stem == NAMES_OF_HAMS[".1"] else {}
     there = {suffix: beside(place.with_name(names.get(suffix, place.stem) + suffix), suffix) for suffix in widths}
@@ -222,7 +222,7 @@ def tables_beside(place):
 
 
 def _of_body(rows, columns, modes):
-    """Rows whose modes in `columns` are all of the body, and numbered from 1"""
+    """Rows whose modes in `columns` all belong to the body, renumbered from 1"""
     for column in columns:
         rows = rows[np.isin(rows[:, column], modes)]
     rows = rows.copy()

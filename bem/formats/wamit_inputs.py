@@ -1,13 +1,13 @@
-"""What the input files beside WAMIT's results say of them (user manual, version 7.4, chapters 3 and 4).
+"""Content of the input files beside WAMIT's results (user manual, version 7.4, chapters 3 and 4).
 
-    NAME.gdf   header / ULEN GRAV / …                          the length that results are made dimensionless by
+    NAME.gdf   header / ULEN GRAV / …                          the length for dimensionless results
     NAME.pot   header / HBOT / IRAD IDIFF / NPER / PER … / NBETA / BETA … / NBODY / gdf / XBODY(1-4) / IMODE
-    NAME.cfg   KEY = value, in any order                       IPEROUT: what the first column of results is
-    NAME.out   the listing says all of this, and its periods what the first column of NAME.1 is
+    NAME.cfg   KEY = value, in any order                       IPEROUT: kind of the first column of results
+    NAME.out   the listing has all of this, and its periods show the kind of the first column of NAME.1
 
-Results are about the body's own axes, whose origin is XBODY(1-3) in those of the water; the .gdf is in the body's
-axes too.  Lengths are in feet where GRAV is; wavenumbers in the first column are times ULEN (chapter 4).  Lists are
-read as Fortran reads them: what follows the numbers wanted on a line is a remark.
+Results are about the body's own axes, whose origin is XBODY(1-3) in those of the water; the .gdf is in the body's axes
+too.  Lengths are in feet where GRAV is; wavenumbers in the first column are times ULEN (chapter 4).  Lists are read as
+in Fortran: text after the wanted numbers of a line is a remark.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ class Table(NamedTuple):
 class Inputs(NamedTuple):
     """length : m, ULEN; about : (3,) m, XBODY; period_kind : of the first column of results, as in `omega_of`
 
-    wave_length : m that wavenumbers of that column are multiplied by; said : what of these a file says, in words
-    depth : m, may be inf, None where it is not said; gravity : m/s²; bodies : how many; hull : name of the .gdf
-    told : whether a file says how many bodies there are
+    wave_length : m that wavenumbers of that column are multiplied by; said : which of these a file gives, in words
+    depth : m, may be inf, None if not given; gravity : m/s²; bodies : their number; hull : name of the .gdf
+    told : whether a file gives the number of bodies
     """
 
     length: float = 1.0
@@ -64,10 +64,10 @@ class Inputs(NamedTuple):
 
 
 def inputs_of(place, known):
-    """`Inputs` of NAME.gdf, NAME.pot and NAME.cfg as far as they are there, each read for what is not given.
+    """`Inputs` of NAME.gdf, NAME.pot and NAME.cfg if they exist, each read for values that are not given.
 
     known : {"length_unit": m, "rotation_center": (3,) m, "period_kind", "water_depth": m, "gravity": m/s², "body"},
-        each None or not there where it is not given
+        each None or missing if not given
     Raises FormatError.
     """
     place, said = Path(place), []
@@ -146,7 +146,7 @@ def numbers_after(pattern, lines):
 
 
 def before_periods(path):
-    """Lines of a listing of WAMIT, and how many of them stand before its first period, None of another file"""
+    """Lines of a WAMIT listing, and their number before its first period, None for another file"""
     lines = lines_of(path)
     if not any("WAMIT" in line for line in lines[:20]):
         return lines, None
@@ -154,7 +154,7 @@ def before_periods(path):
 
 
 def _kind_listed(place, given):
-    """The kind that makes the periods of the listing of the first column of NAME.1, "" where none does"""
+    """The kind with which the first column of NAME.1 gives the periods of the listing, "" if none does"""
     periods = [m[1] for line in lines_of(beside(place, ".out")) if (m := PERIOD.search(line)) and m[1][0].isdigit()]
     heads = {numbers[0] for line in lines_of(beside(place, ".1")) if len(numbers := numbers_of(line)) == 5}
     if not periods or not heads:
@@ -168,13 +168,13 @@ def _kind_listed(place, given):
 
 
 def beside(place, suffix):
-    """The file of the name of `place` with another suffix, in whichever case it is written; None without one"""
+    """The file with the name of `place` and another suffix, with any case of letters; None without one"""
     found = (place.with_suffix(one) for one in (suffix, suffix.upper()))
     return next((path for path in found if path.is_file()), None)
 
 
 def _head(path):
-    """ULEN and GRAV of a .gdf, those of them that are there"""
+    """ULEN and GRAV of a .gdf, if present"""
     lines = lines_of(path)
     return numbers_of(lines[1])[:2] if len(lines) > 1 else []
 
@@ -193,7 +193,7 @@ def _ulen(path):
 
 
 def _period_kind(path):
-    """The kind that IPEROUT of a .cfg names"""
+    """The kind given by IPEROUT in a .cfg"""
     kind = _configured(path, "IPEROUT")
     if kind is not None and kind not in PERIOD_KINDS:
         raise FormatError(f"{path}: IPEROUT is {kind:g}; allowed: {', '.join(map(str, PERIOD_KINDS))}")
@@ -208,9 +208,9 @@ class Potential(NamedTuple):
 
 
 def _potential(path, without=False):
-    """`Potential` of a file.  Raises FormatError for axes that are turned, or a file that ends too soon.
+    """`Potential` of a file.  Raises FormatError for rotated axes, or a truncated file.
 
-    without : whether points of moments are given elsewhere, so that a file that is not understood does not matter
+    without : whether points of moments are given elsewhere, so that an unreadable file does not matter
     """
     lines = iter(lines_of(path)[1:])
 
@@ -248,7 +248,7 @@ def _potential(path, without=False):
 
 
 def _same_line(lines):
-    """IRAD and IDIFF, which stand on a line; what is neither where there are not two"""
+    """IRAD and IDIFF, which share a line; other values if there are not two"""
     found = numbers_of(next(lines, ""))[:2]
     return found if len(found) == 2 else (9,)
 

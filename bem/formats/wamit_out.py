@@ -1,4 +1,4 @@
-"""NAME.out of WAMIT, which a person reads: the numbers of NAME.1, .3, .8 and of still water in one file.
+"""NAME.out of WAMIT, a listing for readers: the numbers of NAME.1, .3, .8 and of still water in one file.
 
     Gravity, Length scale, Water depth; for each body XBODY, volumes, centres, C(3,3) … C(5,6) and radii of gyration
     for each period ADDED-MASS AND DAMPING COEFFICIENTS, EXCITING FORCES AND MOMENTS, … DRIFT FORCES (Momentum …)
@@ -9,9 +9,8 @@ Phases are whole degrees there: forces are within 1 % in phase.  NAME.mmx has vo
     Normalized mass matrix:           I J M/ρ                IALTFRC = 1
     External force matrices:          I J M D K              IALTFRC = 2 and 3; M in the units of ρ and lengths
 
-Modes beyond the six of a body are left out, and damping and stiffness of lines.  A matrix without inertia in rotation,
-as of a run that needs no motions, gives the mass alone.
-User manual, version 7.4, section 4.9 and chapter 5.
+Modes beyond the six of a body are ignored, as are damping and stiffness of lines.  A matrix without rotational inertia,
+as of a run without motions, gives the mass alone. User manual, version 7.4, section 4.9 and chapter 5.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ CENTERS = {"Center of Buoyancy": "center_of_buoyancy", "Center of Gravity": "cen
 
 
 def read_out(place, known):
-    """{suffix: Table}, `Inputs` and what is known of the body in SI.  Raises FormatError."""
+    """{suffix: Table}, `Inputs` and the known data of the body in SI.  Raises FormatError."""
     place = Path(place)
     lines, start = before_periods(place)
     if start is None:
@@ -48,7 +47,7 @@ def read_out(place, known):
 
 
 def _rows(lines):
-    """{suffix: rows as in its own file} of everything after the first period"""
+    """{suffix: rows as in its own file} of the part after the first period"""
     rows, period, kind, heading = {name: [] for _, name in TITLES}, 0.0, "", (0.0,)
     for line in lines:
         found = PERIOD.search(line)

@@ -48,8 +48,8 @@ def write_pairs(forces, place, weight, bodies=()):
 
 
 def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
-    """`QuadraticForces` of NAME.12d or .12s, all of it as squares, since the file does not tell its parts; None without
-    one
+    """`QuadraticForces` of NAME.12d or .12s, all as squares, since the file does not separate the parts; None without a
+    file
 
     weight : ρg, N/m³; length : m, ULEN
     raises : FormatError for uneven frequencies, pairs of a difference or sum that are missing

@@ -1,4 +1,4 @@
-"""YAML as dictionaries, lists and scalars; what is not plain data is refused by line."""
+"""YAML as dictionaries, lists and scalars; content that is not plain data is refused with its line."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ class YamlFault(ValueError):
 
 
 def parse(text):
-    """Dictionaries, lists and scalars of a text, of YAML 1.2 unless it says 1.1.  Raises YamlFault.
+    """Dictionaries, lists and scalars of a text, in YAML 1.2 unless it declares 1.1.  Raises YamlFault.
 
-    In YAML 1.1 a number without a dot, 12e3, comes as text.
+    In YAML 1.1 a number without a dot, 12e3, is read as text.
     """
     from warnings import catch_warnings, simplefilter
 

@@ -40,7 +40,7 @@ FIRST_EIGHTH, FRACTION, ONE = 8 * (1023 + FIRST_OCTAVE), (1 << 52) - 1, 1023 << 
 
 
 class UniversalTables(NamedTuple):
-    """Tables that hold for every frequency, coefficients of `bem.green.piecewise_polynomials`"""
+    """Tables valid for every frequency, coefficients of `bem.green.piecewise_polynomials`"""
 
     deep: np.ndarray  # (pieces, 8, 8): rings, the far range, the square
     bessel: np.ndarray  # (pieces, 4, 8): J₀, Y₀, −J₁, −Y₁
@@ -118,8 +118,8 @@ def _bessel_lines():
 def bessel(x, lines):
     """J₀, Y₀ and their derivatives −J₁, −Y₁ at x ≥ 0; Y₀ and Y₁ from SMALLEST on.
 
-    Below x = 2 the pieces are eighths of octaves, so that the logarithm and 1/x of Y₀ and Y₁ are approximated with
-    them; taking these out instead would cost 8 ns.
+    Below x = 2 the pieces are eighths of octaves, so that the polynomials include the logarithm and 1/x of Y₀ and Y₁;
+    their separate computation would cost 8 ns.
     """
     if x < 32.0:
         if x < 2.0:

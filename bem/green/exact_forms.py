@@ -22,8 +22,8 @@ from scipy import special
 def _gauss_intervals(breaks, digits):
     """Gauss nodes and weights on consecutive intervals.
 
-    The nearest pole is 1.57 half-widths away: the error is 3.4^(−2n) for n nodes.  n is even, so that none lies in the
-    middle of an interval, where the pole of a principal value is.
+    The nearest pole is 1.57 half-widths away: the error is 3.4^(−2n) for n nodes.  n is even, so that no node lies in
+    the middle of an interval, where the pole of a principal value is.
     """
     node, weight = _gauss(2 * math.ceil(digits / 4.4))
     breaks = np.asarray(breaks)

@@ -26,7 +26,7 @@ from .deep_water import bessel as bessel_functions
 from .piecewise_polynomials import sum_over_x, sum_over_y
 from .tables import TABLE_ONLY, WITH_IMAGES, whole_table
 
-BLOCK = 128  # pairs at a time: their workspace takes 11 kB of a first-level cache of 32 or more
+BLOCK = 128  # pairs per block: their workspace takes 11 kB of a first-level cache of at least 32 kB
 # constants of e^(−x): ln 2 in two parts, n times the first is exact; 1/13! … 1/0!; 1.5 × 2⁵²
 LN2_HIGH, LN2_LOW = 0.69314718036912382, 1.9082149292705877e-10
 SERIES = tuple(1 / math.factorial(n) for n in range(13, -1, -1))
@@ -34,7 +34,7 @@ INTEGER = 1.5 * 2.0**52
 
 
 class TableView(NamedTuple):
-    """A `Table` with addresses in place of its arrays, which must be alive as long as this is used."""
+    """A `Table` with addresses in place of its arrays, which must exist as long as the view is used."""
 
     K: float
     k: float
@@ -78,7 +78,7 @@ def wave_part(R, depths, wave, slope, view):
 def table_position(R, depths, view):
     """Position of a pair in the tables: zone, pieces of g₁ and of g₂, local variables (−1 to 1) of R, Y and V.
 
-    First `table_position` of many pairs, then `wave_part_at` of all takes a quarter less time than `wave_part` of each.
+    `table_position` of many pairs followed by `wave_part_at` of all takes a quarter less time than `wave_part` of each.
     """
     n = int(R * view.per_metre)
     if n >= view.entries:
@@ -127,7 +127,7 @@ def wave_part_at(position, R, depths, wave, slope, view):
 def standing_part_at(position, R, depths, wave, slope, slope_back, view):
     """g₁ + g₂, the real part of G without images, and ∂/∂R, ∂/∂ζ and ∂/∂z of it, at a `table_position`.
 
-    slope_back : ∂/∂z of C Z(z) Z(ζ); the other arguments as of `wave_part`.  ∂/∂z is what the other point sees.
+    slope_back : ∂/∂z of C Z(z) Z(ζ); the other arguments as in `wave_part`.  ∂/∂z is the derivative at the other point.
     """
     Y, V, upwards = depths
     g, gr, by_zeta, by_z = 0.0, 0.0, 0.0, 0.0
@@ -184,7 +184,7 @@ def _tabulated(position, upwards, view):
 
 @kernel()
 def _beyond(R, Y, V, upwards, view):
-    """g₁ + g₂ less the wave beyond the last zone, where G less the wave vanishes; NaN if the zones end before that"""
+    """g₁ + g₂ minus the wave beyond the last zone, where G minus the wave vanishes; NaN if the zones end earlier"""
     if view.beyond != WITH_IMAGES:
         return math.nan, math.nan, math.nan
     g, gr, gz = 2 * view.net * math.log(view.double_depth / R), -2 * view.net / R, 0.0
@@ -210,7 +210,7 @@ def wave_factors(Y, V, upwards, C, k, q):
 
 @kernel(inline=True)
 def decay(x):
-    """e^(−x) for x ≥ 0, at least e^(−700); the compiler vectorises a loop over this, not one over the library's.
+    """e^(−x) for x ≥ 0, at least e^(−700); the compiler vectorises a loop over this function, not over the library's.
 
     e^(−x) = 2ⁿ eʳ with |r| ≤ ½ ln 2, eʳ by its series
     """

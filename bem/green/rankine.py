@@ -4,10 +4,10 @@ In the panel's own axes x, y (origin at its centroid) and for m = 1, x, y, xy
 
     S_m = ∬ m / r dS,    D_m = ∬ m ∂(1/r)/∂n dS = ∬ m (P − Q)·n / r³ dS
 
-S₁ from the edges (Hess & Smith 1967, Newman 1986), D₁ as the solid angle of two triangles (van Oosterom &
-Strackee 1983).  The higher moments follow from Gauss' theorem in the plane: with u, v counted from the foot of P,
-u/r = ∂r/∂u and u/r³ = −∂(1/r)/∂u, so that only ∫ r dl, ∫ dl/r, ∫ l r dl and ∫ l dl/r along the edges are left.
-D is zero (principal value) where P lies in the panel's own plane.
+S₁ from the edges (Hess & Smith 1967, Newman 1986), D₁ as the solid angle of two triangles (van Oosterom & Strackee
+1983).  The higher moments follow from Gauss' theorem in the plane: with u, v measured from the foot of P, u/r = ∂r/∂u
+and u/r³ = −∂(1/r)/∂u, so that only ∫ r dl, ∫ dl/r, ∫ l r dl and ∫ l dl/r along the edges remain. D is zero (principal
+value) where P lies in the panel's own plane.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ from .deep_water import universal
 from .exact_forms import InfiniteFrequency, PositiveFrequency, ZeroFrequency
 from .piecewise_polynomials import aligned, fit_pieces, pieces_per_distance, sample_points
 
-FINEST, COARSEST = 1e-8, 1e-3  # accuracies that can be asked for
+FINEST, COARSEST = 1e-8, 1e-3  # available accuracies
 WHOLE = 5e-10  # accuracy of `whole_table` relative to 1/r, of which G may be a small part
 # parts beyond the last zone: nothing in addition to wave and deep water; minus the images, since G without wave is 0;
 # NaN
@@ -29,7 +29,7 @@ TABLE_ONLY, WITH_IMAGES, NOTHING = 0, 1, 2
 
 
 class Table(NamedTuple):
-    """All that the kernels need for G of one frequency, coefficients of `bem.green.piecewise_polynomials` included"""
+    """Data from which kernels compute G of one frequency, with coefficients of `bem.green.piecewise_polynomials`"""
 
     K: float  # 1/m, ω²/g, the factor of the logarithm; zero for the limits, which have none
     k: float  # 1/m
@@ -71,8 +71,8 @@ def whole_table(omega, depth, gravity):
 def limit_table(which, depth, reach, draft, accuracy=1e-5):
     """Table of the limit "zero" (rigid lid) or "infinity" (φ = 0 on the surface) of the frequency.
 
-    At zero frequency in finite depth G holds −(2/h) ln R and is fixed only up to a constant, which drops out of
-    every mode without net flux.  At infinite frequency 1/r₁ counts negative, and g₁ is what is left of G without it.
+    At zero frequency in finite depth G contains −(2/h) ln R and is determined only up to a constant, which has no
+    effect on modes without net flux.  At infinite frequency 1/r₁ is negative, and g₁ is the rest of G without it.
     """
     form = (
         None if np.isinf(depth) else (ZeroFrequency if which == "zero" else InfiniteFrequency)(depth, _digits(accuracy))
@@ -86,7 +86,7 @@ def _wave_numbers(omega, depth, gravity):
 
 
 def _digits(accuracy):
-    """−ln of the truncation error: a few times less than the accuracy asked for"""
+    """−ln of the truncation error, which is a few times smaller than the requested accuracy"""
     return 5.0 - math.log(accuracy)
 
 
@@ -107,7 +107,7 @@ def _table(form, K, k, C, depth, reach, draft, accuracy, whole=False):
     for n in range(wanted):
         start = near * 2**n
         half = start / (pieces_per_distance(accuracy) - 1)
-        if whole:  # relative to what is left of G there, down to 1e-4 of 1/r
+        if whole:  # relative to the remaining part of G there, down to 1e-4 of 1/r
             half = min(half, (accuracy / 1e-5) ** (1 / 7) / slowest * max(1.0, math.exp((slowest * start - 9) / 8)))
         parts.append(_zone(start, 2 * start, half, draft, _Far(form, modes, depth, digits, whole)))
     first, zones = 0, []

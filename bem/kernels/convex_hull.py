@@ -1,6 +1,6 @@
 """The convex hull of points in the plane.
 
-scipy.spatial has one as well, and takes 0.09 s of processor time to load, in every study.
+scipy.spatial has one as well, but its import takes 0.09 s of processor time, in every study.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ def convex_hull(points):
     """(m, 2), the corners, anticlockwise, of the convex hull of points (n, 2); none within one of its sides.
 
     The monotone chain of A. M. Andrew, Inf. Process. Lett. 9, 1979, in n log n.
-    raises : ValueError where all lie on one line
+    raises : ValueError if all lie on one line
     """
     points = np.asarray(points, float)
     least = STRAIGHT * float(np.max(np.ptp(points, axis=0))) ** 2

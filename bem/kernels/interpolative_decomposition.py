@@ -17,8 +17,8 @@ from .threads import parallel_rows
 
 ENTRIES = 4  # non-zero entries in each row of Ω
 SEED = 1_982
-ENTRIES_AT_ONCE = 128  # entries of a column taken together, so that 2048 sums stay in the cache
-PRODUCTS_PER_PAIR = 16  # take the time of a pair of point and source
+ENTRIES_AT_ONCE = 128  # entries of a column in one block, so that 2048 sums stay in the cache
+PRODUCTS_PER_PAIR = 16  # take the time of one pair of point and source
 ROUNDING = 1e-12  # rounding of the entries of A Aᵀ or Aᵀ A
 
 
@@ -42,8 +42,8 @@ class Sketch:
             count as a column each; m may be 0
         scale : (…, m) or what is broadcast to it
 
-        Weights of rows and columns cost nothing here, where a product of a block does: all blocks of a frequency and
-        their weights in one call take half the time of a call for each.
+        Weights of rows and columns cost nothing here, unlike a product of a block: all blocks of a frequency and their
+        weights in one call take half the time of a call for each.
         """
         shape = parts[0].shape[:-2] + parts[0].shape[-1:]
         weights = np.broadcast_to(scale, shape).ravel() / np.sqrt(ENTRIES)
@@ -68,8 +68,8 @@ class Sketch:
 def _add_columns(columns, places, signs, sums, row):
     """sums[places[j, e], row + i] += signs[j, e] columns[j, i] for all j, e and i
 
-    A product with a sparse matrix, then added to the rows that it touches, takes four times as long with two threads;
-    indices that may be negative, which numba tests for, twice as long.
+    A product with a sparse matrix, then added to its rows, takes four times as long with two threads; indices that may
+    be negative, which numba tests for, twice as long.
     """
     count = columns.shape[1]
     for start in range(0, count, ENTRIES_AT_ONCE):
@@ -87,7 +87,7 @@ def interpolative_decomposition(matrix, tolerance):
     matrix : (n, m) A itself or `Sketch.matrix`; rows : (r,) increasing, r ≥ 1; X : (n, r)
 
     R of pivoted QR is the Cholesky factor of A Aᵀ with the same pivots, which ends at the rank and takes a third of the
-    time or less; where the square of the tolerance is lost in rounding it is made by QR.
+    time or less; if the square of the tolerance is lost in rounding it is computed by QR.
     """
     from scipy.linalg import solve_triangular
 
@@ -100,7 +100,7 @@ def interpolative_decomposition(matrix, tolerance):
 
 
 def _by_cholesky(matrix, tolerance):
-    """R, its pivots and the rank; None if rounding is as large as what is left at the rank"""
+    """R, its pivots and the rank; None if rounding is as large as the remainder at the rank"""
     from scipy.linalg.lapack import dpstrf
 
     gram = matrix @ matrix.T
@@ -118,7 +118,7 @@ def _by_qr(matrix, tolerance):
 
 
 def truncated_least_squares(A, b, cutoff):
-    """x of least norm with A x ≈ b by singular values, those below `cutoff` times the largest left out
+    """x of least norm with A x ≈ b by singular values, without those below `cutoff` times the largest
 
     A (n, m), n ≥ m, and b (n, k), real.  The singular values are the roots of the eigenvalues of Aᵀ A, in a fifth of
     the time for n = 14 m, unless the square of `cutoff` is lost in rounding.

@@ -1,10 +1,10 @@
-"""The one way to compile a kernel: numba, each kernel once, with a cache that notices what a kernel is made of.
+"""The single way to compile a kernel: numba, each kernel once, with a cache that detects changes of its sources.
 
-numba stamps a cached function with its own file only: a callee edited in another file would go on returning its old
+numba stamps a cached function with its own file only: a callee edited in another file would continue to return its old
 values, and so would a constant imported from there, which is frozen into the machine code.  The folder of a kernel
-therefore carries a digest of the sources of its module and of all modules of this repository that it imports directly
-or through others (`sources`).  How one is kept and called by others: `kept`.  Where the folder cannot be written
-kernels are compiled for the process alone, and this is said.
+therefore has a digest of the sources of its module and of all modules of this repository that it imports directly or
+through others (`sources`).  `kept` describes how kernels are stored and called by others.  Without write access kernels
+are compiled for the process alone, which a message reports.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def before_first_kernel(call):
 
 
 def cache_folder(file, root):
-    """Where the kernels of a source file are kept compiled; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
+    """Folder of the compiled kernels of a source file; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
     return _base() / _sources(str(root), _base()).digest(file)
 
 
@@ -46,10 +46,9 @@ def _base():
 def kernel(inline=False, counted=True):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
-    Kernels of `bem` write to arrays that they are given: an allocation, or an array that is put into another at once,
-    takes a second to compile, for its error message.  They start no threads themselves
-    (`bem.kernels.threads.parallel_rows` does).
-    inline : always inlined into the kernels that call it; else as the compiler decides
+    Kernels of `bem` write to given arrays: an allocation, or a direct array assignment, takes a second to compile, for
+    its error message.  They start no threads themselves (`bem.kernels.threads.parallel_rows` does).
+    inline : always inlined into the kernels that call it; by default as the compiler decides
     counted : whether it counts who refers to arrays, as it must where it makes or returns one.  Where arrays are cut in
     loops, counting took two thirds of the time of two bodies moored to each other
     """
@@ -62,7 +61,7 @@ def kernel(inline=False, counted=True):
 
 
 class Kernel:
-    """A function that numba, which takes 0.25 s to import, compiles or loads when it is first called"""
+    """A function that numba, whose import takes 0.25 s, compiles or loads on its first call"""
 
     def __init__(self, function, inline, counted):
         self.function, self.inline, self.counted = function, inline, counted
@@ -78,7 +77,7 @@ class Kernel:
         return self._called or self._made("_called", self._for_kernels)
 
     def _made(self, name, make):
-        """A dispatcher, made by the first of several threads that ask for it"""
+        """A dispatcher, made by the first of several threads that need it"""
         with _one_at_a_time:
             if getattr(self, name) is None:
                 setattr(self, name, make())
@@ -88,7 +87,7 @@ class Kernel:
         return self._dispatcher("")
 
     def _for_kernels(self):
-        """Without the code by which Python calls it: that takes apart all arrays and named tuples of the arguments"""
+        """Dispatcher without the code for calls from Python, which unpacks arrays and named tuples of arguments"""
         made = self._dispatcher("called", no_cpython_wrapper=True)
         template = made.get_call_template
         made.get_call_template = lambda args, kws: template(*_without_values(args, kws))
@@ -96,13 +95,13 @@ class Kernel:
 
     @property
     def _numba_type_(self):
-        """What numba takes this for in kernels that call it"""
+        """Type under which numba sees this in kernels that call it"""
         from numba.core.types import Dispatcher
 
         return Dispatcher(self.called)
 
     def _dispatcher(self, version, **wrappers):
-        """Numba's own, with the options of all kernels; a `version` is kept in a folder of its own"""
+        """Numba's own dispatcher, with the options of all kernels; a `version` is kept in its own folder"""
         import numba
 
         while _before_first:
@@ -146,7 +145,7 @@ def _not_kept(error):
 
 @cache
 def _tell_not_kept(base, reason):
-    """On stderr, once a process: a warning would become a finding of the study that is at work"""
+    """On stderr, once per process: a warning would become a finding of the running study"""
     print(
         f"hakobune: compiled kernels cannot be stored in {base} ({reason}), so every command that needs them compiles "
         "them again, for up to two minutes; set HAKOBUNE_CACHE to a writable folder",

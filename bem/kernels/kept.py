@@ -1,11 +1,11 @@
-"""How numba keeps a compiled kernel on disk, and how kernels call each other.
+"""Storage of compiled kernels on disk by numba, and calls between kernels.
 
-Numba links the code of a kernel into all that call it and optimises and assembles it there again: what lies six calls
-deep is compiled six times.  Here a kernel of more than a few instructions is compiled once.  Its callers know its
-symbol alone, and their files name what has to be loaded before them.
+Numba links the code of a kernel into all its callers and optimises and assembles it there again: a kernel six calls
+deep is compiled six times.  Here a kernel of more than a few instructions is compiled once.  Its callers use its symbol
+alone, and their files list the kernels to be loaded before them.
 
-What is private in numba, all of it here: `CompileResult._reduce` and `_rebuild`, the pickled form of a kernel;
-`CodeLibrary._shared_module`, what callers link, and `_reload_init`, what is called before a kernel is loaded.
+Private parts of numba, all used only here: `CompileResult._reduce` and `_rebuild`, the pickled form of a kernel;
+`CodeLibrary._shared_module`, which callers link, and `_reload_init`, called before a kernel is loaded.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ from numba.core.types import Array
 
 from .sources import put_file
 
-SMALL = 100  # instructions: kernels up to which the compiler may inline are linked
+SMALL = 100  # instructions: kernels up to this size, which the compiler may inline, are linked
 
 
 class _StaleError(Exception):
-    """A kernel calls one that was compiled again since"""
+    """A kernel calls one that has been recompiled since"""
 
 
 class Callee:
-    """Loads a kernel that the kernel whose file names it calls
+    """Loads a kernel before another kernel whose file lists it as a callee
 
-    kept : whether its file has this very kernel, not one of the same that another process compiled at the same time
+    kept : whether its file has this very kernel, not an equal one compiled by another process at the same time
     """
 
     kept = True
@@ -51,10 +51,10 @@ class Callee:
 
 
 class Kept:
-    """What numba's dispatcher takes for its cache: a file for each signature of a kernel.
+    """Replacement of numba's cache in its dispatcher: a file for each signature of a kernel.
 
-    folder : Path; failed : called with an OSError where it cannot be written
-    linked : whether the kernel is linked into others however long it is, or called by none
+    folder : Path; failed : called with an OSError if it is not writable
+    linked : whether the kernel is linked into others at any length, or called by none
     """
 
     def __init__(self, function, folder, linked, failed):
@@ -63,7 +63,7 @@ class Kept:
 
     def load_overload(self, signature, context):
         """The kernel with this signature, or None"""
-        rtsys.initialize(context)  # runtime that machine code of arrays calls
+        rtsys.initialize(context)  # runtime called by machine code for arrays
         file = self._file(signature, context)
         try:
             apart, data = pickle.loads(file.read_bytes())
@@ -77,7 +77,7 @@ class Kept:
         return result
 
     def save_overload(self, signature, result):
-        """Have others call a kernel that was just compiled by its symbol, and keep it, unless another process has"""
+        """Let others call a just compiled kernel by its symbol, and store it, unless another process has"""
         kind = result.signature.return_type
         if not result.target_context.enable_nrt and any(
             isinstance(one, Array) for one in getattr(kind, "types", [kind])
@@ -115,7 +115,7 @@ class Kept:
 
 
 def _is_inner_loop(signature):
-    """Whether a kernel takes pointers or vectors (`simd`): called for every few numbers, it gains from being linked"""
+    """Whether a kernel takes pointers or vectors (`simd`): called for every few numbers, it is faster when linked"""
     return any("*" in kind.name or "SimdVector" in kind.name for kind in signature)
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-# fit error, relative to the largest value of each function, at which poles suffice; below it noise creates poles
+# fit error, relative to the largest value of each function, at which the poles suffice; below it noise creates poles
 ENOUGH = 1e-3
 MOST = 40
 

@@ -1,4 +1,4 @@
-"""Progress callback of long preparations: they call it after every part, without knowing who shows it."""
+"""Progress callback of long preparations, called after every part; its display is separate."""
 
 from __future__ import annotations
 

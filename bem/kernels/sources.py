@@ -29,7 +29,7 @@ _NAME = re.compile(r"(\w[\w.]*)(?:\s+as\s+\w+)?\s*(?:#[^\n]*)?(?:,|$)")
 
 @cache
 def imported(file, root):
-    """Source files below `root` that one imports directly, as a tuple of Paths"""
+    """Source files below `root` imported directly by a source file, as a tuple of Paths"""
     out = []
     for origin, names, plain in _IMPORT.findall(file.read_bytes().decode()):
         if plain:
@@ -122,7 +122,7 @@ class Sources:
         ]
 
     def _keep(self):
-        """Where that cannot be written all is read again the next time."""
+        """Store the digests; if the file cannot be written, all sources are read again the next time."""
         self._before |= self._now
         with suppress(OSError):
             put_file(self.kept, json.dumps(self._before).encode())

@@ -1,1 +1,1 @@
-"""Problems of the panel method and of those for boxes and cylinders, and near-field drift of either."""
+"""Problems of the panel method and of the methods for boxes and cylinders; near-field drift of both."""

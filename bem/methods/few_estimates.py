@@ -1,12 +1,12 @@
 """Errors of many frequencies from the differences between two resolutions at some of them.
 
-Both resolutions of the contour method go up in steps over the frequency; from one step to the next their difference is
-smooth.  Frequencies of the same resolutions make a range.  It is halved until, at the frequency in its middle, the
-difference is near that on the straight line between its ends, and its ends are less than half an oscillation of a wave
-along the body apart.  At the other frequencies of such a range the difference is that of the parabola through these
-three, and bounded by `MARGIN` times the largest of them.
+Both resolutions of the contour method increase in steps over the frequency; between steps their difference is smooth.
+Frequencies with the same resolutions form a range.  It is halved until, at its middle frequency, the difference is
+close to the straight line between its ends, and its ends are less than half an oscillation of a wave along the body
+apart.  At the other frequencies of such a range the difference is that of the parabola through these three, and bounded
+by `MARGIN` times the largest of them.
 
-Which frequencies these are depends on the list of frequencies alone, not on which of them is solved first.
+The choice of these frequencies depends only on the list of frequencies, not on the order of solution.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from ..frequency import DRIFT
 from ..waves import wavenumber
 from .shape_run import ShapeRun
 
-FEWEST = 4  # frequencies of a range in which some are not solved by both resolutions
+FEWEST = 4  # least number of frequencies of a range in which some are not solved by both resolutions
 APART = 3.0  # k × the length of the body, rad, between the ends of a range
 NEAR = 0.5  # largest deviation of the middle value from a straight line, over the largest difference
 SMALL = 0.1  # fraction of the tolerance below which differences are not tested
@@ -30,7 +30,7 @@ SAME = 1e-9  # relative in omega
 
 
 class Differences(NamedTuple):
-    """Between two resolutions at one frequency: as `bem.frequency.FrequencyRun.differences`, and `kochin_errors`"""
+    """Differences of two resolutions at one frequency, as `bem.frequency.FrequencyRun.differences`; `kochin_errors`"""
 
     radiation: np.ndarray
     excitation: np.ndarray
@@ -60,7 +60,7 @@ class FewEstimates:
 
     @cached_property
     def ranges(self):
-        """(n, 2) numbers of the first and the last frequency of the range of each"""
+        """(n, 2) indices of the first and last frequency in the range of each frequency"""
         solver, gravity = self.prepared.solver, self.prepared.problem.gravity
         kinds = [(solver.resolution(w, gravity), solver.finer.resolution(w, gravity)) for w in self.omegas]
         steps = [i for i in range(1, len(kinds)) if kinds[i] != kinds[i - 1]]
@@ -70,7 +70,7 @@ class FewEstimates:
         return out
 
     def _around(self, i, key, question):
-        """Numbers (first, middle, last) of the range around a frequency, None if it has a difference of its own"""
+        """Indices (first, middle, last) of the range around a frequency; None if it has its own difference"""
         first, last = self.ranges[i]
         while first < i < last and last - first + 1 >= FEWEST:
             middle = (first + last) // 2
@@ -95,7 +95,7 @@ class FewEstimates:
         return (self.omegas[i] - self.omegas[first]) / (self.omegas[last] - self.omegas[first])
 
     def _known(self, i, key, question):
-        """`Differences` of a frequency and what is small beside its coefficients and forces"""
+        """`Differences` of a frequency, and values that are small relative to its coefficients and forces"""
         if (i, key) not in self.differences:
             run = ShapeRun(self.prepared, self.omegas[i], *question)
             drifts = run.want & DRIFT and run.solves
@@ -105,7 +105,7 @@ class FewEstimates:
         return self.differences[i, key]
 
     def _between(self, i, near, key):
-        """`Differences` on the parabola through three, and bounds of radiation and excitation"""
+        """`Differences` from the parabola through three frequencies, and bounds of radiation and excitation"""
         known = [self.differences[j, key][0] for j in near]
         weights = _lagrange(self.omegas[i], self.omegas[list(near)])
         mixed = Differences(*(sum(w * d[j] for w, d in zip(weights, known, strict=True)) for j in range(2)), [])
@@ -118,7 +118,7 @@ class FewEstimates:
 
 
 class BetweenRun(ShapeRun):
-    """A frequency whose differences are those of frequencies around it.
+    """A frequency whose differences are interpolated from other frequencies.
 
     near : `Differences`; bounds : of radiation (6, 6), real and imaginary part apart, and of excitation (m, 6)
     """
@@ -131,7 +131,7 @@ class BetweenRun(ShapeRun):
 
 
 def _parts(differences):
-    """Real arrays of `Differences` in which errors are judged; of the excitation the modulus"""
+    """Real arrays of `Differences` for the error test; the modulus of excitation"""
     Z, F = differences[:2]
     return Z.real, Z.imag, F
 
@@ -141,7 +141,7 @@ def _largest(*values):
 
 
 def _small(run):
-    """Of `_parts`, what is `SMALL` of the tolerance"""
+    """`SMALL` times the tolerance for each of `_parts`"""
     share, count = SMALL * run.problem.tolerance, len(run.prepared.displacing)
     A, F = np.zeros((count, count)), np.zeros(count)
     B = A.copy()

@@ -1,16 +1,16 @@
-"""Mean drift from the pressure on the hull, where a method gives it: an independent check of the far field.
+"""Mean drift from the pressure on the hull, if a method provides it: an independent check of the far field.
 
     F = −½ρg ∮ ζ_r² n dl + ½ρ ∬ |∇φ|² n dS + ρ ∬ (X·∇φ_t) n dS + α × F₁,        M alike, and α × M₁ + X_c × F₁
 
 mean over a period (Pinkster 1980), n out of the body, ζ_r the wave elevation relative to the hull, X the displacement
-of a point of it, X_c that of the rotation centre, α the rotations; F₁ and M₁ the first-order load of water and weight
-about the rotation centre, inertia times acceleration where nothing else holds the body.
+of a hull point, X_c that of the rotation centre, α the rotations; F₁ and M₁ the first-order load of water and weight
+about the rotation centre, equal to inertia times acceleration for a body without other restraint.
 
 The error of the drift is that of the pressures as a fraction of ρgζ² times the breadth, however small the drift is: in
-long waves it exceeds it.
+long waves the error exceeds the drift.
 
-A surface in the water around the hull would be no check: every flow by Green's theorem or by eigenfunctions carries
-the same momentum through it as far away, right or wrong.
+A surface in the water around the hull would be no check: every flow by Green's theorem or by eigenfunctions has the
+same momentum flux through it as far away, right or wrong.
 """
 
 from __future__ import annotations
@@ -24,18 +24,17 @@ from ..second_order.rotations import first_order_loads
 def near_field_drift(run, moving):
     """(m, 3) as `bem.drift.mean_drift`, about the rotation centre, from the potentials of a solved frequency.
 
-    run : the quantities of one frequency of a mesh with four nodes a panel (`bem.panels.one_frequency.PanelRun`) or
-        of the
-        contour method (`bem.methods.shape_run.ShapeRun`), which wants the drift by the far field too
+    run : the quantities of one frequency of a mesh with four nodes per panel (`bem.panels.one_frequency.PanelRun`) or
+        of the contour method (`bem.methods.shape_run.ShapeRun`), which also needs the drift by the far field
     moving : freely floating instead of fixed
-    raises : ValueError for a method without pressures on the hull, or a run that wants too little
+    raises : ValueError for a method without pressures on the hull, or a run without the needed quantities
     """
     force = _method(run, moving).pressure_drift(run, _motions(run, moving))
     return force + rotated_loads(run) if moving else force
 
 
 def near_field_error(run, moving):
-    """(m, 3) N/m², N m/m²: a bound, estimated, of what near and far field differ by, both as `near_field_drift`.
+    """(m, 3) N/m², N m/m²: estimated bound of the difference between near and far field, both as in `near_field_drift`.
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
@@ -81,7 +80,7 @@ def _method(run, moving):
 
 
 def rotated_loads(run):
-    """(m, 3) mean surge, sway and yaw of the first-order loads, which turn with the body, about the rotation centre"""
+    """(m, 3) mean surge, sway and yaw by first-order loads that turn with the body, about the rotation centre"""
     pairs = rotated_pairs(first_order_loads(run, run.problem, run.rao), run.rao)
     each = np.arange(len(run.headings))
     return pairs[each, each][:, [0, 1, 5]].real

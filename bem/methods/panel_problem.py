@@ -16,10 +16,10 @@ from ..problem import Problem
 # than full ones: 2 000 nodes of four classes and 3 800 of one take as long by both, 3 000 of four 1.6 s for 2.3
 WORTH_COMPRESSING = 4000
 
-if TYPE_CHECKING:  # the methods load their kernels when they are at work: a contour needs none of them
+if TYPE_CHECKING:  # the methods load their kernels when they run: a contour needs none of them
     from ..panels.influence import Geometry
 
-PROBES = 5  # frequencies that tell which ones need a finer mesh
+PROBES = 5  # frequencies that determine which others need a finer mesh
 RADIATION = {"added_mass", "radiation_damping"}
 
 
@@ -28,17 +28,16 @@ class PanelProblem(Problem):
     """A floating body in water for the panel method: all input except frequency and headings.
 
     mesh : hull panels; lid : interior free-surface panels or None
-    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
-    finer : for frequencies whose estimated error exceeds the tolerance, extrapolated from both meshes too; None does
-        without.  finer(mesh, lid) gives both of the same body with about twice as many panels, or None at the last;
-        finer.omegas (n,) rad/s are those that will be asked for; finer.band(mesh, lid, omegas) gives the `band` of some
+    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None for no estimate
+    finer : for frequencies whose estimated error exceeds the tolerance, also after extrapolation from both meshes; or
+        None.  finer(mesh, lid) returns both of the same body with about twice as many panels, or None at the limit;
+        finer.omegas (n,) rad/s are the frequencies of the run; finer.band(mesh, lid, omegas) gives the `band` of some
         of them on that mesh, or None
     nodes_per_panel : 4 (bilinear) or 1 (constant)
     wall : y in m of a vertical wall along x that reflects all waves; None for open water
     zero_draft : the flat bottom of the hull laid into the water surface, `bem.panels.zero_draft`
-    damping_lids : `bem.panels.damping_lid.DampingLid` of each piece of water that takes energy; each frequency alone
-    band : (low, high) rad/s, where many frequencies will be asked for: they then share the work of
-        `bem.panels.band.equations`
+    damping_lids : `bem.panels.damping_lid.DampingLid` of each damped water area; then each frequency is solved alone
+    band : (low, high) rad/s of a run with many frequencies: they then share the work of `bem.panels.band.equations`
     """
 
     mesh: object
@@ -52,12 +51,12 @@ class PanelProblem(Problem):
     band: tuple | None = None
 
     def prepared(self):
-        """`PreparedPanelProblem`: with elements, images and what else depends on the geometry only"""
+        """`PreparedPanelProblem`: with elements, images and all other data that depend only on geometry"""
         coarse = self.coarse and self._on(*self.coarse, finer=None).prepared()
         return self.prepared_beside(coarse)
 
     def prepared_beside(self, coarse):
-        """`PreparedPanelProblem` with the one of a coarser mesh, or None"""
+        """`PreparedPanelProblem` combined with that of a coarser mesh, or None"""
         from ..panels.zero_draft import flattened
 
         mesh, lid = (flattened(self.mesh), None) if self.zero_draft else (self.mesh, self.lid)
@@ -67,7 +66,7 @@ class PanelProblem(Problem):
         return replace(self, mesh=mesh, lid=lid, coarse=None, **changes)
 
     def refined(self):
-        """The same on more panels, each frequency alone, or None; without a lid if it has none"""
+        """The same problem on more panels, each frequency alone, or None; without a lid if it has none"""
         found = None if self.finer is None else self.finer(self.mesh, self.lid)
         return None if found is None else self._on(*found, band=None)
 
@@ -87,14 +86,14 @@ class PreparedPanelProblem:
 
     @cached_property
     def displacing(self):
-        """(6,) whether a mode moves water at all, `bem.modes.displacing`"""
+        """(6,) whether a mode displaces water, `bem.modes.displacing`"""
         return displacing(self.geometry.mesh, self.problem.modes)
 
     @cached_property
     def axisymmetric_geometry(self):
-        """The geometry of an axisymmetric body with an axisymmetric lid, which replaces one that is not.
+        """The geometry of an axisymmetric body with an axisymmetric lid, which replaces any other lid.
 
-        φ' vanishes on the lid, so that any will do.
+        φ' vanishes on the lid, so that any lid is valid.
         """
         g, problem = self.geometry, self.problem
         if problem.lid is None or g.sectors or not g.without_lid.sectors:
@@ -113,7 +112,7 @@ class PreparedPanelProblem:
 
     @cached_property
     def band_equations(self):
-        """(`bem.panels.band.equations.BandEquations`, …) of the problem's band, of its lower part without lid first"""
+        """(`bem.panels.band.equations.BandEquations`, …) of the problem's band, first of its lower part without lid"""
         from ..checks import sufficient_accuracy
         from ..panels.band.equations import band_equations
 
@@ -123,12 +122,12 @@ class PreparedPanelProblem:
 
     @property
     def refinement(self):
-        """How many panels the mesh has for one of the coarse mesh."""
+        """Ratio of the panel number to that of the coarse mesh."""
         return self.problem.mesh.total / self.coarse.problem.mesh.total
 
     @cached_property
     def finer(self):
-        """The same on more panels, which has this one for its coarser one; None where there is none"""
+        """The same problem on more panels, with this one as its coarser one; or None"""
         problem = self.problem.refined()
         if problem is None:
             return None
@@ -138,8 +137,8 @@ class PreparedPanelProblem:
 
     @property
     def _beyond_tolerance(self):
-        """(n,) rad/s of the frequencies asked for that lie between those of some `PROBES` whose radiation keeps the
-        tolerance, if need be extrapolated, below and above all that do not: the same whichever is solved first
+        """(n,) rad/s of frequencies that need a finer mesh: those between the outermost of some `PROBES` that keep the
+        tolerance, if need be extrapolated, below and above all that do not; independent of the order of solution
         """
         omegas = self.problem.finer.omegas
         probes = np.unique(np.linspace(0, len(omegas) - 1, PROBES).astype(int))
@@ -199,7 +198,7 @@ class PreparedPanelProblem:
         return not problem.zero_draft and problem.nodes_per_panel == 4 and size > WORTH_COMPRESSING
 
     def in_band(self, omega):
-        """Whether a frequency lies in the problem's band, to rounding"""
+        """Whether a frequency lies in the problem's band, up to rounding"""
         band = self.problem.band
         return band is not None and band[0] * (1 - 1e-9) <= omega <= band[1] * (1 + 1e-9)
 

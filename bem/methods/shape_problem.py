@@ -1,4 +1,4 @@
-"""The radiation–diffraction problem of boxes and vertical cylinders, for the methods that need no panels."""
+"""The radiation–diffraction problem of boxes and vertical cylinders, for the methods without panels."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class ShapeProblem(Problem):
     sizes : m, in that order; tolerance : relative error asked for
     shapes : of several `bodies`, the shape and sizes of each, in place of these
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None
-    omegas : (n,) rad/s, ascending, that will be asked for: of many some tell the errors of the others
+    omegas : (n,) rad/s, ascending, of the run: for many frequencies, errors of some give those of the others
         (`bem.methods.few_estimates`)
     """
 
@@ -47,7 +47,7 @@ class PreparedShapeProblem:
 
     @cached_property
     def solver(self):
-        """What solves a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
+        """Solver of a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
         s = self.problem
         if s.shapes:
             from ..contour.several.bodies import prepare_several
@@ -67,7 +67,7 @@ class PreparedShapeProblem:
 
     @cached_property
     def panels(self):
-        """The panels prepared; raises ValueError where there are none"""
+        """The prepared panels; raises ValueError without panels"""
         if self.problem.panels is None:
             raise ValueError(f"method {self.problem.method} has no panels to give pressures on")
         return self.problem.panels.prepared()
@@ -88,7 +88,7 @@ class PreparedShapeProblem:
 
     @property
     def displacing(self):
-        """(6,) whether a mode moves water at all; of several bodies (6N,)"""
+        """(6,) whether a mode displaces water; for several bodies (6N,)"""
         return np.array([moves for shape, _ in self.shapes for moves in [True] * 5 + [shape == "box"]])
 
     @property

@@ -15,10 +15,10 @@ RESOLVED = ("contour", "transfer")  # methods that have finer bodies
 class ShapeRun(FrequencyRun):
     """One frequency of a method without panels, by the prepared solver or a sharper one.
 
-    Few problems need one: heights of a gap and drafts at which what keel and sides radiate nearly cancels.
+    Few problems need one: gap heights and drafts for which radiation of keel and sides nearly cancels.
     """
 
-    most_sharper = 2  # digits more than the tolerance asks for
+    most_sharper = 2  # number of additional digits beyond the tolerance
 
     def __init__(self, prepared, omega, headings, want, theta, dofs, solver=None):
         super().__init__(prepared, omega, headings, want, theta, dofs)
@@ -33,7 +33,7 @@ class ShapeRun(FrequencyRun):
 
     @property
     def solves(self):
-        """Whether any equations have to be solved"""
+        """Whether any equations must be solved"""
         return bool(self.want - {"Froude_Krylov_force", "pressure"})
 
     @cached_property
@@ -46,7 +46,7 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def finer(self):
-        """The same by the finer body of the contour method"""
+        """The same frequency by the finer body of the contour method"""
         return self._first_order(self.solver.finer, self.want & DRIFT)
 
     def _first_order(self, solver, far_field):
@@ -55,7 +55,7 @@ class ShapeRun(FrequencyRun):
 
     @property
     def waves(self):
-        """(m,) headings; empty where no diffraction is wanted"""
+        """(m,) headings; empty if no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
     @cached_property

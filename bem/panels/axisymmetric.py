@@ -13,7 +13,7 @@ implies
 
     Â_m(i*, j*) = exp(im (α_s(j) − α_s(i))) Â_−m(i, j)
 
-The mesh holds only the part that its mirror planes leave; arguments and results are split into symmetry classes
+The mesh contains only the part on one side of its mirror planes; arguments and results are split into symmetry classes
 (`bem.panels.influence`).
 """
 
@@ -31,8 +31,8 @@ from ..kernels.threads import blas_threads, parallel_rows
 from .wave_influence import wave_blocks
 
 COINCIDENT = 1e-7  # distance, over the smallest panel, below which nodes coincide
-FEWEST_SECTORS = 3  # fewest sectors in a symmetric part for which the method pays
-NEGLIGIBLE = 1e-13  # harmonics below this fraction of a right-hand side are rounding
+FEWEST_SECTORS = 3  # least number of sectors in a symmetric part for which the method is faster
+NEGLIGIBLE = 1e-13  # harmonics below this fraction of a right-hand side count as rounding
 
 
 class Sectors(NamedTuple):
@@ -40,7 +40,7 @@ class Sectors(NamedTuple):
 
     node, image : (N, p) node i of the first sector, rotated by α_k, is mirror image image[k, i] of mesh node node[k, i]
     hull : (p,) whether a node is on the hull, not on the lid
-    rows : (r,) numbers, within the sector, of the nodes whose rows are computed; the mirror plane gives the others
+    rows : (r,) indices, within the sector, of the nodes whose rows are computed; the mirror plane gives the others
     mirror_node, shift : (p,) i* and s of every node; empty without mirror plane
     """
 
@@ -78,7 +78,7 @@ def sectors(geometry):
 
 
 def _rings(R, z, angle, tolerance):
-    """Arrays of numbers of points at the same distance from the axis and the same height, sorted by angle"""
+    """Arrays of indices of points at the same distance from the axis and the same height, sorted by angle"""
     ring = _groups(R, tolerance) * len(R) + _groups(z, tolerance)
     order = np.lexsort((angle, ring))
     ends = np.flatnonzero(np.diff(ring[order], prepend=-1, append=-1))
@@ -133,7 +133,7 @@ def _mirror_nodes(node, image, images):
 
 
 def sector_rows(geometry, mirror, table, depth_values):
-    """S and D (classes, r, n) at the `first` nodes of the sectors; arguments as of `bem.panels.influence.assembled`"""
+    """S and D (classes, r, n) at the `first` nodes of the sectors; arguments as in `bem.panels.influence.assembled`"""
     first = geometry.sectors.first
     S, D = wave_blocks(geometry, first, np.arange(len(geometry.elements.nodes)), table, depth_values)
     s, d, s1, d1 = geometry.rankine_of_sector
@@ -146,7 +146,7 @@ def solved_by_harmonics(geometry, S, D, K, velocities, all_harmonics=True):
     """({class: potentials (columns, hull nodes)}, largest residual relative to its right-hand side).
 
     S, D : `sector_rows`; K : ω²/g in 1/m; velocities : {class: (columns, hull nodes)}, m/s
-    all_harmonics : False for those alone that exert a force on the body, the harmonics of its modes of motion
+    all_harmonics : False for those that exert a force on the body only, the harmonics of its modes of motion
     raises : LinAlgError if the equations of a harmonic are singular
     """
     from scipy.linalg import solve
@@ -173,7 +173,7 @@ def solved_by_harmonics(geometry, S, D, K, velocities, all_harmonics=True):
 
 
 def _present(spectrum):
-    """(columns, m) whether a harmonic is more than rounding"""
+    """(columns, m) whether a harmonic exceeds rounding"""
     size = np.abs(spectrum).max(axis=2)
     return size > NEGLIGIBLE * size.max(axis=1, keepdims=True)
 

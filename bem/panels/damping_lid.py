@@ -1,18 +1,18 @@
-"""Lids on the water between hulls or in a moonpool that take energy, in place of the eddies of the real flow.
+"""Lids on the water between hulls or in a moonpool that absorb energy, instead of the eddies of the real flow.
 
 With the time factor exp(−iωt) a lid of damping ε has
 
     g ∂φ/∂z = ω² (1 + iε) φ      on F, with φ the whole potential
 
-(Chen 2004, Newman 2004).  G keeps to the free surface without loss, so that of the integrals over F what is left is
-iεK ∬ G φ dS.  With n out of the bodies and ψ = φ + φ_I on F the unknowns of `bem.panels.influence` have the company of
+(Chen 2004, Newman 2004).  G satisfies the free-surface condition without loss, so that iεK ∬ G φ dS remains of the
+integrals over F.  With n out of the bodies and ψ = φ + φ_I on F the equations of `bem.panels.influence` become
 
     hull:        2πφ − Dφ − KSφ′ − iεK S_F ψ = −SV
     damping lid: 4πψ − Dφ − KSφ′ − iεK S_F ψ = −SV + 4πφ_I
     inner lid:   4πφ′ + KSφ′ + Dφ + iεK S_F ψ = SV
 
-φ_I being zero where a body moves in calm water.  The lid takes the mean power ½ρωεK ∬ |ψ|² dS, and radiates as sources
-of the strength iεKψ; the exchange of waves (Haskind) and the balance of energy count both.
+φ_I being zero where a body moves in calm water.  The lid absorbs the mean power ½ρωεK ∬ |ψ|² dS, and radiates as
+sources of the strength iεKψ; the exchange of waves (Haskind) and the balance of energy include both.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class DampingLid(NamedTuple):
 def with_damping_lids(problem):
     """(`Geometry` of the hull, of damping lids and of the inner lid, (nodes of damping lids,) ε) of a `PanelProblem`
 
-    Raises ValueError where these are more than can be solved.
+    Raises ValueError for more lid nodes than can be solved.
     """
     mesh, lids = problem.mesh, problem.damping_lids
     narrow = min(_width(one.corners) for one in lids)
@@ -149,11 +149,11 @@ class DampedRun(PanelRun):
 
     @property
     def taken_at_rest(self):
-        """(m,) k/(2ρgC_g) times the power that the lids take beside bodies held at rest"""
+        """(m,) k/(2ρgC_g) times the power that the lids absorb beside fixed bodies"""
         return self._extinction(np.diag(self._taken(self._of_waves, self._of_waves)))
 
     def damping_lid_power(self):
-        """(m,) W per m² of wave amplitude, mean power that the lids take: of free bodies, or of bodies at rest"""
+        """(m,) W per m² of wave amplitude, mean power that the lids absorb: beside free bodies, or fixed ones"""
         psi = self._of_waves
         if self.free:
             motion = -1j * self.omega * self.rao @ self.of_motion
@@ -187,7 +187,7 @@ class DampedRun(PanelRun):
         return sum(((one[cls] * self._share) @ other[cls].conj().T).real for cls in one)
 
     def _extinction(self, taken):
-        """What `taken` (m,) is in the balance (1/2π)∫|H|²dθ + taken = −Re H(β)"""
+        """Contribution of `taken` (m,) to the balance (1/2π)∫|H|²dθ + taken = −Re H(β)"""
         celerity = self.omega / self.k
         return 0.5 * self.omega * taken * self.k / (2 * self.problem.gravity * celerity * self.group_factor)
 

@@ -1,9 +1,9 @@
-"""A frequency from two meshes at once: what both have is carried on to panels without size (Richardson 1911).
+"""A frequency from two meshes: results are extrapolated to panels of zero size (Richardson 1911).
 
-The error of a mesh falls like a known power of the number of its panels (`bem.checks.ERROR_ORDER`), so that most of it
-is known from a coarser mesh, and with its sign.  Taken off, a sixth of it is left in the median and a third in nine of
-ten random bodies; in short waves more, for panels a fifth of a wave long a third and two thirds (`left_over`).  This
-takes no time, where twice as many panels, which leave 0.45 of the error, take three times as long.
+The error of a mesh falls like a known power of the number of its panels (`bem.checks.ERROR_ORDER`), so that a coarser
+mesh shows most of it, with its sign.  After its subtraction, a sixth remains in the median and a third in nine of ten
+random bodies; in short waves more, for panels a fifth of a wave long a third and two thirds (`left_over`).  This takes
+no time, whereas twice as many panels, which leave 0.45 of the error, take three times as long.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ TRUSTED = 1 / 3
 
 
 class ExtrapolatedRun(FrequencyRun):
-    """As the `bem.panels.one_frequency.PanelRun` it is made of, without most of the error of its mesh.
+    """A `bem.panels.one_frequency.PanelRun` extrapolated from two meshes, without most of the error of its mesh.
 
     Every quantity linear in the potentials is extrapolated, motions and drift forces follow from these; `pressure` is
     that on the mesh.
@@ -39,7 +39,7 @@ class ExtrapolatedRun(FrequencyRun):
 
     @property
     def refined(self):
-        """As that of the run it is made of"""
+        """The value of the original run"""
         return self.run.refined
 
     @property
@@ -48,7 +48,7 @@ class ExtrapolatedRun(FrequencyRun):
 
     @cached_property
     def left_over(self):
-        """Share of the mesh's error that is left"""
+        """Share of the mesh's error that remains"""
         return left_over(self.run.problem.mesh.sizes.max() * self.k / (2 * math.pi))
 
     @cached_property
@@ -73,7 +73,7 @@ class ExtrapolatedRun(FrequencyRun):
 
     @property
     def residual(self):
-        """The larger one of both meshes"""
+        """The larger residual of both meshes"""
         return max(self.run.residual, self.run.coarse.residual)
 
     @cached_property
@@ -88,19 +88,19 @@ class ExtrapolatedRun(FrequencyRun):
 
     @cached_property
     def tolerances(self):
-        """The largest estimated error over what is trusted of the tolerance"""
+        """The largest estimated error over the trusted share of the tolerance"""
         return super().tolerances / TRUSTED
 
     def enlarged(self, radiation, excitation):
-        """As of the run it is made of"""
+        """The value of the original run"""
         return self.run.enlarged(radiation, excitation)
 
     def drift_of_each(self, moving):
-        """As of the run it is made of"""
+        """The value of the original run"""
         return self.run.drift_of_each(moving)
 
     def pressure(self):
-        """As of the run it is made of"""
+        """The value of the original run"""
         return self.run.pressure()
 
     def _without_error(self, name):
@@ -109,5 +109,5 @@ class ExtrapolatedRun(FrequencyRun):
 
 
 def left_over(panels_per_wave):
-    """Share of the error of a mesh that is left by extrapolation; largest edge of a panel over the wave"""
+    """Share of a mesh's error that remains after extrapolation; largest edge of a panel over the wave"""
     return min(1.0, LEFT + OF_WAVES * panels_per_wave**2)

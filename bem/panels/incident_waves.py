@@ -2,8 +2,8 @@
 
     φ_I = −(ig/ω) Z(z) X(x) Y(y),    X = exp(ikx cos β),    Y = exp(iky sin β)
 
-X is cos(kx cos β) in a class even in x, i sin(kx cos β) in an odd one, X itself if x = 0 is no mirror plane; Y alike.
-A vertical wall, the plane y = 0, reflects the wave: twice the part even in y.
+X is cos(kx cos β) in a class even in x, i sin(kx cos β) in an odd one, X itself if x = 0 is no mirror plane; Y
+likewise. A vertical wall, the plane y = 0, reflects the wave: twice the part even in y.
 """
 
 from __future__ import annotations

@@ -6,8 +6,8 @@ auxiliary density φ' on the interior free surface (the lid) satisfy
     hull:  2πφ − Dφ − K S φ' = −S V
     lid:   4πφ' + K S φ' + Dφ =  S V
 
-The exact solution has φ' = 0.  The lid row makes the fictitious flow inside the hull one with ∂w/∂z = 0 on its free
-surface, so that it has no resonance: no irregular frequency at any ω (cf. Lee, Newman & Zhu 1996).
+The exact solution has φ' = 0.  The lid row imposes ∂w/∂z = 0 on the free surface of the fictitious flow inside the
+hull, so that this flow has no resonance: no irregular frequency at any ω (cf. Lee, Newman & Zhu 1996).
 
 Mirror planes split the unknowns into classes, even or odd in x and in y; a class sees each panel together with
 its images, their potentials equal or opposite.
@@ -41,9 +41,9 @@ FAR = 5.0
 class Geometry:
     """Elements, mirror images and Rankine integrals of a mesh with its lid in water of a depth: no frequency.
 
-    modes : `bem.modes.Mode`s beyond the rigid motions, which have the mirror planes of the mesh
+    modes : `bem.modes.Mode`s beyond the rigid motions, with the mirror planes of the mesh
 
-    wall : y in m of a vertical wall that reflects all waves, along x; None for open water.  The wall takes the place
+    wall : y in m of a vertical wall that reflects all waves, along x; None for open water.  The wall replaces
     of the mirror plane y = 0: the mesh is shifted by `origin`, behind the wall is the mirror image of the body, and the
     flow is even in y.
     """
@@ -69,7 +69,7 @@ class Geometry:
 
     @cached_property
     def without_lid(self):
-        """The same without the lid, for low frequencies and limits"""
+        """The same geometry without the lid, for low frequencies and limits"""
         mesh, lid, *others = self.given
         if lid is None:
             return self
@@ -83,7 +83,7 @@ class Geometry:
 
     @cached_property
     def lid_from(self):
-        """K in 1/m from which the lid is needed, `bem.panels.irregular_frequencies`; infinite where there is none"""
+        """K in 1/m above which the lid is needed, `bem.panels.irregular_frequencies`; infinite without one"""
         mesh, lid, *_ = self.given
         return np.inf if lid is None else lid_needed_from(mesh)
 
@@ -154,7 +154,7 @@ class Geometry:
         return self.rankine_rows(self.elements.nodes)
 
     def rankine_of(self, nodes):
-        """`rankine_rows` at some nodes, from `rankine` where a frequency has left it"""
+        """`rankine_rows` at some nodes, from `rankine` if a frequency has computed it"""
         if "rankine" in vars(self.larger or self):
             return tuple(a[:, nodes] for a in self.rankine)
         return self.rankine_rows(self.elements.nodes[nodes])
@@ -209,7 +209,7 @@ def _rankine_rows(low, high, points, e, images, signs, bed, shift, moments, s, d
     """`Geometry.rankine_rows` of the points `low` to `high`; moments : (2, nodes of a panel), workspace"""
     for i in range(low, high):
         for m in range(len(images)):
-            # reflecting the point instead of the panel leaves the integrals as they are
+            # reflecting the point instead of the panel does not change the integrals
             x, y, z = images[m, 0] * points[i, 0], images[m, 1] * points[i, 1], points[i, 2]
             _add_row(x, y, z, e, signs[:, m], moments, s[:, i], d[:, i])
             if bed:

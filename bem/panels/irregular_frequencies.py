@@ -1,10 +1,10 @@
-"""Where irregular frequencies begin, and with them the need for a lid.
+"""Lowest irregular frequency, above which a lid is needed.
 
 The direct equation of the outside has a false resonance wherever the water inside the hull, with φ = 0 on it, has one:
 
     K = min ∭ |∇φ|² dV / ∬ φ² dS    over flows that are zero on the hull, dS on the water surface inside.
 
-Continued by zero, such a flow is one of the box around the hull as well, which can only have a lower minimum:
+Continued by zero, such a flow is also one of the box around the hull, whose minimum can only be lower:
 
     K ≥ κ coth κd,    κ² = π² (1/L² + 1/B²),    equal for a box of length L, beam B, draft d.
 
@@ -31,7 +31,7 @@ def lowest_irregular(length, beam, draft):
 
 
 def lid_needed_from(mesh):
-    """K = ω²/g in 1/m up to which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
+    """K = ω²/g in 1/m below which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
     if mesh.body is not None:
         return min(lid_needed_from(mesh.of_body(i)) for i in range(mesh.bodies))
     return SHARE * lowest_irregular(*rectangle_around(mesh), mesh.draft)

@@ -1,4 +1,4 @@
-"""The panel method at one frequency: potentials on the hull and what follows from them."""
+"""The panel method at one frequency: potentials on the hull and derived results."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class PanelRun(FrequencyRun):
     """Potentials and forces of one frequency, by direct boundary elements (`bem.panels.influence`).
 
     Only symmetry classes with a wanted degree of freedom or an incident wave are assembled and solved.
-    refined : the same on fewer panels, than which this one is sharper; None without one
+    refined : the run on fewer panels that this one refines; or None
     """
 
     most_sharper = 3
@@ -40,7 +40,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def solves(self):
-        """Whether any equations have to be solved"""
+        """Whether any equations must be solved"""
         return bool(self.columns)
 
     @property
@@ -72,9 +72,9 @@ class PanelRun(FrequencyRun):
 
     @property
     def sharper(self):
-        """Extrapolated from both meshes or, where that is not trusted to keep the tolerance, on the next finer one
+        """Extrapolated from both meshes or, if this is not accurate enough, on the next finer one
 
-        None where no estimate asks for it, and on a number of panels that was asked for
+        None if no estimate requires it, and for a requested number of panels
         """
         if self.coarse is None or self.problem.finer is None:
             return None
@@ -82,7 +82,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def on_finer_mesh(self):
-        """What makes a run on the next finer mesh of the problem, or None at the last"""
+        """A run on the next finer mesh of the problem, or None at the last"""
         finer = self.prepared.finer
         return None if finer is None else partial(self._on, finer)
 
@@ -103,7 +103,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def reach(self):
-        """m, largest horizontal distance between two points that see each other"""
+        """m, largest horizontal distance between two interacting points"""
         return self.geometry.reach
 
     @cached_property
@@ -133,7 +133,7 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def columns(self):
-        """{class: (its radiating dofs, its headings)}, the right-hand sides; classes without any are left out."""
+        """{class: (its radiating dofs, its headings)}, the right-hand sides; classes without any are omitted."""
         table, incident_headings = {}, self.incident_headings if self.diffracts else {}
         for cls in self.geometry.classes:
             own = self.geometry.members(cls)
@@ -183,7 +183,7 @@ class PanelRun(FrequencyRun):
         table = wave_table(self.omega, self.problem.depth, self.problem.gravity, self.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
-        with blas_threads(1):  # its products are small, and its kernels have threads of their own
+        with blas_threads(1):  # its products are small, and its kernels have their own threads
             equations = self.equations(classes, table, [velocities[c] for c in classes])
         self._timed("assemble", start)
         start = time.perf_counter()
@@ -224,7 +224,7 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def radiation(self):
-        """Complex A + iB/ω (6, 6) about the origin, zero where a degree of freedom was left out"""
+        """Complex A + iB/ω (6, 6) about the origin, zero for degrees of freedom that were not solved"""
         out = np.zeros((self.count, self.count), complex)
         for cls, (moving, _) in self.columns.items():
             members = self.geometry.members(cls)
@@ -246,7 +246,7 @@ class PanelRun(FrequencyRun):
     def haskind(self):
         """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)
 
-        None where these or the diffraction are not solved for.
+        None if these or the diffraction are not solved.
         """
         if not (self.radiates and self.diffracts):
             return None
@@ -279,7 +279,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def senders(self):
-        """Nodes, weights and normals of all that sends waves"""
+        """Nodes, weights and normals of all surfaces that radiate waves"""
         return self.hull
 
     def sent(self, cls):
@@ -315,8 +315,8 @@ class PanelRun(FrequencyRun):
     def pressure(self):
         """(m, panels of the whole hull) mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude
 
-        Of the freely floating body where its inertia is known, else of the fixed one; panels as in `mesh.whole()`, the
-        mesh being that of the run that was refined, if this one is finer.
+        Of the freely floating body if its inertia is known, else of the fixed one; panels as in `mesh.whole()`, where
+        the mesh is that of the original run if this one is finer.
         """
         if self.refined is not None:
             return self.refined.pressure()

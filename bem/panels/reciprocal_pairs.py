@@ -1,8 +1,8 @@
-"""Wave part of S and D between all nodes, their real part, from one evaluation of G for both ends of a pair.
+"""Real wave part of S and D between all nodes, from one evaluation of G for both ends of a pair.
 
-G is symmetric in its two points, and ∂/∂R, ∂/∂z and ∂/∂ζ of it follow from the same polynomials: half of all
-evaluations are enough.  The imaginary part is in `bem.panels.standing_waves`.  Integrals are those of
-`bem.panels.wave_influence`: at the nodes, and with the fine points on panels whose surface image is close.
+G is symmetric in its two points, and its ∂/∂R, ∂/∂z and ∂/∂ζ follow from the same polynomials: half of all evaluations
+are enough.  The imaginary part is in `bem.panels.standing_waves`.  Integrals are those of `bem.panels.wave_influence`:
+at the nodes, and with the fine points on panels whose surface image is close.
 """
 
 from __future__ import annotations
@@ -110,7 +110,7 @@ def _rows_and_columns(
 
 @kernel(inline=True)
 def _evaluate(a, b, nodes, normals, count, depth_z, C, view, pieces, values, found):
-    """G and ∂G/∂n of what `_locate` has found: for b seen from a, for a from b, then the same of ∂G/∂n, or zeros"""
+    """G and ∂G/∂n for the values of `_locate`: for b seen from a, for a from b, then the same of ∂G/∂n, or zeros"""
     for p in range(4):
         i = np.uintp(4 * a + p)
         for q in range(4):
@@ -138,7 +138,7 @@ def _evaluate(a, b, nodes, normals, count, depth_z, C, view, pieces, values, fou
 
 @kernel(inline=True)
 def _locate(a, b, nodes, normals, centers, squares, images, view, pieces, values):
-    """Of all pairs of nodes of panels a and b and images: R, ∂R/∂n at b and at a, local variables of `table_position`,
+    """For all pairs of nodes of panels a and b and images: R, ∂R/∂n at b and at a, local variables of `table_position`,
     and whether panel b seen from the node of a, and a from that of b, is integrated at its nodes (1, else 0)
     """
     count = len(images)

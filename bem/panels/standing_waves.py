@@ -3,9 +3,9 @@
     Im G = C Z(z) Z(ζ) J₀(kR),    J₀(kR) = ⟨cos(kΔx cos θ) cos(kΔy sin θ)⟩
 
 averaged over a quarter of directions θ.  Equally spaced, T of them on the circle leave 2 J_T(kR) and less.  With f =
-Z(z) times cos or sin of kx cos θ times cos or sin of ky sin θ, those of a class's own symmetry at each mirror plane,
-the sum over the images is that over f at the point times f at the source: as many columns as functions, whatever the
-number of nodes.
+Z(z) times cos or sin of kx cos θ times cos or sin of ky sin θ, with the symmetry of the class at each mirror plane,
+the sum over the images is Σ f(point) f(source).  The number of columns is the number of functions f and does not grow
+with the number of nodes.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ def standing_waves(geometry, classes, table, depth_values):
 
 
 def directions(phase):
-    """Of a quarter circle, so that four times as many leave 1e-13 of J₀ up to this phase kR
+    """Directions of a quarter circle, so that four times as many have an error of 1e-13 in J₀ up to this phase kR
 
-    Jₙ(x) falls like Airy's function from n = x on: 1e-13 of it is left 10 x^(1/3) further.
+    Jₙ(x) decays like Airy's function from n = x on: to 1e-13 within a further 10 x^(1/3).
     """
     return int(np.ceil((phase + 10 * phase ** (1 / 3) + 12) / 4))
 

@@ -17,8 +17,8 @@ from ..green.finite_depth import depth_variables, table_position, table_view, wa
 from ..kernels.jit import kernel
 from ..kernels.threads import parallel_rows
 
-# the wave part of a panel is integrated with FINE × FINE instead of COARSE × COARSE points where its surface image is
-# closer than NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by PER_WAVE
+# a panel's wave part is integrated with FINE × FINE instead of COARSE × COARSE points if its surface image is closer
+# than NEAR of its sizes, or if the wave or the depth is shorter than the panel divided by PER_WAVE
 COARSE, FINE = 2, 4
 NEAR, PER_WAVE = 1.0, 2.2
 
@@ -90,7 +90,7 @@ class Pairs(NamedTuple):
 
 
 def close_up_to(sizes, k, depth):
-    """(s,) m, distance of the surface images of panels of these sizes (m) up to which they take the fine points"""
+    """(s,) m, distance of the surface images of panels of these sizes (m) up to which they use the fine points"""
     length = min(1 / k if k > 0 else np.inf, depth)
     return np.where(sizes > PER_WAVE * length, np.inf, NEAR * sizes)
 
@@ -111,10 +111,10 @@ def _blocks(
 
     points, weights, shape, depth_z : quadrature, first of the `coarse` points, then of the fine ones, which images
     closer than `distances` take.  Workspace of one thread: chosen (images,); of all pairs on a panel pieces (·, 3), the
-    integers of `table_position`, and values (·, 5): R, ∂R/∂n and the local variables, later the values of G.
-    There are no views of arrays and no array arguments of kernels that are not inlined: numba would update their
-    reference counts, and where all threads shared one count two of them took longer than one; now each call has its
-    own.  Computed indices are `uintp`: numba tests signed ones for being negative, an eighth of all time.
+    integers of `table_position`, and values (·, 5): R, ∂R/∂n and the local variables, later the values of G. There are
+    no views of arrays and no array arguments of kernels that are not inlined: numba would update their reference
+    counts, and two threads with one common count took longer than one; now each call has its own.  Computed indices are
+    `uintp`: numba tests signed ones for negative values, an eighth of all time.
     """
     c, several, view = len(signs), shape.shape[2] > 1, table_view(table)
     for i in range(first_row, end_row):
@@ -127,7 +127,7 @@ def _blocks(
                     low, high = first[j], first[j + 1]
                 if count == 0:
                     continue
-                # where waves are long beside the panel their imaginary part needs no fine points
+                # for waves long relative to the panel their imaginary part needs no fine points
                 smooth = several and fine == 1 and distances[j] < math.inf
                 if smooth:
                     _add_standing(
@@ -187,7 +187,7 @@ def _locate(
 ):  # fmt: skip
     """R, ∂R/∂n and `table_position` of the chosen images of all quadrature points of panel j.
 
-    A loop of its own, before the one that evaluates G: one loop over both takes 1.3 times as long.
+    A separate loop before the one that evaluates G: one loop over both takes 1.3 times as long.
     """
     for n in range(low, high):
         q = np.uintp(corners[n] if at_nodes else n)

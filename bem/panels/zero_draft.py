@@ -22,7 +22,7 @@ from .frequency_limits import added_mass_of, unit_depth_values
 from .influence import assembled
 from .one_frequency import PanelRun
 
-HORIZONTAL = 1e-6  # sine of the slope up to which a panel belongs to a flat bottom
+HORIZONTAL = 1e-6  # sine of the largest slope of a panel of a flat bottom
 
 
 def bottom(mesh):
@@ -34,7 +34,7 @@ def bottom(mesh):
 def flattened(mesh):
     """The flat bottom of a hull, moved to the water surface, as a PanelMesh.
 
-    raises : ValueError if the waterplane is not as large as the bottom: only upright sides may be left out
+    raises : ValueError if the waterplane is not as large as the bottom: only vertical sides may be neglected
     """
     chosen = bottom(mesh)
     area, waterplane = mesh.areas[chosen].sum(), -mesh.area_vectors[:, 2].sum()

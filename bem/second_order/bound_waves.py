@@ -1,4 +1,4 @@
-"""The wave that is bound to a pair of waves, at the difference of their frequencies or at their sum.
+"""The wave bound to a pair of waves, at the difference of their frequencies or at their sum.
 
 A sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries Re Σᵢ Σⱼ aᵢ āⱼ s_ij exp{i(κ·x − Ωt)} at second order, Ω = ωᵢ − ωⱼ and
 κ = kᵢ − kⱼ, with the potential of a wave of amplitude s that moves as no free wave can (Longuet-Higgins and Stewart
@@ -8,12 +8,12 @@ A sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries Re Σᵢ Σⱼ aᵢ āⱼ s_
 
     q = (Ωg²/2ωᵢωⱼ) (kᵢ·kⱼ + KᵢKⱼ) + (g²/4) {(kᵢ² − Kᵢ²)/ωᵢ − (kⱼ² − Kⱼ²)/ωⱼ},        K = ω²/g.
 
-−ρ ∂φ/∂t at z = 0 is ρg s, negative: water is pressed away from under groups of high waves.  Both orders of a pair are
-counted, s_ij = s_ji: of two waves the bound wave has the amplitude 2 s aᵢaⱼ.  In deep water s of two waves that travel
-one way is −Ωωᵢ/2g, of the larger frequency: nothing under long groups, but not nothing (Longuet-Higgins 1963).
+−ρ ∂φ/∂t at z = 0 is ρg s, negative: the pressure is lower under groups of high waves.  Both orders of a pair are
+counted, s_ij = s_ji: for two waves the bound wave has the amplitude 2 s aᵢaⱼ.  In deep water s of two waves in one
+direction is −Ωωᵢ/2g, ωᵢ the larger frequency: zero in the limit of long groups, but not before (Longuet-Higgins 1963).
 
-At the sum frequency the second wave has −ωⱼ and −kⱼ (`kinds`): Ω = ωᵢ + ωⱼ, κ = kᵢ + kⱼ.  Of one wave by itself
-s = ¾K cosh 2kh / sinh⁴kh, that of Stokes (1847); in deep water it is nothing of waves that travel one way.
+At the sum frequency the second wave has −ωⱼ and −kⱼ (`kinds`): Ω = ωᵢ + ωⱼ, κ = kᵢ + kⱼ.  For a single wave s = ¾K cosh
+2kh / sinh⁴kh, that of Stokes (1847); in deep water it vanishes for waves in one direction.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ import numpy as np
 
 from ..waves import group_factor, wavenumber
 
-NEAREST = 1e-9  # smallest frequency difference, over the frequency; smaller ones use this value, since s is even in Ω
+NEAREST = 1e-9  # smallest relative frequency difference; smaller ones use this value, since s is even in Ω
 
 
 class BoundWaves(NamedTuple):
@@ -39,7 +39,7 @@ def bound_waves(first, second, depth, gravity=9.80665):
     """`BoundWaves` of pairs of waves.
 
     first, second : (frequency rad/s, direction rad), each scalars or arrays that broadcast, the second frequencies
-        negative for the sum of frequencies; depth : m, may be inf
+        negative for sum frequencies; depth : m, may be inf
     """
     (one, beta), (two, gamma) = ([np.asarray(part, float) for part in wave] for wave in (first, second))
     k, l = wavenumber(one, depth, gravity), np.copysign(wavenumber(two, depth, gravity), two)

@@ -1,9 +1,9 @@
-"""First-order waves on the free surface around a vertical cylinder, from its side on, by the contour method.
+"""First-order waves on the free surface around a vertical cylinder, outwards from its side, by the contour method.
 
     φ = −(ig/ω) exp(ikr cos(θ − β)) + Σ_m e^{imθ} {c_m H_m(kr) + Σₙ Zₙ(0) Kₘ(kₙr) / kₙKₘ'(kₙR) ⟨∂φ/∂r, Zₙ⟩_m / ⟨Zₙ, Zₙ⟩}
 
-on r > R, c_m from the potential of the propagating mode on the side.  The local part is known on rings, as it is of
-panels (`surface_waves`), which begin on the side.
+on r > R, c_m from the potential of the propagating mode on the side.  The local part is given on rings, as for panels
+(`surface_waves`), which begin at the side.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ BEYOND = 6  # orders more than `orders_sent`
 
 
 class CylinderSurface:
-    """As `surface_waves.SurfaceWaves`, with no points but those on rings
+    """As `surface_waves.SurfaceWaves`, with points on rings only
 
     points : `bem.contour.hull.flow.HullPoints`; surfaces : `HullSurfaces`; omega, of_force : rad/s, rising
     """
@@ -48,7 +48,7 @@ class CylinderSurface:
         self.weights, self.waves = np.zeros(0), []
 
     def add(self, freq, motions):
-        """Take in the waves of a `SharedFrequency` with motions (m, 6) about the origin"""
+        """Add the waves of a `SharedFrequency` with motions (m, 6) about the origin"""
         start = freq.amplitude
         whole, local = self._of(freq, in_waves(freq, motions), len(motions))
         m = np.arange(-self.most, self.most + 1)

@@ -1,9 +1,9 @@
 """First-order waves of a box or vertical cylinder by the contour method, for forces of pairs.
 
-Integrals over sides and bottom have the edge's flow exactly, that of the bound wave is over the wall of the plan
-(`bem.contour.hull`), and the surface around a cylinder is sums of Bessel functions from its side on
-(`contour_surface`).  The flow under a box is known in the mean only: a box is held, its heave, roll and pitch are not
-known, and neither is the forcing of the surface around it.
+Integrals over sides and bottom contain the edge's flow exactly, that of the bound wave is over the wall of the plan
+(`bem.contour.hull`), and the surface around a cylinder is a sum of Bessel functions outwards from its side
+(`contour_surface`).  The flow under a box is known only in the mean: a box must be fixed, its heave, roll and pitch
+loads are unknown, and so is the forcing of the surface around it.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ VERTICAL = [2, 3, 4]
 class ContourWaves(FirstOrderWaves):
     """As `first_order_waves.PanelWaves`, of a `bem.methods.shape_problem.ShapeProblem`
 
-    raises : ValueError for another method, infinite depth, a floating box, the surface around a box and waves that are
-        not resolved
+    raises : ValueError for another method, infinite depth, a floating box, the surface around a box and unresolved
+        waves
     """
 
     def __init__(

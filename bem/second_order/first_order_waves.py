@@ -1,4 +1,4 @@
-"""First-order waves of one problem as forces of pairs need them, collected frequency by frequency."""
+"""First-order waves of one problem for forces of wave pairs, collected frequency by frequency."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from .long_wave_forces import long_wave_forces, lowest
 from .rotations import first_order_loads, still_water_pairs
 from .surface_waves import SurfaceWaves
 
-MANY = 12  # frequencies of the force, from which they share their work: what they share takes as long as some of them
+MANY = 12  # frequencies of the force above which they share work: the preparation costs as much as some of them
 
 
 class FirstOrderWaves:
-    """What panels and the contour method have in common; a method sets `prepared`, `surfaces` and `around`.
+    """Common part of panels and the contour method; a method sets `prepared`, `surfaces` and `around`.
 
     headings : (m,) rad; lines : (6, 6) stiffness beside the water's, or None
     surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or alike, None without the surface
-    swayed : (n, m, 6) motions of another resolution about the rotation centre, in which the squares are wanted too
+    swayed : (n, m, 6) motions of another resolution about the rotation centre, for which the squares are also computed
     kind : `kinds.Kind` of the forces
     """
 
@@ -50,7 +50,7 @@ class FirstOrderWaves:
         return wanted
 
     def take(self, run, flow_of):
-        """Take in the waves of a run; flow_of : function of their motions (m, 6) about the origin that gives a flow"""
+        """Add the waves of a run; flow_of : function of their motions (m, 6) about the origin that returns a flow"""
         rao = run.rao if self.moving else np.zeros((len(self.headings), 6), complex)
         motions = rao @ self.problem.transform
         self.parts.append(flow_of(motions))

@@ -1,10 +1,10 @@
-"""Difference and sum of two frequencies: at which of both a pair of waves makes a force.
+"""Difference and sum of two frequencies, at which a pair of waves exerts a force.
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        F(t) = Re Σᵢ Σⱼ aᵢ aⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}
 
-A real wave Re φ exp(−iωt) is Re φ̄ exp(−i(−ω)t) too: what two waves make at the sum of their frequencies is what the
-first and the second, so written, make at the difference.  A formula for differences is one for sums with −ωⱼ for ωⱼ
-and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
+A real wave Re φ exp(−iωt) is also Re φ̄ exp(−i(−ω)t): the effect of two waves at the sum of their frequencies is the
+effect of the first and of the second, so written, at the difference.  A formula for differences becomes one for sums
+with −ωⱼ for ωⱼ and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 class Kind(NamedTuple):
     """name : of the axis of frequencies of the force; sign : of the second frequency in them
 
-    second : function of first-order amplitudes that gives those of the second wave as they are in products
+    second : function of first-order amplitudes that gives those of the second wave in products
     """
 
     name: str
@@ -30,7 +30,7 @@ class Kind(NamedTuple):
         return one + self.sign * two
 
     def negative(self, two):
-        """Second frequencies as formulas for differences take them"""
+        """Second frequencies with the sign for formulas of differences"""
         return -self.sign * two
 
     def rows(self, omega, highest):

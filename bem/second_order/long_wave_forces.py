@@ -5,8 +5,8 @@ For a wave of unit amplitude, φ = −(ig/Ω) Z_κ(z) exp(iκ·x), Z_κ = cosh �
     D = −iρΩ ∬ (φ n − ψ ∂φ/∂n) dS,
 
 with ψ the radiation potential of unit velocity at Ω (Haskind 1957): the diffracted wave is free.  With κ = k(Ω) this is
-the excitation force; as Ω → 0 with κ kept it is finite.  The lid that removes irregular frequencies is left out: these
-lie at waves as short as the body.
+the excitation force; as Ω → 0 with κ kept it is finite.  The lid against irregular frequencies is omitted: these belong
+to waves as short as the body.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .. import DOFS
 from ..panels.one_frequency import PanelRun
 from ..waves import depth_factor, depth_factor_slope
 
-LOWEST = 1e-3  # lowest frequency over √(g/h), in deep water over √(g/draft); D no longer changes below it
+LOWEST = 1e-3  # lowest frequency over √(g/h), in deep water over √(g/draft); below it D is constant
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class LongWaveBody:
 
 
 def lowest(problem):
-    """rad/s, the lowest frequency at which a body is solved: below it nothing changes"""
+    """rad/s, the lowest frequency at which a body is solved: below it the result is constant"""
     scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
     return LOWEST * np.sqrt(problem.gravity / scale)
 

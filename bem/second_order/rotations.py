@@ -1,9 +1,9 @@
-"""Loads of second order on a body that turns: its first-order loads turned with it, and the still water's own part.
+"""Second-order loads on a rotating body: its first-order loads turned with it, and a part of the still water.
 
     T_ij = ¼ {αᵢ × F̄ⱼ + ᾱⱼ × Fᵢ},    moments  ¼ {αᵢ × M̄ⱼ + X_cᵢ × F̄ⱼ + conjugates with i and j exchanged}
 
 F, M the first-order load of water and weight about the rotation centre, X_c its displacement, α the rotations.  A
-finite rotation of vector α is I + [α] + H, H = ½(αα' − α²I).  In still water the body then has, beside these,
+finite rotation of vector α is I + [α] + H, H = ½(αα' − α²I).  In still water the body then has, in addition,
 
     heave −ρg ∬ (Hx)_z dA,    roll, pitch −ρg ∬ (Hx)_z (y, −x) dA − ½ w α_z (α_y, −α_x),
 
@@ -21,7 +21,7 @@ from ..panels.pressure_drift.turned_loads import products
 def first_order_loads(run, problem, X):
     """(m, 6) first-order load of water and weight in the waves of a run, about the rotation centre
 
-    problem : whose stiffness is that of water and weight alone, while lines may hold the body of the run too
+    problem : its stiffness is that of water and weight alone, while lines may restrain the body of the run too
     X : (m, 6) motions
     """
     T, stiffness = problem.transform, problem.hydrostatic_stiffness

@@ -1,4 +1,4 @@
-"""Forces of pairs in a database: its groups `qtf`, of differences, and `qtf_sum`, and T between frequencies of `qtf`.
+"""Forces of wave pairs in a database: groups `qtf`, of differences, and `qtf_sum`, and T between frequencies of `qtf`.
 
 Between stored pairs T is interpolated over the mean (ω₁ + ω₂)/2, cubically at each stored difference, then over the
 difference, in which its real part is even and its imaginary part odd.
@@ -30,7 +30,7 @@ MEANING = {
 
 @dataclass(frozen=True, eq=False)
 class Held:
-    """What holds the body beside the water.
+    """Restraint of the body besides the water.
 
     floats : whether it moves; name : of the study whose lines hold the floating body, or empty
     lines : (6, 6) their stiffness about the rotation centre, None without them
@@ -42,7 +42,7 @@ class Held:
 
     @property
     def moving(self):
-        """As `quadratic_forces` takes it"""
+        """The argument `moving` of `quadratic_forces`"""
         return self.floats if self.lines is None else self.lines
 
     def same_as(self, other):
@@ -52,7 +52,7 @@ class Held:
 
 @dataclass(frozen=True, eq=False)
 class StoredForces:
-    """Forces of pairs as a database has them, what body they are of and what is known of them.
+    """Forces of wave pairs in a database, with the body they belong to and their errors.
 
     method : "panel" or "contour"; share : of the surface's forcing in them, estimated where it is left out, or None
     errors : (d, n, m, m, 6) estimated, of the whole, or None; coarser : (d, n, m, m, 6) the whole at a coarser
@@ -109,7 +109,7 @@ def write_forces(path, stored):
 
 
 def read_forces(db, kind=DIFFERENCE):
-    """`StoredForces` of an opened database of a kind.  Raises DatabaseError where it has none."""
+    """`StoredForces` of a kind in an open database.  Raises DatabaseError if it has none."""
     found = read_group(db, GROUPS[kind])
     if found is None:
         adds = f"hakobune qtf {db.path}{' --sum' if kind is SUM else ''}"
@@ -136,7 +136,7 @@ def read_forces(db, kind=DIFFERENCE):
 
 @dataclass(frozen=True, eq=False)
 class BetweenPairs:
-    """T of waves of one direction each between stored pairs.
+    """T between stored pairs, of waves in one direction each.
 
     omega : (n,) rad/s, even; difference : (d,) rad/s, even, from 0; values : (d, n, 6), as a part of
     `QuadraticForces` at two headings
@@ -147,7 +147,7 @@ class BetweenPairs:
     values: np.ndarray
 
     def __call__(self, one, two):
-        """(…, 6) complex T(ω₁, ω₂) of frequencies that broadcast, rad/s, those of pairs beyond the stored ones held"""
+        """(…, 6) complex T(ω₁, ω₂) of frequencies that broadcast, rad/s; beyond the stored pairs the end values"""
         one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
         size, middle = np.abs(one - two).ravel(), 0.5 * (one + two).ravel()
         rows = np.stack([self._row(m, middle) for m in range(len(self.difference))])
@@ -156,13 +156,13 @@ class BetweenPairs:
         return out.reshape(*one.shape, 6)
 
     def _row(self, m, middle):
-        """(q, 6) at mean frequencies (q,) and the stored difference m, held beyond the last pairs"""
+        """(q, 6) at mean frequencies (q,) and the stored difference m; beyond the last pairs the end values"""
         known = self.values[m, : len(self.omega) - m]
         at = self.omega[: len(known)] + 0.5 * self.difference[m]
         return _through(at, known, np.clip(middle, at[0], at[-1]))
 
     def _weights(self, size):
-        """(q, d) of the stored differences in T at differences (q,), held beyond the last"""
+        """(q, d) weights of the stored differences in T at differences (q,); beyond the last the end value"""
         d = self.difference
         return _through(d, np.eye(len(d)), np.minimum(size, d[-1]))
 

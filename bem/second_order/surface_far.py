@@ -1,8 +1,8 @@
-"""First-order waves on the free surface beyond a circle about the body, as sums over their orders around it.
+"""First-order waves on the free surface beyond a circle about the body, as sums over angular orders.
 
     φ = −(ig/ω) Σ_m e^{imθ} {iᵐ c_m H_m(kr) + iᵐ e^{−imβ} J_m(kr)} + local part
 
-c_m of the Kochin function H(θ) = Σ c_m e^{imθ} of the far field; what is left of the potential near the circle, which
+c_m of the Kochin function H(θ) = Σ c_m e^{imθ} of the far field; the rest of the potential near the circle, which
 decays over the depth, or in deep water over some wave lengths, is interpolated between rings.
 """
 
@@ -16,15 +16,15 @@ from ..kochin import far_field_integrals
 from ..waves import depth_values
 from .kinds import DIFFERENCE, SUM
 
-RING_POINTS, GROWTH = 6, 1.6  # rings of one interval of radii, and by how much the next one is wider
+RING_POINTS, GROWTH = 6, 1.6  # rings of one interval of radii, and growth factor of the interval widths
 # distance from the circle to the end of the local part, in depths, 1/k and radii.  For sums k is that of the wave of
 # the sum; with the reach of differences the part of the surface, as large as the whole force, is 6 % off
 REACH = {DIFFERENCE: (2.0, 8.0, 10.0), SUM: (4.0, 32.0, 10.0)}
-LOCAL = 2.0  # directions of rings for an order that is sent
+LOCAL = 2.0  # directions of rings per radiated order
 BEYOND = 12  # orders above the last: to twice that |z| Bessel functions are not halves of Hankel functions
 # start value of a recurrence, size at which it is rescaled, and orders between two checks
 SMALL, LARGE, CHECKED = 1e-250, 1e150, 8
-MORE = 1  # orders beyond ka + 4 (ka)^(1/3)
+MORE = 1  # Largest order radiated by a body within a circle of kr = x
 
 
 def orders_sent(x):
@@ -34,7 +34,7 @@ def orders_sent(x):
 
 @dataclass(frozen=True, eq=False)
 class Rings:
-    """Radii and directions at which local parts are known: w intervals of r rings, n directions.
+    """Radii and directions of known local parts: w intervals of r rings, n directions.
 
     edges : (w + 1,) m; count : n, a multiple of four, none on an axis; centre : (2,) m
     """
@@ -57,7 +57,7 @@ class Rings:
 
     @property
     def orders(self):
-        """(n,) in the order of `numpy.fft`; the last of an even count is left out by all"""
+        """(n,) in the order of `numpy.fft`; the last order of an even count is always omitted"""
         return np.fft.fftfreq(self.count, 1 / self.count).astype(int)
 
     def transform(self, values):
@@ -78,7 +78,7 @@ class Rings:
 
 
 def rings_about(circle, depth, k, most_orders, kind):
-    """`Rings` from a `surface_near.Circle` to where no wave of wavenumbers k (…) has a local part"""
+    """`Rings` from a `surface_near.Circle` to the radius beyond which no wave of wavenumbers k (…) has a local part"""
     end = max(reach_of_local(circle, depth, one, kind) for one in np.atleast_1d(k))
     width = 0.5 * min(depth, circle.radius)
     edges = [circle.radius]
@@ -89,7 +89,7 @@ def rings_about(circle, depth, k, most_orders, kind):
 
 
 def directions(most):
-    """How many resolve a product of three waves of up to so many orders"""
+    """Number of directions that resolve a product of three waves of at most `most` orders"""
     return 4 * (most + 1)
 
 
@@ -122,7 +122,7 @@ def sent_orders(run, flows, most, centre):
 def hankel_orders(kind, most, z):
     """(most + 1, …) H_m of order 0 … most and the next order, of kind 1 or 2, without e^{±iz}; z (…) complex or real
 
-    By recurrence, which is stable for them.
+    By recurrence, which is stable for these functions.
     """
     from scipy.special import hankel1e, hankel2e
 
@@ -137,7 +137,7 @@ def hankel_orders(kind, most, z):
 def bessel_orders(most, z):
     """(most + 2, …) J_m of order 0 … most + 1 without e^{|Im z|}; z (…) complex, Im z ≥ 0
 
-    Half the sum of both Hankel functions, but where these grow with the order and cancel.
+    Half the sum of both Hankel functions, except where these grow with the order and cancel.
     """
     out = np.empty((most + 2, *z.shape), complex)
     size, edge = np.abs(z), most + BEYOND
@@ -153,8 +153,8 @@ def bessel_orders(most, z):
 def _downwards(count, start, z):
     """(count, …) J_m without e^{|Im z|} by recurrence from an order `start` well above |z|, after Miller
 
-    It grows by 2m/|z| an order: what has become too large is made small again, and the orders above it with it, by
-    more than a double can hold at the origin, where they are 0.
+    Values grow by a factor of 2m/|z| per order: too large values are rescaled, together with the orders above.
+    At the origin the higher orders become 0, since a double cannot represent the scale.
     """
     from scipy.special import jve
 

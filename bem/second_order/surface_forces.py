@@ -1,18 +1,18 @@
-"""Force of what products of first-order waves do on the free surface around a body.
+"""Force on a body by products of first-order waves on the free surface around it.
 
 On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ₂/∂z = −Q, in products as of `quadratic_forces`
 
     Q = ½iΩ (∇φᵢ·∇φ̄ⱼ + KᵢKⱼ φᵢφ̄ⱼ) − ¼iωᵢ φᵢ (φ̄ⱼ,zz − Kⱼ² φ̄ⱼ) + ¼iωⱼ φ̄ⱼ (φᵢ,zz − Kᵢ² φᵢ),        T = (iΩρ/g) ∬ ψ Q dS
 
-less the same of the incident waves alone, which the bound wave meets (ψ as in `body_forces`; Molin 1979).  With
-φ,zz = −∇²φ along the surface and Green's theorem no second derivative is left:
+minus the same of the incident waves alone, which the bound wave satisfies (ψ as in `body_forces`; Molin 1979).  With
+φ,zz = −∇²φ along the surface and Green's theorem no second derivative remains:
 
     ∬ ψQ dS = ∬ ψ {¼iΩ ∇φᵢ·∇φ̄ⱼ + ¼i (2Ω KᵢKⱼ + ωᵢKⱼ² − ωⱼKᵢ²) φᵢφ̄ⱼ} − ¼i ∇ψ·(ωᵢ φᵢ∇φ̄ⱼ − ωⱼ φ̄ⱼ∇φᵢ) dS
               − ¼i ∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl
 
-∇ along the surface, n out of the body; at sum frequencies as `kinds` says.  Up to a circle about the body the waves
-are those of its panels (`surface_near`), beyond it sums of Hankel functions with a local part on rings (`surface_far`),
-then without (`surface_tail`).
+∇ along the surface, n out of the body; sum frequencies as in `kinds`.  Up to a circle about the body the waves are
+those of its panels (`surface_near`), beyond it sums of Hankel functions with a local part on rings (`surface_far`),
+then without it (`surface_tail`).
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def integrated(products, terms, psi, weights):
 
 @dataclass(frozen=True, eq=False)
 class PairsOfOne:
-    """All pairs that make a force of one frequency: omega rad/s, of it; one, two : (q,) numbers of waves
+    """All pairs with a force of one frequency: omega rad/s, of the force; one, two : (q,) indices of waves
 
     near : `Field` (6, p) of ψ near the body; far : its six `Wave`; line : (q, 6) integral along the waterline
     """
@@ -83,7 +83,7 @@ class PairsOfOne:
 
 
 class SurfaceForces:
-    """T of a `SurfaceWaves` whose waves are all known, at the frequencies of a `kinds.Kind`"""
+    """T of a `SurfaceWaves` with all waves computed, at the frequencies of a `kinds.Kind`"""
 
     def __init__(self, waves, kind=DIFFERENCE):
         self.waves, self.kind, problem = waves, kind, waves.problem
@@ -124,7 +124,7 @@ def line_integral(surfaces, flow, radiated, waves, one, two, kind=DIFFERENCE):
     """(q, 6) −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of the waves of a `HullFlow`, those of `waves`, less that of
     the incident ones, n out of the body
 
-    ∂φ/∂n along the surface: of an inclined side n·V = n·∇φ has a part of ∂φ/∂z = Kφ
+    ∂φ/∂n along the surface: on an inclined side n·V = n·∇φ contains a part of ∂φ/∂z = Kφ
     """
     line, g = surfaces.waterline, waves.problem.gravity
     V = -1j * flow.omega[:, None] * (flow.motion @ surfaces.waterline_modes.T)
@@ -163,7 +163,7 @@ def _intervals(waves):
 
 
 def _add_interval(waves, several, products, w, ends, total, kind):
-    """∬ over the interval w of the rings of all pairs that no tail has there"""
+    """∬ over interval w of the rings, for all pairs without a tail there"""
     active = [np.flatnonzero(ends[d.one] > w) for d in several]
     both = zip(several, active, strict=True)
     used = np.unique(np.concatenate([np.concatenate([d.one[a], d.two[a]]) for d, a in both]))

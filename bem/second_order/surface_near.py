@@ -1,9 +1,9 @@
 """Quadrature points on the free surface between a hull and the circle about it, and the potential there.
 
-Each side of a panel along the waterline begins a strip that ends on the circle.  Its points are Radau points from
-waterline to circle, the first on the hull, and Gauss points along the side; derivatives are those of the polynomials
-through them.  Potentials on the hull are interpolated there (`hull_interpolation`), those beside it follow from the
-solved φ and its normal derivative V on the panels,
+Each panel side on the waterline begins a strip that ends on the circle.  Its points are Radau points from waterline to
+circle, the first on the hull, and Gauss points along the side; derivatives are those of the polynomials through them.
+Potentials on the hull are interpolated there (`hull_interpolation`), those beside it follow from the solved φ and its
+normal derivative V on the panels,
 
     4πφ = ∬ (φ ∂G/∂n − V G) dS.
 """
@@ -26,12 +26,12 @@ LEAST_OUTWARDS, CLOSEST = 5, 19.0  # the least of them; as many as keep off the 
 FEWEST, MOST = 3, 9  # along a side
 SPREADS = 0.3, 0.15, 0.0  # blending of strips, from rays of the centre to those of an ellipse
 LEAST = 1e-4  # smallest weight in a strip, of the largest
-CLOSE = 10  # points each way on panels close to a point, whose image the wave part of G is singular at
+CLOSE = 10  # points each way on panels close to a point, where the wave part of G is singular at the point's image
 
 
 @dataclass(frozen=True, eq=False)
 class Circle:
-    """centre : (2,) m; radius : m, within which the hull is; half : (2,) m, half extents of the waterline"""
+    """centre : (2,) m; radius : m, of a circle around the hull; half : (2,) m, half extents of the waterline"""
 
     centre: np.ndarray
     radius: float
@@ -69,12 +69,12 @@ class Strips:
 
     @property
     def even(self):
-        """Whether no strip folds or nearly does"""
+        """Whether all strips are far from folding"""
         area = self.weights[..., 1:] / self.weights.max(axis=(1, 2), keepdims=True)
         return bool(np.all(area > LEAST**2)) and bool(np.all(self.weights > 0))
 
     def values(self, on_line, beside):
-        """(…, s, a, b) from those along the waterline (…, l) and those beside it (…, s a (b − 1)) of these strips"""
+        """(…, s, a, b) from values along the waterline (…, l) and beside it (…, s a (b − 1)) of these strips"""
         s, a, b = self.weights.shape
         hull = np.einsum("sak,...sk->...sa", self.from_known, on_line[..., self.known])
         return np.concatenate([hull[..., None], beside.reshape(*beside.shape[:-1], s, a, b - 1)], axis=-1)
@@ -87,10 +87,10 @@ class Strips:
 
 
 def strips_about(mesh, line, circle, k):
-    """[`Strips`] of the meshed part of a hull, of those with equally many points together.
+    """[`Strips`] of the meshed part of a hull, grouped by their number of points.
 
     line : `hull_interpolation.HullQuadrature` of the waterline; k : rad/m, of the shortest waves
-    raises : ValueError for a hull without a waterline, and one whose waterline is not a single curve seen from inside
+    raises : ValueError for a hull without a waterline, or whose waterline is not one star-shaped curve
     """
     panels, sides = _sides(mesh)
     start, end = (_angles(sides[:, i], np.zeros(2), circle, 0.0)[0] for i in range(2))
@@ -222,7 +222,7 @@ class SurfaceInfluence:
         table = wave_table(run.omega, problem.depth, problem.gravity, self.reach, self.deepest)
         Z, count = depth_values(run.k, problem.depth), len(self.points) if count is None else count
         nodes = np.arange(g.hull)
-        longest = PER_WAVE * min(1 / run.k, problem.depth)  # with larger sizes all points would take the finer rule
+        longest = PER_WAVE * min(1 / run.k, problem.depth)  # with larger sizes all points would need the finer rule
         pairs = Pairs.of(g, nodes[:1], nodes, classes)
         pairs = pairs._replace(quadrature=self.close, sizes=np.minimum(pairs.sizes, longest))
         out = {cls: np.empty((len(phi), count), complex) for cls, (phi, _) in flows.items()}

@@ -5,16 +5,16 @@ There ∇²φ = −k²φ along the surface, and Green's theorem leaves of ∬ ψ
     C ∬ ψ φᵢ φ̄ⱼ dS + ∮ {ψ (ωⱼ φᵢ ∂φ̄ⱼ/∂r − ωᵢ φ̄ⱼ ∂φᵢ/∂r) + Ω φᵢ φ̄ⱼ ∂ψ/∂r} dl,
     C = Ω (k² + q² − κ² + 2KᵢKⱼ) + ωᵢ (Kⱼ² − q²) − ωⱼ (Kᵢ² − k²),
 
-the line along the circle where it begins, k, q and κ the wavenumbers of φᵢ, φⱼ and ψ.  Around it the orders m of φᵢ, n
-of φ̄ⱼ and p = n − m of ψ meet, with a factor of frequencies alone that is the same of −m, −n, −p:
+the line along the inner circle, k, q and κ the wavenumbers of φᵢ, φⱼ and ψ.  The orders m of φᵢ, n of φ̄ⱼ and p = n − m
+of ψ combine around the circle, with a factor that depends on frequencies alone and is equal for −m, −n, −p:
 
     2π C ∫ f_m(kr) f̄_n(qr) H_p(κr) r dr + …
 
 Radii are real to where all orders oscillate, then r + ix, where sent waves decay with sent and with incident ones, and
 r − ix for what comes in with the first incident wave.  All pairs share the radii of a path, and the functions there.
 
-At the sum of two frequencies (`kinds`) κ > k + q, and all decays along r + ix.  φⱼ is Σ (−1)ⁿ c₋ₙ H_n e^{−inθ}, which
-has the place of Σ c̄ₙ H̄_n e^{−inθ}.
+At the sum of two frequencies (`kinds`) κ > k + q, and all products decay along r + ix.  φⱼ is Σ (−1)ⁿ c₋ₙ H_n e^{−inθ},
+in place of Σ c̄ₙ H̄_n e^{−inθ}.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from .surface_far import bessel_orders, both_signs, hankel_orders, orders_sent, 
 
 PER_RADIAN, FEW = 0.6, 6  # radii of a real interval for a radian of the fastest product, and beside
 DECAY, POINTS, FIRST = 30.0, 6, 0.25  # at the end of a tail; of its intervals; of the shortest length, the first
-NEGLIGIBLE = 1e-11  # size, relative to the largest order at the start of a path, below which orders are neglected
+NEGLIGIBLE = 1e-11  # size relative to the largest order at the start of a path, below which orders are neglected
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ class Path:
         return self.down.shape[1]
 
     def reach(self, slope):
-        """Number of columns up to where exp(−slope x) along r + ix is negligible"""
+        """Number of columns up to the point where exp(−slope x) along r + ix is negligible"""
         return self.first + 3 + self.real.shape[1] + int(np.searchsorted(self.up[0], DECAY / slope))
 
     def hankel(self, kind, k, most, place):
@@ -94,7 +94,7 @@ class Path:
         return self._thrice(values, k, place)
 
     def bessel(self, k, most, place):
-        """The same of J_m(kr), along r + ix without e^{−ikr}, along r − ix nothing"""
+        """As `hankel` for J_m(kr): along r + ix without e^{−ikr}, along r − ix zero"""
         z = self._radii(k)[self.first :]
         values = bessel_orders(most, z)
         values[:, 1 + self.real.shape[1] :] *= np.exp(1j * k * self.edges[-1])
@@ -252,7 +252,7 @@ def _third(waves, path):
 
 
 def _last(sent, z):
-    """The last of orders (w, 2M + 1) that is not negligible beside the largest of its wave at kr = z"""
+    """The last of orders (w, 2M + 1) that is not negligible relative to the largest order of its wave at kr = z"""
     size = np.abs(sent * both_signs(hankel_orders(1, sent.shape[1] // 2, np.array([z + 0j]))[:-1])[:, 0])
     large = np.any(size > NEGLIGIBLE * size.max(axis=1, keepdims=True), axis=0)
     return int(np.abs(np.flatnonzero(large) - sent.shape[1] // 2).max(initial=0))

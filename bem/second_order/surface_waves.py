@@ -1,4 +1,4 @@
-"""First-order waves on the free surface around a hull: near it as its panels make them, beyond a circle by orders."""
+"""First-order waves on the free surface around a hull: from its panels near it, by orders beyond a circle."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Field(NamedTuple):
         return Field(self.value[which], self.slope[:, which])
 
     def second(self, kind):
-        """As the second of a pair has it in products of a `kinds.Kind`"""
+        """The field as the second of a pair in products of a `kinds.Kind`"""
         return Field(kind.second(self.value), kind.second(self.slope))
 
     def __add__(self, other):
@@ -56,7 +56,7 @@ class SurfaceWaves:
 
     prepared : `PreparedPanelProblem`; surfaces : `hull_flow.HullSurfaces`; omega : (n,) rad/s, rising
     of_force : (d,) rad/s, rising, above 0; kind : `kinds.Kind`
-    raises : ValueError for a waterline that `surface_near` cannot go around
+    raises : ValueError for a waterline that `surface_near` does not support
     """
 
     def __init__(self, prepared, surfaces, omega, of_force, kind):
@@ -83,7 +83,7 @@ class SurfaceWaves:
         self.waves, self.near = [], []
 
     def _quadrant(self):
-        """Directions of rings as images of those in the meshed part; their points, ring by ring"""
+        """Directions of rings as images of those in the meshed part; points of these, ring by ring"""
         theta, radii = self.rings.directions, self.rings.radii.ravel()
         ray = np.stack([np.cos(theta), np.sin(theta)], axis=1)
         fits = [np.all(np.where(self.images.min(axis=0) < 0, ray * image, 1.0) > 0, axis=1) for image in self.images]
@@ -95,7 +95,7 @@ class SurfaceWaves:
         return place, image, points.reshape(-1, 2)
 
     def add(self, run, flow, motions):
-        """Take in the waves of a `PanelRun` with their `HullFlow`; motions : (m, 6) about the origin"""
+        """Add the waves of a `PanelRun` with their `HullFlow`; motions : (m, 6) about the origin"""
         flows = [run.disturbance(j, motion) for j, motion in enumerate(motions)]
         flows = {cls: tuple(np.array([f[cls][i] for f in flows]) for i in range(2)) for cls in run.geometry.classes}
         flows = {cls: both for cls, both in flows.items() if np.any(both[0]) or np.any(both[1])}

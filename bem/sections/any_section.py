@@ -7,8 +7,8 @@ modes of the depth leave,  ∂φ/∂n = Σ λₙ Zₙ ⟨φ, Zₙ⟩ / ⟨Zₙ, 
 body is eliminated once for a shape, and a frequency costs one small linear system.  The identity is that of the water
 itself, so there are no irregular frequencies.
 
-An edge at z = 0 between others is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ of the whole φ,
-ε its damping (`bem.panels.damping_lid`).
+An edge at z = 0 between others is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ of the total φ, ε
+its damping (`bem.panels.damping_lid`).
 
 Panels shrink four times each towards corners, where φ is like distance^(π/β), β the angle of water, and carry Gauss
 points (`product_integration`).  Conventions and `Section` are those of `coefficients`.
@@ -38,7 +38,7 @@ MOST_PANELS = 250  # 1.8 s and 0.6 GB
 def any_section(wetted, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=TOLERANCE):
     """`Section` of a `Wetted` outline at one frequency.
 
-    depth : m, finite; omega : rad/s; tolerance : relative error.  Raises ValueError for what cannot be solved to it.
+    depth : m, finite; omega : rad/s; tolerance : relative error.  Raises ValueError if it cannot be reached.
     """
     flow = section_flow(wetted, depth, omega, gravity, tolerance)
     n = float(group_factor(flow.k, depth))
@@ -79,7 +79,7 @@ def shape(edges, depth, longest, tolerance):
 
 
 class Shape:
-    """What has no frequency: the panels and the equations of surface and verticals, the body eliminated.
+    """Frequency-independent data: the panels and the equations of surface and verticals, with the body eliminated.
 
     (A₀ + A₁ ∂/∂n) φ = −A₂ ∂φ/∂n of the body,       φ of the body = B₀ φ + B₁ ∂φ/∂n + B₂ ∂φ/∂n of the body
     """
@@ -132,7 +132,7 @@ class AnyFlow:
 
     damping : ε of the water in gaps; in_gaps : [(s, 2)] whole potential of the waves in each, moved_in_gaps : [(s, m)]
     that of the motions
-    velocities : (n, m) of other motions along the normals of the body, in place of those three
+    velocities : (n, m) of other motions along the normals of the body, instead of sway, heave and roll
     potentials : (n, m + 2) on the body; waves : (2, m + 2) potential at z = 0 of those that leave towards −y and +y,
     referred to y = 0
     """
@@ -245,7 +245,7 @@ def _levels(chain, i, tolerance):
 
 
 def _panels(edge, first, last, longest):
-    """Panels of an edge with so many that shrink at its ends"""
+    """Panels of an edge, of which `first` and `last` shrink towards its ends"""
     up, down = 4.0 ** -np.arange(first, 0, -1), 1 - 4.0 ** -np.arange(1, last + 1)
     if first and last:
         up, down = up * 2, 1 - (1 - down) * 2

@@ -1,4 +1,4 @@
-"""A flat strip that bends across its length in beam waves: a mat, a flexible breakwater, in two dimensions.
+"""A flat strip that bends across its length in beam waves, such as a mat or a flexible breakwater, in two dimensions.
 
     {−ω²[M + A] − iωB + [C + K]} ξ = F
 
@@ -20,11 +20,11 @@ from .outline import rectangle
 
 TOLERANCE = 1e-4
 THIN = 1e-5  # draft over width in place of a draft of 0: amplitudes differ by 2e-4
-FEWEST, PER_WAVE = 8, 4  # shapes, and further ones for each wave along the strip
+FEWEST, PER_WAVE = 8, 4  # number of shapes, and of additional shapes for each wave along the strip
 
 
 class BendingStrip(NamedTuple):
-    """Of one frequency in a wave of 1 m towards +y.
+    """Results of one frequency in a wave of 1 m towards +y.
 
     y : (n,) m; deflection : (n,) complex m, upwards; moment, shear : (n,) complex N m and N per metre, EI w″ and EI w‴
     reflection, transmission : complex, both referred to y = 0
@@ -45,7 +45,7 @@ def bending_strip(
     """`BendingStrip` of a flat strip.
 
     width : m; rigidity : D, N m; mass : kg/m²; depth : m; omega : rad/s; count : places along y
-    shapes : of bending, None for as many as the waves ask for; eight leave 1 % where three waves go along the strip
+    shapes : bending shapes, None for as many as the waves need; eight leave 1 % with three waves along the strip
     draft : m, 0 as in theories of thin plates, None for that of its weight: 8 mm of 10 m take 1.5 % off the edges
     raises : ValueError as `any_section`
     """

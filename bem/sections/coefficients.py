@@ -30,7 +30,7 @@ FINEST = 1e-8
 MOST_TERMS = 12
 DEEPEST = 300  # kd
 MOST_OBLIQUE = np.radians(89.9)
-ALONG = 1e-4  # sinθ, up to which waves are normal: 1e-8 of them, and less than what its square loses in digits
+ALONG = 1e-4  # sinθ below which waves count as normal: error 1e-8, less than the digits that its square would lose
 MODES_PER_LENGTH = ((1e-3, 25), (1e-5, 50), (1e-6, 100), (FINEST, 400))
 
 
@@ -71,9 +71,9 @@ def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, toler
     """`Section` of a rectangle at one frequency.
 
     beam, draft : m; depth : m, may be inf; omega : rad/s
-    obliquity : θ, rad, of waves and motions that run along the body with exp(ikx sinθ), in finite depth
+    obliquity : θ, rad, of waves and motions with exp(ikx sinθ) along the body, in finite depth
     tolerance : relative error; of sway–roll coupling against √(sway · roll)
-    Raises ValueError for what cannot be solved to the tolerance.
+    Raises ValueError if the tolerance cannot be reached.
     """
     flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance, obliquity=obliquity)
     impedance = radiation(flow, density)
@@ -155,7 +155,7 @@ def diffraction(flow, density, sines):
 
 
 def report_row(section):
-    """The columns of the SR179 report's (1982) tables 2.1.3.1-20, by name, and what makes the row.
+    """The columns of the SR179 report's (1982) tables 2.1.3.1-20, by name, preceded by the arguments of the row.
 
     ξ_B = ω²b/g, b = B/2, S = Bd.  M_H, M_S over ρS, M_R over ρS b², M_SR over ρS b; N likewise and over ω;
     E_H, E_S over ρg b, E_R over ρg b²; ε in degrees.  Beside them |R|, |T| of the fixed body and its drift over ρg/2.
@@ -178,7 +178,7 @@ def report_row(section):
 
 
 def check_shape(beam, draft, depth, tolerance):
-    """Raises ValueError for lengths that are not a section, or a tolerance that cannot be reached."""
+    """Raises ValueError for lengths that form no section, or an unattainable tolerance."""
     for name, value in (("beam", beam), ("draft", draft)):
         if not 0 < value < np.inf:
             raise ValueError(f"{name} is {value:g} m; allowed: above 0 and finite")

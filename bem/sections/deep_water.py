@@ -73,7 +73,7 @@ def _gauss(ends):
 
 
 class DeepFlow:
-    """The three radiated flows at one frequency; same interface as `finite_depth.FiniteDepthFlow`.
+    """The three radiated flows at one frequency, with the interface of `finite_depth.FiniteDepthFlow`.
 
     beam, draft : m; omega : rad/s; gravity : m/s²; tolerance : relative error
     """

@@ -1,14 +1,14 @@
-"""A rectangular section whose flow under the keel loses head: exact potential flow with a resistance across the gap.
+"""A rectangular section with head loss under the keel: exact potential flow with a resistance across the gap.
 
     p(0⁻) − p(0⁺) = ½ρC |U| U  →  (4/3π) ρ C |U| U,     U mean velocity under the keel at y = 0, amplitudes
 
-To every flow that is odd in y a flow g is added, driven by ±1 of potential on either half of the gap:
+To every flow that is odd in y a flow g is added, driven by a potential of ±1 on the two halves of the gap:
 
     δ = iκU,   κ = (2C/3πω) |U|,      U = U₀ + δ U_g,      φ = φ₀ + δ φ_g,      δ = iκ U₀ / (1 − iκ U_g)
 
-so that of a resistance κ, in m, a `Section` follows, with which a body moves as with any other.  The power lost is that
-of the head, ½ (4/3π) ρ C |U|³ s.  The even flow, heave, sends none from side to side.  Linearised as in
-`mooring.breakwater.loss`, which is of any section and of the propagating wave alone.
+so that for a resistance κ, in m, a `Section` follows, in which a body moves as in any other.  The lost power is that of
+the head, ½ (4/3π) ρ C |U|³ s.  The even flow, heave, has no flux from side to side.  Linearised as in
+`mooring.breakwater.loss`, which applies to any section but only to the propagating wave.
 """
 
 from __future__ import annotations

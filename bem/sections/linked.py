@@ -1,10 +1,10 @@
-"""Sections side by side that float, in beam waves, free or held together by hinges.
+"""Floating sections side by side in beam waves, free or connected by hinges.
 
     {−ω²[M + A] − iωB + C} ξ = F + Gᵀμ,    G ξ = 0
 
-over sway, heave and roll of each, about its centre of gravity, per metre of length.  A row of G says that the point
-of a hinge on one section moves as that on the other, or, where it is rigid, that both turn alike; μ is what it holds
-(of three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
+over sway, heave and roll of each, about its centre of gravity, per metre of length.  A row of G requires that the point
+of a hinge on one section moves as on the other, or, for a rigid hinge, that both turn alike; μ is the hinge force (in
+three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ KINDS = ("hinge", "rigid")
 class Floating(NamedTuple):
     """A section at y, m.
 
-    mass : kg/m, None for that of the water; center : z of its centre of gravity, m; gyration : about that, m
-    fixed : whether it does not move
+    mass : kg/m, None for that of the displaced water; center : z of its centre of gravity, m; gyration : about that, m
+    fixed : True for a fixed section
     """
 
     wetted: Wetted
@@ -45,12 +45,12 @@ class Hinge(NamedTuple):
 
 
 class LinkedSections(NamedTuple):
-    """Of one frequency in a wave of 1 m towards +y.
+    """Results of one frequency in a wave of 1 m towards +y.
 
-    motions : (n, 3) complex m, m, rad of sway, heave and roll about each centre of gravity; 0 of what is fixed
-    held : (hinges, 3) complex N/m, N/m, N of sway, heave and roll, by which the first holds the second
+    motions : (n, 3) complex m, m, rad of sway, heave and roll about each centre of gravity; 0 for fixed sections
+    held : (hinges, 3) complex N/m, N/m, N in sway, heave and roll, exerted by the first section on the second
     gains : (gaps,) amplitude of the mean rise of the water over that of the wave
-    reflection, transmission : complex, both referred to y = 0; taken : of the wave's energy, by the gaps
+    reflection, transmission : complex, both referred to y = 0; taken : share of the wave energy absorbed by the gaps
     """
 
     omega: float
@@ -68,8 +68,8 @@ def linked_sections(
     """`LinkedSections` of one frequency.
 
     sections : [`Floating`] from left to right; depth : m; omega : rad/s; hinges : [`Hinge`]; damping : ε of all gaps
-    raises : ValueError as `side_by_side.side_by_side`, for hinges of a section with itself, and for motions that no
-        stiffness nor inertia holds
+    raises : ValueError as `side_by_side.side_by_side`, for a hinge of a section with itself, and for motions without
+        stiffness and inertia
     """
     made = [(one.wetted, one.y) for one in sections]
     points = [one.y + one.wetted.center.real + 1j * one.center for one in sections]
@@ -122,7 +122,7 @@ def _at_rest(one, density, gravity):
 
 
 def _rows(hinge, points):
-    """(2 or 3, 3n) of how far the second section moves from the first at a hinge"""
+    """(2 or 3, 3n) displacement of the second section relative to the first at a hinge"""
     a, b = hinge.sections
     if a == b or not (0 <= a < len(points) and 0 <= b < len(points)):
         raise ValueError(f"a hinge holds sections {a} and {b}; allowed: two of 0 to {len(points) - 1}")
@@ -134,7 +134,7 @@ def _rows(hinge, points):
 
 
 def _null_space(rows):
-    """(n, m) of what rows leave free"""
+    """(n, m) motions that rows leave free"""
     _, sizes, axes = np.linalg.svd(rows)
     return axes[int(np.sum(sizes > 1e-9 * max(sizes, default=1.0))) :].T
 

@@ -1,4 +1,4 @@
-"""The outline of a section: straight edges and circular arcs, closed, and the part of it that is under water.
+"""The outline of a section: straight edges and circular arcs, closed, and its part under water.
 
     τ(u) = s + (e − s) u,      or the arc  c + (s − c) exp(iφu),  φ = 4 arctan b,      0 ≤ u ≤ 1
 
@@ -21,7 +21,7 @@ SHARPEST = np.radians(1)  # angle of an edge with the water
 
 
 class OutlineError(ValueError):
-    """An outline is no section; one line says where."""
+    """An outline is no valid section; the message names the place."""
 
 
 class Edge(NamedTuple):
@@ -82,7 +82,7 @@ class Wetted(NamedTuple):
     """The part of an outline under water, z = 0 at the surface.
 
     edges : from the waterline at the left, along the bottom, to that at the right; area : m²; center : of it, complex
-    left, right : y of the waterline, m; draft : m; symmetric : whether it is its own mirror image in y = 0
+    left, right : y of the waterline, m; draft : m; symmetric : whether it is symmetric about y = 0
     """
 
     edges: tuple
@@ -101,9 +101,9 @@ class Wetted(NamedTuple):
 
 @dataclass(frozen=True)
 class Outline:
-    """A closed section; edges : of `Edge`, each beginning where the last one ends, in either sense
+    """A closed section; edges : `Edge`s, each of which begins at the end of the previous one, in either sense
 
-    Raises OutlineError for an outline that leaks, crosses itself or has no area.
+    Raises OutlineError for an outline that is open, crosses itself or has no area.
     """
 
     edges: tuple
@@ -132,7 +132,7 @@ class Outline:
     def wetted(self, draft):
         """`Wetted` with the lowest point `draft` under water.
 
-        Raises OutlineError where the section is not cut by the water in one piece.
+        Raises OutlineError where the waterline does not cut the section in one piece.
         """
         if not 0 < draft < self.height:
             raise OutlineError(
@@ -162,12 +162,12 @@ class Outline:
         return brentq(more, 1e-9 * self.height, (1 - 1e-9) * self.height, xtol=1e-13 * self.height)
 
     def meets(self, start, end):
-        """Whether the straight way between two points, complex, touches the outline"""
+        """Whether the straight line between two points, complex, touches the outline"""
         points = self._points()
         return bool(np.any(_cross(points[:-1], points[1:], start, end)))
 
     def distance(self, point):
-        """m from a point, complex, to the outline, 0 for one inside"""
+        """m from a point, complex, to the outline, 0 for a point inside"""
         to = self._points() - point
         if abs(np.sum(np.angle(to[1:] / np.where(to[:-1] == 0, 1, to[:-1])))) > np.pi:
             return 0.0
@@ -225,7 +225,7 @@ def _check_closed(edges):
 
 
 def _check_simple(edges):
-    """Edges as chords: two that are no neighbours must not touch."""
+    """Edges as chords: two that are not neighbours must not touch."""
     chords = []
     for i, edge in enumerate(edges):
         points = edge.at(np.linspace(0, 1, 2 if edge.bulge == 0 else CHORDS + 1))
@@ -246,7 +246,7 @@ def _check_simple(edges):
 def _cross(a, b, c, d):
     """Whether the chords a to b and c to d touch"""
     beside = (_side(a, b, c) * _side(a, b, d) > 0) | (_side(c, d, a) * _side(c, d, b) > 0)
-    for part in (np.real, np.imag):  # chords of one straight line that do not reach each other
+    for part in (np.real, np.imag):  # collinear chords that do not overlap
         (a0, b0), (c0, d0) = ((part(u), part(v)) for u, v in ((a, b), (c, d)))
         beside = beside | (np.maximum(a0, b0) < np.minimum(c0, d0)) | (np.maximum(c0, d0) < np.minimum(a0, b0))
     return ~beside

@@ -1,4 +1,4 @@
-"""Logarithms and dipoles over panels, straight or arcs of a circle, for densities given at Gauss points.
+"""Logarithms and dipoles over panels, straight or circular arcs, for densities given at Gauss points.
 
     ∫ f ln|τ − p| |dτ|,        ∫ f ∂/∂n ln|τ − p| |dτ| = −Im ∫ f dτ/(τ − p)
 
@@ -61,7 +61,7 @@ def panels_of(edges):
 def layers(panels, targets, own=None):
     """Single and double layer (p, m · NODES) of densities at the nodes for targets (p,), complex, m
 
-    own : panel (p,) on which a target lies, whose node it is; without, targets lie on none
+    own : panel (p,) on which a target lies as one of its nodes; without it, targets lie on no panel
     """
     m = len(panels.middle)
     away = panels.points.reshape(-1) - targets[:, None]

@@ -1,11 +1,11 @@
-"""A section before a reflecting wall, from what it does in open water: waves only, nothing that decays.
+"""A section before a reflecting wall, from its results in open water: propagating waves only, no local ones.
 
-A wave of unit amplitude travels towards the wall at y = P; c is the amplitude, referred to y = 0, of the wave that
-comes back from it onto the body.  With the transmission T and reflection R of the body, fixed or moving,
+A wave of unit amplitude travels towards the wall at y = P; c is the amplitude, referred to y = 0, of the wave returned
+to the body.  With the transmission T and reflection R of the body, fixed or moving,
 
     c = T e^{2ikP} + R c e^{2ikP}      →      c = T e^{2ikP} / (1 − R e^{2ikP})
 
-A floating section sends what it radiates along with them, with X its motions per unit amplitude:
+A floating section adds its radiated waves, with X its motions per unit amplitude:
 
     T = T₀ + Σ Xⱼ ηⱼ,    R = R₀ + Σ Xⱼ η′ⱼ;    without other losses  |T| = |sin(ε_z − ε_y)|,  |R| = |cos(ε_z − ε_y)|
 
@@ -38,7 +38,7 @@ class Floating(NamedTuple):
 def floating(section, inertia, stiffness, damping=0.0):
     """`Floating` of a `bem.sections.coefficients.Section` that is free to move.
 
-    inertia, stiffness, damping : (3, 3) per metre of length, of the body and of what holds it, besides those of waves
+    inertia, stiffness, damping : (3, 3) per metre of length, of the body and its restraint, without those of waves
     """
     w = section.omega
     held = -(w**2) * (inertia + section.added_mass) - 1j * w * (section.damping + damping) + stiffness

@@ -1,8 +1,8 @@
 """Fixed sections side by side in beam waves: the water in their gaps, with and without damping.
 
-Between long bodies the water moves up and down as one, most where 2π/ω is its own period.  Potential flow alone has
-nothing but waves that leave against it, and rises several times too high; a damping ε of the gap's water, 0.02 to 0.07
-by tests with sharp bilges, takes the place of the eddies (`bem.panels.damping_lid`).
+Between long bodies the water oscillates vertically as one mass, most strongly where 2π/ω is its natural period.  In
+potential flow only radiated waves damp it, and the computed rise is several times too high; a damping ε of the gap's
+water, 0.02 to 0.07 by tests with sharp bilges, replaces the effect of eddies (`bem.panels.damping_lid`).
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from .outline import Edge
 
 
 class SideBySide(NamedTuple):
-    """Of one frequency in a wave towards +y.
+    """Results of one frequency in a wave towards +y.
 
-    gains : (gaps,) amplitude of the mean rise of the water in each gap over that of the wave
-    reflection, transmission : complex, both referred to y = 0; taken : of the wave's energy, by the gaps
+    gains : (gaps,) amplitude of the mean rise of the water in each gap over the wave amplitude
+    reflection, transmission : complex, both referred to y = 0; taken : share of the wave energy absorbed by the gaps
     """
 
     omega: float
@@ -35,7 +35,7 @@ def side_by_side(sections, depth, omega, damping=0.0, *, gravity=9.80665, tolera
     """`SideBySide` of fixed sections.
 
     sections : [(`Wetted`, y m)], each moved by y, from left to right; depth : m; omega : rad/s; damping : ε of all gaps
-    raises : ValueError for sections that touch or pass each other, and what cannot be solved to the tolerance
+    raises : ValueError for sections that touch or overlap, and an unattainable tolerance
     """
     flow = flow_of(sections, depth, omega, damping, gravity, tolerance)
     reflection, transmission = flow.scattered(+1)
@@ -74,13 +74,13 @@ def in_gaps(flow, speeds=None):
 
 
 def taken_of(flow, depth, damping, rise):
-    """Of the wave's energy, what gaps take; rise : `in_gaps`"""
+    """Share of the wave energy absorbed by gaps; rise : `in_gaps`"""
     celerity = flow.omega / flow.k * float(group_factor(flow.k, depth))
     return float(damping * flow.omega / celerity * sum(square for _, square in rise))
 
 
 def _chain(sections):
-    """Edges of all, with those of the water between"""
+    """Edges of all sections, with those of the water between them"""
     moved = [[Edge(e.start + y, e.end + y, e.bulge) for e in wetted.edges] for wetted, y in sections]
     edges = list(moved[0])
     for one, after in pairwise(moved):

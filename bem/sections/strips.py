@@ -1,21 +1,21 @@
 """A box as a row of two-dimensional sections: strip and inverse strip method.
 
-Ordinary strips are sections B × d in a row along x; inverse strips are sections L × d in a row across, for the
-motions along the box (SR179 report, 1982, section 2.4.4).  Neither interacts with its neighbours.  In a frame with x′
-along the row and y′ across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ (sway, heave, roll):
+Ordinary strips are sections B × d in a row along x; inverse strips are sections L × d in a row across, for the motions
+along the box (SR179 report, 1982, section 2.4.4).  Strips do not interact.  In a frame with x′ along the row and y′
+across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ (sway, heave, roll):
 
     sway, roll, their coupling   2a Z₂₂, 2a Z₄₄, 2a Z₂₄        heave  2a Z₃₃
     pitch  ∫x′² Z₃₃ dx′ = ⅔a³ Z₃₃                              yaw    ∫x′² Z₂₂ dx′ = ⅔a³ Z₂₂
 
-Froude–Krylov forces are exact, of the whole box.  The diffraction force is that of Salvesen, Tuck and Faltinsen,
-Trans. SNAME 78 (1970), at rest: Haskind's with the radiated flow of the section and the oblique wave,
+Froude–Krylov forces are exact, for the whole box.  The diffraction force is that of Salvesen, Tuck and Faltinsen,
+Trans. SNAME 78 (1970), at zero speed: Haskind's relation with the radiated flow of the section and the oblique wave,
 
     fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
 
-for sway, heave, roll; pitch is the moment of heave, −∫x′f₃, and yaw that of sway, ∫x′f₂.  Surge along the row has no
-section in it: it is the sway of the row that runs the other way, whose sides are the ends.  It is not coupled to
-pitch, which comes from other sections: the damping matrix would not stay positive.  Waves around the ends are left
-out, and with them drift and the far field.
+for sway, heave, roll; pitch is the moment of heave, −∫x′f₃, and yaw that of sway, ∫x′f₂.  Surge along the row is no
+sectional motion: it is the sway of the row in the other direction, whose sides are the ends.  It is not coupled to
+pitch, which comes from other sections: the damping matrix would not remain positive.  Waves around the ends are
+neglected, and with them drift and the far field.
 
 Against a panel method in water of twice the draft, B/d = 5, L/B = 2, 4, 8, waves on the beam: the error of the
 exciting force in heave is 28, 6, 4 %, in sway 5, 2, 1 %, in roll 5, 2, 1 %.
@@ -41,7 +41,7 @@ TURN[[0, 1, 2, 3, 4, 5], [1, 0, 2, 4, 3, 5]] = 1, -1, 1, 1, -1, 1
 
 @dataclass(frozen=True)
 class Strips:
-    """A box by strips; `inverse` takes them across instead of along.
+    """A box by strips; `inverse` places them across instead of along.
 
     length, beam, draft, depth : m, depth may be inf; tolerance : relative error of the sections, not of the method
     """
@@ -56,7 +56,7 @@ class Strips:
     def first_order(self, omega, headings, theta=None, dofs=range(6), density=1025.0, gravity=9.80665):
         """`FirstOrder` at ω rad/s for waves towards `headings` (m,) rad; no Kochin functions.
 
-        dofs : degrees of freedom needed; the others are zero.  Raises ValueError for what sections refuse.
+        dofs : needed degrees of freedom; the others are zero.  Raises ValueError where sections do.
         """
         headings = np.atleast_1d(np.asarray(headings, float))
         impedance, scattered = np.zeros((6, 6), complex), np.zeros((len(headings), 6), complex)
@@ -84,7 +84,7 @@ class Strips:
         return out
 
     def _rows(self, dofs):
-        """The rows of sections that the degrees of freedom need"""
+        """The rows of sections needed for the degrees of freedom"""
         ends = 1 if self.inverse else 0
         for across, mine in ((self.inverse, set(range(6)) - {ends}), (not self.inverse, {ends})):
             if mine := sorted(mine & set(dofs)):
@@ -93,7 +93,7 @@ class Strips:
 
 
 class Row(NamedTuple):
-    """Sections of `beam` m in a row of `length` m, across or along x, that give the degrees of freedom `mine`."""
+    """Sections of `beam` m in a row of `length` m, across or along x, for the degrees of freedom `mine`."""
 
     beam: float
     length: float
@@ -102,7 +102,7 @@ class Row(NamedTuple):
 
     @property
     def turn(self):
-        """(6, 6) from the frame of the row to that of the box, zero for what is not the row's"""
+        """(6, 6) from the frame of the row to that of the box, zero for motions that are not of this row"""
         turn = TURN.copy() if self.across else np.eye(6)
         turn[[i for i in range(6) if i not in self.mine]] = 0
         return turn

@@ -1,7 +1,7 @@
 """Tables of sectional coefficients over B/d, H/d and ξ_B.
 
 The SR179 report (1982) gives twenty, 2.1.3.1-20: H/d in the outer, B/d in the inner order, ten ξ_B each; its design
-guideline interpolates them in B/d and H/d.  Here any shape is a solution of milliseconds, and nothing is interpolated.
+guideline interpolates them in B/d and H/d.  Here any shape is solved in milliseconds, without interpolation.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ COLUMNS = (
 def tables(beam_draft=BEAM_DRAFT, depth_draft=DEPTH_DRAFT, xi=XI, tolerance=TOLERANCE, progress=None):
     """Rows of all tables in the report's order: H/d, then B/d, then ξ_B; a list of dictionaries with `COLUMNS`.
 
-    depth_draft may hold inf; progress : called after each row, which are made in an order that tells their pace
-    Raises ValueError for a shape that cannot be solved to the tolerance.
+    depth_draft may contain inf; progress : called after each row, in an order that allows an estimate of the remaining
+    time. Raises ValueError for a shape that cannot be solved to the tolerance.
     """
     shapes = [(B, H, x) for H in depth_draft for B in beam_draft for x in xi]
     rows = [{} for _ in shapes]

@@ -1,9 +1,9 @@
-"""States of a memory that decay within a fraction of any wave period follow the motion at once.
+"""States of a memory that decay within a fraction of any wave period are replaced by their instantaneous response.
 
     y = c (s − a)⁻¹ b ν  →  −c a⁻¹ b ν − c a⁻² b ν̇        |s| ≪ |a|
 
-a damping and an inertia; what is left out is (ω/|a|)² of their force.  Without this an explicit integration would have
-to take steps of 3/|a|, whatever the motion.
+a damping and an inertia; the neglected part is (ω/|a|)² of their force.  Otherwise an explicit integration would need
+steps of 3/|a|, whatever the motion.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from .memory import MemoryArrays
 
 
 class SlowMemory(NamedTuple):
-    """arrays : `MemoryArrays` of the states that are left; damping, inertia : (6, 6) of those that follow at once"""
+    """arrays : `MemoryArrays` of the remaining states; damping, inertia : (6, 6) of the replaced ones"""
 
     arrays: MemoryArrays
     damping: np.ndarray

@@ -1,7 +1,7 @@
-"""Fits of the memory that were made before, kept with the compiled kernels.
+"""Fits of the memory from earlier runs, kept with the compiled kernels.
 
-A fit takes seconds, and every study of a database asks for the same one.  It is a function of arrays alone: a digest of
-them, of the sources that make it and of numpy and scipy names its file, so that nothing that changed is taken for it.
+A fit takes seconds, and every study of a database needs the same one.  It depends on arrays alone: a digest of them, of
+the source files and of the versions of numpy and scipy names its file, so that any change leads to a new fit.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from ..kernels.jit import ROOT, cache_folder
 from ..kernels.sources import put_file
 from .passive_fit import Passive
 
-MOST = 256  # files, of some 20 to 200 kB; the oldest go
+MOST = 256  # files, of some 20 to 200 kB; the oldest are deleted
 
 
 def kept_fit(source, make, *arrays):
-    """`Passive` that make() gives, or gave before for the same arrays; source : the file of code that makes it"""
+    """`Passive` from make(), or from an earlier call with the same arrays; source : the file of its code"""
     file = _file(source, arrays)
     with suppress(OSError, ValueError, KeyError, EOFError, BadZipFile), np.load(file, allow_pickle=False) as stored:
         return Passive(*(stored[name] for name in Passive._fields))

@@ -1,4 +1,4 @@
-"""The memory of the water as a linear system that takes energy from every motion, for integration in time.
+"""The memory of the water as a linear system that dissipates energy in every motion, for integration in time.
 
     (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
 
@@ -11,12 +11,12 @@ that decay and p pairs that turn as well, r + 2p = n, in the order: r, first of 
     ẋ_{k+p} = −decay_k x_{k+p} − turn_i x_k + Σ_j input_j,k+p ν_j
     y_j = Σ_k output_jk x_k
 
-Motions that symmetry keeps apart have states of their own.  Damping at every frequency and A(∞) are those of
-`whole_axis`, their poles those of `rational`, and output follows from a matrix P ≥ 0 such that (`passive_fit`)
+Motions uncoupled by symmetry have their own states.  Damping at every frequency and A(∞) are those of `whole_axis`,
+their poles those of `rational`, and output follows from a matrix P ≥ 0 such that (`passive_fit`)
 
     d/dt ½ xᵀP x = yᵀν − ½ |lossᵀ x|²,    y = 0 in steady motion.
 
-Within the band it is nearer than asked for where the body answers more to an error (`sensitivity`).
+Within the band the fit is more accurate than the tolerance where the body is sensitive to its error (`sensitivity`).
 """
 
 from __future__ import annotations
@@ -44,17 +44,17 @@ MOST = (76, 4)  # states of coupled motions, and for each of them
 STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
 FACETS = 1e-3, 1e-4  # change of A and B/ω over the band, relative to M + A, that are none: yaw of a mesh of revolution
 SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # fractions of the band tried if its upper end contradicts the rest
-SPREAD = (30.0, 8.0)  # how far below and above the band is fitted, as a factor
+SPREAD = (30.0, 8.0)  # range of the fit below and above the band, as a factor
 FELT = 0.05  # error scale over ω (M + A), for motions that radiate little, such as heave of a semi-submersible
-CLOSE = (0.03, 0.1)  # deviation of what is fitted from the database: remarked, refused
+CLOSE = (0.03, 0.1)  # deviation of the fitted transform from the database: above these it is reported, refused
 ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: the factor by which memory is nearer,
 # and the largest one.  Free decay of boxes and a buoy is then within 8e-5 of its start for a tolerance of 3e-4
-LESS = (1.0, 0.5, 0.0)  # powers of that factor that are tried one after the other
+LESS = (1.0, 0.5, 0.0)  # powers of that factor, tried one after the other
 
 
 @in_memory
 class MemoryArrays(NamedTuple):
-    """What kernels take: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the module, all contiguous"""
+    """Arguments of kernels: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the module, all contiguous"""
 
     decay: np.ndarray
     turn: np.ndarray
@@ -64,15 +64,15 @@ class MemoryArrays(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Memory(Causal):
-    """The system of the module's equations, what it stores and loses, and how near it is to its database.
+    """The system of the module's equations, its stored and lost energy, and its errors relative to its database.
 
     arrays : `MemoryArrays`
     storage : (n, n) P, J a unit of states squared; loss : (n, q) with power ½ |lossᵀx|² W
     added_mass_infinity : (6, 6) kg …, stored or by causality
-    error : (6, 6) largest difference of the transform from what is fitted, from ω = 0 to beyond the band, couplings
+    error : (6, 6) largest difference of the system from the fitted transform, from ω = 0 to beyond the band, couplings
     and their motions by √(ii · jj) of the largest transform
-    deviation : (6, 6) of what is fitted from the database in its band, likewise; error + deviation bound the rest
-    band : rad/s, first and last stored frequency; groups : numbers of motions that are coupled; words : of the motions
+    deviation : (6, 6) of the fitted transform from the database in its band, likewise; error + deviation bound the rest
+    band : rad/s, first and last stored frequency; groups : indices of coupled motions; words : of the motions
     """
 
     arrays: MemoryArrays
@@ -113,11 +113,11 @@ class Memory(Causal):
         return self.arrays.output @ states
 
     def stored_energy(self, states):
-        """J of states (…, n) in the water's motion that comes back"""
+        """J of states (…, n), stored energy of the water's motion that is returned"""
         return 0.5 * np.einsum("...i,ij,...j->...", states, self.storage, states)
 
     def lost_power(self, states):
-        """W of states (…, n) that are carried away"""
+        """W of states (…, n), radiated power"""
         return 0.5 * np.sum((states @ self.loss) ** 2, axis=-1)
 
     def transform(self, omega):
@@ -149,9 +149,9 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
     tolerance : of the transform, relative to the largest of each motion, 1e-5 to 0.1
-    motions : numbers of those that a study has, None for all; the others are neither asked for nor fitted
-    raises : ValueError where damping or added mass are not known for these, at too few frequencies, or contradict
-    each other because the band is too short; and where the tolerance is not reached
+    motions : indices of those of a study, None for all; the others are neither read nor fitted
+    raises : ValueError if damping or added mass are unknown for these, at too few frequencies, or contradict
+    each other because the band is too short; and if the tolerance is not reached
     """
     if not 1e-5 <= tolerance <= 0.1:
         raise ValueError(f"tolerance of the memory is {tolerance:g}; allowed: 1e-5 to 0.1")
@@ -162,7 +162,7 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
             f"the memory needs radiation at {FEWEST} or more frequencies, and {len(body.omega)} are stored; "
             "solve a band, such as --omega auto:0.1:2"
         )
-    with blas_threads(1):  # many small matrices; and the same bits whatever the number of threads
+    with blas_threads(1):  # many small matrices; and the same bits for any number of threads
         return _memory(body, tolerance, motions)
 
 
@@ -188,10 +188,10 @@ def _memory(body, tolerance, motions):
 
 
 def no_memory(body):
-    """`Memory` without states of a `Reader`, for runs that take coefficients at one frequency and never ask for it
+    """`Memory` without states of a `Reader`, for runs that use coefficients at one frequency instead
 
-    Water that rings before a wall is not to be had with a few states; its added mass at the highest frequency stands
-    for that of infinite frequency.
+    Resonances of water before a wall cannot be represented by a few states; its added mass at the highest frequency
+    replaces that at infinite frequency.
     """
     band = body.between.span
     count = len(body.words)
@@ -227,7 +227,7 @@ def _goal(body, band, motions, stored=True):
 
 
 def _shorter(body, goal, motions, stored=True):
-    """`_Goal` of as much of the lower band as agrees with itself, the nearest to it where nothing does"""
+    """`_Goal` of the largest lower part of the band that is consistent, or the most consistent one"""
     (low, high), best = goal.band, goal
     for share in SHORTER:
         found = _goal(body, (low, low + share * (high - low)), motions, stored)
@@ -245,7 +245,7 @@ def _shorter(body, goal, motions, stored=True):
 
 
 def _by_causality(body, goal, motions):
-    """`_Goal` with the A(∞) that follows from damping, where with the stored one nothing agrees, else `goal`
+    """`_Goal` with A(∞) from damping by causality, if nothing is consistent with the stored one, else `goal`
 
     Panels that are coarse for short waves leave A(∞) off: of WAMIT's set of RM3 that of a thin plate's roll, by 3 %.
     """
@@ -278,11 +278,11 @@ def _frequencies(axis, band):
 
 
 def _still(body, omega, added_mass, damping):
-    """(6N,) whether added mass and damping (n, 6, 6) of motions are nothing beside the body's own inertia"""
+    """(6N,) whether added mass and damping (n, 6, 6) of motions are negligible relative to the body's own inertia"""
     if body.inertia is None:
         return np.zeros(added_mass.shape[-1], bool)
     A, B = (np.einsum("nii->in", x) for x in (added_mass, damping))
-    own = np.diag(body.inertia) + A.mean(axis=1)  # NaN of a mass that is not known compares as false
+    own = np.diag(body.inertia) + A.mean(axis=1)  # NaN of an unknown mass compares as false
     return (np.ptp(A, axis=1) <= FACETS[0] * own) & (B / omega <= FACETS[1] * own[:, None]).all(axis=1)
 
 
@@ -291,7 +291,7 @@ def _relative(values, scale):
 
 
 def _deviation(axis, omega, added_mass, damping, scale, inertia):
-    """(6, 6) of the transform from the database, relative to scale (6, 6), or FELT of ω (M + A) where that is more"""
+    """(6, 6) of the transform from the database, relative to scale (6, 6), or FELT of ω (M + A) if that is more"""
     at = slice(2, -2, 8)  # interior points: at the ends damping has a corner and added mass a logarithm
     middle = 0.5 * (omega[1:] + omega[:-1])[at]
     A, B = (0.5 * (x[1:] + x[:-1])[at] for x in (added_mass, damping))
@@ -339,7 +339,7 @@ def _groups(coupled):
 
 
 def _kept(omega, wanted, size, group, tolerance, answered, words):
-    """`_fitted`, made now or before"""
+    """`_fitted`, computed now or before"""
     return kept_fit(
         __file__,
         lambda: _fitted(omega, wanted, size, group, tolerance, answered, words),

@@ -9,7 +9,7 @@ from ..kernels.jit import kernel
 def memory_rate(memory, states, velocity, rate, body=0):
     """Write ẋ into rate (n,): `Memory.rate`.
 
-    memory : `MemoryArrays`; states (n,); velocity (6,) m/s, rad/s, of one of several bodies, the first of them first
+    memory : `MemoryArrays`; states (n,); velocity (6,) m/s, rad/s, of one of several bodies, by index `body`
     """
     n, p, f = len(memory.decay), len(memory.turn), 6 * body
     first, second = n - 2 * p, n - p
@@ -26,11 +26,11 @@ def memory_rate(memory, states, velocity, rate, body=0):
 
 @kernel(inline=True, counted=False)
 def memory_force(memory, states, force, body=0):
-    """Write y into force (6,), N and N m against the motion of one of several bodies: `Memory.force`.
+    """Write y, the force on one of several bodies against its motion, into force (6,), N and N m: `Memory.force`.
 
     memory : `MemoryArrays`; states (n,)
     """
-    x = y = z = a = b = c = 0.0  # six sums side by side: one after the other each waits for its own last digit
+    x = y = z = a = b = c = 0.0  # six sums side by side: one after the other each would wait for its own last digit
     out = memory.output
     f = 6 * body
     for k in range(len(states)):

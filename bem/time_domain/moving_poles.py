@@ -1,13 +1,13 @@
-"""Poles, inputs and losses of a passive system, moved together until its largest miss is small.
+"""Poles, inputs and losses of a passive system, adjusted together until its largest error is small.
 
 With rows b_k of B and l_k of L in the modes of `passive_fit`,
 
     H(s) = Σ_kl  b̄_k S_kl (l_k · l̄_l) b_lᵀ / (s − λ_l),    S_kl = −1 / (λ̄_k + λ_l),    Σ_k l̄_k b_kᵀ / λ_k = 0,
 
-is passive whatever λ, B and L are, if only Re λ < 0.  The sum of the p-th powers of what H misses is made small by
-Newton's method without the second derivatives of H (Levenberg's and Marquardt's damping), for p = 4 and 8, that come
-near the largest.  Decay moves by its logarithm, so that it stays a decay; b_k only across itself, since its size is
-that of l_k.  With poles that stay, boxes and a buoy take 3 to 25 % more states for the same largest miss.
+is passive for all λ, B and L with Re λ < 0.  The sum of the p-th powers of the errors of H is minimised by Newton's
+method without the second derivatives of H (Levenberg's and Marquardt's damping), for p = 4 and 8, which approximate the
+largest.  Decay changes by its logarithm, so that it remains a decay; b_k only in directions across itself, since its
+size is that of l_k.  With fixed poles, boxes and a buoy take 3 to 25 % more states for the same largest error.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-POWERS = ((4, 15), (8, 25))  # p, and rounds of it
-ENOUGH = 1e-3  # relative gain of a round, times p, after which no more is tried
+POWERS = ((4, 15), (8, 25))  # p, and number of rounds with it
+ENOUGH = 1e-3  # relative gain of a round, times p, below which the iteration stops
 FARTHEST = 0.7  # largest change of the logarithm of a decay in one round
-STEADY = 1e6  # weight of the last condition beside that of its unknowns; it is then met exactly
+STEADY = 1e6  # weight of the last condition relative to that of its unknowns; it is then met exactly
 
 
 class Moving(NamedTuple):
@@ -32,7 +32,7 @@ class Moving(NamedTuple):
 
 
 def real_basis(alone, pairs):
-    """(n, n) unitary, that takes real states to modes: those alone, first of each pair, second of each pair"""
+    """(n, n) unitary, from real states to modes: single ones, first of each pair, second of each pair"""
     basis = np.eye(alone + 2 * pairs, dtype=complex)
     one = np.sqrt(0.5) * np.eye(pairs)
     basis[alone:, alone:] = np.block([[one, -1j * one], [one, 1j * one]])
@@ -40,8 +40,8 @@ def real_basis(alone, pairs):
 
 
 def moved(system, s, wanted, weight):
-    """`Moving` nearer to H (q, m, m) at s (q,), wherever weight (q, m, m) times its miss is above 1"""
-    system, slowest = _steady(system), np.abs(s[s != 0]).min()  # slower ones would be felt for hours
+    """`Moving` closer to H (q, m, m) at s (q,), wherever weight (q, m, m) times its error is above 1"""
+    system, slowest = _steady(system), np.abs(s[s != 0]).min()  # slower ones would act for hours
     off = (transfer(system, s) - wanted) * weight
     damping = 1e-2
     for power, rounds in POWERS:
@@ -84,7 +84,7 @@ def _step(system, s, off, weight, power):
     across = _across(system)
     slopes = _slopes(system, s, across) * weight.ravel()
     size = np.abs(off).ravel()
-    # a miss grows along itself, and turns across: second derivatives of |·|ᵖ are p − 1 to 1
+    # an error grows along itself, and turns across: second derivatives of |·|ᵖ are p − 1 to 1
     slopes = slopes * (off.ravel().conj() / np.maximum(size, 1e-300)) * np.maximum(size, 1e-6) ** (power / 2 - 1)
     along, turned = np.ascontiguousarray(slopes.real), np.ascontiguousarray(slopes.imag)
     normal = (power - 1) * (along @ along.T) + turned @ turned.T
@@ -156,7 +156,7 @@ def _of_rates(system, by_rate, by_conjugate):
 
 
 def _across(system):
-    """m − 1 directions (n, m) that every input may turn to, conjugate for conjugate modes"""
+    """m − 1 directions (n, m) in which every input may turn, conjugate for conjugate modes"""
     _, B, _, pairs = system
     n, m = B.shape
     alone = n - 2 * pairs
@@ -187,7 +187,7 @@ def _shifted(system, step, slowest=0.0):
 
 
 def _steady(system):
-    """`Moving` with the losses nearest to those given that meet the last condition"""
+    """`Moving` with the losses closest to the given ones that meet the last condition"""
     rate, B, L, pairs = system
     basis = real_basis(len(rate) - 2 * pairs, pairs)
     held = np.linalg.qr((basis.conj().T @ (B / rate[:, None])).real)[0]

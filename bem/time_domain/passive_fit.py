@@ -2,9 +2,9 @@
 
     ẋ = A x + B u,    y = C x,    C = BᵀP,    AᵀP + P A = −L Lᵀ,    Lᵀ A⁻¹ B = 0
 
-takes energy from every motion, since d/dt ½ xᵀP x = yᵀu − ½ |Lᵀx|² (Kalman, Yakubovich and Popov): what is not stored
-in P ≥ 0 is lost, whatever L is.  At s = iω the Hermitian part of H = C (s − A)⁻¹ B is ½ VᴴV with V = Lᵀ (s − A)⁻¹ B.
-The last condition makes it zero at ω = 0: steady motion is not resisted.
+dissipates energy in every motion, since d/dt ½ xᵀP x = yᵀu − ½ |Lᵀx|² (Kalman, Yakubovich and Popov): energy that is
+not stored in P ≥ 0 is lost, for any L.  At s = iω the Hermitian part of H = C (s − A)⁻¹ B is ½ VᴴV with V = Lᵀ (s −
+A)⁻¹ B. The last condition makes it zero at ω = 0: steady motion has no resistance.
 
 A and B are given by their modes; L (n, m) is found by least squares of H over samples, H(0) = 0 a heavy one, by
 Gauss and Newton with Levenberg's and Marquardt's damping.  In coordinates z of the modes, A = diag λ, P is
@@ -21,19 +21,19 @@ import numpy as np
 from .moving_poles import Moving, moved, real_basis, storage, transfer
 
 ROUNDS = 80
-STEADY = 300.0  # weight of H(0) = 0, whose part that does no work is not zero by itself
+STEADY = 300.0  # weight of H(0) = 0, whose skew part is not zero by itself
 # relative gain in squares below which rounds end; ENOUGH_AFAR for a fit that misses its tolerance by a factor NEAR
 ENOUGH, ENOUGH_AFAR, NEAR = 1e-3, 1e-2, 1.5
-HOPELESS = 1.2  # error over the tolerance; least squares of all entries leave less to the largest
+HOPELESS = 1.2  # error over the tolerance; least squares of all entries then cannot reduce the largest enough
 # largest error over the tolerance of a fit whose modes are moved, and its largest number of inputs: a round takes 10 ms
 # with two, a second with six
 MOVABLE, MOVED = 8.0, 3
 DAMPINGS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3)  # initial damping values, relative to the largest
-REAL = 1e-10  # imaginary part, relative, of what is a real mode
+REAL = 1e-10  # relative imaginary part below which a mode is real
 
 
 class Passive(NamedTuple):
-    """A passive system in real modes: first those that decay, then pairs that turn as well.
+    """A passive system in real modes: first those that only decay, then pairs that also oscillate.
 
     decay : (n,) 1/s; turn : (p,) rad/s of pairs k, whose two states are r + k and r + p + k with r = n − 2p
     input, output : (m, n); storage P : (n, n); loss L : (n, m)
@@ -48,7 +48,7 @@ class Passive(NamedTuple):
 
 
 class _Modes(NamedTuple):
-    """λ (n,), B (n, m) in modes, and what takes real states to them, unitary (n, n)"""
+    """λ (n,), B (n, m) in modes, and the unitary matrix (n, n) from real states to them"""
 
     rate: np.ndarray
     input: np.ndarray
@@ -61,8 +61,8 @@ def passive_fit(A, B, s, H, tolerance=0.0, weight=None):
 
     tolerance : of H times weight (q, m, m), 1 by default, at which no more is tried; 0 : as near as it goes with these
     modes
-    returns : also its largest weighted miss; None and what an output misses that is free of the condition P ≥ 0, where
-    already that is clearly beyond the tolerance
+    returns : also its largest weighted error; None and the error of an output without the condition P ≥ 0, if
+    already this is clearly beyond the tolerance
     """
     weight = np.ones(H.shape) if weight is None else weight
     modes = _modes(A, B)
@@ -95,7 +95,7 @@ def _modes(A, B):
     b = np.linalg.solve(vectors, B.astype(complex))
     alone = np.abs(rate.imag) <= REAL * np.abs(rate)
     upper = ~alone & (rate.imag > 0)
-    # a real mode has real inputs but for one factor, which its vector may have
+    # a real mode has real inputs except for one factor, which its vector may have
     largest = b[alone][np.arange(alone.sum()), np.abs(b[alone]).argmax(axis=1)]
     single = (b[alone] * np.conj(largest / np.abs(largest))[:, None]).real
     r, p = int(alone.sum()), int(upper.sum())
@@ -129,7 +129,7 @@ class _Problem:
         return (self.modes.input.conj().T @ P @ self.response).reshape(m, -1, m).swapaxes(0, 1)
 
     def misses(self, Z):
-        """Real differences from what is wanted, in one row"""
+        """Real differences from the wanted values, in one row"""
         off = ((self.transfer(Z) - self.wanted) * self.weights).ravel()
         return np.concatenate([off.real, off.imag])
 
@@ -165,13 +165,13 @@ class _Problem:
         return np.array(C), miss
 
     def start(self, C):
-        """Z to begin with: L of an output C (m, n) with some damping, or C itself, with which V has the peaks of H"""
+        """Initial Z: L of an output C (m, n) with some damping, or C itself, with which V has the peaks of H"""
         Z = self.free.T @ self._factor(C)
         made = self.transfer(Z)
         return Z * np.sqrt(max(np.vdot(made, self.wanted).real / np.vdot(made, made).real, 1e-3))
 
     def _factor(self, C):
-        """L (n, m) of the system with an output C (m, n) and so much damping δ that it takes energy from every motion
+        """L (n, m) of the system with an output C (m, n) and enough damping δ to dissipate energy in every motion
 
         AᵀP + PA + (PB − Cᵀ)(BᵀP − C)/2δ = 0,    L = (Cᵀ − PB)/√2δ
 
@@ -185,7 +185,7 @@ class _Problem:
         for damping in DAMPINGS:
             try:
                 P = solve_continuous_are(A, B, none, -2 * damping * np.eye(len(C)), s=-C.T)
-            except (np.linalg.LinAlgError, ValueError):  # it gives energy at some frequency
+            except (np.linalg.LinAlgError, ValueError):  # it supplies energy at some frequency
                 continue
             return (C.T - P @ B) / np.sqrt(2 * damping)
         return C.T

@@ -16,7 +16,7 @@ import numpy as np
 
 ROUNDS = 12  # rounds of pole relocation; poles then converge to three digits
 SLOW = 4  # real poles to start from
-REAL = 1e-10  # imaginary part, relative, of what is a real pole
+REAL = 1e-10  # relative imaginary part below which a pole is real
 
 
 class System(NamedTuple):
@@ -51,7 +51,7 @@ def fitted(s, H, count, weight):
     """`System` with `count` poles an input whose transfer function is near H (q, m, m), symmetric, at s (q,) = iω
 
     weight : (q, m, m), symmetric, of what is missed
-    returns : also the largest entry of what it misses, times weight
+    returns : also its largest error, times weight
     """
     m = H.shape[1]
     rows, columns = np.triu_indices(m)
@@ -73,9 +73,9 @@ def fitted(s, H, count, weight):
 
 
 def balanced(system):
-    """`Balanced` of a stable system, as a function of 1/s: states that are left out follow the others at once
+    """`Balanced` of a stable system, as a function of 1/s: removed states are replaced by their instantaneous response
 
-    What they pass on from input to output by themselves, a constant, is left out.
+    Their direct path from input to output, a constant, is neglected.
     """
     from scipy.linalg import solve_continuous_lyapunov
 
@@ -100,7 +100,7 @@ def fractions(s, poles):
 
 
 def _first_poles(s, count):
-    """A few that decay slowly, for logarithms at ω = 0; the others turn, evenly over the lower quarter of |s|"""
+    """A few that decay slowly, for logarithms at ω = 0; the others oscillate, evenly over the lower quarter of |s|"""
     size = np.abs(s)
     slow = -np.geomspace(size.min(), size.max() / 40, SLOW) + 0j
     w = np.linspace(0.02, 1.0, (count - SLOW) // 2) * size.max() / 4
@@ -116,7 +116,7 @@ def _moved(s, entries, weight, poles):
             triangle = np.linalg.qr(_real(w * np.hstack([phi, -entry * phi, -entry])), mode="r")
             parts.append(triangle[n:, n:])  # equations for σ alone
         left = np.vstack(parts)
-        size = np.linalg.norm(left)  # Σ Re σ = q keeps σ from vanishing
+        size = np.linalg.norm(left)  # Σ Re σ = q prevents σ from vanishing
         left = np.vstack([left, np.append(phi.real.sum(axis=0), len(s)) * size / len(s)])
         right = np.append(np.zeros(len(left) - 1), size)
         *c, d = np.linalg.lstsq(left, right, rcond=None)[0]

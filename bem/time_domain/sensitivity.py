@@ -1,13 +1,13 @@
-"""How far a moored body answers an error of its memory: where motion is damped lightly, memory has to be nearer.
+"""Sensitivity of a moored body to an error of its memory: for lightly damped motion, memory must be more accurate.
 
-An error E (6, 6) of the impedance moves a free decay by up to E / (e B) of its start, with B all damping at the natural
-frequency: by the admittance of the body on its springs.  With the restoring forces C of the water, and a little damping
-that every moored body has besides waves,
+An error E (6, 6) of the impedance changes a free decay by up to E / (e B) of its start, with B all damping at the
+natural frequency: by the admittance of the body on its springs.  With the restoring forces C of the water, and a little
+damping that every moored body has besides waves,
 
     Y = [H − iω (M + A∞) + iC/ω + 2ζω (M + A)]⁻¹,        its diagonal times that of the largest H.
 
-Springs of moorings are not known here.  They hold surge, sway and yaw, softer than the water holds heave: below the
-natural frequency of heave these count as resonant at every frequency, if that answers more.
+Springs of moorings are unknown here.  They restrain surge, sway and yaw, more softly than hydrostatics restrains heave:
+below the natural frequency of heave these count as resonant at every frequency, if that gives a larger sensitivity.
 """
 
 from __future__ import annotations

@@ -1,20 +1,20 @@
-"""Damping at every frequency, and the added mass that belongs to it by causality.
+"""Damping at every frequency, and the added mass that follows from it by causality.
 
     A(ω) = A(∞) + (2/π) ⨍₀^∞ B(x) / (x² − ω²) dx        (Kramers and Kronig)
 
-Damping is straight between the frequencies of the band.  Beyond its ends ω₁ and Ω it follows powers of its own,
+Damping is linear between the frequencies of the band.  Beyond its ends ω₁ and Ω it follows powers,
 
     Bᵢⱼ = Mᵢⱼ(ω) + [Bᵢⱼ(ω₁) − Mᵢⱼ(ω₁)] (ω/ω₁)^{(pᵢ + pⱼ)/2} below,    Bᵢⱼ = Bᵢⱼ(Ω) (Ω/ω)^{(rᵢ + rⱼ)/2} above,
 
-with pᵢ, rᵢ from the slopes of the diagonal, so that a matrix that takes energy out at an end does so beyond it too.
-What the added mass of the band asks for besides, as where damping still rises at Ω, is added there in the shapes
-(Ω/ω)³ − (Ω/ω)⁵ and (Ω/ω)⁵ − (Ω/ω)⁹, by least squares, as far as no energy comes of it.
-M are the waves of a body that changes the volume below the surface by qᵢ m² a unit of motion, ω → 0 (the pulsating
-source; Newman, Marine Hydrodynamics, 1977, section 6.18, and its limit in shallow water):
+with pᵢ, rᵢ from the slopes of the diagonal, so that a matrix that dissipates energy at an end does so beyond it too.
+Further damping required by the added mass of the band, as where damping still rises at Ω, is added there in the shapes
+(Ω/ω)³ − (Ω/ω)⁵ and (Ω/ω)⁵ − (Ω/ω)⁹, by least squares, as far as it adds no energy. M are the waves of a body that
+changes the volume below the surface by qᵢ m² per unit of motion, ω → 0 (the pulsating source; Newman, Marine
+Hydrodynamics, 1977, section 6.18, and its limit in shallow water):
 
     M = ρ ω q qᵀ / 4h  in water of depth h,    M = ρ ω³ q qᵀ / 2g  in deep water.
 
-Motions that change no volume make dipoles, B like ω³ and more; a vertical side damps like ω⁻³ in short waves, a
+Motions without change of volume are dipoles, B like ω³ and more; a vertical side damps like ω⁻³ in short waves, a
 horizontal one less than any power.
 """
 
@@ -26,8 +26,8 @@ import numpy as np
 
 from ..database.reader import without_rows
 
-LOWEST, DIPOLE, HIGHEST = 1.0, 3.0, 12.0  # powers of ω that are believed
-SIDE = 3.0  # slowest power of ω⁻¹ that is believed
+LOWEST, DIPOLE, HIGHEST = 1.0, 3.0, 12.0  # plausible powers of ω
+SIDE = 3.0  # slowest plausible power of ω⁻¹
 END = 0.85  # share of the band, above which the upper slope is computed
 CUT = 300.0  # upper limit over Ω; the part beyond it is below 1/CUT² of the part above the band
 BUMPS = ((3, 5), (5, 9))  # powers of Ω/ω of damping that rises and falls beyond the band
@@ -70,7 +70,7 @@ class WholeAxis:
         return np.tensordot(weights, self.damping, axes=1)
 
     def between(self, omega):
-        """(q,) rad/s in the middle of the gaps of `self.omega` that omega (q,) lie in, each once"""
+        """(q,) rad/s in the middle of the gaps of `self.omega` that contain omega (q,), each once"""
         at = np.unique(self._gap(np.asarray(omega))[0])
         return 0.5 * (self.omega[at] + self.omega[at + 1])
 
@@ -82,8 +82,8 @@ class WholeAxis:
 def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=None):
     """`WholeAxis` of coefficients (n, 6, 6) at omega (n,) rad/s rising, dense enough for straight lines between.
 
-    added_mass_infinity : (6, 6), None for that with which causality returns the added mass of the band best
-    monopole : function of ω (q,) giving M (q, 6, 6) kg/s …, None where it is not known
+    added_mass_infinity : (6, 6), None for the one with which causality best reproduces the added mass of the band
+    monopole : function of ω (q,) that returns M (q, 6, 6) kg/s …, None if unknown
     """
     below, low = _below(omega, damping, monopole)
     above, high = _above(omega, damping)
@@ -95,9 +95,9 @@ def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=No
 
 
 def ends_of(body, motions=None):
-    """A(∞) (6, 6) and M of a `bem.database.reader.Reader` for `whole_axis`, each None where it is not known
+    """A(∞) (6, 6) and M of a `bem.database.reader.Reader` for `whole_axis`, each None if unknown
 
-    motions : numbers of those that are asked for, None for all, A(∞) and M being 0 of the others
+    motions : requested indices, None for all; A(∞) and M are 0 for the others
     """
     count = len(body.words)
     out = [] if motions is None else [i for i in range(count) if i not in motions]
@@ -169,7 +169,7 @@ def _below(omega, damping, monopole):
 
 
 def _above(omega, damping):
-    """Frequencies beyond Ω, ever farther apart, to where nothing is left, and the damping there"""
+    """Frequencies beyond Ω, ever farther apart, to where damping vanishes, and the damping there"""
     last = omega[-1]
     axis = last * np.geomspace(1, CUT, 600)[1:]
     some = omega >= omega[0] + END * (last - omega[0])
@@ -182,7 +182,7 @@ def _above(omega, damping):
 
 
 def _unseen(omega, added_mass, axis, above):
-    """Damping (q, 6, 6) beyond Ω beside its power, and A(∞), that the added mass of the band asks for"""
+    """Damping (q, 6, 6) beyond Ω in addition to its power, and A(∞), required by the added mass of the band"""
     step = max(1, len(omega) // COMPARED)
     at = 0.5 * (omega[:-1] + omega[1:])[step // 2 :: step]
     flat = added_mass.reshape(len(omega), -1)
@@ -206,7 +206,7 @@ def _unseen(omega, added_mass, axis, above):
 
 
 def without_negative(matrices, damping):
-    """Matrices (q, 6, 6) without what would give energy, motions measured by their largest damping (n, 6, 6)"""
+    """Matrices (q, 6, 6) without parts that would add energy, motions scaled by their largest damping (n, 6, 6)"""
     size = np.sqrt(np.abs(np.einsum("qii->qi", damping)).max(axis=0))
     scale = np.outer(size, size)
     scale[scale == 0] = 1.0

@@ -1,1 +1,1 @@
-"""The waves around bodies, from what their far field is."""
+"""The waves around bodies, from their far field."""

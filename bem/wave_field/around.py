@@ -1,10 +1,10 @@
-"""The waves around one body of a database, or outside the line around all of several, fixed or moving with the waves.
+"""The waves around one body of a database, or outside the outline around several, fixed or moving with the waves.
 
-At once everywhere, or at points in many waves.
+On a whole map, or at points in many waves.
 
-η(p) = exp(ik·p) + Σ_j s_j H₀(k|p − p_j|), the sources s_j from the Kochin function of the diffraction and, where the
-body moves, of its radiation times its motion (`sources`).  What decays over the depth, as exp(−πr/h) at a distance
-r from the hull, is left out.
+η(p) = exp(ik·p) + Σ_j s_j H₀(k|p − p_j|), the sources s_j from the Kochin function of the diffraction and, if the body
+moves, of its radiation times its motion (`sources`).  Local waves, which decay as exp(−πr/h) with the distance r from
+the hull, are neglected.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ CORNERS = 24  # corners that represent a curved plan
 class WavesAround(NamedTuple):
     """One body, or several, in waves of 1 m towards one direction.
 
-    omega rad/s, k rad/m, beta rad; sources : of its plan; middle : (2,) m of that; strengths : (s,) m
-    motion : (n,) m and rad about the centre of rotation, None of a fixed body; missed : share of the far field that
+    omega rad/s, k rad/m, beta rad; sources : of its plan; middle : (2,) m of the plan; strengths : (s,) m
+    motion : (n,) m and rad about the centre of rotation, None for a fixed body; missed : share of the far field that
     the sources do not send; pierces : whether the hull reaches the surface
     """
 
@@ -40,8 +40,8 @@ class WavesAround(NamedTuple):
     pierces: bool
 
     def elevation(self, places):
-        """(p,) complex, m per m, at places (p, 2) m: Re η exp(−iωt) is the surface; nan in the plan of the body, of
-        several in the line around all
+        """(p,) complex, m per m, at places (p, 2) m: Re η exp(−iωt) is the surface; nan in the plan of the body, for
+        several bodies in the outline around all
         """
         places = np.atleast_2d(np.asarray(places, float))
         total = np.full(len(places), np.nan, complex)
@@ -68,7 +68,7 @@ def waves_around(reader, omega, beta, fixed=False):
 
 
 def beside_incident(reader, omega, headings, motions, places):
-    """What a `Reader`'s body adds to the waves at places: (q, p, n) complex, m per m, and the largest share missed.
+    """Waves that a `Reader`'s body adds at places: (q, p, n) complex, m per m, and the largest share missed.
 
     omega : (q,) rad/s; headings : (p,) rad; motions : (q, p, 6); places : (n, 2) m, see `at_waterline`
     missed : of the far field, by the sources, among the waves.  Raises as `waves_around`.
@@ -86,7 +86,7 @@ def beside_incident(reader, omega, headings, motions, places):
 
 
 def at_waterline(mesh, places):
-    """(n, 2) m, places (n, 2) in plan, those over a hull at the surface moved to the nearest of its waterline"""
+    """(n, 2) m, places (n, 2) in plan; those inside a hull are moved to the nearest point of its waterline"""
     plan, pierces = plan_of(mesh)
     places = np.array(places, float).reshape(-1, 2)
     over = covers(plan, places) if pierces else np.zeros(len(places), bool)
@@ -108,7 +108,7 @@ def far_field(reader, motion, omega, beta):
 def plan_of(mesh):
     """(n, 2) m, corners anticlockwise of the convex hull of a PanelMesh's waterline, and whether it has one
 
-    A body below the surface has the plan of all of it.  A curved plan is taken with CORNERS corners.
+    A submerged body has the plan of all its panels.  A curved plan is represented by CORNERS corners.
     """
     points = mesh.whole().vertices.reshape(-1, 3)
     at_surface = points[:, 2] > -SURFACE * abs(points[:, 2].min())

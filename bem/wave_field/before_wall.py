@@ -1,7 +1,7 @@
-"""A body before a reflecting wall, from what it does in open water: its waves and those of its image, to the end.
+"""A body before a reflecting wall, from its results in open water: its waves and its image's, with all reflections.
 
-The wall is at y = w; ′ mirrors a point in it.  Sources s of a body's waves (`sources`) answer what comes in, the wave
-towards β, its reflection, and the waves of the image's equal sources:
+The wall is at y = w; ′ mirrors a point in it.  Sources s of a body's waves (`sources`) respond to the incident waves:
+the wave towards β, its reflection, and the waves of the image's equal sources:
 
     s = F [H(β) + e^{2ikw sinβ} H(−β) + M s],    M_ti = η(p′_i; θ_t + π)
     f = F(β) + e^{2ikw sinβ} F(−β) + C Σ s_i ηⱼ(p′_i),    C = −4iρg n/k²,  n = C_g/C
@@ -12,13 +12,13 @@ for a source as near as that.  Sources of motion j give ω²ΔA + iωΔB in plac
 
     D = (2ρg n/k²) Σ Im s_i ∇η*(p_i),
 
-η all that comes in and the regular part J₀ of the body's own sources; the yaw moment is that of these forces.
+η all incident waves and the regular part J₀ of the body's own sources; the yaw moment is that of these forces.
 
-The report (SR179, 1982, section 3.7.3) stops at one wave that runs under the body and back, in two dimensions, and
+The report (SR179, 1982, section 3.7.3) stops at one wave that passes under the body and returns, in two dimensions, and
 multiplies motions by its factor π (`bem.sections.quay`).  Here ends, every reflection, added mass, damping and drift
-are in it.  Left out are the waves that decay between hull and image, `neglected`.  Against panels with the wall
-(200 × 50 × 10 m, 0.15 to 0.95 rad/s) forces differ by 0.4 % of the largest with 25 m between hull and wall in 20 m of
-water, 2.3 % with 10 m, 60 % with 3 m; in 100 m of water 4 % and 33 %.
+are included.  Local waves between hull and image are `neglected`.  Against panels with the wall (200 × 50 × 10 m, 0.15
+to 0.95 rad/s) forces differ by 0.4 % of the largest with 25 m between hull and wall in 20 m of water, 2.3 % with 10 m,
+60 % with 3 m; in 100 m of water 4 % and 33 %.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from ..waves import group_factor, wavenumber
 from .around import plan_of
 from .sources import Sources, directions, incident, slopes, waves
 
-HEADINGS = 72  # headings that are computed, one every 5°
+HEADINGS = 72  # number of computed headings, one every 5°
 TURN = 0.25  # rad of 2kw between frequencies: a wave to the wall and back
 FEWEST, MOST = 100, 400  # frequencies
 CHANGE = 0.15  # change of radiation between neighbours, over its largest value, above which a frequency is inserted
@@ -42,11 +42,11 @@ NEEDED = ("added_mass", "radiation_damping", "excitation_force", "kochin_radiati
 
 
 class WallError(ValueError):
-    """What a body does before a wall does not follow from a database; one line says why, and what helps."""
+    """The behaviour before a wall cannot be computed from a database; the message gives the reason and a remedy."""
 
 
 def neglected(body, wall):
-    """Share of a wave at the hull that decays before it has been to its image and back to the hull
+    """Local wave at the hull after its way to the image and back, as a share of its height at the start
 
     exp(−2πg/b), g the gap from hull to wall, b the depth or, in deeper water, the breadth of the hull: sway of the box
     of the module is off by 0.04 and 0.30 where it says 0.04 and 0.28 in 100 m, forces by 0.004, 0.02, 0.6 for 0.0004,
@@ -57,21 +57,21 @@ def neglected(body, wall):
 
 
 def least_gap(share, depth, breadth):
-    """m, from hull to wall, at which that share of a wave is `neglected`"""
+    """m, from hull to wall, at which the share `neglected` has this value"""
     return -float(np.log(share)) * _decay(depth, breadth)
 
 
 def _decay(depth, breadth):
-    """m, over which a wave that decays falls to 1/e on its way to the wall and back"""
+    """m, distance over which a local wave falls to 1/e on its way to the wall and back"""
     return min(depth, breadth) / (2 * np.pi)
 
 
 def before_wall(body, wall):
     """`bem.database.reader.Reader` of a `Reader`'s body before a wall at y = wall, m
 
-    It holds added mass, damping, forces and, of a body with inertia, drift, at frequencies close enough for waves
-    that run to the wall and back.
-    raises : WallError for a database that lacks what it takes, is of a body beside a wall already or reaches the wall
+    The result has added mass, damping, forces and, for a body with inertia, drift, at frequencies close enough for
+    waves that travel to the wall and back.
+    raises : WallError for a database that lacks needed quantities, has a wall already or whose body reaches the wall
     """
     _check(body, wall)
     body = body if body.inertia is None or body.stiffness is None else body.floating()
@@ -93,10 +93,10 @@ def before_wall(body, wall):
 
 
 def given_back(body):
-    """Energy that radiation gives back, 0 or more: the lowest eigenvalue of damping over the largest of each motion
+    """Negative radiated energy, 0 or more: minus the lowest eigenvalue of damping over the largest of each motion
 
-    It is an error of what was made: 1e-4 for the box of the module 25 m off with headings stored every 15°, for 50 m
-    0.02, and 0.12 with every 30°: waves that ring between hull and wall are as sensitive as they are sharp.
+    It is an error of the result: 1e-4 for the box of the module at 25 m with headings stored every 15°, for 50 m 0.02,
+    and 0.12 with every 30°: sharp resonances between hull and wall are sensitive to errors.
     """
     B = body.between.quantities["radiation_damping"]
     size = np.sqrt(np.einsum("nii->ni", B).max(axis=0))
@@ -127,7 +127,7 @@ def _breadth(body):
 
 
 def _frequencies(body, wall):
-    """(q,) rad/s, stored ones and as many between as waves to the wall and back need"""
+    """(q,) rad/s, stored frequencies and as many between them as waves to the wall and back need"""
     low, high = body.between.span
     k = wavenumber(np.array([low, high]), body.depth, body.gravity)
     count = int(np.clip(2 * abs(wall) * np.ptp(k) / TURN, FEWEST, MOST))

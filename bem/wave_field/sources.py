@@ -44,7 +44,7 @@ class Sources:
         return regular_inverse(self.sent, SMALLEST)
 
     def strengths(self, H):
-        """(…, s) of Kochin functions H (…, t), and the share of H that the sources do not send"""
+        """(…, s) of Kochin functions H (…, t), and the share of H that the sources do not reproduce"""
         found = H @ self.of_far_field.T
         size = np.linalg.norm(H)
         return found, float(np.linalg.norm(H - found @ self.sent.T) / size) if size > 0 else 0.0
@@ -58,7 +58,7 @@ class Sources:
         return np.concatenate(parts, axis=-1)
 
     def covers(self, places):
-        """(p,) whether places (p, 2) lie in the plan, where there is no wave"""
+        """(p,) whether places (p, 2) lie in the plan, where no wave is defined"""
         return covers(self.plan, places)
 
 

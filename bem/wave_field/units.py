@@ -1,4 +1,4 @@
-"""Equal bodies side by side in waves: what each sends the others, summed to the end.
+"""Equal bodies side by side in waves, with all reflections between them.
 
     s_u = F (H(β) e_u + H G Σ_v≠u W_uv s_v),      H_total(θ) = Σ_u H_u(θ) exp(−ik p_u·(cosθ, sinθ))
 
@@ -58,7 +58,7 @@ def field(plan, k, theta, own, ring, of_ring, beta, middles):
 
     plan : (n, 2) m, convex, anticlockwise; k : rad/m; theta : (t,) rad, equally spaced from 0
     own : (b, t) Kochin functions of a unit in the waves asked for, towards beta (b,) rad
-    ring : (n,) rad of plane waves, of_ring : (n, t) the same in those, used where there is more than one of the
+    ring : (n,) rad of plane waves, of_ring : (n, t) Kochin functions in these, used where there is more than one of the
     middles (u, 2)
     """
     sources = Sources(plan, k, theta)

@@ -1,1 +1,1 @@
-"""Hulls drawn by curved patches, made of flat panels"""
+"""Hulls drawn as curved patches and converted to flat panels"""

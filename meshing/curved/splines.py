@@ -2,9 +2,9 @@
 
     x(u, v) = Σᵢⱼ xᵢⱼ Uᵢ(u) Vⱼ(v),    u over NUG spans by splines of order KUG, v over NVG of order KVG
 
-A patch is NUG NVG, KUG KVG, NUG + 2 KUG − 1 and NVG + 2 KVG − 1 knots, then the (NUG + KUG − 1)(NVG + KVG − 1)
-points xᵢⱼ, i first.  Each is cut evenly in u and v, so that panels are about as long as they are wide and all of one
-size.  WAMIT's normals are u × v into the body, those of PanelMesh go into the water.
+A patch is NUG NVG, KUG KVG, NUG + 2 KUG − 1 and NVG + 2 KVG − 1 knots, then the (NUG + KUG − 1)(NVG + KVG − 1) points
+xᵢⱼ, i first.  Each patch is cut evenly in u and v, so that its panels are nearly square and of equal size.  WAMIT's
+normals u × v point into the body, normals of a PanelMesh into the water.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from __future__ import annotations
 import numpy as np
 
 PANELS = 2000  # approximate number of panels for all patches of a file
-TRIED = 8  # points along a side of a patch, from which its lengths are found
+TRIED = 8  # points along a side of a patch, used to measure its length
 
 
 def panelled(numbers, patches):
-    """Points (p, 3) and corners (n, 4) of so many patches whose numbers stand in a row.  Raises ValueError."""
+    """Points (p, 3) and corners (n, 4) of `patches` patches whose numbers follow one another.  Raises ValueError."""
     if patches < 1:
         raise ValueError(f"{patches} patches; allowed: 1 or more")
     splines, at = [], 0
@@ -39,7 +39,7 @@ def panelled(numbers, patches):
 
 
 def _patch(numbers, at):
-    """(knots and orders of u and v, points (nu, nv, 3)) of the patch that begins there, and where it ends"""
+    """(knots and orders of u and v, points (nu, nv, 3)) of the patch at index `at`, and the index after it"""
 
     def taken(count):
         nonlocal at

@@ -1,6 +1,7 @@
-"""What is wrong with a mesh, or makes it inaccurate: findings, not exceptions.
+"""Errors of a mesh, and causes of inaccuracy: findings, not exceptions.
 
-findings  every finding of a hull and its lid; overlap  parts that lie in each other; seams  panels side to side
+findings  every finding of a hull and its lid; overlap  parts inside each other; seams  panels side by side without
+common corners
 """
 
 from .findings import Finding, findings, lid_findings

@@ -1,8 +1,8 @@
 """Errors and warnings about a mesh: findings, not exceptions, one line for each kind.
 
-Of a closed hull every edge belongs to two panels, which run along it in opposite directions; an edge with one
-panel lies in the water surface, on a mirror plane, on the sea bed under a body that stands on it, or on a seam, where
-panels meet side to side without sharing corners (`seams`).
+Every edge of a closed hull belongs to two panels, which run along it in opposite directions; an edge with one panel
+lies in the water surface, on a mirror plane, on the sea bed under a body that stands on it, or on a seam, where panels
+lie side by side without common corners (`seams`).
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ import numpy as np
 from .overlap import connected, overlaps
 from .seams import rings
 
-WELD = 1e-6  # points this close are one, as a share of the hull's size
-AT_SURFACE = 1e-6  # distance from z = 0 that counts as the surface, as a share of the draft
-DRAWN = 4e-3  # distance of a point from the plane that it is drawn to lie in, as a share of its edge
-NO_AREA = 1e-9  # area of a panel without area, over the square of its longest edge
+WELD = 1e-6  # points closer than this share of the hull's size are one point
+AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the surface, as a share of the draft
+DRAWN = 4e-3  # distance within which a point belongs to the surface or a mirror plane, as a share of its edge
+NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
 LONGEST_ASPECT = 100.0
 LARGEST_WARP = 0.1  # distance of a corner from the panel's mean plane, of the longest edge
 PANELS_PER_WAVE = 3  # panels of two by two nodes along a wave: six nodes a wave
-OPEN_AREA = 1e-3  # area of holes that do not change a solution, over the wetted area: pipes that end on a wall
+OPEN_AREA = 1e-3  # largest area of holes without effect on a solution, over the wetted area: pipes that end on a wall
 LID_AREA = 0.1  # relative difference between lid and waterplane
 
 
@@ -42,9 +42,9 @@ class Finding:
 
 
 def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
-    """Findings on a hull mesh, errors first; an empty list if there is nothing to say.
+    """Findings on a hull mesh, errors first; an empty list without findings.
 
-    mesh : PanelMesh, as the solver will use it
+    mesh : PanelMesh, in the form that the solver uses
     depth : m of water
     shortest_wave : m, length of the shortest wave to be solved, or None
     lid : PanelMesh of the inner free surface, or None
@@ -69,7 +69,7 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
 
 
 class _Edges:
-    """Every edge of a mesh once, with the panels along it and their directions."""
+    """Every edge of a mesh once, with its panels and their directions."""
 
     def __init__(self, mesh, depth):
         a, b = mesh.corners, np.roll(mesh.corners, -1, axis=1)
@@ -95,7 +95,7 @@ class _Edges:
 
     @cached_property
     def free(self):
-        """(e,) edges with one panel where there should be two"""
+        """(e,) edges with one panel instead of two"""
         return (self.uses == 1) & ~(self.at_surface | self.on_plane | self.at_bed)
 
     @cached_property
@@ -105,15 +105,15 @@ class _Edges:
 
     @cached_property
     def free_sides(self):
-        """Numbers of the sides of panels that are free edges"""
+        """Numbers of the panel sides that are free edges"""
         return np.flatnonzero(self.free[self.number])
 
     def middle(self, which):
-        """Where the first of some edges is, in words"""
+        """Position of the first of the edges `which`, in words"""
         return _where(self.points[self.ends[np.flatnonzero(which)[0]]].mean(axis=0))
 
     def half(self, which):
-        """The axis of the plane, x = 0 or y = 0, in which some edges lie with all of the mesh on one side; else None"""
+        """Axis, "x" or "y", of the plane x = 0 or y = 0 in which edges lie, all of the mesh on one side; else None"""
         reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
         for axis in "xy":
             place, side = self.points[self.ends[which]][..., "xy".index(axis)], self.points[:, "xy".index(axis)]
@@ -122,7 +122,7 @@ class _Edges:
         return None
 
     def level(self, which):
-        """How a text on open edges ends: with the water they were drawn for, where they are all of the top or foot"""
+        """End of a message on open edges: the waterline of the drawing, where they are the hull's top or foot"""
         z, ends = self.points[:, 2], np.unique(self.ends[which])
         reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
         top, foot = (np.array_equal(np.flatnonzero(np.abs(z - at) <= reach), ends) for at in (z.max(), z.min()))
@@ -143,7 +143,7 @@ class _Edges:
 
     @property
     def on_bed_length(self):
-        """m of the edges that the hull stands on, without those of its images"""
+        """m, length of the edges on the sea bed, without those of images"""
         ends = self.points[self.ends[self.at_bed & ~self.on_plane & (self.uses == 1)]]
         return float(np.linalg.norm(np.diff(ends, axis=1), axis=2).sum())
 
@@ -279,7 +279,7 @@ def _orientation(mesh, edges):
         return
     part, volume, closed = _parts(mesh, edges)
     standing = np.zeros(len(volume), bool)
-    standing[part[edges.panel[edges.at_bed[edges.number]]]] = True  # its sign may be that of a moonpool
+    standing[part[edges.panel[edges.at_bed[edges.number]]]] = True  # the sign of its volume may be that of a moonpool
     inward = (volume < 0) & ~standing & closed
     if standing.any() and volume[standing].sum() < 0:
         inward |= standing
@@ -295,7 +295,7 @@ def _orientation(mesh, edges):
 def _parts(mesh, edges):
     """Number of the part of each panel (n,), volumes of the parts with their images in m³, and whether each is closed
 
-    Panels of a part share edges or a seam.  The volume of an open part depends on where the origin is.
+    Panels of a part share edges or a seam.  The volume of an open part depends on the position of the origin.
     """
     n, e, sides = len(mesh), len(edges.ends), edges.free_sides
     seam = n + e + edges.rings.joint[edges.rings.number]
@@ -380,7 +380,7 @@ def lid_findings(mesh, lid):
 
 
 def _reach(mesh):
-    """m, how close two things are that are meant to be one"""
+    """m, distance below which two points are meant to be one"""
     return WELD * float(np.ptp(mesh.vertices.reshape(-1, 3), axis=0).max())
 
 

@@ -1,22 +1,22 @@
-"""Parts of a hull that lie in each other, by the solid angle under which one is seen from the other.
+"""Parts of a hull that overlap, by the solid angle of one part seen from another.
 
     w(p) = (1/4π) Σ Ω(p),    tan Ω/2 = a·(b × c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
 
 of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983) and of their
-images above the water, which close a hull that is open at its waterline: ±1 inside, 0 outside.
+images above the water, which close a hull with an open waterline: ±1 inside, 0 outside.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-MOST = 32  # parts; a mesh that falls into more has panels that do not meet, which is said otherwise
-SAMPLE = 100  # panels of a part that stand for all of it
+MOST = 32  # parts; a mesh of more parts has panels that do not meet, for which another finding exists
+SAMPLE = 100  # panels of a part that are tested as a sample
 BLOCK = 1 << 20  # places times panels at once
 
 
 def overlaps(welded):
-    """[(number of panels of one part inside another, of how many looked at, (3,) m the first)] of parts of a hull.
+    """[(panels of one part inside another, panels tested, (3,) m place of the first)] of parts of a hull.
 
     welded : whole PanelMesh whose panels share their points
     """
@@ -39,17 +39,17 @@ def overlaps(welded):
 
 
 def _parts(mesh):
-    """(n,) number of the part that each panel belongs to; parts share no point"""
+    """(n,) number of the part of each panel; parts share no point"""
     a, b = mesh.corners.reshape(-1), np.roll(mesh.corners, 1, axis=1).reshape(-1)
     number = connected(a, b, len(mesh.points))
     return np.unique(number[mesh.corners[:, 0]], return_inverse=True)[1].reshape(-1)
 
 
 def connected(a, b, count):
-    """(count,) number of the part of each node, by the smallest node in it; edges join a (e,) and b (e,).
+    """(count,) number of the connected part of each node, the smallest node in it; edges join a (e,) and b (e,).
 
-    Of two parts that an edge joins the later takes the number of the earlier, until none is left to be joined;
-    scipy.sparse.csgraph would take longer to load than all of a check.
+    Of two parts joined by an edge the later takes the number of the earlier, until no edge joins two parts; the import
+    of scipy.sparse.csgraph would take longer than the whole check.
     """
     root = np.arange(count)
     while True:

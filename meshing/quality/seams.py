@@ -1,12 +1,12 @@
-"""Where panels lie side to side without sharing corners: closed for the water, though every edge there is free.
+"""Seams where panels lie side by side without common corners: closed for the water, though every edge there is free.
 
-Free edges, directed as their panels run along them, form rings.  Around each the panels leave an area open,
+Free edges, directed as in their panels, form rings.  Each ring encloses an open area,
 
-    a = ½ Σ x × Δx        closed by a straight line where a border ends at the surface
+    a = ½ Σ x × Δx        with a straight closing line where a border ends at the surface
 
-whose mean width is 2|a| over the length of the ring.  A panel that is missing leaves half the length of its edges;
-edges that cover each other leave nothing, and chords of unequal length on a curved side leave their sagittas.  Two rims
-along each other without a common corner, as of 12 and 16 sides, are one seam by the sum of their areas.
+whose mean width is 2|a| over the length of the ring.  A missing panel leaves a width of half an edge; edges that
+coincide leave zero, and chords of unequal length on a curved side leave their sagittas.  Two rims along each other
+without a common corner, such as rims of 12 and 16 sides, are one seam by the sum of their areas.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-SAME = 1e-6  # ends of edges this close are one, as a share of the size of the mesh
+SAME = 1e-6  # ends of edges closer than this share of the mesh size are one point
 NEAR = 0.5  # largest distance of two rims that close each other, over the longer mean edge
-SLIT = 0.1  # width of a ring below which it is a seam, over the mean edge; a missing square has 0.5
+SLIT = 0.1  # mean width of a ring over the mean edge, below which it is a seam; a missing square has 0.5
 
 
 class Rings(NamedTuple):
-    """number : (f,) ring of each free edge; seam : (r,) whether nothing is open in it
-    joint : (r,) one number for the two of a pair that close each other
+    """number : (f,) ring of each free edge; seam : (r,) whether the ring is a closed seam
+    joint : (r,) common number of the two rings of a pair that close each other
 
     length : (r,) m; area : (r,) m², left open; widest : m, of the seams
-    Lengths and areas are those of the mesh without its images.
+    Lengths and areas exclude images.
     """
 
     number: np.ndarray
@@ -38,7 +38,7 @@ class Rings(NamedTuple):
 
 
 class _Ring(NamedTuple):
-    """own : edges of it that are in the mesh, not in an image; share : of them; corners : (n, 3); area : (3,) m²"""
+    """own : its edges in the mesh, without images; share : their share; corners : (n, 3); area : (3,) m²"""
 
     own: list
     share: float
@@ -55,7 +55,7 @@ class _Ring(NamedTuple):
 def rings(points, start, end, symmetry=""):
     """Rings of directed free edges from point `start` (f,) to `end` (f,)
 
-    symmetry : mirror planes, "", "x", "y" or "xy", whose images close what ends on them
+    symmetry : mirror planes, "", "x", "y" or "xy", whose images close rings that end on them
     """
     if not len(start):
         return Rings(np.zeros(0, int), np.zeros(0, bool), np.zeros(0, int), np.zeros(0), np.zeros(0), 0.0)
@@ -89,7 +89,7 @@ def _ring(x, a, b, edges, count):
 
 
 def _pairs(found, open_):
-    """(one, other) of open rings that lie along each other with no corner in common: rims of unequal panels"""
+    """(one, other) of open rings along each other without a common corner: rims of unequal panels"""
     for k, one in enumerate(open_):
         for other in open_[k + 1 :]:
             p, q = found[one], found[other]
@@ -107,7 +107,7 @@ def _apart(corners, others):
 
 
 def _whole(points, start, end, symmetry):
-    """Points (p, 3), and starts and ends of the edges and of their images, which run the other way"""
+    """Points (p, 3), starts and ends of the edges and of their images, which run in the opposite direction"""
     ends = np.stack([points[start], points[end]])  # (2, f, 3)
     for axis in symmetry:
         image = ends[::-1].copy()
@@ -119,9 +119,9 @@ def _whole(points, start, end, symmetry):
 
 
 def _divided(x, a, b):
-    """Lists of edges, each a ring that meets no point twice, or a border between two points where edges end
+    """Lists of edges: each a ring that meets no point twice, or a border between two free ends
 
-    Where edges meet, the one that turns back most is followed: along a seam this gives the smallest rings.
+    Where edges meet, the edge of the sharpest turn back is followed: along a seam this gives the smallest rings.
     """
     leaving = defaultdict(list)
     for edge, point in enumerate(a.tolist()):

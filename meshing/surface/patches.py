@@ -7,19 +7,19 @@ import numpy as np
 from ..lid import AT_SURFACE, panelled, rings_of
 from ..panels import PanelMesh, joined
 
-SAME = 1e-6  # corners this close are one, as a share of the size of a polygon
+SAME = 1e-6  # corners closer than this share of the polygon size are one
 
 
 def moonpools(mesh):
-    """[(k, 2) m] corners, counter-clockwise, of the closed pieces of water inside the waterline of a hull"""
+    """[(k, 2) m] counter-clockwise corners of the closed water areas inside the waterline of a hull"""
     return [ring[::-1, :2] for ring, area in rings_of(mesh.whole()) if area < 0]
 
 
 def patch(corners, size, symmetry=""):
-    """Panels inside a convex polygon, normals up; of the part in x > 0 and y > 0 where these are mirror planes.
+    """Panels inside a convex polygon, normals up; only the part in x > 0 and y > 0 where these planes mirror.
 
     corners : (k, 2) m, counter-clockwise; size : m, edge of the panels
-    returns : PanelMesh in z = 0, or None where no part of the polygon is there
+    returns : PanelMesh in z = 0, or None where the polygon has no such part
     """
     part = _clipped(np.asarray(corners, float), symmetry)
     if part is None:
@@ -28,7 +28,7 @@ def patch(corners, size, symmetry=""):
 
 
 def patches(polygons, size, symmetry=""):
-    """`patch` of several polygons as one mesh, and how many panels each of them has, (k,)"""
+    """`patch` of several polygons as one mesh, and the number of panels of each polygon, (k,)"""
     made = [patch(corners, size, symmetry) for corners in polygons]
     counts = np.array([0 if one is None else len(one) for one in made])
     whole = joined([one for one in made if one is not None])
@@ -36,7 +36,7 @@ def patches(polygons, size, symmetry=""):
 
 
 def counter_clockwise(corners):
-    """The corners (k, 2) in that order.  Raises ValueError for a polygon that is not convex or has no area."""
+    """The corners (k, 2) in counter-clockwise order.  Raises ValueError if the polygon is not convex or has no area."""
     corners = np.asarray(corners, float)
     ahead = np.roll(corners, -1, axis=0) - corners
     turn = ahead[:, 0] * np.roll(ahead, -1, axis=0)[:, 1] - ahead[:, 1] * np.roll(ahead, -1, axis=0)[:, 0]
@@ -49,7 +49,7 @@ def counter_clockwise(corners):
 
 
 def mirrored_in(polygons, symmetry):
-    """The planes of `symmetry` in which the polygons are mirror images of each other, or each of itself"""
+    """The planes of `symmetry` in which the polygons are mirror images of each other or of themselves"""
     return "".join(axis for axis in symmetry if all(_found(_image(p, axis), polygons) for p in polygons))
 
 

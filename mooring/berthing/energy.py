@@ -1,9 +1,9 @@
-"""The kinetic-energy method: what a fender has to take up of a ship that berths.
+"""The kinetic-energy method: the energy of a berthing ship that a fender must absorb.
 
     E = ½ C_M M V² C_e C_s C_c
 
-M mass of the ship, V speed of approach across the berth.  C_M virtual mass (the water that comes along), C_e
-eccentricity (what turning keeps), C_s softness (what the hull takes up), C_c configuration (the cushion of water).
+M mass of the ship, V speed of approach across the berth.  C_M virtual mass (entrained water), C_e eccentricity (energy
+kept by rotation), C_s softness (energy absorbed by the hull), C_c configuration (cushion of water).
 
 Ueda (1981), Report of the Port and Harbour Research Institute 20(2): eq. 2.8, 2.22, 3.4 to 3.7, with L length over all;
 PIANC (2002), Guidelines for the design of fender systems, as publicly quoted.
@@ -18,7 +18,7 @@ LEAST_BLOCK = 0.1  # far below any hull: a displacement in another unit than t
 
 
 class BerthingError(ValueError):
-    """A berthing cannot be computed; one line names what is wrong and what is allowed."""
+    """A berthing cannot be computed; the message names the fault and the limit."""
 
 
 class Ship(NamedTuple):
@@ -90,8 +90,8 @@ def eccentricity(offset, gyration):
 
 
 def eccentricity_oblique(distance, angle, gyration):
-    """C_e = (K² + R² cos²φ)/(K² + R²), R m from the centre of gravity to the contact, φ rad between R and the
-    velocity (PIANC 2002); `eccentricity` is that of a contact abeam of which only l lies across the velocity"""
+    """C_e = (K² + R² cos²φ)/(K² + R²), R m from the centre of gravity to the contact, φ rad between R and the velocity
+    (PIANC 2002); `eccentricity` is for a contact abeam, of which only l lies across the velocity"""
     return (gyration**2 + (distance * math.cos(angle)) ** 2) / (gyration**2 + distance**2)
 
 

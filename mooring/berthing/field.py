@@ -1,7 +1,7 @@
-"""Fifty berthings of very large crude carriers, measured at two sea berths, beside the kinetic-energy method.
+"""Fifty measured berthings of very large crude carriers at two sea berths, compared with the kinetic-energy method.
 
-Ueda (1981), tables 2.1, 2.2, 2.3 and 2.5 (`tables/field.csv`).  Speeds are cut to whole cm/s there, V ≤ true < V + 1,
-which is most of the scatter of absorbed over effective energy; weights in tonf with g = 9.8 m/s² and 1.03 tonf/m³.
+Ueda (1981), tables 2.1, 2.2, 2.3 and 2.5 (`tables/field.csv`).  The tables cut speeds to whole cm/s, V ≤ true < V + 1,
+which causes most of the scatter of absorbed over effective energy; weights in tonf with g = 9.8 m/s² and 1.03 tonf/m³.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ GRAVITY, WATER = 9.8, 1030.0  # m/s², kg/m³, of the tables
 class Contact(NamedTuple):
     """A contact as printed: displacement, virtual in ktonf, sizes m, speed cm/s, energies tonf m; NaN where missing
 
-    doubt : what the print contradicts itself in: speed, weight, offset, absorbed, draft
+    doubt : values that are inconsistent in print: speed, weight, offset, absorbed, draft
     """
 
     ship: str
@@ -66,7 +66,7 @@ def effective_energies(contact):
 
 
 class Comparison(NamedTuple):
-    """contacts : how many; median, low, high : of absorbed over effective energy, quartiles; bounded : share whose
+    """contacts : their number; median, low, high : of absorbed over effective energy, quartiles; bounded : share whose
     absorbed energy lies between the effective energies of V and V + 1 cm/s"""
 
     contacts: int
@@ -77,7 +77,7 @@ class Comparison(NamedTuple):
 
 
 def compared(method, table=None):
-    """`Comparison` of absorbed with effective energy by a method of `effective_energies`, of contacts without doubt"""
+    """`Comparison` of absorbed with effective energy by a method of `effective_energies`, over consistent contacts"""
     good = [c for c in table or contacts() if not c.doubt and np.all(np.isfinite(c[2:10])) and c.absorbed > 0]
     effective = np.array([effective_energies(c)[method] for c in good])
     absorbed, speed = (np.array([getattr(c, key) for c in good]) for key in ("absorbed", "speed"))

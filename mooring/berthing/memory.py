@@ -4,13 +4,13 @@
 
 η₂, η₆ sway towards the berth and yaw about the rotation centre, R_k of `mooring.fenders` with its hysteresis; a fender
 is in series with its dolphin (`mooring.fenders.dolphin`).  The memory is that of `bem.time_domain.memory`.  The ship
-has come with steady speed for ever: states −a⁻¹ b ν, whose force is 0, and the water carries A(0).  Energy:
+has approached at constant speed for ever: states −a⁻¹ b ν, whose force is 0, and the water has A(0).  Energy:
 
-    ½ νᵀ(M + A∞) ν + ½ xᵀP x + Σ ∫R dδ + ∫ ½ |lossᵀx|² dt = what it was before contact,
+    ½ νᵀ(M + A∞) ν + ½ xᵀP x + Σ ∫R dδ + ∫ ½ |lossᵀx|² dt = energy before contact,
 
-of which `ledger` is the largest violation: ∫R dδ is that of the fenders along the deflections, not the power that the
-integration in time gave them.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass that the
-kinetic-energy method would have needed (the α² of Ueda 1981, eq. 3.2, where the fender is a linear spring).
+of which `ledger` is the largest violation: ∫R dδ is computed from fender curves along the deflections, not from the
+power in the time integration.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass for which the kinetic-energy method
+gives the same energy (α² of Ueda 1981, eq. 3.2, for a linear fender).
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class BerthingShip:
 class Berthing:
     """time (n,) s from first contact; position (n, 2) m, rad; velocity (n, 2); deflection, reaction (n, k) m, N
 
-    taken, lost : (n,) J into fenders and out with the waves; ledger : of the module, over the energy before contact
+    taken, lost : (n,) J absorbed by fenders, and radiated by waves; ledger : of the module, over energy before contact
     virtual_mass : C_M of the module; energy : J, largest taken up
     """
 
@@ -111,7 +111,7 @@ def berth(ship, fenders, speed, duration=None, steps=2000, yaw_rate=0.0):
     """`Berthing` of a `BerthingShip` with a steady speed, m/s (and yaw rate, rad/s), from the first contact.
 
     fenders : sequence of (`mooring.fenders.fender.Fender`, x m, gap m); the nearest is met first
-    duration : s, by default until the ship rests against the softest of them, and half as long again; steps : of it
+    duration : s, by default until the ship rests against the softest fender, times 1.5; steps : of the duration
     raises : BerthingError without speed or fender; FenderError beyond the table of one, or of too long steps
     """
     if not 0 < speed < np.inf:
@@ -174,7 +174,7 @@ def _taken(fender, deflection, state):
 
 
 def _judged(run, course):
-    """`Berthing` of a course, held to the tables of its fenders and to its energy"""
+    """`Berthing` of a course, checked against the tables of its fenders and its energy"""
     ship, z = run.ship, course.z
     for k, fender in enumerate(run.fenders):
         fender.energy(max(course.deflection[:, k].max(), 0.0))  # raises beyond its table

@@ -1,4 +1,4 @@
-"""Approach speeds as a distribution.
+"""Distribution of approach speeds.
 
     P(speed > v) = exp(−(v/η)^m),    f = (m v^{m−1}/t₀) exp(−v^m/t₀),  t₀ = η^m
 
@@ -37,7 +37,7 @@ class Speeds(NamedTuple):
         return math.exp(-((max(speed, 0.0) / self.scale) ** self.shape))
 
     def speed_of(self, contacts):
-        """m/s, exceeded once in so many contacts.  Raises BerthingError."""
+        """m/s, exceeded once in `contacts` contacts.  Raises BerthingError."""
         if not 1 < contacts < math.inf:
             raise BerthingError(f"the speed is requested once in {contacts:g} contacts; allowed: above 1, finite")
         return self.scale * math.log(contacts) ** (1 / self.shape)

@@ -5,7 +5,7 @@
     y₂ = y₂₁ + V₁ (t − t₁) − ½ (R/(C_e M₂)) (t − t₁)²,   V₁ = V cos βt₁           until rest, at t₂ = t₁ + C_e M₂ V₁/R
     E_a = ½ K_d (y₁₁ + y₂₁)² + R (y₂₂ − y₂₁) = ½ C_e M₂ V² = E_e
 
-Ueda (1981), eq. 2.7 to 2.21; 2.12, 2.13, 2.16 and 2.20 are misprinted there and mended here.
+Ueda (1981), eq. 2.7 to 2.21; misprints of 2.12, 2.13, 2.16 and 2.20 are corrected here.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class TwoSprings:
 
     @property
     def energy(self):
-        """E_a, J, taken up at rest by dolphin and fender (eq. 2.20)"""
+        """E_a, J, absorbed by dolphin and fender at rest (eq. 2.20)"""
         y1, y2 = (float(y) for y in self.deflections(self.rest_time))
         y21 = min(y2, self.plateau / self.fender)
         spring = 0.5 * self.stiffness * (y1 + y21) ** 2

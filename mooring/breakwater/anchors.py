@@ -1,12 +1,12 @@
-"""Pretension that keeps taut lines taut over the tide, and the anchors that hold their greatest tension.
+"""Pretension that keeps taut lines taut over the tide, and anchors for their greatest tension.
 
     ΔP₀ = ρg ΔV / (2 sin α),    P₀ ≥ P_F + ΔP₀,    P_max = P₀ + ΔP₀ + P
     sinker of one line     W = P_max cos α / μ            common sinker     W = max over t of |P_H(t)|/μ + P_U(t)
     pile of one line       Q_a = ψ L_p c / 3,             spacing Q_a / (P_max sin α)
 
-Forces in N/m, weights as submerged.  Kihara, Kitatani & Todoroki (1975), chapter 6, whose 6.7 prints ≤ for ≥ and
-whose greatest leeward tension, printed 24.3, is 14.6 + 3.5 + 7.2 = 25.3 t/m.  A sinker of the paper slides and is not
-lifted: for one line the vertical part of the tension is not asked for, as `sinker` can be told to.
+Forces in N/m, weights as submerged.  Kihara, Kitatani & Todoroki (1975), chapter 6, whose 6.7 prints ≤ for ≥ and whose
+greatest leeward tension, printed 24.3, is 14.6 + 3.5 + 7.2 = 25.3 t/m.  A sinker of the paper slides and is not lifted:
+for one line the vertical part of the tension is neglected, unless `sinker` is called with `lifted`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ PILE_SAFETY = 3.0
 
 
 def pretension_needed(front, tide_part):
-    """P₀, N/m, with which the seaward line just stays taut; front : P_F at low tide, tide_part : ΔP₀"""
+    """P₀, N/m, smallest that keeps the seaward line taut; front : P_F at low tide, tide_part : ΔP₀"""
     return _at_least("tension amplitude", front, 0.0, "N/m") + tide_part
 
 
@@ -27,15 +27,15 @@ def goes_slack(pretension, tide_part, amplitude):
 
 
 def sinker(tension, angle, friction, lifted=False):
-    """Submerged weight W, N/m, that holds one line; lifted : the line's pull upwards is carried too"""
+    """Submerged weight W, N/m, that holds one line; lifted : whether to carry the line's upward pull too"""
     weight = tension * np.cos(angle) / _at_least("friction", friction, 1e-3, "")
     return weight + tension * np.sin(angle) if lifted else weight
 
 
 def common_sinker(horizontal, vertical, friction):
-    """Submerged weight W (…), N/m, of one sinker under both lines in the waves' forces P_H, P_U, complex (…)
+    """Submerged weight W (…), N/m, of one sinker under both lines with the wave forces P_H, P_U, complex (…)
 
-    The greatest of ±P_H(t)/μ + P_U(t) over a period: a sum of two harmonics is one harmonic.
+    W is the greatest value of ±P_H(t)/μ + P_U(t) over a period; the sum of both is one harmonic.
     """
     pull = np.asarray(horizontal) / _at_least("friction", friction, 1e-3, "")
     return np.maximum(abs(pull + vertical), abs(pull - vertical))

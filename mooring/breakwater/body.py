@@ -14,8 +14,8 @@ import numpy as np
 
 
 class Buoyant:
-    """What the water's pressure at rest makes of a body that has `mass`, `inertia`, `z0`, `area`, `buoyancy_z`,
-    `waterline`, `density`, `gravity` as a `FloatingBody`"""
+    """Hydrostatics of a body with `mass`, `inertia`, `z0`, `area`, `buoyancy_z`, `waterline`, `density`, `gravity` like
+    a `FloatingBody`"""
 
     @property
     def radius(self):
@@ -65,7 +65,7 @@ class FloatingBody(Buoyant):
 
 
 class OnTautLines(Buoyant):
-    """What two pairs of taut lines make of a body that has `angle`, `attachment`, `attachment_z`, `line` too, as a
+    """Effect of two pairs of taut lines on a body that also has `angle`, `attachment`, `attachment_z`, `line`, like a
     `TautBody`"""
 
     @property
@@ -95,7 +95,7 @@ class OnTautLines(Buoyant):
     def line_difference(self, force):
         """P_B − P_F (…) that gives `force` (…, 2), horizontal and moment; exact where force · mode is 0.
 
-        The moment counts per radius: vertical lines have only a moment, lines through the centre only a force.
+        The moment is divided by the radius: vertical lines have only a moment, lines through the centre only a force.
         """
         direction = np.array([np.cos(self.angle), -self.mode[0]]) / [1.0, self.radius]
         return (np.asarray(force) / [1.0, self.radius]) @ direction / (direction @ direction)
@@ -110,10 +110,10 @@ class OnTautLines(Buoyant):
 
 @dataclass(frozen=True, kw_only=True)
 class TautBody(FloatingBody, OnTautLines):
-    """A `FloatingBody` that two pairs of taut lines hold below its draft afloat.
+    """A `FloatingBody` that two pairs of taut lines hold below its floating draft.
 
     angle : α, rad; attachment, attachment_z : l₁ and the height of the lines' upper ends, m; line : S, m
-    Raises ValueError where lines or body cannot be so.
+    Raises ValueError for impossible lines or bodies.
     """
 
     angle: float

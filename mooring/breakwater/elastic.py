@@ -1,4 +1,4 @@
-"""The moored body of `taut` on lines that stretch, by potential theory: sway, heave and roll are free.
+"""The moored body of `taut` on elastic lines, by potential theory: sway, heave and roll are free.
 
     K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S) (1 − u uᵀ)} J + P₀ u·r e_θ e_θᵀ,      δP = −(EA/S) u · J x
 
@@ -31,7 +31,7 @@ def elastic_exact(body, section, axial_stiffness):
 
     axial_stiffness : EA, N per metre of body
 
-    Raises ValueError where the body would not float upright on these lines.
+    Raises ValueError for a body that would not float upright on these lines.
     """
     if not 0 < axial_stiffness < np.inf:
         raise ValueError(f"EA is {axial_stiffness:g} N/m; allowed: above 0 and finite")
@@ -48,7 +48,7 @@ def elastic_exact(body, section, axial_stiffness):
 
 
 def _lines(body):
-    """Of both lines, front first: u, r, and J of motions about the centre of gravity"""
+    """u, r, and J of motions about the centre of gravity, for both lines, front first"""
     s, c, below = np.sin(body.angle), np.cos(body.angle), body.attachment_z - body.z0
     for side in (-1.0, 1.0):
         u, r = np.array([side * c, -s]), np.array([side * body.attachment, below])

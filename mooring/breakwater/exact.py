@@ -2,9 +2,9 @@
 
     (−ω²(M + A) − iωB + C) x = F,       K_T = T + Σ xⱼ ηⱼ,       K_R = R + Σ xⱼ ηⱼ⁻
 
-A, B, F, R, T and η, η⁻, the waves radiated to leeward and seaward, are those of a `Section`.  On taut lines
-x = m q and the equation is projected on m, the mode of `body.OnTautLines`; what it leaves is the lines' pull.  Without
-losses |K_T|² + |K_R|² = 1 whatever holds the body.
+A, B, F, R, T and η, η⁻, the waves radiated to leeward and seaward, are those of a `Section`.  On taut lines x = m q and
+the equation is projected on m, the mode of `body.OnTautLines`; the residual is the lines' pull.  Without losses |K_T|²
++ |K_R|² = 1 for any mooring.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ def far_field(section, motion):
 
 
 def check_section(body, section):
-    """Raises ValueError unless a `Section` has the body's width and draft, in its water"""
+    """Raises ValueError unless a `Section` has the body's width and draft, and its water"""
     there = (section.beam, section.draft, section.depth, section.density, section.gravity)
     asked = (body.waterline, body.draft, body.depth, body.density, body.gravity)
     if not np.allclose(there, asked, rtol=1e-12, atol=0):

@@ -1,4 +1,4 @@
-"""A breakwater over frequencies, however it is held: fixed, free, on taut lines or on lines that stretch."""
+"""A breakwater over frequencies for each holding: fixed, free, on taut lines or on elastic lines."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Response(NamedTuple):
     """Per unit wave amplitude, (n,) complex by frequency.
 
     transmission, reflection : m/m; sway, heave : of the centre of gravity, m/m; roll : rad/m
-    front, back : amplitudes of tension P_F and P_B, N/m²; nan where the holding has no lines or does not tell
+    front, back : amplitudes of tension P_F and P_B, N/m²; nan for a holding without lines, or without results for them
     """
 
     transmission: np.ndarray
@@ -73,7 +73,7 @@ def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
 
 
 def response_with_loss(holding, flows, body, coefficient, amplitude, angle=None, axial_stiffness=None):
-    """`Response` of a rectangle whose flow under the keel loses head, motions and tensions included.
+    """`Response` of a rectangle with head loss under the keel, including motions and tensions.
 
     flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : of the waves, m; others as of
     `exact_response`.  The resistance κ = (2C/3πω) a |U| is found with the motion that it damps.
@@ -98,7 +98,7 @@ def response_with_loss(holding, flows, body, coefficient, amplitude, angle=None,
 
 
 def _bracket(function, start):
-    """A number, from `start` on by fours, where an increasing function is above 0"""
+    """A number, from `start` on by factors of four, at which an increasing function is above 0"""
     while function(start) <= 0:
         start *= 4
     return start

@@ -1,12 +1,12 @@
-"""Waves past a rectangle whose flow underneath is uniform, after Ito and Chiba (1972).
+"""Waves past a rectangle with uniform flow underneath, after Ito and Chiba (1972).
 
     f_B = sinh k(h−d) / (k(h−d) cosh kh),    f_H = (sinh kh − sinh k(h−d)) / (kd cosh kh),
     y_B = g k(h−d) f_B² / (ω² l n),          a − a_T = a / (1 + i y_B) for the fixed body,
     f_M = (−k z₀ sinh kh + k(d+z₀) sinh k(h−d) − cosh kh + cosh k(h−d)) / (kd kl cosh kh) + l f_B / 3d
 
 l half width, d draft, z₀ < 0 the centre of gravity, n = C_g/C.  The difference of pressure between both sides drives
-the water under the body; of the waves outside only the propagating mode is taken, so that energy is kept.  Kihara,
-Kitatani & Todoroki (1975), eq. 3.1 to 3.13 and 4.7.
+the water under the body; of the waves outside only the propagating mode is included, so that energy is conserved.
+Kihara, Kitatani & Todoroki (1975), eq. 3.1 to 3.13 and 4.7.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 
 from hakobune.bem.waves import depth_factor, depth_factor_slope, group_factor, wavenumber
 
-EQUAL_AREA = np.sqrt(np.pi) / 4  # half the side of the square of a circle's area, over its diameter
+EQUAL_AREA = np.sqrt(np.pi) / 4  # half the side of a square over the diameter of a circle of equal area
 
 
 class LongWave(NamedTuple):
@@ -43,13 +43,13 @@ class FixedBody(NamedTuple):
 
 
 def equal_area(diameter, draft):
-    """Half width and draft of the square of a circle's area about the same centre, m; draft : of the circle"""
+    """Half width and draft, m, of the square with a circle's area about the same centre; draft : of the circle"""
     half = EQUAL_AREA * diameter
     return half, half + draft - diameter / 2
 
 
 def long_wave(half, draft, depth, omega, gravity):
-    """`LongWave`; half, draft, depth : m; omega : (...,) rad/s.  Raises ValueError for lengths that are no section."""
+    """`LongWave`; half, draft, depth : m; omega : (...,) rad/s.  Raises ValueError for lengths that form no section."""
     if not (half > 0 and 0 < draft < depth < np.inf):
         raise ValueError(f"half width {half:g} m, draft {draft:g} m, depth {depth:g} m; allowed: 0 < draft < depth")
     k = wavenumber(omega, depth, gravity)

@@ -1,17 +1,17 @@
-"""Head lost by the flow under a keel, which potential theory does not know: K_T² + K_R² < 1.
+"""Head loss of the flow under a keel, which potential theory does not include: K_T² + K_R² < 1.
 
     ΔH = C |U| U / 2g,     U = Q/s under the keel, linearised  (8/3π) C |Q| Q / (2g s²)
 
-The flow from side to side is the odd part of the waves, O = (K_R − K_T) e^(2ikb) at the sides y = ∓b, with head
-f_B a (1 + O) between them and discharge Q = (ω n / k f_B) (a/2) (1 − O), of the propagating mode as in `long_waves`;
-O = 1 before a wall.  The loss adds to its impedance:
+The flow from side to side is the odd part of the waves, O = (K_R − K_T) e^(2ikb) at the sides y = ∓b, with head f_B a
+(1 + O) between them and discharge Q = (ω n / k f_B) (a/2) (1 − O), of the propagating mode as in `long_waves`; O = 1
+before a wall.  The loss is added to its impedance:
 
     Z = (1 + O)/(1 − O),    Z′ = Z + r,    r |Z + 1 + r| = (2C/3πg) (ωn/ks)² a / f_B³
 
-The even part, K_R + K_T, has no flow underneath and stays.  The difference of the tensions of a fixed body grows with
-the head; motions and tensions of a moving one stay those of potential flow, since its odd waves are not of the head
-alone: `bem.sections.keel_loss` has the same loss for rectangles in the whole flow, motions and tensions too.  Power
-lost is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user.
+The even part, K_R + K_T, has no flow underneath and is unchanged.  The difference of the tensions of a fixed body grows
+with the head; motions and tensions of a moving one remain those of potential flow, since its odd waves depend on more
+than the head: `bem.sections.keel_loss` has the same loss for rectangles in the exact flow, with motions and tensions.
+The lost power is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import numpy as np
 
 from hakobune.bem.waves import depth_factor_slope, group_factor, wavenumber
 
-GAUSSIAN = 3 * np.pi / 8 * np.sqrt(8 / np.pi)  # amplitude of the regular waves that lose as a sea of σ = 1 m does
+GAUSSIAN = 3 * np.pi / 8 * np.sqrt(8 / np.pi)  # amplitude of regular waves with the loss of a sea of σ = 1 m
 LARGEST = 1e4
 
 
@@ -36,7 +36,7 @@ class Keel(NamedTuple):
 
 
 def with_loss(response, coefficient, amplitude, omega, keel):
-    """`Response` of a symmetric body whose flow underneath loses head.
+    """`Response` of a symmetric body with head loss in the flow underneath.
 
     response : by potential theory, (n,); coefficient : C; amplitude : of the waves, m; omega : (n,) rad/s
     keel : `Keel`.  Raises ValueError for a negative coefficient or amplitude.

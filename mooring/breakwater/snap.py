@@ -1,11 +1,10 @@
 """A breakwater whose lines go slack, in regular waves, in time: one metre of it as a body of `mooring.motion`.
 
-Lines are hawsers: straight, T = (EA/S) e of their elongation, nothing when slack, wherever the body moves.  The memory
-of the water is that of the section over a band of frequencies; the body floats free at Δ = 2P₀ sin α / ρgB_w above its
-place, from where the lines pull it down, the pressure at rest being linear.  Nothing moves surge, pitch and yaw.
-Peaks grow with EA nearly as its root: the four periods of Table 3.2 of Kihara, Kitatani & Todoroki (1975) that snapped
-are met to 5 % by EA of 1e4 N per metre, less than chains have, as if the gauges gave way (`tests/bench/breakwater.py
-snap`).
+Lines are hawsers: straight, T = (EA/S) e of their elongation, zero when slack, wherever the body moves.  The memory of
+the water is that of the section over a band of frequencies; without lines the body floats Δ = 2P₀ sin α / ρgB_w above
+its place, the hydrostatic pressure being linear.  Surge, pitch and yaw are not excited. Peaks grow nearly with the
+square root of EA: the four periods of Table 3.2 of Kihara, Kitatani & Todoroki (1975) with snapping agree to 5 % for EA
+of 1e4 N per metre, less than chains have, as if the gauges yielded (`tests/bench/breakwater.py snap`).
 """
 
 from __future__ import annotations
@@ -30,11 +29,11 @@ from .unit import inertia
 
 RAMP, CYCLES, MEASURED = 4, 24, 12  # wave periods
 PER_SWING = 30  # samples of a period of the stiffest motion
-TOLERANCE = 1e-2  # tolerance of a run; peaks are within 1e-4 of those at 1e-3
+TOLERANCE = 1e-2  # tolerance of a run; its peaks are within 1e-4 of peaks at a tolerance of 1e-3
 IN_PLANE = np.ix_((1, 2, 3), (1, 2, 3))
 LOWEST = 0.03  # lowest frequency of sections, over the wave frequency; below it long-wave damping is used
-SLOWER = np.geomspace(1e-3, 1.0, 7)[:-1]  # lower frequencies, relative to that, for the memory of slow heave
-SHORT, COUNT = 8.0, 60  # largest K = ω²/g times the smaller of half beam and draft; how many frequencies
+SLOWER = np.geomspace(1e-3, 1.0, 7)[:-1]  # lower frequencies, relative to that lowest one, for the memory of slow heave
+SHORT, COUNT = 8.0, 60  # largest K = ω²/g times the smaller of half beam and draft; number of frequencies
 UNMOVED = 1e-4  # added mass of roll over that of sway at the radius of gyration, of a section that moves no water
 MOST = 0.3  # largest elongation in the table of tensions, over the line length
 
@@ -53,7 +52,7 @@ class Snap(NamedTuple):
 
 
 def frequencies(body, omega):
-    """(n,) rad/s of the sections that `snap` needs in waves of omega, rad/s, which is one of them"""
+    """(n,) rad/s of the sections that `snap` needs in waves of omega, rad/s, which is among them"""
     most = max(np.sqrt(SHORT * body.gravity / min(body.draft, body.waterline / 2)), 3 * omega)
     return np.union1d(np.linspace(LOWEST * omega, most, COUNT), omega)
 
@@ -62,7 +61,7 @@ def snap(body, sections, axial_stiffness, omega, amplitude, memory="states"):
     """`Snap` of a `TautBody` or `TautRectangle` in regular waves of omega, rad/s, and amplitude, m
 
     sections : `Section` of the moored draft at `frequencies`; axial_stiffness : EA, N per metre of body
-    memory : of `mooring.motion.weather.Settings`; "constant" radiates as at the waves' frequency throughout
+    memory : of `mooring.motion.weather.Settings`; with "constant" radiation is always that of the waves' frequency
     raises : ValueError
     """
     if not 0 < axial_stiffness < np.inf or not 0 <= amplitude < np.inf:
@@ -103,8 +102,8 @@ def one_metre(body, sections, axial_stiffness):
 def _reader(body, sections, z):
     """`Reader` of a metre of the body, in waves along the normal, its motions about the centre of gravity, now at z
 
-    Below the sections' frequencies A stays, and B is that of long waves: of heave, which changes the volume, it stays
-    (½ρB_w²√(g/h) in the end), of sway and roll, which make dipoles, it falls like ω².
+    Below the sections' frequencies A is constant, and B is that of long waves: for heave, which changes the volume,
+    constant (½ρB_w²√(g/h) in the limit), for sway and roll, which are dipoles, proportional to ω².
     """
     found = [about_gravity(section, moved_to_origin(body.z0)) for section in sections]
     known = np.array([section.omega for section in sections])
@@ -131,7 +130,7 @@ def _reader(body, sections, z):
 
 
 def _lines(body, axial_stiffness, rise):
-    """`System` of a front and a back line of a metre of the body, which floats `rise` m higher without them"""
+    """`System` of a front and a back line of a metre of the body, which would float `rise` m higher without them"""
     away = body.line * np.array([np.cos(body.angle), -np.sin(body.angle)])
     length = body.line * (1 - body.pretension / axial_stiffness)
     most = MOST * length

@@ -1,4 +1,4 @@
-"""A rectangle on taut lines that do not stretch: it can only turn about the point Q where the lines meet.
+"""A rectangle on inextensible taut lines: it can only turn about the point Q where the lines meet.
 
 With q the coordinate along which the lines allow motion, for lines at angle α fixed at ±l₁ on the bottom,
 
@@ -7,9 +7,9 @@ With q the coordinate along which the lines allow motion, for lines at angle α 
     C = 2ρgdl GM cos²α + V/sin α {(l₁ cos α + (d+z₀) sin α)(l₁/S + cos α) cos α + l₁ sin α X/S},
     GM = l²/3d − d/2 − z₀
 
-which hold from α = 0 through 90°, where Q is at infinity, to 180°, for they are eq. 4.1 to 4.5 times cos α.
-C < 0: the upright position is unstable, of which both theories warn.
-Ito and Chiba's water adds I₁ to I and (F = f_H X − l f_M cos α)
+which hold from α = 0 through 90°, where Q is at infinity, to 180°, since they are eq. 4.1 to 4.5 times cos α. C < 0:
+the upright position is unstable, of which both theories warn. Ito and Chiba's water adds I₁ to I and (F = f_H X − l f_M
+cos α)
 
     y = y_B + y_Q,   y_Q = 2ρg kd² F² / (n (ω²J − C)),   a_T = iy a/(1 + iy),   (C − ω²J) q = 2ρgd F (a − a_T)
 
@@ -34,7 +34,7 @@ class TautRectangle(OnTautLines):
 
     half : l, m; draft : d, moored, m; free_draft : d₀, without lines, m; depth : m
     z0 : centre of gravity, m; inertia : I about it, kg m; angle : α, rad; attachment : l₁, m; line : S, m
-    density : kg/m³; gravity : m/s².  Raises ValueError where lines or body cannot be so.
+    density : kg/m³; gravity : m/s².  Raises ValueError for impossible lines or bodies.
     """
 
     half: float
@@ -129,7 +129,7 @@ def taut_long_wave(body, omega):
 
 
 def warn_if_unstable(body):
-    """Warn that waves are asked about an upright position in which the body does not stay"""
+    """Warn that the upright position, for which waves are requested, is unstable."""
     if body.stiffness <= 0:
         warnings.warn(
             f"lines at {np.degrees(body.angle):.4g}°: the upright position is unstable, its stiffness is "

@@ -1,4 +1,4 @@
-"""A sea at a breakwater: S_t = K_T² S_i behind it, tensions in its lines.
+"""A sea at a breakwater: S_t = K_T² S_i behind it, and tensions in its lines.
 
     σ_P² = ∫ |P|² S_i dω,    slack in a cycle  exp(−½ ((P₀ − ΔP₀)/σ_P)²),    greatest of N  σ_P √(2 ln N)
 
@@ -15,7 +15,7 @@ LEAST_SHARE = 0.999
 
 
 class Cells(NamedTuple):
-    """A sea in cells of frequency; omega : (m,) rad/s, in their middle; width : (m,); energy : (m,) of each, m²"""
+    """A sea in frequency cells; omega : (m,) rad/s, in their middle; width : (m,); energy : (m,) of each, m²"""
 
     omega: np.ndarray
     width: np.ndarray
@@ -32,7 +32,7 @@ class Cells(NamedTuple):
 
 
 def equal_cells(spectrum, count):
-    """`Cells` of nearly equal energy, of all but the outermost 0.0008 of a `Spectrum`: few in its long tail"""
+    """`Cells` of nearly equal energy, of all but the outermost 0.0008 of a `Spectrum`: few cells in its long tail"""
     outside = (1 - LEAST_SHARE) * 0.4
     return _between(spectrum, spectrum.quantile(np.linspace(outside, 1 - outside, count + 1)))
 
@@ -42,7 +42,7 @@ def _between(spectrum, edges):
 
 
 def greatest_of(deviation, waves):
-    """Expected largest crest of a response among so many waves"""
+    """Expected largest crest of a response among `waves` waves"""
     return deviation * np.sqrt(2 * np.log(max(waves, np.e)))
 
 

@@ -16,8 +16,8 @@ STIFF = 1e6
 
 
 def inertia(body, length, center):
-    """(6, 6) of a `FloatingBody` over `length`, m, about (0, 0, center), kg, kg m, kg m²; its section turned to surge
-    has the same radius of gyration about its middle as it has mass"""
+    """(6, 6) of a `FloatingBody` over `length`, m, about (0, 0, center), kg, kg m, kg m²; the section has equal radii
+    of gyration about both of its axes"""
     mass, arm = body.mass * length, body.z0 - center
     matrix = np.diag([mass, mass, mass, 0.0, 0.0, 0.0])
     matrix[1, 3] = matrix[3, 1] = -mass * arm
@@ -31,7 +31,7 @@ def inertia(body, length, center):
 
 
 def buoyancy(body, length, center):
-    """(6, 6) of the water's pressure at rest and the weight, N/m, N, N m"""
+    """(6, 6) hydrostatic stiffness from the water's pressure and the weight, N/m, N, N m"""
     weight, width = body.density * body.gravity, body.waterline
     righting = weight * body.area * length * (body.buoyancy_z - center)
     righting -= body.mass * length * body.gravity * (body.z0 - center)
@@ -77,7 +77,7 @@ def springs(body, length, axial_stiffness):
 
 
 def pairs(length, spacing):
-    """x (n,) m of the pairs of lines along the body, and the metres that each holds"""
+    """x (n,) m of the pairs of lines along the body, and the length of body per pair, m"""
     count = max(1, round(length / spacing))
     return (np.arange(count) + 0.5) * length / count - length / 2, length / count
 

@@ -1,4 +1,4 @@
-"""What an anchor uses of its holding capacity, and the size that holds a pull; H, V : N, along and up, s : a factor.
+"""Utilisation of an anchor's holding capacity, and the size that holds a pull; H, V : N, along and up, s : a factor.
 
     drag anchor    used = s H/H_u,   H_u = H_R (m/m_R)^b,    m = m_R (s H/H_R)^(1/b)     a pull upwards lifts it
     sinker         used = s (H/μ + V)/W,  W its weight in water
@@ -22,7 +22,7 @@ from .failing import fails
 from .overuse import shares
 
 KINDS = ("drag", "sinker", "pile")
-LIFTED = 1e-3  # uplift over horizontal pull below which it is rounding
+LIFTED = 1e-3  # uplift over horizontal pull below which it counts as rounding
 
 
 class Chart(NamedTuple):
@@ -36,10 +36,10 @@ class Chart(NamedTuple):
 
 
 class Anchor(NamedTuple):
-    """An anchor, nan for what is not known: then it is sized, and uses nan of nothing.
+    """An anchor, nan for unknown values: it is then sized, and its utilisation is nan.
 
     holding, uplift : N, along and up, of a drag anchor and a pile; weight : N in water, friction : of a sinker
-    chart : of a drag anchor whose mass is to be found, else None; safety : s
+    chart : of a drag anchor whose mass is wanted, else None; safety : s
     """
 
     kind: str
@@ -51,11 +51,11 @@ class Anchor(NamedTuple):
     safety: float = 1.0
 
     def capacity(self, up):
-        """N that it holds along the bed, without the factor, with a pull of `up` N"""
+        """N, capacity along the bed, without the factor, with an upward pull of `up` N"""
         return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
 
     def used(self, along, up):
-        """Share of what it holds, with the factor, at pulls of N"""
+        """Utilisation of its capacity, with the factor, at pulls of N"""
         up = np.maximum(up, 0.0)
         if self.kind == "sinker":
             return self.safety * (along / self.friction + up) / self.weight
@@ -63,7 +63,7 @@ class Anchor(NamedTuple):
         return self.safety * np.maximum(along / self.holding, lifted)
 
     def needed(self, along, up):
-        """What it has to have: kg of a drag anchor in a chart, N in water of a sinker; nan of others"""
+        """Required size: kg of a drag anchor in a chart, N in water of a sinker; nan of others"""
         if self.kind == "sinker":
             return self.safety * (along / self.friction + np.maximum(up, 0.0))
         if self.chart is None:
@@ -88,17 +88,17 @@ def charts():
 
 
 def holding_of(chart, mass):
-    """N that a drag anchor of `mass`, kg in air, holds"""
+    """N, capacity of a drag anchor of `mass`, kg in air"""
     return chart.holding * (mass / chart.reference) ** chart.exponent
 
 
 def stored_anchor(row):
-    """The Anchor of its values in a list, as JSON has them"""
+    """The Anchor from its values in a list, as stored in JSON"""
     return Anchor(*row)._replace(chart=row[5] and Chart(*row[5]))
 
 
 def anchor_findings(names, anchors, along, up, where="at the largest tension"):
-    """What fails or has to be known of anchors: (n,) Anchor or None, pulls (n,) N; a line of text each"""
+    """Failures and remarks on anchors: (n,) Anchor or None, pulls (n,) N; one line of text each"""
     known = [i for i, one in enumerate(anchors) if one is not None]
     used = np.array([np.nan if one is None else one.used(along[i], up[i]) for i, one in enumerate(anchors)])
     over = used > 1

@@ -5,8 +5,8 @@
 
 Cycles are counted in a record by rainflow (ASTM E1049-85, the library `rainflow`).
 
-Curves: those of a table, or of the user's own; SR179 report (1982), chapter 4, 2.1 and 2.2, whose curves are lost, says
-what they depend on: corrosion, preload, terminations, bending over a fairlead.
+Curves: from a table, or the user's own; SR179 report (1982), chapter 4, 2.1 and 2.2, whose curves are lost, states what
+they depend on: corrosion, preload, terminations, bending over a fairlead.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Curve(NamedTuple):
     source: str = "the user's own"
 
     def reference(self, diameter, breaking_load):
-        """What a tension range in N is divided by to have s.
+        """Divisor that converts a tension range in N to s.
 
         diameter : mm, nominal; breaking_load : N, of the line; a chain's share is of grade ORQ of its diameter
         """
@@ -55,7 +55,7 @@ class Curve(NamedTuple):
 
 
 class Cycles(NamedTuple):
-    """range, mean : (n,) N; count : (n,) cycles, 0.5 or 1 each; of a record, or of many"""
+    """range, mean : (n,) N; count : (n,) cycles, 0.5 or 1 each; from one record or many"""
 
     range: np.ndarray
     mean: np.ndarray
@@ -81,7 +81,7 @@ def curves():
 
 
 def rainflow_cycles(tension) -> Cycles:
-    """Cycles of a record (n,) N by rainflow; what does not close counts as halves.
+    """Cycles of a record (n,) N by rainflow counting; unclosed cycles count as halves.
 
     raises : ValueError for a record with gaps
     """
@@ -97,7 +97,7 @@ def rainflow_cycles(tension) -> Cycles:
 def miner(cycles, curve, diameter, breaking_load):
     """Miner's sum D of Cycles, and the sum of the squares of the damage of each, Q; diameter mm, breaking_load N
 
-    The sum is of random terms, of one cycle each: D²/Q of them carry it, and its standard error is √Q.
+    The sum has random terms, one of each cycle: D²/Q is their effective number, and its standard error is √Q.
     """
     each = damages(cycles, curve, diameter, breaking_load)
     return float(cycles.count @ each), float(cycles.count @ each**2)

@@ -11,10 +11,10 @@ HELP = "give a stronger type, a longer line or less pretension"
 
 
 def overused(names, used, allowable, where, help=HELP):
-    """What fails of lines.
+    """Failures of lines.
 
-    names : of the lines; used : (n,) share of the breaking load, NaN where none is known; allowable : share, at most 1
-    where : words on the tension, as "at the largest tension"; help : the way out
+    names : of the lines; used : (n,) tension over breaking load, NaN where unknown; allowable : share, at most 1
+    where : words on the tension, such as "at the largest tension"; help : the remedy
     """
     used = np.asarray(used, float)
     parted = used > 1
@@ -30,12 +30,12 @@ def overused(names, used, allowable, where, help=HELP):
 
 
 def shares(names, values):
-    """Words "fore 3 119 %, …", the largest first; NaN is left out"""
+    """Words "fore 3 119 %, …", the largest first; NaN is omitted"""
     values = np.asarray(values, float)
     order = [i for i in np.argsort(-values, kind="stable") if not np.isnan(values[i])]
     return some([f"{names[i]} {_percent(values[i])}" for i in order], LINES_NAMED)
 
 
 def _percent(share):
-    """A share in per cent, never a round "100 %" or "40 %" of what is just beyond it"""
+    """A share in per cent, never rounded to "100 %" or "40 %" when it exceeds such a limit"""
     return f"{100 * share:.4g} %" if np.isfinite(share) else "infinitely"

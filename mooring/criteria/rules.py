@@ -1,4 +1,4 @@
-"""Criteria of rule sets as data: a quantity, its limit, the state it holds for, where it is printed.
+"""Criteria of rule sets as data: a quantity, its limit, the state it applies to, its source.
 
 A table has a row for each criterion:
 
@@ -14,7 +14,7 @@ A table has a row for each criterion:
     motion_factor      by which the largest motion is multiplied before the tension is taken
     source, status     read: quoted in a source that was read; secondary; unverified: to be confirmed in the book
 
-The tables beside this module hold the rules that SR179 (1982), chapter 4, quotes, and later ones as publicly quoted.
+The tables beside this module contain the rules quoted by SR179 (1982), chapter 4, and later ones as publicly quoted.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ STATES = ("normal", "abnormal", "any")
 LINES = ("intact", "one lost", "transient", "any")
 ANALYSES = ("quasi-static", "dynamic", "any")
 STATUSES = ("read", "secondary", "unverified")
-OWN = "own limit"  # rule of a criterion that is of no rule set
+OWN = "own limit"  # rule of a criterion that belongs to no rule set
 TABLES = ("strength.csv", "motions.csv")
 UNITS = {
     **dict.fromkeys(("surge", "sway", "heave", "transmitted wave height"), "m"),
@@ -45,7 +45,7 @@ NUMBERS = (  # beginnings of names
 
 
 class RuleError(ValueError):
-    """A rule set cannot be used; one line names what is wrong and what is allowed."""
+    """A rule set cannot be used; the message names the fault and the allowed values."""
 
 
 class Criterion(NamedTuple):
@@ -69,23 +69,23 @@ class Criterion(NamedTuple):
 
     @property
     def name(self):
-        """The rule with its edition, where it has one"""
+        """The rule with its edition, if any"""
         return f"{self.rule} ({self.edition})" if self.edition else self.rule
 
     def holds(self, state, lines, analysis):
-        """Whether the criterion is for a load case of this state, these lines and this kind of analysis"""
+        """Whether the criterion applies to a load case of this state, these lines and this kind of analysis"""
         pairs = (self.state, state), (self.lines, lines), (self.analysis, analysis)
         return all(own in ("any", asked) for own, asked in pairs)
 
     def utilisation(self, value):
-        """What is used of the limit by `value` ≥ 0 of its quantity: 1 at the limit, above 1 beyond it"""
+        """Utilisation of the limit by `value` ≥ 0 of its quantity: 1 at the limit, above 1 beyond it"""
         if self.sense == "at most":
             return value / self.limit
         return self.limit / value if value > 0 else math.inf
 
 
 def read_rules(path=None):
-    """All criteria of the tables, or those of a file of the user's own.  Raises RuleError."""
+    """All criteria of the tables, or those of a user's file.  Raises RuleError."""
     if path is None:
         tables = {name: files(__package__).joinpath("tables", name).read_text(encoding="utf-8") for name in TABLES}
     else:
@@ -96,7 +96,7 @@ def read_rules(path=None):
 
 
 def unit_of(where, quantity, unit):
-    """The unit that values of a quantity have, where `unit` is it or left out; `unit` where none is known
+    """The unit of values of a quantity, if `unit` is this unit or missing; `unit` for an unknown quantity
 
     Nothing is converted: another unit raises RuleError that begins with `where`.  A ratio, "… / …", has the unit -.
     """
@@ -112,7 +112,7 @@ def rule_names(criteria):
 
 
 def of_rule(criteria, rule, subject=None):
-    """Criteria of one rule set, and of one `subject` of it if given.  Raises RuleError where there is none."""
+    """Criteria of one rule set, and of one `subject` of it if given.  Raises RuleError if there are none."""
     found = [criterion for criterion in criteria if criterion.rule.lower() == rule.lower()]
     if not found:
         raise RuleError(f"rule set {rule!r} is unknown; allowed: {', '.join(rule_names(criteria))}")

@@ -1,8 +1,8 @@
-"""Strength of chain and rope: what wear leaves, the smallest size that carries a load, the equipment number.
+"""Strength of chain and rope: strength after wear, the smallest size for a load, the equipment number.
 
-Chain loses diameter by wear and corrosion, break and proof loads follow d² (44 − 0.08 d) of what is left
+Chain loses diameter by wear and corrosion; break and proof loads follow d² (44 − 0.08 d) of the remaining diameter
 (`lines.catalogue`).  SR179 report (1982), chapter 4, 2.2 and 3.1; equipment numbers table 4.3.1.  Terminations: TM
-5-3810-305-10, table 4, with steel or fibre core; splices by hand, 0.86 there at 13 mm, lose more in thicker rope.
+5-3810-305-10, table 4, with steel or fibre core; hand splices, 0.86 there at 13 mm, lose more in thicker rope.
 """
 
 from __future__ import annotations
@@ -11,25 +11,25 @@ import re
 
 from ..lines.catalogue import CHAIN, CHAIN_SIZES, line_type
 
-SIZES = {  # mm, sizes that are made
+SIZES = {  # mm, available sizes
     "chain": (*range(20, 100, 2), *range(100, 220, 5)),
     "rope": (*range(16, 64, 4), *range(64, 264, 8)),
 }
-TERMINATIONS = {  # share of a wire rope's breaking load left at its end, the lower value of each kind
+TERMINATIONS = {  # remaining share of a wire rope's breaking load at its termination, the lower value of each kind
     "socket": 1.0, "swaged socket": 0.95, "sleeve": 0.925, "splice": 0.80, "wedge socket": 0.75, "clips": 0.80,
 }  # fmt: skip
 SOCIETIES = ("LR", "AB", "NV", "BV", "GL", "NK", "NK semisubmersible")
 
 
 def chain_factor(diameter):
-    """d² (44 − 0.08 d), mm², of which breaking and proof loads of chain are multiples"""
+    """d² (44 − 0.08 d), mm²; breaking and proof loads of chain are multiples of this value"""
     return diameter**2 * (44 - 0.08 * diameter)
 
 
 def worn_breaking_load(breaking_load, diameter, allowance, years):
-    """Breaking load, N, of a chain after `years` in which it loses `allowance` mm of its diameter (mm) a year.
+    """Breaking load, N, of a chain after `years` of a loss of `allowance` mm of its diameter (mm) per year.
 
-    raises : ValueError where less than half of the diameter is left
+    raises : ValueError if less than half of the diameter remains
     """
     left = diameter - allowance * years
     if not (allowance >= 0 and years >= 0):
@@ -47,7 +47,7 @@ def smallest(kind, tension, safety_factor, allowance=0.0, years=0.0):
 
     kind : a name of the catalogue without its size, "R3 studless", "grade 3", "wire 6x36 IWRC 1960", "polyester"
     allowance, years : of wear, chain only
-    returns : (name with its size, breaking load in N of it, worn)
+    returns : (name with its size, its breaking load in N, worn)
     raises : ValueError where no size does
     """
     chain = _is_chain(kind)
@@ -88,7 +88,7 @@ def equipment_number(society, displacement, *, height_times_breadth=0.0, front=0
 
     displacement : t, Δ; height_times_breadth : m², B h (AB, NK); front, side : projected areas above water, m²,
         normal and parallel to the wind or front and side, as the society has them; BV's with their shape factors
-    raises : ValueError for a society that has none
+    raises : ValueError for a society without one
     """
     terms = {
         "LR": 2.5 * front + 0.1 * side,
@@ -107,10 +107,10 @@ def equipment_number(society, displacement, *, height_times_breadth=0.0, front=0
 
 
 def equipment_of_box(dimensions, freeboard, mass):
-    """[(society, number)] of a box, SR179 (1982), table 4.3.1; [] of another body, whose areas are not known.
+    """[(society, number)] of a box, SR179 (1982), table 4.3.1; [] of other bodies, whose areas are unknown.
 
     dimensions : m, {"length", "beam", …}; freeboard m, or None; mass kg
-    The areas are those of its sides above water; the shape factors of BV are those of a plane below 40 m, 1.
+    The areas are those of the sides above water; BV's shape factors are 1, the value of a plane below 40 m.
     """
     if freeboard is None or not {"length", "beam"} <= set(dimensions):
         return []

@@ -1,4 +1,4 @@
-"""Utilisation of each criterion by the results of load cases, and the case that governs.
+"""Utilisation of each criterion by the results of load cases, and the governing case.
 
     at most    u = value / limit          at least   u = limit / value
     partial factors    u = (γ_mean T_mean + γ_dyn (T − T_mean)) / (0.95 T_break)        DNV-OS-E301, ch. 2 sec. 2
@@ -23,17 +23,17 @@ PARTIAL = "partial factors on mean and dynamic tension"
 FACTOR = "partial factor on tension"
 HOLDING = "holding capacity / horizontal force"
 HAWSER = "hawser"
-CHARACTERISTIC = 0.95  # strength over minimum breaking load where no statistics of it are given
+CHARACTERISTIC = 0.95  # strength over minimum breaking load without statistics of the strength
 
 
 class Tensions(NamedTuple):
-    """Tensions of the lines of one load case, (n,) N each, and what the lines stand.
+    """Tensions and strengths of the lines of one load case, (n,) N each.
 
-    pretension, static, largest : at rest, under steady loads, largest; breaking : N, inf where unknown; worn : as
-        breaking, of what wear leaves, None where no wear is given
-    horizontal, holding : (n,) N at the anchor, and its holding capacity, None where it is not given
-    hawsers : names of those that are hawsers; where there are some, a criterion on hawsers is of them alone, and any
-        other of the rest
+    pretension, static, largest : at rest, under steady loads, largest; breaking : N, inf where unknown; worn : breaking
+        load after wear, None without wear
+    horizontal, holding : (n,) N at the anchor, and its holding capacity, None if not given
+    hawsers : names of the hawsers; if there are any, a criterion on hawsers applies to them alone, and any other to the
+        rest
     """
 
     names: tuple[str, ...]
@@ -48,13 +48,13 @@ class Tensions(NamedTuple):
 
 
 class Case(NamedTuple):
-    """What a load case gives to judge.
+    """Values of a load case for the criteria.
 
     state : normal or abnormal; lines : intact, one lost or transient; analysis : quasi-static or dynamic
-    tensions : {motion factor: Tensions}; 1 is what happens, others are asked for by some rules
+    tensions : {motion factor: Tensions}; 1 for computed motions, other factors by some rules
     motions : {motion: amplitude in m or degrees}, largest; others : {quantity: value} of the whole case
-    parts : {quantity: {of what: value}}, as strains of fenders, None where there are none
-    partial : whether it is judged by what it has alone, as an earthquake that knows nothing of ropes
+    parts : {quantity: {part: value}}, such as strains of fenders, or None
+    partial : whether it is judged only by its available quantities, such as an earthquake, which has no ropes
     """
 
     name: str
@@ -79,7 +79,7 @@ class Use(NamedTuple):
 
 @dataclass(frozen=True)
 class Judged:
-    """A criterion with the Use of each case that it holds for, the largest first; none where nothing can be judged"""
+    """A criterion with the Use of each case that it applies to, the largest first; empty if none can be judged"""
 
     criterion: Criterion
     uses: tuple[Use, ...]
@@ -87,12 +87,12 @@ class Judged:
 
     @property
     def governing(self):
-        """The Use of the case that governs, or None"""
+        """The Use of the governing case, or None"""
         return self.uses[0] if self.uses else None
 
     @property
     def met(self):
-        """True, False, or None where it cannot be judged"""
+        """True, False, or None if it cannot be judged"""
         return None if not self.uses else bool(self.uses[0].utilisation <= 1.0)
 
 
@@ -124,7 +124,7 @@ def _which(criterion):
 
 
 def _use(criterion, case):
-    """The Use of a case.  Raises LookupError with what is missing."""
+    """The Use of a case.  Raises LookupError, which names the missing quantity."""
     if criterion.quantity in OF_TENSIONS:
         if criterion.motion_factor not in case.tensions:
             raise LookupError(f"tension at {criterion.motion_factor:g} times the motion")
@@ -153,7 +153,7 @@ def _use(criterion, case):
 
 
 def _spoken_of(criterion, t, values):
-    """Names and values of the lines, or hawsers, that a criterion is about"""
+    """Names and values of the lines, or hawsers, that a criterion applies to"""
     if not t.hawsers:
         return t.names, values
     about = [(name in t.hawsers) == (criterion.subject == HAWSER) for name in t.names]
@@ -167,12 +167,12 @@ def _utilisations(criterion, values):
 
 
 def _over(strength, load):
-    """(n,) inf where there is no load: a slack line, an anchor whose chain lies on the bed"""
+    """(n,) inf without load: a slack line, or an anchor whose chain lies on the bed"""
     return np.divide(strength, load, out=np.where(np.isnan(strength), np.nan, np.inf), where=np.asarray(load) > 0)
 
 
 def _known(loads):
-    """Breaking loads, NaN where they are not known"""
+    """Breaking loads, NaN where unknown"""
     return np.where(np.isfinite(loads), loads, np.nan)
 
 

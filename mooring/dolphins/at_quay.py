@@ -1,4 +1,4 @@
-"""The design spectrum method on fenders that alone hold a body, as those of a quay or of dolphins at one side of it."""
+"""The design spectrum method for a body held by fenders alone, at a quay or with dolphins on one side."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .design_spectrum import Dolphins, Strains, beam_of, limit_height, strains
 
 
 class AtQuay(NamedTuple):
-    """count : fenders that the loads push to; strains : of one; limit : m, significant height that they stand"""
+    """count : fenders that the loads press; strains : of one fender; limit : m, allowable significant height"""
 
     count: int
     strains: Strains
@@ -19,9 +19,9 @@ class AtQuay(NamedTuple):
 
 
 def at_quay(body, fenders, across, conditions, family):
-    """`AtQuay` of a body in the sea of its Conditions, None where the loads push to no fender.
+    """`AtQuay` of a body in the sea of its Conditions, None where the loads press no fender.
 
-    body : `bem.database.reader.Reader`, before a quay where there is one; fenders : sequence of `QuayFender`
+    body : `bem.database.reader.Reader`, before a quay if there is one; fenders : sequence of `QuayFender`
     across : N of wind and current; family : function of height, mean_period= → spectrum
     raises : DolphinError where the fenders cannot carry the steady load
     """

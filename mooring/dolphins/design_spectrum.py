@@ -1,11 +1,11 @@
-"""Strain of dolphin fenders by the design spectrum method, and the wave height that they stand.
+"""Strain of dolphin fenders by the design spectrum method, and the allowable wave height.
 
     static:   n R(δ₀) = F_wind + F_current + F_drift
     dynamic:  σ² = ∫ S |y|² dω,  y the displacement at the mooring point of the body on n springs
     Y_MAX = δ₀ + 3.87 σ,  compared with δ₀/H ≤ 10 % and Y_MAX/H ≤ 35 %
 
-3.87 = √(2 ln 1000) + γ/√(2 ln 1000), the expected largest of 1000 waves.  The spring is one given for each fender, or
-the equivalent one of its curve and hysteresis about δ₀ with the amplitude √2 σ, which is found with it (`linearised`).
+3.87 = √(2 ln 1000) + γ/√(2 ln 1000), the expected largest of 1000 waves.  The spring is given for each fender, or is
+the equivalent one of its curve and hysteresis about δ₀ with the amplitude √2 σ, found by iteration (`linearised`).
 SR179 report (1982), sections 3.7.1.1 and 3.7.5.
 """
 
@@ -25,13 +25,13 @@ FREQUENCIES = 400
 
 
 class DolphinError(ValueError):
-    """A dolphin study cannot be made; one line names what is wrong and what is allowed."""
+    """A dolphin study cannot be made; the message names the fault and the limit."""
 
 
 class Dolphins(NamedTuple):
-    """Fenders on the side that the loads push to
+    """Fenders on the side towards which the loads push
 
-    fender : of one, with its dolphin; positions : (n, 3) m of each, x, y, z; stiffness : N/m of one, None for the
+    fender : one fender with its dolphin; positions : (n, 3) m of each, x, y, z; stiffness : N/m of one, None for the
     equivalent one of its curve
     """
 
@@ -43,7 +43,7 @@ class Dolphins(NamedTuple):
 class Strains(NamedTuple):
     """static : δ₀ m; sigma : m at the mooring point; largest : Y_MAX m; stiffness : N/m of one fender, loss : N/m
 
-    drift : N; static_strain, strain : over the height; stands : whether both are allowed
+    drift : N; static_strain, strain : over the height; stands : whether both are within limits
     """
 
     static: float
@@ -100,7 +100,7 @@ def at_fenders(beam, dolphins, stiffness, loss):
 
 
 def deflection_at(fender, force):
-    """m at which a fender first reacts with a force, N.  Raises DolphinError where it never does."""
+    """m, smallest deflection at which a fender reacts with a force, N.  Raises DolphinError if it never does."""
     grid = np.linspace(0.0, fender.limit, 2001)
     above = np.flatnonzero(fender.loading(grid) >= force)
     if not len(above):
@@ -142,7 +142,7 @@ def strains(beam, dolphins, steady, spectrum, times=1.0):
 
 
 def limit_height(beam, dolphins, steady, family, period, highest=10.0):
-    """m, significant, of the sea in which the strain is just allowed; 0 where the steady load alone is too much.
+    """m, largest significant height with allowable strains; 0 where the steady load alone exceeds them.
 
     family : function of height, mean_period= → spectrum; highest : m, that is looked up to
     """

@@ -26,7 +26,7 @@ from ..fenders.hysteresis import advanced_one, contact_table, reaction_at, react
 from ..fenders.pressed import NODES, Pressed
 from .linearised import equivalent
 
-FINE = 90  # steps of the shortest period of the body on its fenders; 1e-6 of the reaction
+FINE = 90  # time steps in the shortest period of the body on its fenders; error 1e-6 of the reaction
 ROUNDS, SETTLED = 200, 1e-6  # iterations for the equivalent spring: largest number, relative change at the end
 UNEVEN = 1e-3  # largest relative variation of the time step of a record
 LEAST = 0.55  # smallest reduction factor of a spectrum by damping
@@ -34,11 +34,11 @@ SIDES = np.array([1.0, -1.0])
 
 
 class EarthquakeError(ValueError):
-    """An earthquake cannot be followed; one line names what is wrong and what is allowed."""
+    """An earthquake response cannot be computed; the message names the fault and the limit."""
 
 
 class Ground(NamedTuple):
-    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; 0 at both ends but the first
+    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; 0 at both ends except the first
 
     base_line : m/s², of the first and the last acceleration, added to a record and straight between them
     """
@@ -51,9 +51,9 @@ class Ground(NamedTuple):
 
 
 class Floater(NamedTuple):
-    """A body in one motion: mass, added_mass (infinite frequency with a memory), kg; damping N s/m beside the memory
+    """A body in one motion: mass, added_mass (at infinite frequency with a memory), kg; damping N s/m without memory
 
-    a (m, m), b (m,), c (m,) : memory, force c·x against the motion, ẋ = a x + b η̇; of no states without
+    a (m, m), b (m,), c (m,) : memory, force c·x against the motion, ẋ = a x + b η̇; empty without memory
     """
 
     mass: float
@@ -72,7 +72,7 @@ class Floater(NamedTuple):
 
 
 class Fenders(NamedTuple):
-    """fender : of one, with its dolphin; count : on each side; clearance : m from the body at rest, on each side"""
+    """fender : one fender with its dolphin; count : on each side; clearance : m from the body at rest, on each side"""
 
     fender: object
     count: int = 1
@@ -106,7 +106,7 @@ def normalised_reaction(omega, mass, added_mass, damping, stiffness):
 
 
 def ground_of_record(time, acceleration, after=0.0):
-    """`Ground` of a record of acceleration, m/s², with its base line corrected, at rest for `after` s behind it.
+    """`Ground` of a record of acceleration, m/s², with corrected base line, followed by `after` s of rest.
 
     raises : EarthquakeError for a record with gaps, or values that are none
     """
@@ -136,7 +136,7 @@ def ground_of_record(time, acceleration, after=0.0):
 
 
 def _integrated(time, acceleration):
-    """Velocity and displacement from rest, of accelerations that are straight between their times"""
+    """Velocity and displacement from rest, for accelerations linear between their times"""
     h = np.diff(time)
     before, after = acceleration[:-1], acceleration[1:]
     velocity = np.concatenate([[0.0], np.cumsum(0.5 * h * (before + after))])
@@ -150,7 +150,7 @@ def response_spectrum(ground, periods, ratio=0.05):
 
 
 def _largest(ground, omega, ratio):
-    """ω² max |u| of ü + 2ζω u̇ + ω² u = −a, exact for accelerations that are straight between their times"""
+    """ω² max |u| of ü + 2ζω u̇ + ω² u = −a, exact for accelerations linear between their times"""
     from scipy.signal import cont2discrete, dlsim
 
     h = float(ground.time[1] - ground.time[0])
@@ -166,7 +166,7 @@ def _largest(ground, omega, ratio):
 
 
 def both_sides(fenders):
-    """Function of a path u (n,) m of the body against the ground → (n,) N that the fenders of both sides exert"""
+    """Function of a path u (n,) m of the body relative to the ground → (n,) N from the fenders of both sides"""
     fender, count, clearance = fenders
 
     def one_side(depth):
@@ -185,10 +185,10 @@ def both_sides(fenders):
 
 
 def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
-    """`Spectral` reaction to a response spectrum, with the spring that is equivalent at its own deflection.
+    """`Spectral` reaction to a response spectrum, with the equivalent spring at its own deflection.
 
     spectrum : function of the period, s → m/s² at a damping ratio of spectrum_ratio
-    raises : EarthquakeError where the fenders are pressed beyond their table, or no deflection fits
+    raises : EarthquakeError where fenders are compressed beyond their table, or no deflection satisfies the equation
     """
     fender = fenders.fender
     law, limit = both_sides(fenders), fender.limit + fenders.clearance
@@ -220,7 +220,7 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
 
 
 def natural(floater, stiffness):
-    """rad/s of a body on a spring, with the added mass of that frequency"""
+    """rad/s of a body on a spring, with the added mass at that frequency"""
     omega = np.sqrt(stiffness / (floater.mass + floater.added_mass))
     for _ in range(ROUNDS):
         before, omega = omega, np.sqrt(stiffness / (floater.mass + float(floater.water(omega)[0][0])))
@@ -230,11 +230,11 @@ def natural(floater, stiffness):
 
 
 def course(ground, floater, fenders):
-    """`Course` of a body between fenders on a ground that moves (`mooring.fenders.pressed`).
+    """`Course` of a body between fenders on moving ground (`mooring.fenders.pressed`).
 
-    Fenders on each side return less than they take (`mooring.fenders.hysteresis`).  The ground is the cubic through
-    its displacements and velocities.
-    raises : FenderError where a fender without overload stiffness is pressed beyond its table
+    Fenders on each side return less energy than they absorb (`mooring.fenders.hysteresis`).  The ground motion is the
+    cubic through its displacements and velocities.
+    raises : FenderError where a fender without overload stiffness is compressed beyond its table
     """
     fender, count, clearance = fenders
     whole, n = floater.mass + floater.added_mass, len(floater.b)
@@ -258,6 +258,6 @@ def course(ground, floater, fenders):
 
 
 def _between(ground, i, s):
-    """m of the ground at a share s of step i, by the cubic through its displacements and velocities"""
+    """m, ground displacement at a share s of step i, by the cubic through its displacements and velocities"""
     (y, z), (u, v) = ground.displacement[i : i + 2], (ground.time[1] - ground.time[0]) * ground.velocity[i : i + 2]
     return y + s * (u + s * (3 * (z - y) - 2 * u - v + s * (2 * (y - z) + u + v)))

@@ -17,7 +17,7 @@ import numpy as np
 from ..fenders.hysteresis import followed
 
 POINTS = 4096  # points of a cycle; a corner of the characteristic then costs 1e-7
-ROOTS = 2000  # amplitudes between which a response is looked for
+ROOTS = 2000  # amplitudes between which roots of the response are sought
 
 
 class Equivalent(NamedTuple):
@@ -31,7 +31,7 @@ class Equivalent(NamedTuple):
 def equivalent(law, mean, amplitude, points=POINTS):
     """`Equivalent` of a law about y₀ = mean with an amplitude, m.
 
-    law : function of a path (n,) m that begins and ends alike → (n,) N, or a `mooring.fenders.fender.Fender`
+    law : function of a path (n,) m with equal ends → (n,) N, or a `mooring.fenders.fender.Fender`
     """
     theta = 2 * np.pi * np.arange(points) / points
     path = mean + amplitude * np.cos(theta)
@@ -44,7 +44,7 @@ def equivalent(law, mean, amplitude, points=POINTS):
 
 
 def _steady(fender, path):
-    """Reaction along a cycle once it has come to its loop; a fender without return has none to come to"""
+    """Reaction along a cycle after its loop has become steady; without hysteresis it is steady at once"""
     fender.reaction(max(path.max(), 0.0))  # raises beyond the table
     if np.array_equal(fender.loading.coefficients, fender.unloading.coefficients):
         return fender.loading(path)
@@ -52,9 +52,9 @@ def _steady(fender, path):
 
 
 def amplitudes(law, mass, damping, omega, force, largest, mean=0.0):
-    """Amplitudes (r,) m up to `largest` of the oscillator m ÿ + c ẏ + G = F cos ωt, rising; jumps have three.
+    """Amplitudes (r,) m up to `largest` of the oscillator m ÿ + c ẏ + G = F cos ωt, rising; three at a jump.
 
-    damping : c N s/m beside the law's own; force : F N
+    damping : c N s/m besides that of the law; force : F N
     """
     A = largest * (np.arange(1, ROOTS + 1) / ROOTS)
 

@@ -1,4 +1,4 @@
-"""A floating body between dolphins in an earthquake, by each method that something is known for, side by side."""
+"""A floating body between dolphins in an earthquake, by each available method, side by side."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ SHORT = 1e-3  # relative step of a deflection
 
 @dataclass(frozen=True, eq=False)
 class Quake:
-    """A body in one motion, its fenders, and what is known of the ground
+    """A body in one motion, its fenders, and the known data of the ground motion
 
-    ground, spectrum : None where it is not given; spectrum : function of the period; ratio : its damping
+    ground, spectrum : None where not given; spectrum : function of the period; ratio : its damping
     coefficient : of the rule, or None
     """
 
@@ -39,9 +39,9 @@ class Quake:
 
 
 class Method(NamedTuple):
-    """What a method says: period s, damping ratio, acceleration m/s², reaction N, deflection m; nan where it has none
+    """Results of a method: period s, damping ratio, acceleration m/s², reaction N, deflection m; nan where undefined
 
-    reason : why the fenders do not stand it
+    reason : why the fenders fail
     """
 
     name: str
@@ -74,7 +74,7 @@ def methods(quake):
 
 
 def failures(quake, rows):
-    """What fails of fenders by each `Method`"""
+    """Failures of fenders by each `Method`"""
     fender = quake.fenders.fender
     for row in rows:
         if row.reason:
@@ -87,7 +87,7 @@ def failures(quake, rows):
 
 
 def stiffnesses(quake, rows):
-    """{name: (N/m, natural period s)} of all fenders of a side: of the first slope, and of the largest deflection"""
+    """{name: (N/m, natural period s)} of all fenders of a side: by the first slope, and by the largest deflection"""
     fender, count = quake.fenders.fender, quake.fenders.count
     short = SHORT * fender.limit
     found = {"first slope": count * float(fender.loading.slope(short))}
@@ -113,7 +113,7 @@ def _by_spectrum(quake, name, spectrum, ratio):
 
 
 def _tried(method, found):
-    """What `found` makes, or the method with the reason why it cannot"""
+    """Result of `found`, or the method with the reason why it fails"""
     try:
         return found()
     except ValueError as error:
@@ -121,7 +121,7 @@ def _tried(method, found):
 
 
 def _deflection(fender, force):
-    """m at which a fender first reacts with a force, N.  Raises FenderError where it never does."""
+    """m, smallest deflection at which a fender reacts with a force, N.  Raises FenderError if it never does."""
     grid = np.linspace(0.0, fender.limit, 4001)
     above = np.flatnonzero(fender.loading(grid) >= force)
     if not len(above):

@@ -1,7 +1,7 @@
 """Times of a record in UTC: ISO 8601 with or without an offset, in a zone with or without summer time; or since 1970.
 
-In autumn an hour of local time comes twice: the first is that of summer, the second that of winter.  In spring an hour
-does not come at all.  A record that says UTC and has both is one of local time.
+In autumn an hour of local time occurs twice: first in summer time, then in winter time.  In spring an hour does not
+occur.  A record marked UTC with both is in local time.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ ALLOWED = "UTC, an offset such as +09:00, or a name such as Europe/Berlin"
 
 
 def times(texts, zone, where):
-    """(n,) datetime64[s] in UTC of ISO texts; zone : of those that have no offset of their own.
+    """(n,) datetime64[s] in UTC of ISO texts; zone : for texts without their own offset.
 
     where : name of the file, for messages.  Raises TableError.
     """
@@ -85,7 +85,7 @@ def _of_place(local, zone, where):
 
 
 def _changes(place, begin, end):
-    """(time in UTC, offset before, offset after), that of the begin first; datetime64[s], timedelta64[s]"""
+    """(time in UTC, offset before, offset after), the one at the beginning first; datetime64[s], timedelta64[s]"""
 
     def offset(at):
         moment = datetime.datetime.fromtimestamp(int(at.astype(int)), datetime.UTC)
@@ -104,7 +104,7 @@ def _changes(place, begin, end):
 
 
 def check_rising(time, where):
-    """Raise TableError where times do not rise; the hours of summer time are named as such"""
+    """Raise TableError where times do not rise; the message names hours of summer time"""
     rise = np.diff(time)
     back = np.flatnonzero(rise <= np.timedelta64(0, "s"))
     if not len(back):

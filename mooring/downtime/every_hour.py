@@ -2,19 +2,19 @@
 
     m_n(hour) = ∫ ωⁿ S(ω; H, T) P(ω, β) dω,    P(ω, β) = ∫ D(θ − β) |X(ω, θ)|² dθ
 
-P is made once on a ring of headings and is interpolated over β by the six nearest (Lagrange), which is exact to 1e-6 of
-the largest m_n; hours are grouped by those six, and each group is one product of matrices.  S of a family of one shape
-scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that nothing is tabulated over periods.
+P is computed once on a ring of headings and is interpolated over β by the six nearest (Lagrange), with an error of 1e-6
+of the largest m_n; hours are grouped by those six, and each group is one product of matrices.  S of a family of one
+shape scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that no table over periods is needed.
 
-The frequencies are those of `response.linear.frequencies` for all waves alike, and between as many as the peak of a
-spectrum asks for; the same for every hour.  Systems of waves add.
+The frequencies are those of `response.linear.frequencies` for all waves together, with as many between them as the peak
+of a spectrum needs; the same for every hour.  Systems of waves add.
 
-Where the shape depends on the period, as of TMA or spreading after Mitsuyasu, the harmonics over β are tabulated,
+For shapes that depend on the period, such as TMA or spreading after Mitsuyasu, the harmonics over β are tabulated,
 
     m_n = H² Re Σ_k M_k(T) e^{ikβ},    M_k(T) = ∫ ωⁿ S(ω; 1, T) r_k(ω; T) p_k(ω) dω,
 
-p_k and r_k those of |X|² and of the spreading; cos²ˢ(θ/2) has r_k = Π_{j≤k} (s − j + 1)/(s + j).  M_k is taken between
-periods 1 % apart by the six nearest.
+p_k and r_k those of |X|² and of the spreading; cos²ˢ(θ/2) has r_k = Π_{j≤k} (s − j + 1)/(s + j).  M_k is interpolated
+between periods 1 % apart by the six nearest.
 """
 
 from __future__ import annotations
@@ -39,15 +39,15 @@ PER_HARMONIC = 13.4  # directions per harmonic; |X|² has 2kR harmonics over β
 HEADINGS_AT_ONCE = 72  # headings whose complex transfer functions are in memory together
 REFERENCE = 10.0  # s
 STEP = 0.01  # step of ln T in the table over periods
-LOW = 1e-3  # m, of a sea that is not too steep at any period
+LOW = 1e-3  # m, height of a sea that is not too steep at any period
 FINE = 0.015  # relative frequency step: a fifth of the narrow side of a JONSWAP peak
 
 
 class Shape(NamedTuple):
     """A family of spectra of one shape, and its spreading
 
-    family : name in `environment.spectra.FAMILIES`, or "tma"; kind : of its period, as "peak_period"; gamma : None
-        without
+    family : name in `environment.spectra.FAMILIES`, or "tma"; kind : of its period, such as "peak_period"; gamma : or
+        None
     spreading : `environment.spreading.Spreading`, None for long crests; of Mitsuyasu's the peak is that of each hour
     depth : m, for TMA
     """
@@ -111,9 +111,9 @@ class Response:
 
 
 def response_of(body, points, wanted):
-    """The Response of a `bem.database.reader.Reader`, `floating`, of those of its names that are wanted.
+    """The Response of a `bem.database.reader.Reader`, `floating`, for the wanted names.
 
-    points : as of `response.points.transfer_functions`.  Raises ValueError for a name that there is not.
+    points : as in `response.points.transfer_functions`.  Raises ValueError for an unknown name.
     """
     low, high = body.omega[[0, -1]]
     between = np.geomspace(low, high, 2 + int(np.log(high / low) / FINE))
@@ -127,7 +127,7 @@ def response_of(body, points, wanted):
     harmonics = 2 * body.radius * wavenumber(omega, body.depth, body.gravity)
     counts = HEADINGS_AT_ONCE * np.ceil(np.clip(PER_HARMONIC * harmonics, *RING) / HEADINGS_AT_ONCE).astype(int)
     power = np.empty((len(omega), counts.max(), len(chosen)))
-    for count in np.unique(counts):  # long waves have few harmonics, so that few headings tell all of them
+    for count in np.unique(counts):  # long waves have few harmonics, so that few headings determine all
         rows, parts = counts == count, np.split(ring_of(count), count // HEADINGS_AT_ONCE)
         found = [transfer_functions(body, omega[rows], part, points, water).value[..., chosen] for part in parts]
         found = np.abs(np.concatenate(found, axis=1)) ** 2
@@ -162,7 +162,7 @@ def moments_of_hours(response, shape, waves, orders=(0, 2)):
 
 def rule_of(omega, orders):
     """(o, q) weights of the trapezium rule with ωⁿ"""
-    rule = np.gradient(omega)  # trapezoidal rule, apart from its ends
+    rule = np.gradient(omega)  # trapezoidal rule, except at its ends
     rule[[0, -1]] *= 0.5
     return np.stack([rule * omega**n for n in orders])
 
@@ -199,7 +199,7 @@ def _by_periods(response, shape, waves, orders):
 
 
 def _of_spreading(spreading, spectrum, omega, number):
-    """(q, k), or what broadcasts with it: harmonics of the spreading, 1 of long crests"""
+    """(q, k), or an array that broadcasts with it: harmonics of the spreading, 1 for long crests"""
     if spreading is None:
         return np.ones((1, len(number)))
     if not spreading.depends_on_frequency:

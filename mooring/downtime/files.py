@@ -1,8 +1,8 @@
-"""Columns of a hindcast by their names, in SI by the units of their heads: CSV, netCDF, NDBC, tables of SWAN.
+"""Columns of a hindcast by name, converted to SI from the units of their headers: CSV, netCDF, NDBC, SWAN tables.
 
-A head is a name, or a name with its unit in brackets, `hs [cm]`, `wind (knots)`; in netCDF the unit is an attribute, in
-files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) it is in a line of its own.
-Without one a column is in m, s, degrees, m/s.
+A header is a name, or a name with its unit in brackets, `hs [cm]`, `wind (knots)`; in netCDF the unit is an attribute,
+in files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) it is in a line of its own. The default
+units are m, s, degrees, m/s.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ TIMES = "time", "valid_time", "time_index", "ocean_time", "Time"  # alternative 
 
 
 def read_columns(path, time, zone, wanted, location=None):
-    """(n,) datetime64[s] in UTC, {name: (n,) in SI, nan where a place is empty}, lines on what was taken for granted
+    """(n,) datetime64[s] in UTC, {name: (n,) in SI, nan for empty fields}, messages on assumptions
 
-    time : name of its column; zone : as of `clock.times`; wanted : {name of a column: its kind, of UNITS or another}
+    time : name of its column; zone : as in `clock.times`; wanted : {name of a column: its kind, of UNITS or another}
     location : number of the place in netCDF of several, from 1, the last of its axes fastest
     raises : TableError, one line
     """
@@ -80,7 +80,7 @@ def _text(path, time, wanted):
 
 
 def _table(path):
-    """Heads [(name, unit or None)], rows of cells, and whether commas are decimal points"""
+    """Headers [(name, unit or None)], rows of cells, and whether commas are decimal points"""
     lines = [line for line in read_text(path, TableError).splitlines() if line.strip()]
     if lines and re.match(r"#?YY(YY)?\s+MM\s+DD\s+hh\s+mm\b", lines[0]):
         return _of_ndbc(lines)
@@ -104,7 +104,7 @@ def _of_ndbc(lines):
 
 
 def _of_swan(path, rows):
-    """A table of SWAN: two lines of % with names, and units in brackets; times as 20161011.060000"""
+    """A table of SWAN: two % lines with names, and units in brackets; times as 20161011.060000"""
     heads = [row[1:] for row in rows if row[0] == "%" and len(row) > 1]
     at = next((i for i, row in enumerate(heads) if i and all(re.fullmatch(r"\[.*\]?|.*\]", one) for one in row)), None)
     if at is None:
@@ -177,7 +177,7 @@ def _netcdf(path, time, wanted, location):
 
 
 def _at(path, values, time, location):
-    """(n,) of a variable at a place, the number `location` of its axes but time"""
+    """(n,) of a variable at a place, index `location` over all axes except time"""
     axes = [axis for axis in values.dims if axis not in time.dims]
     sizes = [values.sizes[axis] for axis in axes]
     count = int(np.prod(sizes))

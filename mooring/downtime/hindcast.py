@@ -1,7 +1,7 @@
-"""A record of years of weather: waves of one or several systems, wind, current, level, ice, at equal steps with gaps.
+"""A multi-year record of weather: waves of one or several systems, wind, current, level, ice, at equal steps with gaps.
 
-A value that is missing is nan.  Where the sea is frozen a hindcast has no waves: hours with ice and without waves are
-calm ones.  Hours that the record lacks altogether are in no share, and a window of weather ends where they begin.
+A missing value is nan.  Where the sea is frozen a hindcast has no waves: hours with ice and without waves count as
+calm.  Hours missing from the record are excluded from all shares, and end a weather window.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from ..environment.tables import TableError
 from .clock import check_rising
 
 CODES = -9.0, -99.0, -999.0, -9999.0, -99.9, -99.99, 99.0, 99.9, 99.99, 999.0, 999.9, 9999.0, -32767.0, -32768.0
-RANGES = {  # plausible ranges in SI; values beyond are codes for missing data or have another unit
+RANGES = {  # plausible ranges in SI; values outside are codes for missing data or have another unit
     "height": (0.0, 30.0), "period": (0.0, 40.0), "direction": (-2 * np.pi, 4 * np.pi), "speed": (0.0, 100.0),
     "component": (-100.0, 100.0), "level": (-25.0, 25.0), "share": (0.0, 1.0),
 }  # fmt: skip
@@ -64,7 +64,7 @@ class Hindcast:
 
     @property
     def height(self):
-        """(n,) m, of all systems together: root of the sum of squares; nan where one is missing"""
+        """(n,) m, of all systems together: root of the sum of squares; nan if one is missing"""
         return np.sqrt(sum(one.height**2 for one in self.waves))
 
     @property
@@ -75,14 +75,14 @@ class Hindcast:
 
     @property
     def slot(self):
-        """(n,) number of each row among equal steps from the first: a gap leaves numbers out"""
+        """(n,) index of each row on equal steps from the first: a gap skips indices"""
         return np.round((self.time - self.time[0]).astype(float) / self.step).astype(int)
 
 
 def made(time, waves, columns, where):
-    """The Hindcast of columns as they are read, in SI: gaps, codes of what is missing, calms and ice found and said.
+    """The Hindcast of columns as read, in SI: gaps, codes of missing values, calms and ice are found and reported.
 
-    where : name of the file.  Raises TableError for times that do not rise or have no common step, and values that
+    where : name of the file.  Raises TableError for times that do not rise or have no common step, and for values that
     nothing has.
     """
     if len(time) < FEWEST:

@@ -1,14 +1,14 @@
-"""What an hour uses of a limit, from states that were simulated with a few seeds each: a Gaussian process with noise.
+"""Utilisation of a limit in every hour, from states simulated with a few seeds each: a Gaussian process with noise.
 
     y = ln used = a + b ln H + f(x) + e,    f ~ GP(0, c² Matérn₅⸝₂(x/ℓ)),    e ~ N(0, σ²)
 
-σ is the scatter of seeds in the same sea, pooled over the states: it is no error but the chance of the sea.  An hour
-stops its operation with the chance
+σ is the scatter of seeds in the same sea, pooled over the states: it is no error but the randomness of the sea.  An
+hour stops its operation with the probability
 
     P = Φ(μ / √(σ² + s²))
 
-where s is the error of the interpolant in μ.  How far that error may move the sum of all chances is found by drawing f
-together at hours whose verdict is open.  The process is that of scikit-learn, its lengths by maximum likelihood.
+where s is the error of the interpolant in μ.  The effect of that error on the sum of all probabilities is found by
+joint draws of f at the undecided hours.  The process is that of scikit-learn, its lengths by maximum likelihood.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ import numpy as np
 from scipy.special import ndtr
 
 AT_ONCE = 20_000  # hours of a prediction
-OPEN = 1e-3  # chance of an hour, from which on it may be moved
+OPEN = 1e-3  # probability of an hour above which its verdict may change
 DRAWS, PLACES, SEED = 200, 600, 58
 LEAST = 1e-6  # smallest response considered, over the limit
 MISSING = "simulated states need scikit-learn; install it by: pip install 'hakobune[downtime]'"
@@ -28,7 +28,7 @@ MISSING = "simulated states need scikit-learn; install it by: pip install 'hakob
 
 @dataclass(frozen=True, eq=False)
 class Interpolant:
-    """process : fitted `GaussianProcessRegressor` of what the trend leaves; trend : a, b; scatter : σ"""
+    """process : fitted `GaussianProcessRegressor` of the deviation from the trend; trend : a, b; scatter : σ"""
 
     process: object
     trend: np.ndarray
@@ -47,7 +47,7 @@ class Interpolant:
     def spread_of_sum(self, x, height, mean, error, free):
         """Standard deviation of Σ P over hours, by the interpolant alone, and by the chance of the sea alone.
 
-        free : (n,) whether an hour is not stopped by something else
+        free : (n,) whether no other limit stops the hour
         """
         chance = self.chance(mean, error)
         sea = float(np.sqrt(np.sum((chance * (1 - chance))[free])))
@@ -86,7 +86,7 @@ def fitted(x, height, used):
     process = GaussianProcessRegressor(kernel, alpha=scatter**2 / seeds + 1e-6 * size, n_restarts_optimizer=1,
                                        random_state=SEED)  # fmt: skip
     with warnings.catch_warnings(), threadpool_limits(1):  # matrices so small that threads would wait for each other
-        warnings.simplefilter("ignore", ConvergenceWarning)  # a length at its bound is a feature that does not matter
+        warnings.simplefilter("ignore", ConvergenceWarning)  # a length at its bound belongs to a feature without effect
         process.fit(x, left)
     return Interpolant(process, trend, scatter)
 
@@ -94,7 +94,7 @@ def fitted(x, height, used):
 def where_it_may_change(x, mean, error, scatter, free, count, taken):
     """Numbers (≤ count,) of hours at which a state would move the verdicts most, no two of them near each other
 
-    taken : (s, d) features of the states that are there
+    taken : (s, d) features of the existing states
     """
     total = np.sqrt(scatter**2 + error**2 + LEAST**2)
     gain = np.where(free, error * np.exp(-0.5 * (mean / total) ** 2) / total, 0.0)

@@ -1,10 +1,10 @@
-"""Largest values of a linear response: in every hour, in every year, and once in so many years.
+"""Largest values of a linear response: in every hour, in every year, and for a return period.
 
     hour    x̄ = σ (s + γ_E/s),  s = √(2 ln n),  n = duration / T_zero                     (`response.extremes`)
     year    P(x_y < x) = exp(−Σ_h n_h exp(−x²/2σ_h²)),  h over the hours of the year
 
-One largest value is drawn of each year's law, as a measurement would have given it: the chance of the sea is in the
-yearly maxima, and so in the interval of the return value that follows from them (`site.extremes`).
+One largest value is drawn from each year's law, as a measurement would give it: the randomness of the sea is included
+in the yearly maxima, and so in the interval of the return value (`site.extremes`).
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from ..site.extremes import fit_extremes
 SEED = 1982
 # hours with σ below this fraction of the largest of a year are skipped; they add exp(−4 · 16) of the crossings
 LOW = 0.5
-WHOLE = 0.9  # fraction of the hours of a year that is needed for a yearly maximum
+WHOLE = 0.9  # fraction of the hours of a year needed for a yearly maximum
 
 
 def largest_of_hours(m0, m2, duration):
-    """(…,) mean largest amplitude in `duration` s from moments (…,); 0 where there is no motion, nan where unknown"""
+    """(…,) mean largest amplitude in `duration` s from moments (…,); 0 without motion, nan where unknown"""
     sigma = np.sqrt(m0)
     with np.errstate(invalid="ignore", divide="ignore"):
         count = duration / (2 * np.pi) * np.sqrt(m2 / m0)
@@ -30,7 +30,7 @@ def largest_of_hours(m0, m2, duration):
 
 
 def drawn_of_years(m0, m2, year, step):
-    """Years (Y,) that are whole, and one largest value of each (Y, c); m0, m2 : (n, c); year : (n,); step : s"""
+    """Complete years (Y,), and one largest value of each (Y, c); m0, m2 : (n, c); year : (n,); step : s"""
     kept, out = whole_years(np.isfinite(m0[:, 0]), year, step), []
     share = np.random.default_rng(SEED).uniform(size=(len(kept), m0.shape[1]))
     for one, u in zip(kept, share, strict=True):
@@ -40,7 +40,7 @@ def drawn_of_years(m0, m2, year, step):
 
 
 def whole_years(known, year, step):
-    """(Y,) years of which enough rows of step s are known (n,)"""
+    """(Y,) years with enough rows of step s that are known (n,)"""
     years = np.unique(year)
     return years[[known[year == one].sum() * step >= WHOLE * 365.25 * 86400 for one in years]]
 

@@ -1,8 +1,8 @@
-"""Hours that are given as planes, densities by frequency and direction, as wave models write them.
+"""Hours given as densities over frequency and direction, as wave models write them.
 
-A plane is straight between its rows, so that moments of all hours are one product of matrices with
+A plane of densities is linear between its rows, so that moments of all hours are one product of matrices with
 
-    W_ij = ∬ ωⁿ h_i(ω) h_j(θ) |X|² dω dθ,    h_i, h_j the straight lines that are 1 at row i and 0 at the others.
+    W_ij = ∬ ωⁿ h_i(ω) h_j(θ) |X|² dω dθ,    h_i, h_j the linear hat functions that are 1 at row i and 0 at the others.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ SECTOR = 1.5  # factor on the usual step of directions; no waves travel between 
 
 
 class Planes(NamedTuple):
-    """paths : of netCDF, one after the other; counts : hours of each; location : number of the place
+    """paths : of netCDF, one after the other; counts : hours of each; location : index of the place
 
     omega : (f,) rad/s, rising; angle : (d,) rad travelled to, in axes of the body
     """
@@ -32,7 +32,7 @@ class Planes(NamedTuple):
     angle: np.ndarray
 
     def density(self):
-        """(m, f, d) m² s/rad² of so many hours at a time; nan of an hour without a plane"""
+        """(m, f, d) m² s/rad², some hours at a time; nan for an hour without a plane"""
         for path in self.paths:
             for _, _, _, density in planes_of(path, self.location):
                 yield density / np.float32(2 * np.pi)

@@ -1,9 +1,9 @@
-"""States that stand for all hours: maximum dissimilarity (Camus et al. 2011, Coastal Engineering 58, 453-462).
+"""States that represent all hours: maximum dissimilarity (Camus et al. 2011, Coastal Engineering 58, 453-462).
 
     next = argmax over hours of min over chosen states of ‖x − x_s‖
 
-in features that are scaled to 0 to 1; a direction is a point of a circle whose diameter is 1.  The first is the highest
-sea.  The states lie at the edges of the cloud of hours first, and ever closer inside.
+in features scaled to 0 … 1; a direction is a point on a circle of diameter 1.  The first state is the highest sea.  The
+states lie first at the edges of the cloud of hours, then ever closer inside.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def features(numbers, directions=()):
 
 
 def most_dissimilar(x, count, first):
-    """Numbers (count,) of rows of x (n, d), fewer where no others differ; first : the number of one"""
+    """Indices (count,) of rows of x (n, d), fewer if no others differ; first : the first index"""
     chosen = [int(first)]
     nearest = np.sum((x - x[first]) ** 2, axis=1)
     while len(chosen) < count:

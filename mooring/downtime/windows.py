@@ -1,7 +1,7 @@
-"""Windows of weather: runs of hours that can be used, how long they are, and how long one waits for one.
+"""Weather windows: runs of usable hours, their length, and the waiting time for one.
 
-A ship that comes at any hour waits until the next hour from which on a window of n hours is left.  Gaps of the record
-and hours that are not known end a window, and nobody waits across them: such arrivals are left out.
+A ship that arrives at any hour waits until the first hour at which a window of n hours remains.  Gaps of the record and
+unknown hours end a window, and waits across them are excluded.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 class Windows(NamedTuple):
     """first : (w,) number of the row a window begins with; steps : (w,) rows of it
 
-    whole : (w,) whether rows that are known, and no gap, stand before and behind it: else it may have been longer
+    whole : (w,) whether known rows, without gaps, precede and follow it: otherwise it may have been longer
     """
 
     first: np.ndarray
@@ -44,9 +44,9 @@ def in_windows(found, count, steps):
 
 
 def waiting(found, known, slot, steps):
-    """(n,) rows that one waits from each row for a window of `steps` rows; nan where the record does not say
+    """(n,) rows of waiting from each row for a window of `steps` rows; nan where the record does not determine it
 
-    The wait from a row inside a long enough window is 0 as long as `steps` rows of it are left.
+    The wait from a row inside a long enough window is 0 as long as `steps` rows of it remain.
     """
     count = len(slot)
     start = np.zeros(count, bool)

@@ -1,4 +1,4 @@
-"""Shares of hours with the scatter of years: what forty other years would have given.
+"""Shares of hours with their scatter over years: the range for other years of the same climate.
 
     p = Σ_y d_y / Σ_y n_y,   p₍y₎ the same without year y,   s² = (Y − 1)/Y Σ_y (p₍y₎ − p̄₍·₎)²,   p ± t s
 
@@ -32,7 +32,7 @@ def _sums(values, place, count):
 def share_with_interval(down, known, confidence=CONFIDENCE, most=1.0):
     """p, low, high, each (…), of sums (Y, …) by year; low and high nan with fewer than FEWEST years, p nan of no hours
 
-    most : that p can be; inf of a mean, as of waiting times
+    most : upper limit of p; inf for a mean, such as a waiting time
     """
     from scipy.special import stdtrit
 

@@ -1,4 +1,4 @@
-"""Faults of an input in one line: the thing, its value, what is allowed."""
+"""Faults of an input in one line: the quantity, its value, the allowed range."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def within(thing, value, low, high, unit=""):
 
 
 def row_of_numbers(thing, values, fewest=1):
-    """(n,) finite floats.  Raises ValueError that names the first row which is none."""
+    """(n,) finite floats.  Raises ValueError that names the first row without a finite number."""
     values = np.asarray(values, float)
     if values.ndim != 1 or len(values) < fewest:
         raise ValueError(
@@ -33,7 +33,7 @@ def row_of_numbers(thing, values, fewest=1):
 
 
 def rising(thing, values, fewest=2):
-    """(n,) finite floats, each above the one before and the first at least 0.  Raises ValueError."""
+    """(n,) finite floats, strictly rising, the first at least 0.  Raises ValueError."""
     values = row_of_numbers(thing, values, fewest)
     steps = np.diff(values)
     if not np.all(steps > 0):

@@ -1,8 +1,8 @@
 """Waves of a record between zero crossings, and the distribution of their heights in a narrow spectrum.
 
-A wave lasts from one crossing to the next of the same kind; its height is its crest less its trough.  Crossing times
-are interpolated straight, crests and troughs by the parabola through the highest values, without which the heights of
-waves of 16 values would come out 1 % low.
+A wave lasts from one crossing to the next of the same kind; its height is its crest minus its trough.  Crossing times
+are interpolated linearly, crests and troughs by the parabola through the highest values, without which the heights of
+waves of 16 values would be 1 % too low.
 
     Rayleigh: P(H > h) = exp(−h²/8m₀);  mean of the highest part p = √8m₀ {√L + √π/(2p) erfc √L},  L = ln 1/p
     width of the spectrum  ε² = 1 − m₂²/(m₀m₄) = 1 − (zero crossings / maxima)²   (Cartwright & Longuet-Higgins 1956)
@@ -75,14 +75,14 @@ class Crossings:
 
     @property
     def mean_period(self):
-        """s, between crossings; of a spectrum it is T02"""
+        """s, between crossings; for a spectrum it is T02"""
         return float(self.periods.mean())
 
 
 def zero_crossings(record, step, direction="up"):
     """Crossings of a record.
 
-    record : (n,) m, its mean is taken off; step : s; direction : "up" or "down"
+    record : (n,) m, its mean is subtracted; step : s; direction : "up" or "down"
     Raises ValueError for a record of fewer than 3 waves.
     """
     record, step = row_of_numbers("record", record, 3), positive("step", step, "s")
@@ -113,7 +113,7 @@ def rayleigh_height(m0, part):
 
 
 def expected_maximum_height(m0, waves):
-    """Mean of the highest (m) among that many waves, at least 10, of a narrow spectrum of variance m0 (m²)."""
+    """Mean of the highest (m) of `waves` waves, at least 10, of a narrow spectrum of variance m0 (m²)."""
     if not waves >= 10:
         raise ValueError(f"number of waves is {waves:g}; allowed: at least 10")
     root = math.sqrt(2 * math.log(waves))

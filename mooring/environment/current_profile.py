@@ -2,9 +2,9 @@
 
     U(z) = U₀ (1 + z/h)^α    for −h ≤ z ≤ 0    SR179 report (1982), chapter 4, section 3.9
 
-α = 1 for a current driven by the wind, which the report takes 0.01 U₁₀ at the surface; for a tidal current 1/7 is
-usual (the report prints 1/2).  Above z = 0 the surface value is kept, below the bed there is no current.  Profiles
-add up: `power_law(…) + wind_drift(…)`.
+α = 1 for a wind-driven current, for which the report uses 0.01 U₁₀ at the surface; for a tidal current 1/7 is usual
+(the report prints 1/2).  Above z = 0 the surface value applies, below the bed there is no current.  Profiles can be
+added: `power_law(…) + wind_drift(…)`.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ FASTEST = 20.0  # m/s
 
 @dataclass(frozen=True)
 class CurrentProfile:
-    """Sum of currents; parts : functions of z (…) m that give (…, 2) m/s along x and y"""
+    """Sum of currents; parts : functions of z (…) m that return (…, 2) m/s along x and y"""
 
     parts: tuple[Callable, ...]
 
     def velocity(self, z):
-        """(…, 3) m/s at heights z (…) m, 0 at the surface and below it negative"""
+        """(…, 3) m/s at heights z (…) m, 0 at the surface and negative below"""
         z = np.asarray(z, float)
         total = np.zeros((*z.shape, 3))
         for part in self.parts:
@@ -93,7 +93,7 @@ def power_law(speed, direction, depth, exponent):
 
 
 def wind_drift(speed_10, direction, depth):
-    """Current driven by a wind of `speed_10` m/s towards `direction`: 0.01 of it at the surface, linear to the bed"""
+    """Current driven by a wind of `speed_10` m/s towards `direction`: 1 % of it at the surface, linear to the bed"""
     within("wind speed at 10 m", speed_10, 0.0, 200.0, "m/s")
     return power_law(WIND_DRIFT * speed_10, direction, depth, 1.0)
 
@@ -101,8 +101,8 @@ def wind_drift(speed_10, direction, depth):
 def table(z, speed, direction):
     """CurrentProfile through points: z (n,) m rising from the bed to the surface, speed m/s, direction rad (n,) or one.
 
-    The components along x and y are monotone cubics between the points; the last one holds up to the surface,
-    below the first there is no current.
+    The components along x and y are monotone cubics between the points; the last point applies up to the surface, below
+    the first there is no current.
     raises : ValueError for points that are no profile
     """
     z, speed = row_of_numbers("z of the current profile", z, 2), row_of_numbers("current speed", speed, 2)

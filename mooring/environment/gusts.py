@@ -9,11 +9,10 @@ Each spectrum is a variance, a time scale T and a dimensionless shape over X = T
     NPD        σ² = S(0)/(s(0) T)   T = f̃/f                  s = (1 + Xⁿ)^(−5/(3n)) / c,  c = B(1/n, 2/(3n))/n
     Kaimal     σ = I U              T = L/U                  s = 4 (1 + 6X)^(−5/3)
 
-Davenport and Hino: SR179 report (1982), chapter 4, section 5.2, with the exponent 4/3 and the 1/f that the report's
-prints have lost, and β with 10⁻³ where 10⁻² is printed, which would put the energy at 2 Hz.
-NPD: NORSOK N-003 and API RP 2A-WSD, S = 320 (U₀/10)² (z/10)^0.45 / (1 + f̃ⁿ)^(5/(3n)), n = 0.468,
-f̃ = 172 f (z/10)^⅔ (U₀/10)^(−¾), U₀ the one-hour mean at 10 m.
-Kaimal: IEC 61400-1, L = 8.1 Λ, Λ = 0.7 z up to 60 m and 42 m above.
+Davenport and Hino: SR179 report (1982), chapter 4, section 5.2, with the exponent 4/3 and the 1/f that are illegible in
+the report's prints, and β with 10⁻³ where 10⁻² is printed, which would put the energy at 2 Hz. NPD: NORSOK N-003 and
+API RP 2A-WSD, S = 320 (U₀/10)² (z/10)^0.45 / (1 + f̃ⁿ)^(5/(3n)), n = 0.468, f̃ = 172 f (z/10)^⅔ (U₀/10)^(−¾), U₀ the
+one-hour mean at 10 m. Kaimal: IEC 61400-1, L = 8.1 Λ, Λ = 0.7 z up to 60 m and 42 m above.
 """
 
 from __future__ import annotations
@@ -25,13 +24,13 @@ import numpy as np
 
 from .allowed import positive, within
 
-BETA_HINO = 1.169e-3  # printed with 10⁻²; 10⁻³ is what the inertial subrange 0.3 (f z/U)^(−2/3) u*² asks for
+BETA_HINO = 1.169e-3  # printed with 10⁻²; 10⁻³ agrees with the inertial subrange 0.3 (f z/U)^(−2/3) u*²
 N_NPD = 0.468
-MISSED = 0.01  # share of the variance a record may leave out without a warning
+MISSED = 0.01  # share of the variance that a record may omit without a warning
 
 
 class MissingVariance(UserWarning):
-    """A record's band leaves out more than 1 % of the variance of its spectrum."""
+    """A record's band omits more than 1 % of the variance of its spectrum."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +94,7 @@ def hino(speed, surface_drag, height, exponent, stability=2.0):
 def npd(hourly_speed, height=10.0):
     """Spectrum of the Frøya measurements at `height` m; hourly_speed : m/s, one-hour mean at 10 m.
 
-    It was fitted from 1/600 to 0.5 Hz, which hold some 73 % of its variance.
+    The measurements cover 1/600 to 0.5 Hz, which contain some 73 % of its variance.
     """
     positive("one-hour wind speed at 10 m", hourly_speed, "m/s")
     positive("height", height, "m")
@@ -118,12 +117,12 @@ def gust_record(spectrum, t, seed, low, high, count):
 
         u(t) = Σ √(2 σ² share(ωᵢ, ωᵢ₊₁)) cos(ω t + ε)
 
-    The band from `low` to `high` rad/s is cut into `count` pieces of equal ratio; each has the energy of its piece, a
-    random frequency within it and a random phase, so that the record does not repeat.  A resonance with damping ζ
-    sees enough components where their ratio (high/low)^(1/count) is below 1 + ζ.  Of Davenport's variance at
-    25 to 50 m/s the report's band, 0.001 to 1 Hz, holds 92 to 88 %.
+    The band from `low` to `high` rad/s is divided into `count` pieces of equal ratio; each has the energy of its piece,
+    a random frequency within it and a random phase, so that the record does not repeat.  Enough components excite a
+    resonance with damping ζ where their ratio (high/low)^(1/count) is below 1 + ζ.  The report's band, 0.001 to 1 Hz,
+    contains 92 to 88 % of Davenport's variance at 25 to 50 m/s.
     seed : whole number from 0; the same seed gives the same record
-    raises : ValueError; warns MissingVariance with the share that the band holds
+    raises : ValueError; warns MissingVariance with the share of the variance inside the band
     """
     t = np.asarray(t, float)
     omega, amplitude, phase = gust_components(spectrum, seed, low, high, count)

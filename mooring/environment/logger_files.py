@@ -1,4 +1,4 @@
-"""Columns of numbers as loggers and programs write them: heads of several lines, units in a line of their own, dates.
+"""Columns of numbers from loggers and programs: headers of several lines, a line of units, dates.
 
 Columns are separated by ; , tab, : or blanks, as in the first row of numbers.  Where it does not separate, a comma is
 the decimal mark and a point stands between thousands.  Words above the numbers are heads, the last of as many columns
@@ -26,7 +26,7 @@ UNIT = re.compile(r"[(\[].*[)\]]|-")
 
 
 class Columns(NamedTuple):
-    """names : list or None; values : (n, m), NaN at gaps; lines : (n,) numbers of the lines of the file"""
+    """names : list or None; values : (n, m), NaN at gaps; lines : (n,) line numbers in the file"""
 
     names: list | None
     values: np.ndarray
@@ -59,7 +59,7 @@ def _mark(line):
 
 
 def _all_commas(line):
-    """Whether the commas of a line are decimal marks: one in each of its words"""
+    """Whether the commas of a line are decimal marks: one in each word"""
     words = line.split()
     return len(words) > 1 and all(re.fullmatch(r"[-+]?\d+,\d+", word) for word in words)
 
@@ -75,7 +75,7 @@ def _is_value(word):
 
 
 def _seconds(word):
-    """s of a date and time, None of others"""
+    """s of a date and time, None of other words"""
     for date in DATES:
         found = re.fullmatch(date + CLOCK, word.replace(",", "."))
         if found:
@@ -108,7 +108,7 @@ def _value(path, line, word, comma, start):
 
 
 def _names(heads, mark, width, dated):
-    """Names of the columns with units of a line of their own, None where no line above has as many"""
+    """Names of the columns with units from a line of their own; None if no line above has as many words"""
     rows = []
     for _, line in heads:
         ways = [re.split(r"\t+|\s{2,}", line), line.split()] if mark is None else [line.split(mark)]

@@ -1,12 +1,12 @@
-"""Scatter diagrams: how often a height comes with a period, from a table of counts, per cents or probabilities.
+"""Scatter diagrams: frequency of each height and period, from a table of counts, per cents or probabilities.
 
     # comment
     significant_period, 3.5, 4.5, 5.5
     0.25,               12,  30,   4
     0.75,                0,  18,  22
 
-The first word names the kind of period, the row the middles of the classes of period (s), the first column those of
-the significant height (m).  Empty places count as 0.
+The first word names the kind of period, the row has the middles of the classes of period (s), the first column those of
+the significant height (m).  Empty fields count as 0.
 """
 
 from __future__ import annotations

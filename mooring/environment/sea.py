@@ -1,10 +1,10 @@
-"""A sea state: a spectrum, its mean direction, its spreading; and its parts: shares per heading, or wave components.
+"""A sea state: a spectrum, its mean direction and spreading; divided into shares per heading or into wave components.
 
     η(x, y, t) = Σ aᵢ cos{ωᵢ t − kᵢ (x cos βᵢ + y sin βᵢ) − εᵢ}
 
-Every component has a direction of its own.  Several directions at one frequency would be phase-locked, and the wave
-height would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Neighbours in frequency
-take directions spread over the circle by multiples of the golden ratio, so that any narrow band holds all of them.
+Every component has its own direction.  Several directions at one frequency would be phase-locked, and the wave height
+would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Neighbours in frequency have directions
+distributed over the circle by multiples of the golden ratio, so that any narrow band contains all of them.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .allowed import row_of_numbers
 from .spectrum import Spectrum
 from .spreading import ANGLES, Spreading
 
-BAND = (1e-5, 1 - 1e-3)  # shares of the energy between which components lie unless limits are given
+BAND = (1e-5, 1 - 1e-3)  # shares of the energy between which components lie by default
 MOST_MISSED = 0.01  # share of the energy
 NEAREST = 0.3  # smallest distance, over the width of a band
 GOLDEN = 0.5 * (np.sqrt(5) - 1)
@@ -54,7 +54,7 @@ class Sea:
     def directional(self, headings, omega=None):
         """Shares of the energy per heading, such that Σ share f(heading) is the mean of a response f over directions.
 
-        headings : (m,) rad travelled to, in any order; f is taken as straight between neighbours, at most 45° apart
+        headings : (m,) rad travelled to, in any order; f is assumed linear between neighbours, at most 45° apart
         omega : (n,) rad/s, or None
         returns : (m,) of the whole sea, or (n, m) at the frequencies; rows sum to 1
         Raises ValueError if more than 1 % of the energy travels outside the headings; less is scaled away.
@@ -75,12 +75,12 @@ class Sea:
     def components(self, count, seed, *, frequencies="equal_step", amplitudes="deterministic", low=None, high=None):
         """Components of one realisation.
 
-        count : their number; seed : whole number, the same seed gives the same sea
+        count : number of components; seed : whole number, the same seed gives the same sea
         frequencies : "equal_step", bands of equal width; "equal_energy", bands of equal energy.  The frequency
             is random within its band, so that no record repeats; a component carries the energy of its band.
-        amplitudes : "deterministic", √(2 m₀) of the band, which holds the energy of a record near that of the
-            spectrum; "random", Rayleigh-distributed with that energy as the mean, which lets it vary as in nature
-            if no two components are further apart than 2π over the length of the record
+        amplitudes : "deterministic", √(2 m₀) of the band, which keeps the energy of a record near that of the spectrum;
+            "random", Rayleigh-distributed with that energy as the mean, which varies the energy as in nature if no two
+            components are further apart than 2π over the length of the record
         low, high : rad/s; by default 0.1 % of the energy lies outside.  Warns if more than 1 % does.
         returns : Components, rising in omega
         """
@@ -113,7 +113,7 @@ class Sea:
 
 
 def joined(*components):
-    """Components of several seas at once, as wind sea and swell."""
+    """Components of several seas together, such as wind sea and swell."""
     return Components(*map(np.concatenate, zip(*components, strict=True)))
 
 
@@ -131,7 +131,7 @@ def _equal_energy(spectrum, low, high, count, rng):
 
 
 def _places(count, rng):
-    """(n,) random places, 0 to 1, in the bands; drawn again where neighbours would be nearer than `NEAREST` bands.
+    """(n,) random places, 0 to 1, in the bands; drawn again where neighbours would be closer than `NEAREST` bands.
 
     Two that nearly coincide beat so slowly that a record holds their sum or their difference: without this the energy
     of three hours of swell (500 components) was off by more than 2 % in 5 % of the seeds, with it in none of 200.
@@ -171,7 +171,7 @@ def _whole_number(thing, value, least):
 
 
 def _shares_of_one(headings, direction):
-    """(m,) weights of the two headings beside a wave towards `direction`.  Raises ValueError in a gap above 45°."""
+    """(m,) weights of the two headings next to a wave towards `direction`.  Raises ValueError in a gap above 45°."""
     apart = np.abs(np.mod(np.asarray(headings, float) - direction + np.pi, 2 * np.pi) - np.pi)
     if apart.min() <= 1e-9:
         return np.eye(len(headings))[apart.argmin()]

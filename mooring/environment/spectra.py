@@ -15,8 +15,8 @@ JONSWAP (Hasselmann et al. 1973; the report's guideline 2.5):
     S(f) = α g² (2π)⁻⁴ f⁻⁵ exp{−5/4 (f/f_p)⁻⁴} γ^exp{−(f−f_p)²/(2σ²f_p²)},    σ = 0.07 to f_p, 0.09 above
     by fetch x:  f_p U/g = 3.5 x̃^−0.33,  α = 0.076 x̃^−0.22,  x̃ = g x/U²
 
-A family takes one period of any kind, by name; what is not the printed kind is converted by the moments of its own
-shape.  T̄ of the paper of 1975 is the mean of a record, not T01 of the spectrum, which is 0.81 T1/3.
+A family accepts one period of any kind, by name; a kind other than the printed one is converted by the moments of its
+own shape.  T̄ of the paper of 1975 is the mean of a record, not T01 of the spectrum, which is 0.81 T1/3.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def issc(height, **period):
     """ISSC spectrum; 4√m₀ = height exactly.
 
     height : m, significant; one period (s) of `periods.KINDS`.  mean_period is the T_v of the formula, and T01
-    is 1.0020 times that.  significant_period is converted as in the Mitsuyasu form, which has the same shape.
+    is 1.0020 times that.  significant_period is converted as for the Mitsuyasu form, which has the same shape.
     """
     printed = ("mean_period", (0.8 * 0.44) ** -0.25)
     return _by_height("issc", height, 0.11 / (4 * 0.44), period, printed, MITSUYASU_PEAK)
@@ -95,7 +95,7 @@ def jonswap(height, *, gamma=3.3, **period):
 
 
 def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
-    """JONSWAP spectrum of a wind of `wind_speed` (m/s, at 10 m) that blew over `fetch` (m)."""
+    """JONSWAP spectrum of a wind of `wind_speed` (m/s, at 10 m) over a fetch of `fetch` (m)."""
     within("gamma", gamma, 1, LARGEST_GAMMA)
     speed = within("wind speed", positive("wind speed", wind_speed, "m/s"), *WINDS, "m/s")
     fetch, g = within("fetch", positive("fetch", fetch, "m"), *FETCHES, "m"), positive("gravity", gravity, "m/s²")
@@ -113,7 +113,7 @@ def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
 
 
 def tabulated(omega, density, name="table"):
-    """Spectrum of a table: straight between its rows, nothing outside.
+    """Spectrum of a table: linear between its rows, zero outside.
 
     omega : (n,) rad/s, rising; density : (n,) m² s/rad, at least 0
     """

@@ -1,9 +1,9 @@
-"""What every wave spectrum can do, and the two shapes there are: peaked with a tail ω⁻⁵, and a table.
+"""Common functions of all wave spectra, and their two shapes: peaked with a tail ω⁻⁵, and a table.
 
     S(ω) = A ω⁻⁵ exp{−5/4 (ω/ω_p)⁻⁴} γ^r,    r = exp{−(ω/ω_p − 1)²/2σ²},    σ = 0.07 for ω ≤ ω_p, 0.09 above
 
 With x = ω/ω_p and u = 5/4 x⁻⁴ the part of γ = 1 has m_n = A ω_pⁿ⁻⁴ (4/5)^(1−n/4) Γ(1 − n/4, u) / 4 (n = 4: E₁(u)/4);
-what γ adds is confined to 0.3 < x < 2 and is integrated by Gauss's rule.
+the part added by γ is confined to 0.3 < x < 2 and is integrated by Gauss's rule.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Spectrum:
         """m_n = ∫ ωⁿ S dω between `low` and `high`, m² (rad/s)ⁿ.
 
         order : −1, 0, … 4; low, high : rad/s, numbers or arrays.  Relative error below 1e-8.
-        Raises ValueError for another order, for limits that do not rise, and where the integral has no end.
+        Raises ValueError for another order, for limits that do not rise, and where the integral diverges.
         """
         if order not in ORDERS:
             raise ValueError(f"order of the moment is {order}; allowed: {', '.join(map(str, ORDERS))}")
@@ -83,7 +83,7 @@ class Spectrum:
 
 @dataclass(frozen=True, repr=False)
 class Peaked(Spectrum):
-    """The peaked shape; made by the functions of `spectra`.
+    """The peaked shape; created by functions of `spectra`.
 
     level : A, m² (rad/s)⁴; peak_omega : rad/s; gamma : 1 or more
     significant_per_peak : T1/3 / Tp of the family, or None
@@ -139,7 +139,7 @@ class Peaked(Spectrum):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Tabulated(Spectrum):
-    """Straight between its rows, nothing outside; made by `spectra.tabulated`.
+    """Linear between its rows, zero outside; created by `spectra.tabulated`.
 
     omega : (n,) rad/s, rising; values : (n,) m² s/rad
     """
@@ -204,7 +204,7 @@ def _moment_without_peak(order, low, high):
     if order == 4:
         return 0.25 * (exp1(v) - exp1(u))
     a = 1 - order / 4
-    # the smaller of two complementary functions, so that a thin tail keeps its digits
+    # the smaller of two complementary functions, so that a thin tail loses no digits
     part = np.where(u < 1, gammainc(a, u) - gammainc(a, v), gammaincc(a, v) - gammaincc(a, u))
     return 0.25 * 1.25**-a * gamma(a) * part
 

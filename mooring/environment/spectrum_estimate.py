@@ -16,13 +16,13 @@ from scipy.special import chdtri
 from .allowed import positive, row_of_numbers
 from .spectra import tabulated
 
-SEGMENTS, LONGEST = 8, 1024  # lengths of a segment in the record, and values in it, unless one is given
+SEGMENTS, LONGEST = 8, 1024  # number of segments in a record, and largest number of values in one, by default
 FEWEST = 16  # values in a segment
 WINDOWS = ("hann", "none")
 
 
 class Estimate(NamedTuple):
-    """omega (n,) rad/s, without 0 and the last, which have half the freedom; density (n,) m² s/rad."""
+    """omega (n,) rad/s, without 0 and the last, which have half the degrees of freedom; density (n,) m² s/rad."""
 
     omega: np.ndarray
     density: np.ndarray
@@ -44,10 +44,10 @@ class Estimate(NamedTuple):
 def estimate(record, step, segment=None, window="hann", overlap=0.5):
     """Estimate of the spectrum of a record.
 
-    record : (n,) m, its mean is taken off; step : s
+    record : (n,) m, its mean is subtracted; step : s
     segment : s, by default an eighth of the record, at most 1024 values; the spacing in frequency is 2π over it
     window : "hann", or "none", which with a segment as long as the record is its periodogram
-    overlap : share of a segment that the next one has in common, 0 to below 1
+    overlap : share of a segment that overlaps with the next one, 0 to below 1
     Raises ValueError for a record or segment too short, and for a record without waves.
     """
     record, step = row_of_numbers("record", record, FEWEST), positive("step", step, "s")

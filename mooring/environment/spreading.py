@@ -1,4 +1,4 @@
-"""How the energy of a sea is spread over directions:  S(ω, θ) = S(ω) D(θ),  ∫ D dθ = 1,  θ from the mean direction.
+"""Spreading of the energy of a sea over directions:  S(ω, θ) = S(ω) D(θ),  ∫ D dθ = 1,  θ from the mean direction.
 
     cosine power        D = a cosⁿθ between two angles, 0 outside   (SR179 report, 1982, guideline 2.5: cos⁴, ±π/2)
     half cosine power   D = a cos²ˢ(θ/2),  a = Γ(s+1) / {2√π Γ(s+½)}   (Longuet-Higgins, Cartwright & Smith 1963)
@@ -6,7 +6,7 @@
                         (Mitsuyasu et al. 1975, Goda & Suzuki 1975; s_max 10 wind waves, 25 and 75 swell)
     wrapped normal      D = Σ exp{−(θ + 2πk)²/2σ²} / √(2π)σ
 
-The circle is cut into 3600 cells; every sum over directions is one over these cells, whose shares are scaled to 1.
+The circle is divided into 3600 cells; every sum over directions is one over these cells, scaled to a total of 1.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ CELLS = 3600
 ANGLES = (np.arange(CELLS) + 0.5) * (2 * np.pi / CELLS) - np.pi  # (3600,) rad, centres of the cells
 EDGES = np.arange(CELLS + 1) * (2 * np.pi / CELLS) - np.pi
 AT_ONCE = 256  # frequencies whose 3600 cells are kept in memory
-COARSE = 1e-2  # largest error of the sum over cells before it is scaled
+COARSE = 1e-2  # largest error of the sum over cells before scaling
 
 
 class Spreading:
@@ -31,13 +31,13 @@ class Spreading:
     depends_on_frequency = False
 
     def density(self, angle, omega=None):
-        """(...,) rad → (...,) 1/rad; omega (rad/s) only where the spreading depends on it, broadcast with angle"""
+        """(...,) rad → (...,) 1/rad; omega (rad/s) only if the spreading depends on it, broadcast with angle"""
         raise NotImplementedError
 
     def shares(self, omega=None):
         """(3600,) or (n, 3600) share of the energy in each cell of the circle; each row sums to 1.
 
-        omega : (n,) rad/s, where the spreading depends on it
+        omega : (n,) rad/s, if the spreading depends on it
         Raises ValueError if the function is too narrow for the cells.
         """
         row = None if omega is None else np.atleast_1d(omega)[:, None]
@@ -52,7 +52,7 @@ class Spreading:
         return share / total
 
     def quantile(self, share, omega=None):
-        """(n,) rad, angles below which the shares (n,) of the energy lie; omega : (n,) rad/s where it matters"""
+        """(n,) rad, angles below which the shares (n,) of the energy lie; omega : (n,) rad/s if needed"""
         share = np.asarray(share, float)
         if not self.depends_on_frequency:
             return np.interp(share, np.concatenate([[0.0], np.cumsum(self.shares())]), EDGES)

@@ -1,6 +1,6 @@
-"""Tables of numbers from text files: lines with `#` are comments, the first row may hold names and units.
+"""Tables of numbers from text files: lines with `#` are comments, the first row may contain names and units.
 
-Where columns are separated by semicolons a comma is the decimal mark of its number, as in the files of loggers.
+Where semicolons separate columns a comma is a decimal mark, as in files of loggers.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from hakobune.meshing.text_files import read_text
 
 
 class TableError(ValueError):
-    """A file cannot be read as a table; one line names the file, the place and what is allowed."""
+    """A file cannot be read as a table; the message names the file, the place and the allowed values."""
 
 
 def read_table(path, blank=None):
@@ -38,7 +38,7 @@ def read_table(path, blank=None):
 
 
 def _decimal_points(text):
-    """A text whose decimal commas, between two digits, are points, where semicolons separate its columns"""
+    """A text with decimal commas, between two digits, replaced by points, where semicolons separate its columns"""
     first = next((line for line in text.splitlines() if _has_data(line) and not line.strip()[0].isalpha()), "")
     return re.sub(r"(?<=\d),(?=\d)", ".", text) if ";" in first else text
 
@@ -51,9 +51,9 @@ UNITS = {  # size of units, in m and s
 
 
 def unit_of(path, name, kind):
-    """What one of a column is in m or s, by the unit its name ends with, "eta (mm)", "Time [ms]", "eta_cm"; 1 without
+    """Size in m or s of the unit at the end of a column name, "eta (mm)", "Time [ms]", "eta_cm"; 1 without a unit
 
-    kind : "length" or "time".  Raises TableError for a unit in brackets that is not known.
+    kind : "length" or "time".  Raises TableError for an unknown unit in brackets.
     """
     known = UNITS[kind]
     bracket = re.search(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$", name)
@@ -66,7 +66,7 @@ def unit_of(path, name, kind):
 
 
 def _all_numbers(lines, width):
-    """(n, m) values of rows that are all separated alike, ten times as fast as row by row; None of others"""
+    """(n, m) values of rows with one kind of separator, ten times as fast as row by row; None for others"""
     mark = next((mark for mark in (";", ",") if mark in lines[0]), None)
     try:
         values = np.loadtxt(lines, delimiter=mark, comments=None, ndmin=2)
@@ -76,7 +76,7 @@ def _all_numbers(lines, width):
 
 
 def _row_by_row(path, text, named, width, blank):
-    """(n, m) values of a text, the first line with data left out if `named`; TableError for the first that is wrong"""
+    """(n, m) values of a text, without the first line of data if `named`; TableError for the first wrong value"""
     values, rows = [], ((number, line) for number, line in enumerate(text.splitlines(), 1) if _has_data(line))
     if named:
         next(rows)
@@ -113,16 +113,16 @@ def without_rounding(time):
 
 
 def check_even(path, time, off):
-    """Raise TableError where times (n,) of a table do not step evenly, within `off` of a step"""
+    """Raise TableError where the times (n,) of a table have uneven steps; `off` is the tolerance over a step"""
     steps = np.diff(time)
     if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= off * np.median(steps)):
         raise fault_of_steps(path, time, off)
 
 
 def fault_of_steps(path, time, off, lines=None):
-    """`TableError` on times (n,) of a table that do not step evenly, within `off` of a step: its line and what to do
+    """`TableError` for times (n,) of a table with steps uneven beyond `off` of a step: its line and a remedy
 
-    lines : (n,) numbers of the lines of the file, where `line_of` does not know them
+    lines : (n,) line numbers in the file, where `line_of` does not apply
     """
     steps = np.diff(time)
     usual = float(np.median(steps))
@@ -147,7 +147,7 @@ def fault_of_steps(path, time, off, lines=None):
 
 
 def line_of(path, row):
-    """Number, from 1, of the line of a file that `read_table` takes for a row of numbers, from 0"""
+    """Line number, from 1, in the file of a row of numbers, from 0, as read by `read_table`"""
     lines = [(n, line) for n, line in enumerate(read_text(Path(path), TableError).splitlines(), 1) if _has_data(line)]
     named = not _is_number(_split(lines[0][1])[0])
     return lines[row + named][0]

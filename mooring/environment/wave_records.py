@@ -1,4 +1,4 @@
-"""Records of wave elevation: made from components, written to a file, read from one.
+"""Records of wave elevation: computed from components, written to a file, read from a file.
 
     η(t) = Re Σ aᵢ exp{i(kᵢ (x cos βᵢ + y sin βᵢ) + εᵢ − ωᵢ t)},    ω² = g k tanh kh
 
@@ -20,7 +20,7 @@ from .logger_files import read_columns
 from .tables import TableError, column_of, fault_of_steps, unit_of, without_rounding
 
 UNEVEN = 0.01  # largest deviation of a time in a file, over the step
-FAINT = 1e-6  # components below this fraction of the largest amplitude are left out
+FAINT = 1e-6  # components below this fraction of the largest amplitude are omitted
 AT_ONCE = 2**21  # phases kept in memory for times on unequal steps
 
 
@@ -72,7 +72,7 @@ def _on_equal_steps(amplitude, omega, start, step, n):
 
 
 def write_record(path, record, comment=""):
-    """Write time_s,elevation_m as CSV; `comment` goes before them in # lines."""
+    """Write time_s,elevation_m as CSV; `comment` precedes them in # lines."""
     rows = [f"# {line}" for line in comment.splitlines()] + ["time_s,elevation_m"]
     rows += [f"{t:.6f},{value:.6g}" for t, value in zip(record.time, record.elevation, strict=True)]
     write_sealed(path, "\n".join(rows) + "\n")
@@ -81,10 +81,10 @@ def write_record(path, record, comment=""):
 def read_record(path, step=None, column=None):
     """Record of a text file (`logger_files`): times and elevations in columns, or elevations alone.
 
-    Units in the names of columns, as "eta (mm)" and "Time (ms)", count.
-    step : s, where the file has no column of times, which otherwise is its first
+    Units in column names, such as "eta (mm)" and "Time (ms)", are applied.
+    step : s, if the file has no column of times, which otherwise is its first
     column : name of the column of elevations, by default the second (the only one)
-    Raises TableError for what is no table, for times that do not step evenly, for a step given twice or not at all.
+    Raises TableError for a file that is no table, for times with uneven steps, for a step given twice or not at all.
     """
     names, values, lines = read_columns(path)
     if len(values) < 2:
@@ -109,9 +109,9 @@ def read_record(path, step=None, column=None):
 
 
 def components_of(record, direction, shortest=0.0):
-    """`sea.Components` whose sum is the record at its place, without its mean, by Fourier's series over its length.
+    """`sea.Components` whose sum is the record at its place, without its mean, by a Fourier series over its length.
 
-    direction : rad, travelled to, of all; shortest : s, period below which waves are left out.  Time is counted from
+    direction : rad, travelled to, of all; shortest : s, period below which waves are omitted.  Time is counted from
     the first value; after the last the record begins again.
     """
     from .sea import Components

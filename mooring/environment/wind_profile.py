@@ -5,9 +5,9 @@
     C = 0.0573 √(1 + 0.15 U₀),   I = 0.06 (1 + 0.043 U₀) (z/10)^−0.22,   T₀ = 1 h
 
 U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure: it is
-the square root of the height coefficient of classification rules.  It is a table of steps, each height from the
-lower bound of a band to below its upper bound; in the middle of the bands α goes from 1/17 at 23 m to 1/11 above 130 m
-(the report says about 1/12 to 1/14).
+the square root of the height coefficient of classification rules.  It is a step table; each band includes its lower and
+excludes its upper bound; in the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m (the report says
+about 1/12 to 1/14).
 """
 
 from __future__ import annotations
@@ -61,13 +61,13 @@ C_H = np.array(
     ]
 )
 TEN_MINUTES, HOUR = 600.0, 3600.0
-AVERAGING = (1.0, HOUR)  # s, of the Frøya formula: gusts to the mean it starts from
+AVERAGING = (1.0, HOUR)  # s, of the Frøya formula: from gusts to its one-hour mean
 
 
 def speed_at(height, speed_10, exponent=None):
     """(…) m/s at heights (…) m above the sea from the mean `speed_10` m/s at 10 m.
 
-    exponent : α of the power law, 1/15 over smooth sea to 1/3 over rough land; without it the table C_H
+    exponent : α of the power law, 1/15 over smooth sea to 1/3 over rough land; None for the table C_H
     raises : ValueError for heights not above 0, speeds below 0, exponents outside 0 to 0.5
     """
     height = _heights(height)
@@ -94,8 +94,8 @@ def froya_speed_at(height, hourly_speed, averaging=HOUR):
 def mean_over(speed, given, wanted, height=10.0):
     """Mean wind over `wanted` s from that over `given` s, both in m/s at `height` m, by the Frøya formula.
 
-    raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s, and those that the
-    formula does not reach at the height: near the sea its mean falls again in strong wind
+    raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s, and speeds beyond the
+    range of the formula at the height: near the sea its mean decreases in very strong wind
     """
     from scipy.optimize import brentq
 
@@ -130,5 +130,5 @@ def _heights(height):
 
 
 def speed_10(speed, averaging, height, exponent=None):
-    """Mean of ten minutes at 10 m, m/s, of a mean over `averaging` s at a height, m; exponent : as of `speed_at`"""
+    """Ten-minute mean at 10 m, m/s, from a mean over `averaging` s at a height, m; exponent : as in `speed_at`"""
     return mean_over(speed, averaging, TEN_MINUTES, height) / float(speed_at(height, 1.0, exponent))

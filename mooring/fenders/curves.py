@@ -2,9 +2,9 @@
 
     R(δ) = c₀ + c₁ t + c₂ t² + c₃ t³,    t = δ − knot,    E(δ) = ∫₀^δ R dδ
 
-R is 0 below the first knot, which is 0; beyond the last the straight line through its end goes on.  `smooth` takes the
-monotone cubics of Fritsch and Carlson (1980), which neither overshoot nor ripple: a peak of the table is a peak of the
-curve.  `straight` takes straight lines, whose corners an integration in time has to step onto.
+R is 0 below the first knot, which is 0; beyond the last it continues along the straight line through its end.  `smooth`
+uses the monotone cubics of Fritsch and Carlson (1980), which neither overshoot nor ripple: a peak of the table is a
+peak of the curve.  `straight` uses straight lines; an integration in time has to step onto their corners.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Curve:
         return np.where(np.asarray(x) < 0, 0.0, value)
 
     def slope(self, x):
-        """dR/dδ at deflections of any shape; at a corner that of the right side"""
+        """dR/dδ at deflections of any shape; at a corner the right-hand value"""
         piece, t, _ = self._piece(x)
         _, b, c, d = np.moveaxis(self.coefficients[piece], -1, 0)
         return np.where(np.asarray(x) < 0, 0.0, b + t * (2 * c + 3 * t * d))

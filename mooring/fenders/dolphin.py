@@ -2,9 +2,9 @@
 
     R_dolphin(y₁) = R_fender(y₂),    y(y₂) = y₂ + y₁(R_fender(y₂))
 
-The pair is a fender again, in y.  Where the fender buckles faster than the dolphin is stiff, dy/dy₂ ≤ 0, the pair snaps
-through, and no static characteristic exists: that is refused with the stiffness that it takes.  Unloading keeps the
-fender's: at equal force the dolphin gives back all it took.
+The pair is again a fender, in y.  Where the fender buckles faster than the dolphin is stiff, dy/dy₂ ≤ 0, the pair snaps
+through, and no static characteristic exists: this is refused with the required stiffness.  The pair keeps the fender's
+unloading: at equal force the dolphin returns all of its energy.
 """
 
 from __future__ import annotations
@@ -19,20 +19,20 @@ from .fender import Fender, FenderError
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OnDolphin(Fender):
-    """A fender and its dolphin as one; deflections, and strains with them, are of both over the fender's height.
+    """A fender and its dolphin as one; deflections and strains are of both together, over the fender's height.
 
-    strains : (2, n), of both and of the fender itself, on loading; own_allowable : strain, of the fender itself
+    strains : (2, n), of both together and of the fender, on loading; own_allowable : strain, of the fender itself
     """
 
     strains: np.ndarray | None = None
     own_allowable: float = 0.0
 
     def own(self, deflection):
-        """m of a deflection of both, m, that is the fender's, by straight lines, which go on beyond the last"""
+        """m, the fender's part of a deflection of both, m, piecewise linear, extended beyond the last point"""
         return self.height * led_on(deflection / self.height, *self.strains)
 
     def whole(self, own):
-        """m of the deflection of both where `own` m are the fender's"""
+        """m, deflection of both for a fender deflection of `own` m"""
         return self.height * led_on(own / self.height, *self.strains[::-1])
 
 

@@ -1,9 +1,9 @@
 """Fenders by family, generic, and by tables of makers.
 
-A family is a shape, reaction over rated reaction by strain, that size and grade scale: `tables/shapes.csv`, with marks
+A family is a shape, reaction over rated reaction by strain, scaled by size and grade: `tables/shapes.csv`, with marks
 in `tables/families.csv` and their sources in both.  A maker's table is a CSV with the columns
 
-    strain (of the height) or deflection_m,  reaction_kN,  and where measured unloading_kN.
+    strain (of the height) or deflection_m,  reaction_kN,  and, if measured, unloading_kN.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from hakobune.meshing.text_files import csv_rows, read_text
 from .fender import FenderError, fender_of_points
 from .pneumatic import pneumatic
 
-WITHOUT = ("pi", "cylinder", "circle", "arch", "unit element")  # made, but with no public curve
+WITHOUT = ("pi", "cylinder", "circle", "arch", "unit element")  # manufactured, but without a public curve
 MARKS = ("rated", "allowable", "limit", "return_length")
 
 
@@ -46,7 +46,7 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
     """A generic `fender.Fender`.
 
     height : m, the diameter of a pneumatic one; length : m, of v, h and pneumatic fenders
-    rated_reaction : N, instead of that of the ordinary grade; pressure : Pa above the air, of a pneumatic one
+    rated_reaction : N, instead of that of the ordinary grade; pressure : Pa, gauge pressure of a pneumatic one
     raises : FenderError
     """
     if family not in names():

@@ -1,4 +1,4 @@
-"""A fender as a value: loading L(δ), unloading U(δ) ≤ L(δ), what it is rated for, and how far its table reaches.
+"""A fender as a value: loading L(δ), unloading U(δ) ≤ L(δ), its rated values, and the range of its table.
 
     E(δ) = ∫₀^δ L dδ,    R ∝ H² and E ∝ H³ at equal strain δ/H (geometrically similar fenders of one grade)
 
@@ -13,19 +13,19 @@ import numpy as np
 
 from .curves import Curve, smooth, straight
 
-RETURN = 0.05  # return length over the height: over it the reaction falls from loading to unloading
+RETURN = 0.05  # return length over the height: over this length the reaction falls from loading to unloading
 
 
 class FenderError(ValueError):
-    """A fender cannot be made or asked this; one line names what is wrong and what is allowed."""
+    """A fender cannot be made or evaluated; the message names the fault and the limit."""
 
 
 @dataclass(frozen=True, eq=False)
 class Fender:
     """loading, unloading : `curves.Curve` on the same knots, N over m; height : m, that strains refer to
 
-    return_length : m, over which a return goes from loading to unloading, see `hysteresis`
-    rated, allowable : strains; limit : m, where the table ends; overload : N/m beyond it, None: refused
+    return_length : m, over which unloading passes from the loading to the unloading curve, see `hysteresis`
+    rated, allowable : strains; limit : m, end of the table; overload : N/m beyond it, None: refused
     """
 
     name: str
@@ -60,12 +60,12 @@ class Fender:
         return self.loading(deflection)
 
     def energy(self, deflection):
-        """J taken up on loading.  Raises as `reaction`."""
+        """J absorbed on loading.  Raises as `reaction`."""
         self._check(deflection)
         return self.loading.integral(deflection)
 
     def returned(self, deflection):
-        """J given back from a deflection, all the way on the return from there"""
+        """J returned from a deflection to zero"""
         self._check(deflection)
         peak = float(deflection)
         below = max(peak - self.return_length, 0.0)
@@ -79,7 +79,7 @@ class Fender:
         return float(np.sum(half * w * force) + self.unloading.integral(below))
 
     def deflection_at_energy(self, energy):
-        """m at which an energy, J, is absorbed.  Raises FenderError where the table ends before."""
+        """m, deflection that absorbs an energy, J.  Raises FenderError if the table ends before."""
         last = np.inf if self.overload else self.limit
         most = self.loading.integral(self.limit)
         if energy > most and np.isfinite(last):
@@ -103,11 +103,11 @@ class Fender:
         return float(self.loading(self._grid(deflection)).max())
 
     def own(self, deflection):
-        """m of a deflection, m, that is the fender's own: all of it, where its support is rigid"""
+        """m, the fender's own part of a deflection, m: all of it with a rigid support"""
         return float(deflection)
 
     def whole(self, own):
-        """m of its deflection where `own` m are the fender's"""
+        """m, total deflection for a fender deflection of `own` m"""
         return float(own)
 
     @property

@@ -1,4 +1,4 @@
-"""Clear water between hulls, taken as the boxes that hold them, seen from above."""
+"""Clear water between hulls, represented by the boxes around them, seen from above."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 class Side(NamedTuple):
     """name : of a body; half : (2,) m, half of its length and beam; own : (2,) m, of its axes in its own coordinates
 
-    moves : its number among those that move, below 0 for none; place : (3,) m, m, rad of its axes at rest
+    moves : its number among moving bodies, below 0 for fixed ones; place : (3,) m, m, rad of its axes at rest
     """
 
     name: str
@@ -22,7 +22,7 @@ class Side(NamedTuple):
 
 
 def pairs_of(sides):
-    """(Side, Side) of which at least one moves, and whose boxes are apart at rest, as a float and its spar are not"""
+    """(Side, Side) of which at least one moves, and whose boxes do not overlap at rest, unlike a float and its spar"""
     rest = np.zeros((1, 1 + max((one.moves for one in sides), default=0), 6))
     for one in sides:
         if one.moves >= 0:
@@ -32,8 +32,8 @@ def pairs_of(sides):
 
 
 def gaps(sides, poses):
-    """(n, pairs) m of `pairs_of`, with the bodies at poses (n, N, 6) in space from their places at rest; below 0 by how
-    much hulls overlap
+    """(n, pairs) m of `pairs_of`, with the bodies at poses (n, N, 6) in space from their places at rest; negative for
+    the depth of an overlap
     """
     found = [_gap(*pair, poses) for pair in pairs_of(sides)]
     return np.stack(found, axis=-1) if found else np.zeros((len(poses), 0))

@@ -1,6 +1,6 @@
 """Unloading and reloading of a fender between its loading curve L and its unloading curve U.
 
-    R = U(δ) + s w(δ),    w = L − U ≥ 0,    ds = dδ/ℓ, held between 0 and 1;    s = 1 without contact
+    R = U(δ) + s w(δ),    w = L − U ≥ 0,    ds = dδ/ℓ, limited to 0 … 1;    s = 1 without contact
 
 s is a stop operator with the length ℓ: from first contact the reaction follows L, a return leads to U within ℓ, and a
 reloading back to L within ℓ.  With δ = p + ℓ s and Φ = ℓ ∫₀^s σ w(p + ℓσ) dσ
@@ -8,12 +8,12 @@ reloading back to L within ℓ.  With δ = p + ℓ s and Φ = ℓ ∫₀^s σ w(
     s w dδ = dΦ + (∫₀^s w(p + ℓσ) dσ) dp,
 
 where p rises only at s = 1 and falls only at s = 0: the last term is never negative, and neither is the work of any
-path that returns to where it was, however many loops are in it.  Φ is 0 without contact, so that a fender that is left
-and met again has nothing to give either.  The state after a straight step is exact, whatever the step.
+closed path, however many loops it has.  Φ is 0 without contact, so that a fender after a separation has no stored
+energy.  The state after a straight step is exact, whatever the step.
 
-`ContactTable` is what a simulation takes: `advanced_one` and `reaction_of` work on numbers alone.  A step of an
-integration keeps s from its start, evaluates stages with advanced_one(s, δ of the start, δ of the stage, ℓ), and
-stores the s of its end.
+A simulation uses `ContactTable`: `advanced_one` and `reaction_of` work on numbers alone.  A step of an integration
+keeps s from its start, evaluates stages with advanced_one(s, δ of the start, δ of the stage, ℓ), and stores the s of
+its end.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from hakobune.bem.kernels.in_memory import in_memory
 
 @in_memory
 class ContactTable(NamedTuple):
-    """Curves of m fenders in few arrays, all contiguous: kernels pay for each array that they are given
+    """Curves of m fenders in few arrays, all contiguous: every array argument of a kernel costs time
 
     first : (m + 1,) number of the first piece of each
     pieces : (…, 9) knot; loading and its width above unloading as cubics, lowest order first; the last piece of each is
     straight and goes on
-    marks : (m, 3) return length m; limit m, beyond which a simulation has to tell; 1 where it has to refuse, or 0
+    marks : (m, 3) return length m; limit m, beyond which a simulation reports; 1 where it refuses instead, or 0
     """
 
     first: np.ndarray
@@ -51,7 +51,7 @@ def contact_table(fenders):
 def _with_tail(fender):
     width = fender.loading.minus(fender.unloading)
     tails = [[[float(c(c.end)), float(c.slope(c.end)), 0.0, 0.0]] for c in (fender.loading, width)]
-    tails[1][0][1] = max(tails[1][0][1], 0.0)  # a width that falls would end below 0
+    tails[1][0][1] = max(tails[1][0][1], 0.0)  # a decreasing width would become negative
     columns = (
         np.concatenate([curve.coefficients, tail]) for curve, tail in zip((fender.loading, width), tails, strict=True)
     )
@@ -78,8 +78,7 @@ def reaction_at(fender, deflection, state):
 
 
 def followed(fender, deflection):
-    """Reactions (n,) N and states (n,) along a path of deflections (n,) m, of which the first is met without contact
-    before it."""
+    """Reactions (n,) N and states (n,) along a path of deflections (n,) m, without contact before the first."""
     states, before, s = [], 0.0, 1.0
     for after in np.asarray(deflection, float):
         s = float(advanced(s, before, after, fender.return_length))

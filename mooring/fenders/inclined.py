@@ -1,12 +1,12 @@
-"""A fender under a face that is inclined to it by α: strips across its width w, each pressed by itself.
+"""A fender under a face inclined by α: strips across its width w, each compressed separately.
 
     R_α(δ) = (1/w) ∫₀^w R(δ − s tan α) ds = [E(δ) − E(δ − a)]/a,    a = w tan α,    E(x) = ∫₀^x R,  0 for x < 0
 
-δ is the deflection of the edge that is pressed most, and what a fender is rated for is the strain of that edge.  The
-unloading curve is the mean of its strips too: they turn together, so that all in contact have one state of
-`hysteresis`.  Exact for fenders of equal height behind one stiff panel, as their number grows, and for a profile that
-carries nothing along its length; of a single cell or cone an estimate.  SR179 report (1982), chapter 3.4, asks for the
-maker's curve of inclined compression where a side force is above a tenth of the axial one, and prints none.
+δ is the deflection of the most compressed edge, and the fender's rated strain refers to that edge.  The unloading curve
+is also the mean over strips: they turn together, so that all in contact have one state of `hysteresis`.  Exact for many
+fenders of equal height behind one stiff panel, and for a profile without stiffness along its length; for a single cell
+or cone an estimate.  SR179 report (1982), chapter 3.4, requires the maker's curve of inclined compression where a side
+force exceeds a tenth of the axial one, and prints none.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ POINTS = 201
 
 
 def inclined(fender, width, angle):
-    """`fender.Fender` pressed by a face inclined by `angle`, rad, over its `width`, m.  Raises FenderError."""
+    """`fender.Fender` compressed by a face inclined by `angle`, rad, over its `width`, m.  Raises FenderError."""
     if not 0 <= angle <= math.radians(STEEPEST):
         raise FenderError(
             f"{fender.name}: its face is inclined by {math.degrees(angle):g}°; allowed: 0 to {STEEPEST:g}"

@@ -1,7 +1,7 @@
 """Reaction of a pneumatic fender by the gas law.
 
-A skin that does not stretch, pressed between two plates to h = D − δ, takes the section of a stadium: its perimeter
-πD = πh + 2b leaves flats of b = πδ/2.  With x = δ/D the section is (1 − x²) of the round one, and so is the volume
+An inextensible skin, compressed between two plates to h = D − δ, has the section of a stadium: its perimeter πD = πh +
+2b leaves flats of b = πδ/2.  With x = δ/D the section is (1 − x²) of the round one, and so is the volume
 
     p + p_air = (p₀ + p_air) (1 − x²)^−γ,    R = p b [L − D + (π/2) a],    a = ½ √(D² − h²)
 
@@ -16,7 +16,7 @@ import numpy as np
 from .fender import FenderError, fender_of_points
 
 AIR = 101_325.0  # Pa
-SECONDS = 1.4  # γ; 1.0 where it takes minutes
+SECONDS = 1.4  # γ for a compression of seconds; 1.0 for minutes
 RATED, LIMIT = 0.55, 0.65  # SR179 report (1982), chapter 3.3.2: allowable about 55 % of the diameter
 
 

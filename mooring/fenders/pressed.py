@@ -1,7 +1,7 @@
-"""A linear system that presses fenders, in time: ż = A z + B R(δ), δ = P z − gap(t), R with its hysteresis.
+"""A linear system that compresses fenders, in time: ż = A z + B R(δ), δ = P z − gap(t), R with its hysteresis.
 
-By Gauss's method with two stages: fourth order, stable for any decay in A, quadratic energies kept to rounding.  Its
-stages z_i = F z + G R, with the reactions of both, are found by iteration.
+By Gauss's method with two stages: fourth order, stable for any decay in A, quadratic energies conserved to rounding.
+Its stages z_i = F z + G R, with the reactions of both, are found by iteration.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ class Pressed:
         self.answer = self.both @ self.from_force
 
     def rows(self, z, gap, gaps):
-        """Of each step from z (m,): z, deflection (k,) m, below 0 without contact, state (k,) of `hysteresis`, and the
-        stages (2, m) that follow; the fenders are free before.
+        """For each step from z (m,): z, deflection (k,) m, below 0 without contact, state (k,) of `hysteresis`, and the
+        next stages (2, m); the fenders are initially free.
 
-        gap : (k,) m at the begin; gaps : of (3, k) m, at both `NODES` and the end of every step
+        gap : (k,) m at the beginning; gaps : of (3, k) m, at both `NODES` and the end of every step
         raises : FenderError where the steps are too long
         """
         state, start = [1.0] * self.k, self.place @ z - gap
@@ -58,7 +58,7 @@ class Pressed:
         return z + 0.5 * self.h * (self.A @ stages.sum(axis=0) + self.B @ both.sum(axis=0)), stages
 
     def _reactions(self, state, start, deflection):
-        """(2k,) N at deflections (2k,) of both stages, of fenders that had `state` at `start` (k,)"""
+        """(2k,) N at deflections (2k,) of both stages, of fenders with `state` at `start` (k,)"""
         out = []
         for i, after in enumerate(deflection):
             j = i % self.k

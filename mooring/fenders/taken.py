@@ -1,4 +1,4 @@
-"""What fenders do with an energy: how far each is pressed, and how hard it pushes on the way."""
+"""Effect of an energy on fenders: the deflection of each, and its largest reaction on the way."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .fender import FenderError
 
 
 def deflection_of(fender, energy):
-    """m at which a fender has taken up an energy, J; nan where its table ends before"""
+    """m, deflection at which a fender has absorbed an energy, J; nan if its table ends before"""
     try:
         return fender.deflection_at_energy(energy)
     except FenderError:
@@ -16,7 +16,7 @@ def deflection_of(fender, energy):
 
 
 def at_deflections(fenders, deflections):
-    """Strain of each fender itself, and its largest reaction, N, on the way to its deflection, m; nan where that is"""
+    """Strain of each fender itself, and its largest reaction, N, up to its deflection, m; nan where that is nan"""
     strain, reaction = np.full((2, len(fenders)), np.nan)
     for k, (one, x) in enumerate(zip(fenders, deflections, strict=True)):
         if np.isfinite(x):

@@ -1,9 +1,9 @@
-"""How far a fender may be from its catalogue: bands of factors on its reaction, and what they make together.
+"""Deviation of a fender from its catalogue: bands of factors on its reaction, and their combination.
 
     R = f(δ) Π factors;    softest Π smallest,  stiffest Π largest
 
-(1 − γ of the SR179 report (1982), eq. 3.7.1.11; bands of its chapter 3.4, `tables/variation.csv`.)  `drawn` takes each
-factor from its band by chance, evenly and apart from the others: what share of fenders is softer or stiffer.
+(1 − γ of the SR179 report (1982), eq. 3.7.1.11; bands of its chapter 3.4, `tables/variation.csv`.)  `drawn` draws each
+factor from its band at random, uniformly and independently: the share of softer or stiffer fenders follows.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def bands():
 
 
 def chosen(causes=None, **own):
-    """Bands of the causes named, all if None, those in `own` in place of the table's.  Raises FenderError."""
+    """Bands of the named causes, all if None, with those in `own` instead of the table's.  Raises FenderError."""
     table = bands() | own
     unknown = [cause for cause in causes or () if cause not in table]
     if unknown:
@@ -44,13 +44,13 @@ def extremes(table):
 
 
 def drawn(table, count, seed):
-    """(count,) factors of fenders whose causes are drawn evenly from their bands"""
+    """(count,) factors of fenders whose causes are drawn uniformly from their bands"""
     low, high = np.array(list(table.values())).T
     return np.prod(np.random.default_rng(seed).uniform(low, high, (count, len(low))), axis=1)
 
 
 def velocity_factor(period):
-    """Factor on the reaction of a cycle of `period` s: 1.1 at 1 s and below, 1 at 10 s and above, straight in log T.
+    """Factor on the reaction of a cycle of `period` s: 1.1 at 1 s and below, 1 at 10 s and above, linear in log T.
 
     SR179 report (1982), chapter 3.4: +10 % at 1 s, notable below 5 s, none above 10 s.
     """

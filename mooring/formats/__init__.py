@@ -1,1 +1,1 @@
-"""Files of other mooring codes: MoorDyn input, MoorPy YAML, and results under the names MoorDyn's users know."""
+"""Files of other mooring codes: MoorDyn input, MoorPy YAML, and results under MoorDyn's names."""

@@ -16,7 +16,7 @@ from .moordyn_system import read_moordyn_system
 
 
 def read_fast_farm(path, depth=None):
-    """The System of a farm; depth : m, where MoorDyn's file does not say it.  Raises FormatError."""
+    """The System of a farm; depth : m, if MoorDyn's file does not give it.  Raises FormatError."""
     path = Path(path)
     lines = read_text(path, FormatError, errors="replace").splitlines()
     count = _value(lines, "NumTurbines")
@@ -39,7 +39,7 @@ def read_fast_farm(path, depth=None):
 
 
 def _value(lines, name):
-    """The value before a name, None where it is not there"""
+    """The value before a name, None without it"""
     for line in lines:
         if re.search(rf"^\s*\S.*?\s{name}\b", line):
             try:

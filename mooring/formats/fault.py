@@ -1,10 +1,10 @@
-"""The one error of the readers: file, line and section, and what is wrong there."""
+"""The error of all readers: file, line and section, and the fault there."""
 
 from __future__ import annotations
 
 
 class FormatError(ValueError):
-    """A file that cannot be read or written; one line says where and why."""
+    """A file cannot be read or written; the message gives the place and the reason."""
 
 
 def fault(path, line, section, what):

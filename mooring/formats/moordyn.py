@@ -1,10 +1,9 @@
 """MoorDyn input files, read and written: tables of text under headings of dashes.
 
-Columns are found by the names in the table's first line, so files of version 1 and 2 are both read; where these
-names are not known the order of version 2 is taken.  A row has an entry for every column; what follows # is a note.
-What is read is kept as it stands, also what the statics of `mooring.lines` cannot use: `moordyn_system` makes a System
-of it, or says why not.
-MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
+Columns are found by the names in the table's first line, so files of version 1 and 2 are both read; with unknown names
+the order of version 2 is assumed.  A row has an entry for every column; text after # is a note. All content is kept as
+written, including content that the statics of `mooring.lines` cannot use: `moordyn_system` makes a System of it, or
+reports why not. MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ from .moordyn_rows import (
 class MoorDynFile:
     """All sections of a file; options : {name: value as text}; outputs : channel names
 
-    syrope, control, external : the lines of these sections as they stand
+    syrope, control, external : the lines of these sections as written
     """
 
     title: tuple[str, ...] = ()
@@ -57,7 +56,7 @@ class MoorDynFile:
         return f"<MoorDynFile {len(self.lines)} lines, {len(self.points)} points, {len(self.bodies)} bodies>"
 
     def option(self, *names, default=None):
-        """The value of the first of some option names that is given, whatever its case."""
+        """The value of the first given option among some names, in any case."""
         given = {name.lower(): value for name, value in self.options.items()}
         return next((given[name.lower()] for name in names if name.lower() in given), default)
 
@@ -69,12 +68,12 @@ IDLE = ("fx", "fy", "fz", "ctrlchan", "calcchans")  # forces on points and winch
 
 def read_moordyn(path) -> MoorDynFile:
     """The MoorDynFile of a path.  Raises FormatError with line and section."""
-    # units as m³ are often in a code page of Windows; whatever is read is in ASCII
+    # units such as m³ are often in a code page of Windows; all content that is read is ASCII
     return parse_moordyn(read_text(path, FormatError, errors="replace", largest=LARGEST), path)
 
 
 def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
-    """The MoorDynFile of a text; `path` is what errors call it."""
+    """The MoorDynFile of a text; `path` is its name in error messages."""
     title, found, key, first = [], {}, None, 0
     lines = text.splitlines()
     for number, line in enumerate(lines, 1):
@@ -93,7 +92,7 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
             title += [line.rstrip()] if line.strip() else []
         elif SECTIONS[key].row is None:
             found[key] += [(number, line)] if line.strip() else []
-        elif line.split("#")[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units be "(#)"
+        elif line.split("#")[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units may be "(#)"
             found[key] += [(number, line)] if line.strip() and not COUNT.match(line) else []
     alone = "lines" not in found
     if alone and not (found.get("rods") or found.get("bodies")):
@@ -150,10 +149,10 @@ def _rows(key, rows, path):
 
 
 def _columns(key, names, counts, place):
-    """Fields in the order of a file's columns; None for those of IDLE
+    """Fields in the order of a file's columns; None for those in IDLE
 
-    counts : how many entries rows have; words behind that many known names are a remark
-    place : path, line and section, for the fault of a name that is not known where others stand in another order
+    counts : number of entries per row; words after this number of known names are a remark
+    place : path, line and section, for the fault of an unknown name where the order of other names differs
     """
     known = _fields(key)
     names = [name.lower() for name in names]
@@ -210,7 +209,7 @@ def _value(kind, name, word, number, section, path):
 
 
 def _options(rows, path):
-    """{name: value}; a table may open with a line of names and one of units"""
+    """{name: value}; a table may begin with a line of names and one of units"""
     made = {}
     for number, line in rows:
         words = line.split()
@@ -254,7 +253,7 @@ def moordyn_text(file: MoorDynFile) -> str:
 
 
 def _table(section, rows):
-    """Lines of a table; columns that no row fills are left out"""
+    """Lines of a table; columns that are empty in all rows are omitted"""
     used = [
         i
         for i, name in enumerate(section.row._fields)
@@ -275,5 +274,5 @@ def _cell(value):
 
 
 def write_moordyn(file: MoorDynFile, path):
-    """Write a MoorDyn v2 input file, replacing what is there.  Raises `meshing.whole_files.NotWritten`."""
+    """Write a MoorDyn v2 input file, replacing an existing one.  Raises `meshing.whole_files.NotWritten`."""
     write_whole(path, moordyn_text(file))

@@ -1,9 +1,9 @@
-"""Lines of a MoorDyn file out of the water: what is above it weighs what it does in air.
+"""Lines of a MoorDyn file out of the water: parts above the surface have their weight in air.
 
-Lines that cannot reach the water have a type of that weight: of a line L long whose ends are at z_a and z_b no point is
-lower than (z_a + z_b − L)/2, and a free point at its end no lower than L below the other end.  Of other lines with an
-end above the water the parts above it do (`mooring.lines.system.surfacing`); where they float or have a table of
-stiffness, they weigh there what they do in water, which is said.
+Lines that cannot reach the water have a type with that weight: for a line of length L with ends at z_a and z_b no point
+is lower than (z_a + z_b − L)/2, and a free point at its end no lower than L below the other end.  Other lines with an
+end above the water have it for their parts above the water (`mooring.lines.system.surfacing`); lines that float or have
+a table of stiffness keep their weight in water there, which a warning reports.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ import numpy as np
 from ..lines.system.bodies import rotation
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
 
-STILL = 1e-6  # N/m: weight of a line that weighs nothing in water; the solver wants one
-OUT = 1e-6  # m: how far an end above the water is out of it
-DIPS = 1e-3  # part of the length that may enter the water and still counts as dry
+STILL = 1e-6  # N/m: weight of a line of zero weight in water, since the solver needs one
+OUT = 1e-6  # m: height above the water from which an end counts as out of it
+DIPS = 1e-3  # part of the length that may enter the water while a line still counts as dry
 
 
 def in_air(lines, points, bodies, water):
-    """The lines, those that cannot reach the water with a type of their weight in air; their names"""
+    """The lines, where those that cannot reach the water have a type with weight in air; their names"""
     lowest = _lowest(lines, points, bodies)
     dry = [_is_dry(line, lowest) for line in lines] if water.density > 0 else [False] * len(lines)
     wet = {line.type.name for line, out in zip(lines, dry, strict=True) if not out and isinstance(line, UniformLine)}
@@ -42,7 +42,7 @@ def _aired(kind, wet, water):
 
 
 def heights(points, bodies):
-    """{name: m} of all points where they are given"""
+    """{name: m} of all points as given"""
     turned = {body.name: (body.position[2], rotation(*body.position[3:])) for body in bodies}
     found = {}
     for point in points:
@@ -52,7 +52,7 @@ def heights(points, bodies):
 
 
 def _lowest(lines, points, bodies):
-    """{name: m} that no point gets below; −inf where a free body or a chain of free points bears it"""
+    """{name: m} lowest possible height of each point; −inf where a free body or a chain of free points carries it"""
     given, moves = heights(points, bodies), {body.name for body in bodies if body.freedom}
     held = {
         point.name
@@ -68,7 +68,7 @@ def _lowest(lines, points, bodies):
 
 
 def weighed_differently(system):
-    """Names of lines that weigh what they do in water above it too, and in MoorDyn do not"""
+    """Names of lines with their weight in water above the surface too, unlike in MoorDyn"""
     above = heights(system.points, system.bodies) if system.density > 0 else {}
     high = {name for name, z in above.items() if z > OUT}
     return [
@@ -82,7 +82,7 @@ def weighed_differently(system):
 
 
 def out_of_water(lines, points, bodies, dry, water):
-    """The lines, those with an end above the water where it is given with their weight in air; text of those without.
+    """The lines, those with a given end above the water with their weight in air; a message on those without.
 
     dry : names of `in_air`
     """

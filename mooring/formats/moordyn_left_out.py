@@ -1,7 +1,7 @@
-"""What a MoorDyn file asks for that lines at rest on a flat bed in still water do not have: one text for each kind.
+"""Contents of a MoorDyn file that lines at rest on a flat bed in still water do not support: one text for each kind.
 
 Settings of a run in time (step, scheme, relaxation, outputs, stiffness and damping of the bed, drag, added mass, axial
-damping) change nothing at rest and are not named; of lines that move bending stiffness counts.  MoorDyn 2.7
+damping) have no effect at rest and are not named; bending stiffness is named for moving lines.  MoorDyn 2.7
 documentation, "Inputs" and "Features".
 """
 
@@ -20,7 +20,7 @@ BROUGHT_IN = {
     "seafloorfile": "the bathymetry",
     "bathfile": "the bathymetry",
 }
-# settings of a run in time, and what the System understands, between blanks
+# settings of a run in time, and those supported by the System, separated by blanks
 IN_TIME = (
     " dtm dt cfl tscheme kbot kb cbot cb dtic icdt tmaxic ictmax cdscaleic icdfac threshic icthresh icgendynamic "
     "gendynamicic fileic icfile dtwave unifycurrentgrid writelog writeunits dtout disableoutput disableouttime "
@@ -30,7 +30,7 @@ UNDERSTOOD = " wtrdpth depth waterdepth wtrdnsty rho rhow wtrdens g gravity grav
 
 
 def left_out(file, moves=False):
-    """[text] for each kind of thing of a MoorDynFile that its System does not have; moves : of lines in motion"""
+    """[text] for each kind of content of a MoorDynFile that its System does not support; moves : for moving lines"""
     said = [*_of_types(file, moves), *_of_options(file)]
     joints = [row.id for row in file.rods if (row.xa, row.ya, row.za) == (row.xb, row.yb, row.zb)]
     bent = [row.name for row in file.rod_types if file.rods and file.lines]
@@ -85,7 +85,7 @@ def _of_options(file):
 
 
 def _number(text):
-    """Whether a line that moves can bend with it; not with a table"""
+    """Whether a moving line can have this bending stiffness; False for a table"""
     try:
         return isfinite(float(text))
     except ValueError:

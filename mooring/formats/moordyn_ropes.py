@@ -1,16 +1,16 @@
 """Line types of a MoorDyn file whose tension is a table over strain, and Syrope polyester ropes at rest.
 
-A new polyester rope follows its original working curve, slowly loaded.  Once its mean tension has been T_max it keeps
-a stretch: below T_max it goes along a working curve from (ε₀, 0) to (ε_max, T_max), ε_max on the original curve, with
-ξ = (ε − ε₀) / (ε_max − ε₀):
+A new polyester rope follows its original working curve under slow loading.  Once its mean tension has reached T_max it
+keeps a stretch: below T_max it follows a working curve from (ε₀, 0) to (ε_max, T_max), ε_max on the original curve,
+with ξ = (ε − ε₀) / (ε_max − ε₀):
 
     LINEAR T_max ξ,    QUADRATIC T_max ξ (k₂ ξ + 1 − k₂),    EXP T_max (e^{k₂ ξ} − 1) / (e^{k₂} − 1)
 
-ε₀ = k₁ ε_max, or where a LINEAR k₁ is 1 or more, ε_max − T_max / k₁.  Above T_max the original curve goes on.  So at
-rest tension is one rising curve over strain, whatever way the rope got there below T_max; the fast stiffness
-EA_Dc + EA_D_Lm T is of motions alone.  A rope with a stretch ε₀ is one of (1 + ε₀) times the length.
-MoorDyn 2.7 documentation, "Inputs", Nonlinear Stiffness and Syrope Model for Polyester Lines; Wei, Bingham and Shao,
-"Extended Moordyn Solver and Validation Report" (2026).
+ε₀ = k₁ ε_max, or for a LINEAR k₁ of 1 or more, ε_max − T_max / k₁.  Above T_max the original curve applies.  At rest
+the tension is therefore one rising curve over strain, independent of the path below T_max; the fast stiffness EA_Dc +
+EA_D_Lm T applies only in motion.  A rope with a stretch ε₀ is one of (1 + ε₀) times the length. MoorDyn 2.7
+documentation, "Inputs", Nonlinear Stiffness and Syrope Model for Polyester Lines; Wei, Bingham and Shao, "Extended
+Moordyn Solver and Validation Report" (2026).
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def curve_of_line(row, kind, syrope, path):
 
 
 def segment_of_curve(kind, length, curve):
-    """The Segment of a LineType that stretches by a curve (k, 2); length : m, of the rope when it was new."""
+    """The Segment of a LineType with an elongation curve (k, 2); length : m, of the new rope."""
     kept = 1 + float(curve[0, 0])
     table = tuple(zip((curve[:, 0] + 1) / kept - 1, curve[:, 1], strict=True))
     return Segment(length * kept, kind.weight / kept, table, kind.diameter, kind.breaking_load, kind.name)
@@ -132,7 +132,7 @@ def _working_curves(folder, name):
 
 
 def _table(path):
-    """(n, 2) strain and tension, N, from 0, 0; lines that are no numbers are its heading"""
+    """(n, 2) strain and tension, N, from 0, 0; lines without numbers are its header"""
     rows = []
     for number, line in enumerate(read_text(path, FormatError).splitlines(), 1):
         values = [finite_number(word) for word in line.split()]

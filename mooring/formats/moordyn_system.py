@@ -1,11 +1,11 @@
 """A MoorDyn file as a System of lines at rest.
 
-Coupled points and bodies are held where they are given: by the vessel, whose place a run in time would prescribe.
-The points belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …; other names are the
-ids of the file.  Ends of a rod that is held are points "R1A", "R1B"; a free rod without length is one free point "R1",
-one with a length a body "rod 1" that floats or sinks whole.  A free body has its weight at its CG and its buoyancy,
-whole, at its origin.  Submerged weight is (mass − ρ π/4 d²) g, that of lines above the water mass g: `moordyn_dry`.
-What statics cannot represent is refused by name, or left out with a warning for each kind.
+Coupled points and bodies are fixed at their given places: a run in time would move them with the vessel. The points
+belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …; other names are the ids of the
+file.  Ends of a fixed rod are points "R1A", "R1B"; a free rod without length is one free point "R1", one with a length
+a body "rod 1" that floats or sinks as a whole.  A free body has its weight at its CG and its buoyancy, as a whole, at
+its origin.  Submerged weight is (mass − ρ π/4 d²) g, that of lines above the water mass g: `moordyn_dry`. Content that
+statics cannot represent is refused by name, or omitted with a warning for each kind.
 """
 
 from __future__ import annotations
@@ -51,13 +51,13 @@ class _Water(NamedTuple):
 
 
 def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=False, turbines=None) -> System:
-    """The System of what was read.
+    """The System of a MoorDynFile.
 
-    turbines : {number: (x, y, z)} m, where the turbines of a farm stand, whose points are Turbine1 …
-    depth : m, for a file that does not say it or has a bathymetry; else that of its lowest point, with a warning
-    moves : whether its lines are to move by themselves, which then weigh as in air above the water
-    warns : of each kind of thing that is left out
-    raises : FormatError for what is not represented, ValueError for what cannot be
+    turbines : {number: (x, y, z)} m, places of the turbines of a farm, whose points are Turbine1 …
+    depth : m, for a file without depth or with a bathymetry; by default that of its lowest point, with a warning
+    moves : whether its lines are to be simulated in time; their weight above the water is then that in air
+    warns : for each kind of omitted content
+    raises : FormatError for unsupported content, ValueError for impossible values
     """
     if not file.lines:
         others = ", ".join(title for title, rows in (("BODIES", file.bodies), ("RODS", file.rods)) if rows)
@@ -85,7 +85,7 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
 
 
 def _lines(file, types, friction, path):
-    """A UniformLine each, or where its type is a table over strain a CompositeLine"""
+    """A UniformLine each, or a CompositeLine if its type is a table over strain"""
     tabulated = {row.name: row for row in file.line_types if is_tabulated(row)}
     syrope, made = largest_tensions(file, path) if tabulated else {}, []
     for row in file.lines:
@@ -100,7 +100,7 @@ def _lines(file, types, friction, path):
 
 
 def read_moordyn_system(path, depth=None, turbines=None) -> System:
-    """The System of a MoorDyn input file; depth : m, where the file does not say it; turbines : `system_of_moordyn`"""
+    """The System of a MoorDyn input file; depth : m, if the file does not give it; turbines : `system_of_moordyn`"""
     return system_of_moordyn(read_moordyn(path), path, depth, turbines=turbines)
 
 
@@ -115,7 +115,7 @@ def _option(file, path, default, names):
 
 
 def _depth(file, path, given):
-    """m, and what is to be said of it; a point below the bed lowers the bed, as MoorDyn has it"""
+    """m, and a message on it; a point below the bed lowers the bed, as in MoorDyn"""
     text, said = file.option(*DEPTH), []
     lowest = max((-row.z for row in file.points if row.attachment.lower() in (*FIXED, *COUPLED, *FREE)), default=0.0)
     try:
@@ -174,7 +174,7 @@ def _end(name):
 
 
 def _points_and_bodies(file, water, lines, turbines):
-    """Points of points and rods, the bodies that bear lines, and what is said of those that bear none"""
+    """Points for points and rods, bodies with lines, and a message on bodies without lines"""
     used = {end for line in lines for end in (line.a, line.b)}
     points = [_point(row, file.bodies, water.path, turbines) for row in file.points]
     idle = [point.name for point in points if isinstance(point, FreePoint) and point.name not in used]
@@ -202,7 +202,7 @@ def _points_and_bodies(file, water, lines, turbines):
 
 
 def _check_idle(row, file, path):
-    """A rod without lines changes nothing at rest, unless it turns about a point of a body that moves"""
+    """A rod without lines has no effect at rest, unless it turns about a point of a moving body"""
     kind = row.attachment.lower()
     body = _body_of(kind.removesuffix("pinned"), file.bodies)
     if kind.endswith("pinned") and body is not None and body.attachment.lower() in FREE:
@@ -213,14 +213,14 @@ def _check_idle(row, file, path):
 
 
 def _body_of(attachment, bodies):
-    """The BodyRow an attachment "Body1" names, None where there is none"""
+    """The BodyRow named by an attachment "Body1"; None without one"""
     kind = attachment.lower()
     number = kind.removeprefix("body").removeprefix("b")
     return next((row for row in bodies if kind[0] == "b" and row.id == number), None)
 
 
 def _rod(row, file, water):
-    """Points at the ends of a rod, and the body it is where it moves"""
+    """Points at the ends of a rod, and the body of a moving rod"""
     names, kind = (f"R{row.id}A", f"R{row.id}B"), row.attachment.lower()
     ends = (row.xa, row.ya, row.za), (row.xb, row.yb, row.zb)
     if kind in FIXED:
@@ -251,7 +251,7 @@ def _free_rod(row, names, ends, file, water):
 
 
 def _weight(row, file, water):
-    """N, of a rod in water, which acts at its middle"""
+    """N, weight of a rod in water, which acts at its middle"""
     kind = next((kind for kind in file.rod_types if kind.name == row.type), None)
     if kind is None:
         raise FormatError(f"{water.path}, section RODS: rod {row.id}: type {row.type!r} is unknown")
@@ -323,7 +323,7 @@ def _body(row, file, water):
         raise FormatError(
             f"{path}, section BODIES: attachment of body {row.id} is {row.attachment!r}; allowed: Fixed, Coupled, Free"
         )
-    position = (*position[:3], 0.0, 0.0, position[5])  # heeled it only starts: see `left_out`
+    position = (*position[:3], 0.0, 0.0, position[5])  # a heeled start only: see `left_out`
     cg = _numbers(row, "CG", path, 3)
     x, y, z = cg if len(cg) == 3 else (0.0, 0.0, cg[0])
     buoyancy = water.density * water.gravity * row.volume

@@ -1,15 +1,15 @@
-"""A System of lines as a MoorDyn v2 input file, with a time step its lines are stable at.
+"""A System of lines as a MoorDyn v2 input file, with a time step at which its lines are stable.
 
 An axial wave of the shortest segment, l long, has the angular frequency and the rate of decay
 
     ω = 2 √(EA/m) / l,    σ = 4 BA / (m l²) = 2 ζ ω,
 
 a node at the bed ω² = k d/m and σ = c d/m with the bed's kBot and cBot, a bent one ω = 4 √(EI/m) / l².  A free point
-with half the mass of the segments at it and a mass of its own, ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M), is no faster than the
-fastest of its lines.  MoorDyn's scheme, Runge–Kutta of second order, keeps a decaying motion to σ dt = 2; of an
-undamped one it adds (ω dt)⁴/8 a step.  dtM is the least 0.2/ω and 1/σ, rounded down.  Masses are those in air: added
-mass only slows the nodes down.
-MoorDyn 2.7 documentation, "Inputs" (names of options) and "Troubleshooting" (time step).
+with half the mass of the segments at it and its own mass, ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M), is no faster than the fastest
+of its lines.  MoorDyn's scheme, Runge–Kutta of second order, is stable for a decaying motion up to σ dt = 2; an
+undamped one grows by (ω dt)⁴/8 a step.  dtM is the least of 0.2/ω and 1/σ, rounded down.  Masses are those in air:
+added mass only slows the nodes down. MoorDyn 2.7 documentation, "Inputs" (names of options) and "Troubleshooting" (time
+step).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .moordyn_rows import BodyRow, LineRow, LineTypeRow, PointRow
 
 SEGMENTS = 20  # segments of a line without a number of segments
 LONGEST_STEP = 0.05  # s
-# settings of a run in time under the names of version 2, and those of version 1; all else a System says itself
+# settings of a run in time under the names of versions 2 and 1; a System gives all others
 SETTINGS = {
     "kBot": ("kBot", "kb"),
     "cBot": ("cBot", "cb"),
@@ -41,7 +41,7 @@ SETTINGS = {
     "StatDynFricScale": ("StatDynFricScale",),
     "dtOut": ("dtOut",),
 }
-BED = {"kBot": "3.0e6", "cBot": "3.0e5"}  # MoorDyn's own, Pa/m and Pa s/m
+BED = {"kBot": "3.0e6", "cBot": "3.0e5"}  # MoorDyn's defaults, Pa/m and Pa s/m
 # MoorDyn's static solution can leave free points far from rest (65 times the tension in one file)
 RELAXED = {"ICgenDynamic": "1"}
 
@@ -49,9 +49,9 @@ RELAXED = {"ICgenDynamic": "1"}
 def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> MoorDynFile:
     """The MoorDynFile of a System, for a dynamic run.
 
-    source : the file it was read from, whose settings of a run in time are kept
-    Bodies are written as Coupled, held where they are given: their hydrostatics and loads are not MoorDyn's to know.
-    raises : FormatError where a type has no mass or diameter, the friction differs from line to line, or a line has
+    source : the file that it was read from, whose settings of a run in time are kept
+    Bodies are written as Coupled, fixed in place: MoorDyn receives no hydrostatics and loads of theirs.
+    raises : FormatError for a type without mass or diameter, friction that differs between lines, or a line with
         segments
     """
     cut = [line.name for line in system.lines if not isinstance(line, UniformLine)]
@@ -77,8 +77,8 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     lighter = weighed_differently(system)
     if lighter:
         warnings.warn(
-            f"line {', '.join(lighter)} comes out of the water; there it weighs here what it does in water, and in "
-            "MoorDyn what it does in air",
+            f"line {', '.join(lighter)} comes out of the water; the part above has its weight in water here, and its "
+            "weight in air in MoorDyn",
             stacklevel=2,
         )
     lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]
@@ -117,7 +117,7 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
 
 
 def _positive(name, text):
-    """The number of an option that was read"""
+    """The number of an option of the source file"""
     try:
         value = float(text)
     except ValueError:

@@ -2,8 +2,8 @@
 
 Keys: water_depth (depth), water_density (rho_water, rho), line_types, points, lines; mass_density is mass per metre, so
 the submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors, vessel and fairlead
-belong to one body "vessel" at the origin, body1 … to "body 1" …, free and connection move.  anchor_types and costs are
-passed over.  NREL/MoorPy 1.3, `System.parseYAML`.
+belong to one body "vessel" at the origin, body1 … to "body 1" …, free and connection are free points.  anchor_types and
+costs are ignored.  NREL/MoorPy 1.3, `System.parseYAML`.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ READ = ("water_depth", "depth", "water_density", "rho_water", "rho", *KNOWN, "an
 
 
 def read_moorpy(path, depth=None) -> System:
-    """The System of a MoorPy or RAFT file; depth : m, for files that leave it to the program."""
+    """The System of a MoorPy or RAFT file; depth : m, for files that do not give it."""
     return system_of_moorpy(parse_yaml(read_text(path, FormatError, largest=LARGEST), path), path, depth)
 
 
@@ -73,7 +73,7 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
 
 
 def _check_kind(data, path):
-    """Raises FormatError for what is no table of MoorPy or RAFT, saying what it is where that is known"""
+    """Raises FormatError for a file that is no table of MoorPy or RAFT; the message names its kind if known"""
     if not isinstance(data, dict):
         raise FormatError(f"{path}: the file is not a table of keys; this is no MoorPy file")
     if FAMODEL & set(data):

@@ -36,7 +36,7 @@ def is_orcaflex(data):
 
 
 def system_of_orcaflex(data, path="YAML file", depth=None) -> System:
-    """The System of nested dictionaries; depth : m, where the file has none.  Raises FormatError that names the key."""
+    """The System of nested dictionaries; depth : m, if the file has none.  Raises FormatError, which names the key."""
     rows = data.get("Lines")
     if not rows:
         more = f": it holds what differs from {data['BaseFile']}" if data.get("BaseFile") else ""
@@ -68,7 +68,7 @@ def system_of_orcaflex(data, path="YAML file", depth=None) -> System:
 
 
 def column(row, key):
-    """Values of a key in a table of OrcaFlex, of all its places; [] where it is not there"""
+    """Values of a key in a table of OrcaFlex, at all its places; [] for a missing key"""
     for names, values in row.items():
         parts = [part.strip() for part in str(names).split(",")]
         if key in parts and isinstance(values, list) and values and isinstance(values[0], list):
@@ -91,7 +91,7 @@ def _named(data, section, path):
 
 
 def _number(row, key, where, path, unit, default=None):
-    """SI; a text of a number counts, which YAML 1.1 makes of 854e3"""
+    """SI; a number as text is accepted, since YAML 1.1 reads 854e3 as text"""
     value = next((value for value in column(row, key) if value is not None), default)
     if value is default and default is not None:
         return float(default)
@@ -106,7 +106,7 @@ def _number(row, key, where, path, unit, default=None):
 
 
 def _end(row, line, number, letter, vessels, units, depth, path):
-    """Point of an end, and the MooredBody it is on, or None"""
+    """Point of an end, and the MooredBody that it belongs to, or None"""
     kinds = column(row, "Connection") or [*column(row, "EndAConnection"), *column(row, "EndBConnection")]
     if len(kinds) != 2:
         raise FormatError(f"{path}: line {line} has {len(kinds)} connections; allowed: two, of ends A and B")

@@ -1,4 +1,4 @@
-"""YAML as dictionaries, lists and scalars, with the faults of this package."""
+"""YAML as dictionaries, lists and scalars, with the errors of this package."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .fault import fault
 
 
 def parse_yaml(text, path="YAML file"):
-    """Dictionaries, lists and scalars of a text; `path` is what errors call it.  Raises FormatError with the line."""
+    """Dictionaries, lists and scalars of a text; `path` is its name in errors.  Raises FormatError with the line."""
     try:
         return parse(text)
     except YamlFault as error:

@@ -1,11 +1,11 @@
-"""Damping of a body that is let go: extinction by half cycles, and the equation of motion itself.
+"""Damping of a body in free decay: extinction by half cycles, and the equation of motion itself.
 
     Xₙ − Xₙ₊₁ = a X_m + b X_m²,    X_m = (Xₙ + Xₙ₊₁)/2                     of successive extremes (half cycles)
     ẍ + β₁ ẋ + β₂ ẋ|ẋ| + Ω² (x − x₀) = 0,    β = B/M_v,    a ≈ (π/2) β₁/ω,  b ≈ (4/3) β₂
     ẍ + β₁ ẋ + β₃ ẋ³ + Ω² (x − x₀) = 0                                      the same with a cube in place of the square
 
-(Shiraishi et al., eq. 3, whose δX is negative as printed; that its swings are half cycles follows from their sizes.)
-β and Ω are those with which the solution passes the record best.
+(Shiraishi et al., eq. 3, whose δX is negative as printed; that its swings are half cycles follows from their sizes.) β
+and Ω are those whose solution fits the record best.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from .record import RecordError, checked
 
 FEWEST = 3  # extremes
 ACCURATE = 1e-10  # steps of the solution
-FAR = 1e6  # residual in place of a value that is not finite
+FAR = 1e6  # residual instead of a value that is not finite
 DIFFERENCE = 1e-5  # finite-difference step of a parameter, over its unit
 
 
 class Decay(NamedTuple):
     """a : 1, b : 1/m, linear_only : a with b = 0; linear, quadratic : β₁ 1/s, β₂ 1/m; omega : Ω rad/s; mean : x₀ m
 
-    with_cubic : β₁ 1/s, β₃ s/m², and what is left then
-    extremes : (n,) m, without sign; fitted : (q,) m, the solution; off : share of the record's deviation that is left
+    with_cubic : β₁ 1/s, β₃ s/m², and the deviation that remains with them
+    extremes : (n,) m, absolute; fitted : (q,) m, the solution; off : deviation from the record over the record's own
     """
 
     a: float
@@ -44,7 +44,7 @@ class Decay(NamedTuple):
 
 
 def decay(time, motion):
-    """`Decay` of a record, s, m.  Raises RecordError where it has fewer than three extremes or does not die out."""
+    """`Decay` of a record, s, m.  Raises RecordError for fewer than three extremes, or a motion that does not decay."""
     t, x = checked(time, motion)
     mean, omega, X = _extremes(t, x)
     a, b, alone = _extinction(X)
@@ -76,7 +76,7 @@ def _extremes(t, x):
         X = []
         for i, j in pairwise(ends):
             part = slice(i + 1 + (j - i) // 4, max(i + 4 + (j - i) // 4, j + 1 - (j - i) // 4))
-            count = len(y[part])  # fewer than asked for at the end of the record
+            count = len(y[part])  # fewer than requested at the end of the record
             c = np.polyfit(t[part] - t[i], y[part], 4 if count > 8 else min(2, count - 1))
             fine = np.linspace(t[part][0] - t[i], t[part][-1] - t[i], 400)
             value = np.polyval(c, fine)
@@ -98,7 +98,7 @@ def _extinction(X):
 
 
 def _fitted(t, x, start, size, power=2):
-    """Start, speed, mean, Ω, β₁, β₂ or β₃ with which the solution passes the record best, and the solution (q,)"""
+    """Start, speed, mean, Ω, β₁, β₂ or β₃ of the solution that fits the record best, and this solution (q,)"""
     from scipy.optimize import least_squares
 
     rate = start[3]
@@ -106,7 +106,7 @@ def _fitted(t, x, start, size, power=2):
     shift = DIFFERENCE * np.eye(6)
 
     def off(p):
-        with np.errstate(over="ignore", invalid="ignore"):  # a try with damping that drives the motion away
+        with np.errstate(over="ignore", invalid="ignore"):  # a trial with damping that makes the motion diverge
             y = _solutions((p * unit)[:, None], t, power)[:, 0]
         return np.nan_to_num((y - x) / size, nan=FAR, posinf=FAR, neginf=-FAR)
 
@@ -121,7 +121,7 @@ def _fitted(t, x, start, size, power=2):
 
 
 def _solutions(parameters, time, power=2):
-    """(q, m) m at times (q,) s of m sets of parameters (6, m), by `scipy`; nan where one is driven away"""
+    """(q, m) m at times (q,) s of m sets of parameters (6, m), by `scipy`; nan for a divergent one"""
     from scipy.integrate import solve_ivp
 
     x, v, mean, omega, first, second = parameters

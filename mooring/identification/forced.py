@@ -1,4 +1,4 @@
-"""Damping and added mass of a body that is moved by a sine: linear and quadratic.
+"""Damping and added mass of a body in sinusoidal forced motion: linear and quadratic.
 
     x = X sin ωt,    reaction of the water F = −A ẍ − B₁ ẋ − B₂ ẋ|ẋ| = F₀ + Σ Fₙ sin(nωt + εₙ)
 
@@ -9,8 +9,8 @@ by least squares of the whole record, or with − B₃ ẋ³ in place of the squ
 (Shiraishi et al., Port and Airport Research Institute, eq. 1, 2; ẋ|ẋ| = V² [(8/3π) cos ωt + (8/15π) cos 3ωt − …]).  One
 coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; that with the same largest force is B₁ + ωX B₂.
 
-Noise without memory on the force moves B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, M the columns of the
-fit and s what it leaves over: no unbiased estimate has less (Cramér and Rao).  That on the motion moves its phase, and
+Noise without memory on the force perturbs B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, M the columns of
+the fit and s its residual: no unbiased estimate has less (Cramér and Rao).  Noise on the motion shifts its phase, and
 with it a share A ω δφ of the inertia into B₁.
 """
 
@@ -26,9 +26,9 @@ from .record import RecordError, Sine, checked, sine_of
 class Forced(NamedTuple):
     """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : the same two by the paper's formulas
 
-    motion : `record.Sine`; off : share of the force's deviation that is left
+    motion : `record.Sine`; off : deviation from the force over the force's own
     error : standard errors of B₁ and B₂ by noise without memory
-    with_cubic : B₁ N s/m, B₃ N s³/m³, and the share that is left then
+    with_cubic : B₁ N s/m, B₃ N s³/m³, and the deviation that remains with them
     """
 
     added_mass: float
@@ -75,14 +75,14 @@ def forced(time, motion, force):
 
 
 def _shares(basis, force):
-    """(4,) of each column (n, 4) in a force (n,), and the share of its deviation that they leave"""
+    """(4,) share of each column (n, 4) in a force (n,), and the relative deviation that remains"""
     size = np.abs(basis).max(axis=0)
     share = np.linalg.lstsq(basis / size, force, rcond=None)[0] / size
     return share, float(np.std(force - basis @ share) / np.std(force)) if np.std(force) > 0 else 0.0
 
 
 def _basis(sine, t, power=2):
-    """(n, 4) of what the reaction is made of at times from the first: −a, −v, −v|v| or −v³, 1"""
+    """(n, 4) columns of the reaction at times from the first: −a, −v, −v|v| or −v³, 1"""
     theta, V = sine.omega * t + sine.phase, sine.omega * sine.amplitude
     v, a = V * np.cos(theta), -V * sine.omega * np.sin(theta)
     return np.stack([-a, -v, -v * np.abs(v) ** (power - 1), np.ones_like(t)], axis=1)

@@ -1,4 +1,4 @@
-"""Records of a test: evenly spaced times, and the sine that fits a motion best."""
+"""Records of a test: evenly spaced times, and the sine that best fits a motion."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ UNEVEN = 5e-3  # largest relative variation of the time step; records print few 
 
 
 class RecordError(ValueError):
-    """A record cannot be used; one line names what is wrong and what is allowed."""
+    """A record cannot be used; the message names the fault and the limit."""
 
 
 class Sine(NamedTuple):
-    """mean + amplitude sin(omega t + phase), m, rad/s, rad; off : root mean square of what it leaves, m"""
+    """mean + amplitude sin(omega t + phase), m, rad/s, rad; off : root mean square of the residual, m"""
 
     mean: float
     amplitude: float
@@ -25,7 +25,7 @@ class Sine(NamedTuple):
 
 
 def checked(time, *columns):
-    """Times from 0 s and columns as arrays.  Raises RecordError for gaps, values that are none, too few."""
+    """Times from 0 s and columns as arrays.  Raises RecordError for gaps, values that are no numbers, too few rows."""
     t = np.asarray(time, float)
     columns = [np.asarray(column, float) for column in columns]
     if len(t) < FEWEST or any(column.shape != t.shape for column in columns):
@@ -45,7 +45,7 @@ def checked(time, *columns):
 
 
 def sine_of(time, motion):
-    """`Sine` of a motion that is one, by least squares.  Raises RecordError where it holds less than two cycles."""
+    """`Sine` fitted to a motion by least squares.  Raises RecordError for less than two cycles."""
     from scipy.optimize import least_squares
 
     y = motion - motion.mean()

@@ -7,7 +7,7 @@ Chain, d in mm, loads in kN:  break = c_b d² (44 − 0.08 d),  proof = c_p d² 
     R3 to R5           IACS UR W22 and DNV-OS-E302, with studless proof loads at 0.70 of the break load
     mass               0.0219 d² kg/m studlink, 0.0200 d² studless, 0.02288 d² ORQ
     modulus over both bars   5.6e10 N/m² studlink; studless R3 (5.40 − 0.0040 d)e10, R4 (5.45 − 0.0025 d)e10,
-                       R5 (6.00 − 0.0033 d)e10, DNV-OS-E301 (2013) ch. 2 sec. 2; R3S is given that of R3, R4S of R4
+                       R5 (6.00 − 0.0033 d)e10, DNV-OS-E301 (2013) ch. 2 sec. 2; R3S has that of R3, R4S that of R4
 
 Wire:  break = K d² R / 1000 kN, mass = W d² / 100 kg/m, EN 12385-4 (2002), 6x24 with its seven fibre cores ISO 2408
 (2004) as makers quote it; R that of the wires, class societies take 1370 to 1960 N/mm², JIS G 3525 E 1320, G 1470, A
@@ -18,7 +18,7 @@ stiffness quasi-static, a multiple of the breaking load. Submerged weight counts
 fills the gaps.
 
 Drag: coefficients on the nominal diameter of DNV-OS-E301 (2013) ch. 2 sec. 2, which gives none along ropes; added mass
-along a chain 0.5 of the water it displaces, as in NREL's library.
+along a chain 0.5 of its displaced water, as in NREL's library.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ from .system.parts import LineDynamics, LineSystemError, LineType
 
 STEEL = 7850.0  # kg/m³
 KGF = 9.80665e-3  # kN
-CHAIN_SIZES = (10.0, 220.0)  # mm, for which the formulas are used
-ROPE_SIZES = (1.0, 500.0)  # mm: no rope is made beyond
+CHAIN_SIZES = (10.0, 220.0)  # mm, range of the formulas
+ROPE_SIZES = (1.0, 500.0)  # mm: no rope is made outside this range
 
 
 class ChainGrade(NamedTuple):
@@ -98,7 +98,7 @@ FORMS = (
 
 
 def unread(name):
-    """What nobody has read in its standard of a name of the catalogue, '' where that is nothing"""
+    """Properties of a catalogue name that were not checked against its standard, '' for none"""
     if not name or "6x24" not in name.lower().split():
         return ""
     return (
@@ -111,7 +111,7 @@ def line_type(name, density=1025.0, gravity=9.80665) -> LineType:
     """The LineType of a name such as "R4 studlink 84 mm" or "wire 6x36 IWRC 1960 52 mm".
 
     density : kg/m³ of the water, for the submerged weight
-    raises : LineSystemError with the names that are known
+    raises : LineSystemError with the known names
     """
     found = re.fullmatch(r"(.+?)\s+([0-9.]+)\s*mm", name.strip().lower())
     if not found:

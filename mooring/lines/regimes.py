@@ -27,7 +27,7 @@ from .catenary.state import State
 
 
 class Regime(IntEnum):
-    """What the line does in one cycle; SLACK_TAUT and FREE_FALL ask for `dynamics.simulation.simulate`."""
+    """Motion of the line in one cycle; SLACK_TAUT and FREE_FALL need `dynamics.simulation.simulate`."""
 
     QUASI_STATIC = 1
     HARMONIC = 2
@@ -60,7 +60,7 @@ class HarmonicTension(NamedTuple):
 
     @property
     def regime(self):
-        """Regime; beyond HARMONIC the tensions of this value are not those of the line"""
+        """Regime; beyond HARMONIC the tensions of this value do not apply to the line"""
         return Regime(
             1 + sum(self.acceleration >= a for a in (self.harmonic, max(self.harmonic, self.slack), self.fall))
         )
@@ -84,7 +84,7 @@ def centroid_height(horizontal_tension, span, weight):
 
 
 def _rounded(amplitude):
-    """Text of a motion, m, without its rounding errors"""
+    """Text of a motion, m, without rounding errors"""
     return f"{round(abs(amplitude), 6):.3g}"
 
 
@@ -105,11 +105,11 @@ def harmonic_tension(
     gravity=9.80665,
     onset=2.0,
 ):
-    """Dynamic tension by the simplified method and the regime it holds in, for one uniform line on a flat bed.
+    """Dynamic tension by the simplified method and its regime, for one uniform line on a flat bed.
 
     x, z : m, mean fairlead from the anchor; length : m; weight : submerged, N/m; mass : in air, kg/m; diameter : m
     amplitude : (2,) m, outward and upward, in phase; period : s
-    raises : ValueError where no part of the line lies on the bed, at rest or at the outermost position
+    raises : ValueError if no part of the line lies on the bed, at rest or at the outermost position
     """
     out, up = (float(value) for value in amplitude)
     for name, value, good in (

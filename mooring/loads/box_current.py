@@ -7,12 +7,12 @@ L/B = 1.2 with B/d = 10, H/d from 1.05, and 15 in deep water (2.2.3.1, 2.2.3.4).
     C_x(χ) = C_x(0°) S_x(χ),   C_y(χ) = C_y(90°) S_y(χ)
 
 where C_x(0°), C_y(90°) over B/d and H/d are interpolated along their crest (see `crest`) and the shapes S between the
-three depths at which all angles were tested.  A sea deeper than the tank is taken as deep as the tank.
-The moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of the length for L/B = 2.
+three depths at which all angles were tested.  A sea deeper than the tank is treated as one of the tank's depth. The
+moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of the length for L/B = 2.
 
-Beyond the tests coefficients are led on, and a note says so: longer boxes, narrower and wider ones over the draft have
-those of the nearest proportion; L/B < 2 with an untested B/d has the trend of L/B = 2 over B/d; and in water shallower
-than the tests C_y grows as that of ships (UFC 4-159-03, Design: Moorings, 2005, eq. 11), to 3.2 abeam aground:
+Beyond the tests coefficients are extrapolated, and a note says so: longer boxes, and smaller or larger B/d, have those
+of the nearest proportion; L/B < 2 with an untested B/d has the trend of L/B = 2 over B/d; and in water shallower than
+the tests C_y increases as for ships (UFC 4-159-03, Design: Moorings, 2005, eq. 11), to 3.2 abeam when aground:
 
     C = C₁ + (3.2 − C₁) ((d/H)² − (d/H₁)²) / (1 − (d/H₁)²),    C₁ of the shallowest test H₁
 """
@@ -33,9 +33,9 @@ DEGREES = ("0", "15", "30", "45", "60", "75", "90")
 ANGLES = np.deg2rad([float(a) for a in DEGREES])
 TANK = {1.2: 1.4, 2.0: 1.8}  # depth of the tank in beams, for each L/B
 SAME = 0.025  # relative distance of L/B or B/d within which it counts as a tested proportion
-REACH = {"L/B": (1.0, 12.0), "B/d": (2.0, 60.0), "H/d": (1.02, np.inf)}  # how far tests are led on
+REACH = {"L/B": (1.0, 12.0), "B/d": (2.0, 60.0), "H/d": (1.02, np.inf)}  # limits of the extrapolation
 SHALLOWEST = {1.2: 1.05, 2.0: 1.2}  # H/d of the tests, by L/B
-GROUNDED = 3.2  # C_y abeam of ships that ground
+GROUNDED = 3.2  # C_y abeam of grounded ships
 
 
 def box_table(length, beam, draft, depth):
@@ -44,7 +44,7 @@ def box_table(length, beam, draft, depth):
     Its `notes` name uncertain values: printed ones that break the trend of their neighbours, proportions beyond or
     between those tested, and the moment of anything but L/B = 2, where the lever is taken 0.09 (L/B − 1) (sin 2χ)^1.2,
     at most that of L/B = 2: 0 for a square, which has no long side; its turning tests give 0.058 at 1.5 and 0.091 at 2.
-    raises : ValueError far outside the tests (REACH), where coefficients have to be given
+    raises : ValueError beyond the limits REACH, where the user must give coefficients
     """
     check_positive(length=length, beam=beam, draft=draft)
     if not depth > 0:
@@ -71,7 +71,7 @@ def current_force(speed, direction, length, beam, draft, density=1025.0, table=N
     """(…, 3) F_x, F_y in N and M_z in N m about the middle of the box.
 
     speed : (…) m/s; direction : (…) rad, the current flows to
-    table : DragTable; without it that of `box_table` at the water depth `depth`, its notes as warnings
+    table : DragTable; by default that of `box_table` at the water depth `depth`, its notes as warnings
     """
     check_positive(length=length, beam=beam, draft=draft)
     if table is None:
@@ -93,12 +93,12 @@ def _require(name, value, low, high):
 
 
 def _across(table, ratio):
-    """The DragTable of a box whose sides are the ends of another, `ratio` times as long as itself"""
+    """The DragTable of a box turned by 90°, whose length over beam was `ratio`"""
     return DragTable(ANGLES, table.y[::-1], table.x[::-1], -ratio * table.lever[::-1], table.notes)
 
 
 def _beyond(name, value, taken):
-    """A note where tests of the nearest proportion are used, "" within them"""
+    """A note where tests of the nearest proportion are used; "" within the tests"""
     if abs(value / taken - 1) <= SAME:
         return ""
     more = (
@@ -110,7 +110,7 @@ def _beyond(name, value, taken):
 
 
 def _tested(slender, wide, relative):
-    """C_x, C_y (7,) of a tested L/B at any B/d from 5 to 20 and H/d, and notes on what is led on"""
+    """C_x, C_y (7,) of a tested L/B at any B/d from 5 to 20 and H/d, and notes on extrapolation"""
     edge = SHALLOWEST[slender]
     if slender == 2.0:
         x, y, notes = *_slender(wide, max(relative, edge)), ()
@@ -188,7 +188,7 @@ def _crest(name):
 
 
 def _suspects(slender, wide, relative):
-    """One line for each printed value out of trend among the tests next to these proportions"""
+    """One message for each printed value out of trend among the tests next to these proportions"""
     for r in read_table("current_angles.csv"):
         if not r["suspect"] or float(r["length_over_beam"]) != slender:
             continue
@@ -208,7 +208,7 @@ def _column(slender, b, h):
 
 
 def _next_to(value, node, nodes):
-    """Whether no other node lies between a value and this one, or at the value"""
+    """Whether no other node lies between a value and this node, or at the value"""
     low, high = min(value, node), max(value, node)
     return not any(low <= n <= high for n in nodes - {node})
 

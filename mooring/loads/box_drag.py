@@ -2,10 +2,10 @@
 
     F_x = ± C_x q A_x,   F_y = ± C_y q A_y,   M_z = − sign(F_x F_y) (a/L) L √(F_x² + F_y²),   q = ½ ρ U²
 
-A box is symmetric fore and aft and port to starboard, so the angle between stream and x axis is reduced
-to 0 … 90° and forces point downstream.  The force acts on the upstream half, which turns the box broadside.
-Between the angles of a table coefficients are monotone cubics with slopes that fit the same symmetry, so that
-forces have a continuous slope all the way round.
+A box is symmetric fore and aft and port to starboard, so the angle between stream and x axis is reduced to 0 … 90° and
+forces point downstream.  The force acts on the upstream half and turns the box broadside. Between the angles of a
+table coefficients are monotone cubics with slopes that have the same symmetry, so that forces have a continuous slope
+at all angles.
 """
 
 from __future__ import annotations
@@ -88,14 +88,14 @@ def about(load, middle, center):
 
 
 def check_positive(**sizes):
-    """Raises ValueError naming the first of the given sizes that is not a finite number above 0."""
+    """Raises ValueError for the first of the given sizes that is not a finite number above 0."""
     for name, value in sizes.items():
         if not 0 < value < np.inf:
             raise ValueError(f"{name} is {value:g}; allowed: above 0")
 
 
 def stream_pressure(stream, speed, density):
-    """½ρU² in Pa, of the shape of `speed` in m/s; ValueError for a speed below 0 of the `stream` named."""
+    """½ρU² in Pa, of the shape of `speed` in m/s; ValueError for a negative speed of the named `stream`."""
     check_positive(density=density)
     speed = np.asarray(speed, float)
     wrong = ~((speed >= 0) & (speed < np.inf))

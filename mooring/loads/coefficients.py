@@ -1,4 +1,4 @@
-"""Steady force of wind or current on a hull of any shape, from coefficients of its own.
+"""Steady force of wind or current on a hull of any shape, from its own coefficients.
 
     F_x = C_x q A_x,   F_y = C_y q A_y,   M_z = C_n q A_n L,   q = ½ρU²
 
@@ -28,10 +28,10 @@ COLUMNS = (("angle", "CX", "CY", "CN"), ("angle", "CX", "CYA", "CYF"))
 
 @dataclass(frozen=True, eq=False)
 class HullCoefficients:
-    """angle (n,) rad from 0 to π or to 2π, x, y, n (n,) coefficients; areas m² and length m they refer to.
+    """angle (n,) rad from 0 to π or to 2π, x, y, n (n,) coefficients; their reference areas m² and length m.
 
-    Given to π, the hull is the same on both sides: C_x even in the angle, C_y and C_n odd.
-    height : m above still water of where the force acts, None where it is not known
+    With angles up to π, the hull is symmetric port and starboard: C_x even in the angle, C_y and C_n odd.
+    height : m above still water of the point of action, None if unknown
     """
 
     angle: np.ndarray
@@ -57,7 +57,7 @@ class HullCoefficients:
 
 
 def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, height=None):
-    """Checked HullCoefficients; area_n, of the moment, is area_y where it is not given.  Raises ValueError."""
+    """Checked HullCoefficients; area_n, for the moment, is area_y by default.  Raises ValueError."""
     columns = [np.asarray(v, float) for v in (angle, x, y, n)]
     sizes = [v.shape for v in columns]
     if len(set(sizes)) != 1 or len(sizes[0]) != 1 or sizes[0][0] < 4:
@@ -99,9 +99,9 @@ def shallow_coefficient(deep, draft, depth, exponent=2.0, grounded=3.2):
 def read_hull_coefficients(path):
     """HullCoefficients of a CSV file.
 
-    Lines `# name = number` give area_x, area_y, length and, where the moment has another area, area_n, in m² and m;
-    `# height = number` is of where the force acts, m above still water.  Other lines that begin with # are remarks.
-    Then a header and rows, the angle in degrees, 0 to 180 or 0 to 360:
+    Lines `# name = number` give area_x, area_y, length and, if the moment has another area, area_n, in m² and m; `#
+    height = number` is the point of action, m above still water.  Other lines that begin with # are remarks. Then a
+    header and rows, the angle in degrees, 0 to 180 or 0 to 360:
 
         angle,CX,CY,CN          yaw moment on area_n·length; CXY is another name for CN
         angle,CX,CYA,CYF        OCIMF: lateral force at the aft and forward perpendicular, `length` apart
@@ -150,7 +150,7 @@ def _sizes(lines):
 
 
 def _columns(lines):
-    """{name: (n,)} of the rows, whose names are those of one of COLUMNS"""
+    """{name: (n,)} of the rows, named as in one of COLUMNS"""
     rows = [(i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
     table = [(i, [cell.strip() for cell in next(csv.reader([line]))]) for i, line in rows]
     names = ["CN" if name == "CXY" else name for name in table[0][1]] if table else []
@@ -171,7 +171,7 @@ def _number(line, text):
 
 
 def _lateral(columns, sizes):
-    """C_y, C_n; from forces at the perpendiculars, half a length from amidships, where these are given"""
+    """C_y, C_n; from forces at the perpendiculars, half a length from amidships, if these are given"""
     if "CY" in columns:
         return columns["CY"], columns["CN"]
     aft, forward = columns["CYA"], columns["CYF"]

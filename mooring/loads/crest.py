@@ -1,16 +1,16 @@
-"""A coefficient over breadth/draft b = B/d and depth/draft h = H/d that has a crest, interpolated along the crest.
+"""A coefficient over breadth/draft b = B/d and depth/draft h = H/d with a crest, interpolated along the crest.
 
-The current force on a box is largest on a line b = r(h) of the b-h plane: going to shallower water at fixed b it
-rises, passes the crest and falls.  Straight interpolation between two columns of h would cut the crest down.  Here
-each column is a curve over b that has the crest among its points; between columns, points that lie at the same
-fraction u of the way from the edge of the tests to the crest are joined:
+The current force on a box is largest on a line b = r(h) of the b-h plane: in ever shallower water at fixed b it rises,
+passes the crest and falls.  Linear interpolation between two columns of h would cut the crest off.  Here each column is
+a curve over b with the crest among its points; between columns, points at the same fraction u of the way from the edge
+of the tests to the crest are joined:
 
     deep side     u = (b − b₀) / (r − b₀),    shallow side   u = (b₁ − b) / (b₁ − r)
     f = F(u, h) + (13u¹² − 12u¹³) (f_crest(h) − F(1, h))
 
-F joins the columns and the second term brings in crests measured between columns.  Over h the curves run in d/H.
-Every given value is returned exactly; value and both slopes are continuous, also across the crest, where ∂f/∂b = 0.
-The deepest values belong to a tank `tank` beams deep, d/H = 1/(tank b); a deeper sea is taken as that.
+F joins the columns and the second term adds crests measured between columns.  Over h the curves run in d/H. Every given
+value is returned exactly; value and both slopes are continuous, also across the crest, where ∂f/∂b = 0. The deepest
+values belong to a tank `tank` beams deep, d/H = 1/(tank b); a deeper sea has the same values.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Point(NamedTuple):
 class CrestSurface:
     """Surface through Points: full columns of h, crests, and deepest values at h = tank b.
 
-    The crest that reaches the largest b is the last one: in deeper water the coefficient rises up to that edge.
+    The crest at the largest b is the last one: in deeper water the coefficient rises up to that edge.
     """
 
     def __init__(self, points, tank):
@@ -78,7 +78,7 @@ class CrestSurface:
 
     @cached_property
     def _curves(self):
-        """{h or "deep": curve over b}; those without a crest inside end flat, as those with one do there"""
+        """{h or "deep": curve over b}; curves without an inner crest end flat, as those with one do there"""
         curves = {"deep": smooth(*_over_b(self._deep_points), flat=[-1])}
         for h, column in self._columns.items():
             b, values = _over_b(column)

@@ -2,7 +2,7 @@
 
     F = ½ρ C_d U(z)² A    SR179 report (1982), chapter 4, section 5.2 and table 2
 
-A is the area seen along the wind, U(z) the wind at the height of its centre.  Shielding is not taken into account.
+A is the area projected along the wind, U(z) the wind at the height of its centre.  Shielding is neglected.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ C_D = {
 
 
 class Member(NamedTuple):
-    """shape : key of C_D, or a drag coefficient; area : m², seen along the wind; position : (x, y, z) m, centre"""
+    """shape : key of C_D, or a drag coefficient; area : m², projected along the wind; position : (x, y, z) m, centre"""
 
     shape: str | float
     area: float
@@ -37,7 +37,7 @@ class Member(NamedTuple):
 def wind_on_members(members, speed_10, direction, exponent=None, density=AIR_DENSITY):
     """(6,) N and N m about the origin, z = 0 at the waterline, of wind towards `direction` rad on Members.
 
-    speed_10 : m/s at 10 m; exponent : of the power law over height, without it the report's table
+    speed_10 : m/s at 10 m; exponent : of the power law over height, by default the report's table
     raises : ValueError naming the member whose shape or area is impossible
     """
     if not 0 < density < np.inf:

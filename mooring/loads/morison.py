@@ -2,10 +2,9 @@
 
     f = ½ρ C_D D |w| w + ρ (V + A) a − ρ A a_b,   w = u − u_b,   V + A = C_M × reference volume
 
-per metre, all vectors normal to the axis: u velocity of the water, waves and current together, a its acceleration,
-u_b, a_b those of the member, V the volume displaced and A that of the added mass, per metre.
-SR179 report (1982), chapter 4, section 5.3 (there for a member at rest); the drag takes waves and current as one
-velocity, since |w| w of a sum is not a sum.
+per metre, all vectors normal to the axis: u velocity of the water, waves and current together, a its acceleration, u_b,
+a_b those of the member, V the displaced volume and A that of the added mass, per metre. SR179 report (1982), chapter 4,
+section 5.3 (there for a member at rest); the drag uses one velocity for waves and current, since |w| w is not additive.
 """
 
 from __future__ import annotations
@@ -56,7 +55,7 @@ def force_per_metre(section, axis, velocity, acceleration, own_velocity=0.0, own
 def member_force(section, start, end, flow, density=1025.0, points=8):
     """(6,) N and N m about the origin on a straight member at rest from `start` to `end`, (3,) m, wholly in the water.
 
-    flow : function of positions (n, 3) m that gives velocity and acceleration of the water, two (n, 3)
+    flow : function of positions (n, 3) m that returns velocity and acceleration of the water, two (n, 3)
     points : of Gauss quadrature; 8 are exact for polynomials of degree 15 along the member
     """
     start, end = np.asarray(start, float), np.asarray(end, float)

@@ -1,10 +1,10 @@
-"""Wind and current on a hull: six components, from coefficients all the way round and the height they act at.
+"""Wind and current on a hull: six components, from coefficients over all directions and the height of their action.
 
     F = |U|² c(α),    E₄ = −E₂ Z,    E₅ = E₁ Z,    E₃ = 0            SR179 report (1982), eq. 3.7.1.8
 
-Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the height of
-what it meets, on superstructures at their middle.  The report gives a current no moment of heel (eq. 3.7.1.10), as if
-it acted at the centre of gravity; a uniform one presses on the whole draft alike and acts at half of it.
+Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the exposed
+height, on superstructures at their middle.  The report gives a current no heeling moment (eq. 3.7.1.10), as if it acted
+at the centre of gravity; a uniform one has equal pressure over the draft and acts at half of it.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def heeling(load, height, up=0.0):
 
 
 def wind_on(wind, hull):
-    """StreamOnHull of a `Wind` on an `ExposedBox`; raises ValueError for a hull whose freeboard is not known"""
+    """StreamOnHull of a `Wind` on an `ExposedBox`; raises ValueError for a hull with unknown freeboard"""
     table = _of(wind.table, hull)
     if isinstance(table, HullCoefficients):
         middle = 0.5 * table.area_y / table.length
@@ -71,20 +71,20 @@ def current_on(current, hull, density, depth):
 
 
 def _of(table, hull):
-    """Coefficients; those that wait for their hull are made for it"""
+    """Coefficients; those that depend on the hull are made for it"""
     return table(hull) if callable(table) else table
 
 
 def _first(*values):
-    """The first that is known"""
+    """The first argument that is not None"""
     return next(value for value in values if value is not None)
 
 
 def silhouettes(hull):
     """((A_f, z), (A_s, z)) m², m above still water: a box with superstructures from ahead and from abeam, their middles
 
-    Without a height of their own superstructures stand on the deck, all along the hull.
-    raises : ValueError for a hull whose freeboard is not known
+    Superstructures without a given height stand on the deck, over the whole hull.
+    raises : ValueError for a hull with unknown freeboard
     """
     if hull.freeboard is None:
         raise ValueError("hull.freeboard is missing; wind acts on it; give it, or wind.file")

@@ -1,4 +1,4 @@
-"""Forces on straight members over one regular wave, each on its part below the surface of that moment."""
+"""Forces on straight members over one regular wave, each on its part below the instantaneous surface."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ def over_wave(member, wave, phases, density):
 
 
 def wet_part(start, end, wave, phase):
-    """Two ends (3,) m of the part of a straight member below the surface, None where it is dry.
+    """Two ends (3,) m of the part of a straight member below the surface, None if it is dry.
 
-    A member is cut once: one that is longer than half a wave and lies in the surface is not followed.
+    A member is cut once: the method does not apply to one longer than half a wave that lies in the surface.
     """
     from scipy.optimize import brentq
 

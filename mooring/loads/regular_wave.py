@@ -2,9 +2,9 @@
 
     η = a cos(k·x − ωt),    u = aω cosh ks / sinh kh · k̂ cos(k·x − ωt),    w = aω sinh ks / sinh kh · sin(k·x − ωt)
 
-of linear theory, s = z + h.  Above and below still water they are Wheeler's (1970): those of s h/(h + η), so that the
-water at the crest moves as linear theory has it at z = 0.  The current, with its own profile, is stretched alike; the
-wave is as long as without it.
+of linear theory, s = z + h.  Above and below still water they are Wheeler's (1970): those at s h/(h + η), so that the
+water at the crest moves as at z = 0 in linear theory.  The current profile is stretched likewise; the current does not
+change the wave length.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ class RegularWave:
 
     @property
     def met_period(self):
-        """s from crest to crest at a place at rest, which the current at the surface carries past it
+        """s from crest to crest at a fixed place, past which the current at the surface carries the wave
 
-        inf where the current holds it in place, below 0 where it carries the wave back.
+        inf for a wave held in place by the current, below 0 for a wave carried back.
         """
         met = self.omega
         if self.current is not None:
@@ -64,7 +64,7 @@ class RegularWave:
         return (velocity if self.current is None else velocity + self.current.velocity(z)), acceleration
 
     def unstretched(self, places, phase):
-        """(n,) m, the heights of linear theory that heights z under the wave stand for"""
+        """(n,) m, the heights of linear theory that correspond to heights z under the wave"""
         eta, z = self.elevation(places, phase), np.asarray(places)[:, 2]
         return z - eta if np.isinf(self.depth) else (z + self.depth) * self.depth / (self.depth + eta) - self.depth
 

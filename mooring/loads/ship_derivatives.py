@@ -61,7 +61,7 @@ def clarke(length, beam, draft, block) -> ShipDerivatives:
 def by_yaw_rate(derivatives: ShipDerivatives, length, density, added_surge, angles):
     """(n, 3) N over V (rL) of the force by the yaw rate, against the angle that the water flows to, rad from the bow.
 
-    added_surge : kg, whose part −m_x u r of Y_r the equation of motion holds already
+    added_surge : kg, whose part −m_x u r of Y_r is already in the equation of motion
     """
     ahead = -np.cos(angles)
     half = 0.5 * density * length**2

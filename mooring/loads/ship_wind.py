@@ -4,7 +4,7 @@
     M_z = 0.18 (π/2 − γ) L F_y,   M_x = κ z_s F_y
 
 γ : angle the wind comes from, 0 ahead; A_f, A_s : front and side area above water; z_s : middle of the side area, which
-is taken amidships.  Coefficients and their source are in `tables/ship_wind.csv`; the wind is alike over the height.
+is assumed amidships.  Coefficients and their source are in `tables/ship_wind.csv`; the wind is uniform over the height.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def blendermann(ship, length, front_area, side_area, side_height):
     if ship not in known:
         raise ValueError(f"there are no wind coefficients of a {ship!r}; allowed: {'; '.join(known)}")
     across, ahead, astern, cross, roll = (float(value) for value in list(known[ship].values())[1:])
-    to = np.deg2rad(np.arange(0.0, 180.0 + 0.5 * STEP, STEP))  # direction that the wind goes to, from the bow
+    to = np.deg2rad(np.arange(0.0, 180.0 + 0.5 * STEP, STEP))  # direction that the wind blows to, from the bow
     gamma = np.pi - to
     along = np.where(gamma < 0.5 * np.pi, ahead, astern)
     below = 1 - 0.5 * cross * (1 - along * front_area / (side_area * across)) * np.sin(2 * gamma) ** 2

@@ -1,7 +1,7 @@
 """Curves through tabulated points: cubic between them, slope continuous.
 
 `smooth` does not overshoot: its slopes are those of Fritsch and Butland (1984), the weighted harmonic mean of the
-neighbouring secants, 0 where these differ in sign.  `parabolic` takes the slope of the parabola through a point and its
+neighbouring secants, 0 where these differ in sign.  `parabolic` uses the slope of the parabola through a point and its
 neighbours; it may overshoot, but is linear in the values, so that a surface joined by it has no kinks where the order
 of neighbouring values changes.
 """
@@ -26,9 +26,9 @@ def parabolic(x, y, flat=()):
 
 
 def _through(x, y, slope, flat):
-    """Cubic Hermite interpolation; the end pieces go on beyond the ends.
+    """Cubic Hermite interpolation; the end pieces continue beyond the ends.
 
-    Written out here, as the slopes are: scipy.interpolate takes 0.15 s to load, a tenth of a mooring study.
+    Written out here, as the slopes are: the import of scipy.interpolate takes 0.15 s, a tenth of a mooring study.
     """
     slope[list(flat)] = 0.0
 

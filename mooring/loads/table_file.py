@@ -8,6 +8,6 @@ from hakobune.meshing.text_files import csv_rows
 
 
 def read_table(name):
-    """Rows of `tables/name`, one dictionary of texts each; lines that begin with # tell the source."""
+    """Rows of `tables/name`, one dictionary of texts each; lines that begin with # give the source."""
     text = files(__package__).joinpath("tables", name).read_text(encoding="utf-8")
     return list(csv_rows(text))

@@ -1,26 +1,25 @@
-"""Force of the water on a box that moves slowly with drift angle and yaw rate.
+"""Force of the water on a box in slow motion with drift angle and yaw rate.
 
     F_x = −C_x ½ρ L d V² − (M + m_y) v r,   F_y = C_y ½ρ L d V² + (M + m_x) u r,   M_z = C_m ½ρ L² d V²
     u = V cos β,   v = −V sin β,   r' = r L / V
 
 u, v are the velocity of the box relative to the water in its own axes and r its yaw rate.  SR179 report (1982), section
 2.3 (eq. 2.3.1, 2.3.2, tables 2.3.4.1–3: tests on a rotating arm) and eq. 3.6.8: the tests contain the inertia of the
-model in the turn, which the terms with M + m take out.  Signs are those that this inertia and a yaw damping demand:
-A₂ of C_y is about −2B/L, A₂ of C_m negative.
+turning model, which the terms with M + m subtract.  Signs are those required by this inertia and a yaw damping: A₂ of
+C_y is about −2B/L, A₂ of C_m negative.
 
-The polynomials in β are fits to |β| ≤ 60°.  Folding β into ±90°, as section 3.6 of the report does, lets C_x and C_m
-jump there.  A box that is the same from bow and stern and from both sides has
+The polynomials in β are fits for |β| ≤ 60°.  Folding β into ±90°, as section 3.6 of the report does, makes C_x and C_m
+discontinuous there.  A box with symmetry fore and aft and port and starboard has
 
     (C_x, C_y, C_m)(β + 180°, r') = (−C_x, −C_y, C_m)(β, r')
     (C_x, C_y, C_m)(−β, −r') = (C_x, −C_y, −C_m)(β, r')
 
-so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  It is used as printed up to 60°; from there a parabola carries
-its value and slope on to 90°, where an odd term is 0 and an even one level.  Slopes are continuous all the way round.
-For H/d = 1.2 C_x dips to −0.02 near 80°.
-A₀ of C_y and C_m, 0 for such a box, is left out.
+so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  It is used as printed up to 60°; from there a parabola
+continues its value and slope to 90°, where an odd term is 0 and an even one has zero slope.  Slopes are continuous at
+all angles. For H/d = 1.2 C_x falls to −0.02 near 80°. A₀ of C_y and C_m, 0 for such a box, is omitted.
 
-Beyond the end of the tests, |r'| = 0.5, force and moment are those at 0.5: a kink in r', but polynomials of r'⁴ carried
-on would soon drive the box instead of damping it.
+Beyond the end of the tests, |r'| = 0.5, force and moment are those at 0.5: a kink in r', but extrapolated polynomials
+of r'⁴ would soon drive the box instead of damping it.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ from .table_file import read_table
 FITTED = np.deg2rad(60.0)
 LARGEST_TURN = 0.5  # L/R of the tests
 SAME = 0.025  # relative distance of L/B or B/d within which it counts as a tested proportion
-DEEP = 8.0  # H/d from which the tests with other L/B are used
+DEEP = 8.0  # H/d above which the tests with other L/B are used
 
 
 class OutsideTests(ValueError):
@@ -70,7 +69,7 @@ class TurningCoefficients:
     """Coefficients of one box.
 
     x : (8,) A0 … A7 of C_x; y, m : (6,) A1 … A6 of C_y and C_m
-    notes : what a user of these numbers has to know, one line each
+    notes : remarks for users of these numbers, one line each
     """
 
     x: np.ndarray
@@ -100,7 +99,7 @@ class TurningCoefficients:
         return out
 
     def tested(self, beta, turn):
-        """(…) whether the tests reach there: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
+        """(…) whether the tests cover these: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
         acute = np.abs(np.arctan(np.tan(beta)))
         return (acute <= FITTED * (1 + 1e-9)) & (np.abs(turn) <= LARGEST_TURN)
 
@@ -109,8 +108,8 @@ def turning_coefficients(length_over_beam, beam_over_draft, depth_over_draft):
     """TurningCoefficients of a box.
 
     L/B = 2 was tested for B/d = 10 and 20 (linear between them) and H/d = 1.2, 1.5, 3 and 8 (curves over d/H; deeper
-    is taken as 8); L/B from 1 to 3 for B/d = 10 in deep water, H/d about 20.
-    raises : ValueError outside these tests, where coefficients have to be given
+    water counts as 8); L/B from 1 to 3 for B/d = 10 in deep water, H/d about 20.
+    raises : ValueError outside these tests, where the user must give coefficients
     """
     slender, wide, relative = length_over_beam, beam_over_draft, depth_over_draft
     tested = {"H/d": (relative, 1.2, np.inf)}
@@ -132,7 +131,7 @@ def turning_force(coefficients, u, v, r, length, draft, mass_x, mass_y, density=
     """(…, 3) F_x, F_y in N and M_z in N m of the water on the box, about its middle.
 
     u, v : (…) m/s, velocity relative to the water along and across the box; r : (…) rad/s yaw rate
-    mass_x, mass_y : kg, mass with added mass of slow surge and sway, whose inertia in the turn the tests contain
+    mass_x, mass_y : kg, mass with added mass of slow surge and sway, whose inertia in the turn is part of the tests
     """
     check_positive(length=length, draft=draft, mass_x=mass_x, mass_y=mass_y, density=density)
     u, v, r = np.broadcast_arrays(*(np.asarray(value, float) for value in (u, v, r)))
@@ -153,7 +152,7 @@ def _total(coefficients, terms, beta, turn):
 
 
 def _round(beta, n, parity):
-    """βⁿ up to 60°, led on to the symmetry `parity` about 90°, and from there all the way round"""
+    """βⁿ up to 60°, continued with the symmetry `parity` about 90°, and from there over the full circle"""
     beta = np.mod(np.asarray(beta, float) + np.pi, 2 * np.pi) - np.pi
     folded = np.abs(beta)
     behind = folded > np.pi / 2
@@ -170,7 +169,7 @@ def _first_quadrant(beta, n, parity):
 
 
 def _require(tested, where=""):
-    """Raise OutsideTests with every proportion of {name: (value, lowest, highest)} that is outside"""
+    """Raise OutsideTests with every proportion of {name: (value, lowest, highest)} outside its range"""
     out = [
         (name, f"{name} = {value:.4g} is outside the turning tests{where} ({low:.4g} to {high:.4g})")
         for name, (value, low, high) in tested.items()

@@ -32,15 +32,15 @@ from .wave_loads import WaveTable
 
 WATER = 7  # rows of the water: elevation, velocity, acceleration
 DAMPING = 0.05  # damping ratio of a hawser between its ends
-FULL = 0.1  # tension over breaking load from which a hawser has its full stiffness and damping
-BALANCED = 60  # steps at most to the pull under which buoy and hawsers yield alike
+FULL = 0.1  # tension over breaking load above which a hawser has its full stiffness and damping
+BALANCED = 60  # largest number of steps for the pull under which buoy and hawsers balance
 
 
 @dataclass(frozen=True)
 class BuoyBody:
     """mass : kg; diameter, height : m, of an upright cylinder; added : C_a sideways, and up and down of the same volume
 
-    drag : C_d, of the side and the bottom; lever : m, of its hawsers over its lines, 0 where it does not tilt
+    drag : C_d, of the side and the bottom; lever : m, of its hawsers over its lines, 0 for a buoy that does not tilt
     """
 
     mass: float
@@ -70,9 +70,9 @@ class BuoyBody:
 
 @dataclass(frozen=True, eq=False)
 class BuoyOnLines:
-    """A buoy, and how a body hangs on it.
+    """A buoy, and its connection to a body.
 
-    system : System whose one body is the buoy, where it floats free of lines; its lines go from anchors to it
+    system : System whose only body is the buoy, at its floating position without lines; its lines go from anchors to it
     rope, lengths : RopePart of the hawsers, and (k,) m; ends : (k, 3) m on the body in its axes, from their origin
     origin : (3,) m in space, of the axes of the body at rest
     start : (3,) m, displacement of the buoy from its place in the system; level : m, of the hawsers over the lines' end
@@ -110,7 +110,7 @@ class BuoyOnLines:
 class Buoy(NamedTuple):
     """inverse : (3,) 1/kg, of mass and added mass; moved : (3,) kg, of the water; drag : (3,) ½ρC_dA, kg/m
 
-    lever : m; upright : c_θ over the lever, N, of which half is the pull of hawsers that tilt it by 27°
+    lever : m; upright : c_θ over the lever, N, twice the pull of hawsers that tilts it by 27°
     weight : N; stiffness : ρgA, N/m; draft, height, depth : m, floating free of lines, of the cylinder, of the water
     ropes : (k, 6) L, B, ε_B, n, c, N s/m, and e_c; the rest as in `BuoyOnLines`
     """
@@ -137,8 +137,8 @@ class Buoy(NamedTuple):
 class BuoyWork(NamedTuple):
     """Room for work, the window of water in use, and the largest pulls since the last sample.
 
-    window : (WATER, m); rows : (2, WATER, 2c), sums : (WATER, m) of a window; place : (2,) m, foreseen for its end
-    reach : (k, 5) unit vector, m, m/s: of each hawser, by how much it is spanned, and its rate
+    window : (WATER, m); rows : (2, WATER, 2c), sums : (WATER, m) of a window; place : (2,) m, predicted for its end
+    reach : (k, 5) unit vector, m, m/s: of each hawser, its elongation and its rate
     rope : (k,) N now; pull : (k + lines,) N now, most : the largest since the last sample, kept : (samples, …) of those
     """
 
@@ -160,7 +160,7 @@ class BuoyWork(NamedTuple):
 
 
 def buoy_arrays(buoy):
-    """`Buoy` of a BuoyOnLines.  Raises ValueError where it would sink."""
+    """`Buoy` of a BuoyOnLines.  Raises ValueError for a buoy that would sink."""
     body, system = buoy.body, buoy.system
     density, gravity = system.density, system.gravity
     draft, area = body.draft(density), 0.25 * np.pi * body.diameter**2
@@ -212,7 +212,7 @@ def pull_of_rope(rope, stretch, rate):
 
 @kernel()
 def yielding(lever, upright, pull):
-    """m by which hawsers yield to the tilt of the buoy under their pull, N together; and its slope, m/N"""
+    """m, effect of the buoy's tilt on its hawsers under their pull, N together; and its slope, m/N"""
     steep = pull / upright  # tan θ
     away = 1.0 + steep * steep
     return lever * steep / np.sqrt(away), lever / (upright * away * np.sqrt(away))
@@ -226,10 +226,10 @@ def slope_of_rope(rope, stretch):
 
 @kernel()
 def yielded(buoy, work):
-    """m by which the buoy gives way to its hawsers, of the reach in `work.reach`: S = Σ T(e − x(S)), and dx/dS Σ T′
+    """m, effect of the buoy's tilt on its hawsers, of the reach in `work.reach`: S = Σ T(e − x(S)), and dx/dS Σ T′
 
     The balance has one solution S: the left side rises with S, the right side falls.  Newton's method, with bisection
-    where it leaves the bracket.
+    outside the bracket.
     """
     most = 0.0
     for i in range(buoy.ropes.shape[0]):
@@ -297,7 +297,7 @@ def hawsers(buoy, work, y, place, R):
 
 @kernel()
 def turned(R, p):
-    """m, m, m: a point of the body, (3,), from its axes into space"""
+    """(3,) m: a point of the body, converted from its axes to space"""
     return (
         R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2],
         R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2],

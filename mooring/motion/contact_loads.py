@@ -1,7 +1,7 @@
-"""Fenders pressed by a body, and ropes from it to a fixed point or to another body, compiled.
+"""Fenders compressed by a body, and ropes from it to a fixed point or to another body, compiled.
 
-The face of a fender is at a in space.  A flat side of the body meets it, with outward normal m (unit, axes of the body)
-at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
+The face of a fender is at a in space.  A flat side of the body touches it, with outward normal m (unit, axes of the
+body) at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
 
     δ = s − c − m·q,    force on the body −N(δ) R m − T at a,    T = k_t u,  |T| ≤ μ N
 
@@ -11,7 +11,7 @@ of the body:
 
     e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
 
-On another body a moves with that body, which gets the opposite force there; u then turns with the body that is met.
+On another body a moves with that body, which receives the opposite force there; u then turns with the touched body.
 Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step; `settle` stores
 that of its end.
 """
@@ -38,7 +38,7 @@ DEPTH, STATE, SLIP, AT, FORCE = 0, 1, 2, 5, 8  # places in a row of `ContactWork
 
 @in_memory
 class Contacts(NamedTuple):
-    """m fenders and ropes as the kernels read them.
+    """m fenders and ropes in the form that the kernels read.
 
     table : their curves; numbers : (m, 10) a − x₀ m, or a in the axes of the `other` body; m of a fender's side, or
     p, m; offset s − c, or L₀, m; μ; k_t N/m; 1 for a rope, or 0
@@ -87,7 +87,7 @@ def contact_work(contacts):
 
 @kernel(inline=True, counted=False)
 def pressed(contacts, work, i, depth):
-    """Force N of a deflection or elongation, m, which is kept with its state"""
+    """Force N of a deflection or elongation, m, which is stored with its state"""
     state = advanced(work.start[i, STATE], work.start[i, DEPTH], depth, contacts.table.marks[i, 0])
     force = reaction(contacts.table, i, depth, state)
     work.now[i, DEPTH], work.now[i, STATE], work.now[i, FORCE] = depth, state, force

@@ -128,7 +128,7 @@ def no_berth():
 
 
 def berth_force(berth, position):
-    """(n,) generalized forces, in heading axes, of fenders that are pressed for the first time and ropes
+    """(n,) generalized forces, in heading axes, of fenders at first compression and of ropes
 
     position : (n,) displacements of the bodies in space, six for each, and amplitudes of the shapes of those that bend
     """
@@ -152,9 +152,9 @@ def berth_stiffness(berth, position):
 
 
 def at_rest(berth, others, start, unit):
-    """(n,) place where fenders, ropes and `others` (function of the place, (n,) N) balance; unit : (n,) m, rad
+    """(n,) place at which fenders, ropes and `others` (function of the place, (n,) N) balance; unit : (n,) m, rad
 
-    raises : ValueError where they do not
+    raises : ValueError without a balance
     """
     size = max(np.abs(contact_forces(berth, start)).max(), 1.0)
 
@@ -173,8 +173,8 @@ def at_rest(berth, others, start, unit):
 def balanced(residual, start):
     """Where a residual is least, as of `scipy.optimize.least_squares`, with the same digits each time
 
-    Not by method="lm": of a body that some motion of hardly changes the residual its next place is, of scipy 1.17, one
-    of several by what lies in memory that it has not written.
+    Not by method="lm": for a body with a motion that hardly changes the residual, the next place in scipy 1.17 depends
+    on uninitialised memory.
     """
     from scipy.optimize import least_squares
 
@@ -182,8 +182,8 @@ def balanced(residual, start):
 
 
 def rest_together(links, forces, start, unit, headings):
-    """(n,) positions where forces, a function of the position (n,) in space, and links balance, and (r,) forces of the
-    links
+    """(n,) positions at which forces, a function of the position (n,) in space, and links balance, and (r,) forces of
+    the links
 
     Springs of links are not among the forces.
     forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
@@ -216,7 +216,7 @@ def rest_together(links, forces, start, unit, headings):
 
 
 def stiffness_together(links, forces, place, mu, headings):
-    """(n, n) along the axes of the bodies, of forces as of `rest_together`, springs and what links hold, μ (r,)"""
+    """(n, n) along the axes of the bodies, of forces as in `rest_together`, springs and link forces μ (r,)"""
     out, along = np.empty((len(place), len(place))), places_along(headings)
 
     def total(at):
@@ -231,8 +231,8 @@ def stiffness_together(links, forces, place, mu, headings):
 def rest_between(system, berth, links, water, load):
     """(n,) places in space where lines of a `System`, fenders, ropes, links, water and a load balance, μ (r,) of links
 
-    links : `links.Links`, None for none; water : (n, n) stiffness along the axes of the bodies; load : (n,) in space
-    raises : ValueError where they do not
+    links : `links.Links`, or None; water : (n, n) stiffness along the axes of the bodies; load : (n,) in space
+    raises : ValueError without a balance
     """
     given = np.array([one.position for one in system.bodies], float)
     headings = given[:, 5]

@@ -126,9 +126,9 @@ class Work(NamedTuple):
 
 @in_memory
 class Scene(NamedTuple):
-    """Everything that acts on a body, and work arrays: the arguments of `rates` besides time and state
+    """All loads on a body, and work arrays: the arguments of `rates` besides time and state
 
-    links : (`links.Links`, LinkWork), empty where there are none: one version of the kernels serves all
+    links : (`links.Links`, LinkWork), empty without links: one version of the kernels serves all cases
     """
 
     body: Body
@@ -263,7 +263,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
 def load(scene, hull, b, t, y, rate, force, work):
     """Waves, drift, given forces, wind and current on body b of a `Scene`, each multiplied by the ramp
 
-    hull : HullWater of a single body that slews, without rows of another; y, rate : (BLOCK,), force : (6,) of it
+    hull : HullWater of a single body that slews, without rows for others; y, rate : (BLOCK,), force : (6,) of it
     """
     body = scene.body
     if work.window.shape[2] > 1:
@@ -303,9 +303,9 @@ def load(scene, hull, b, t, y, rate, force, work):
 
 @kernel(inline=True, counted=False)
 def of_one(scene, b, t, y, rate):
-    """All that acts on body b of a `Scene` but its moorings; y, rate : (n,) of all
+    """All loads on body b of a `Scene` except its moorings; y, rate : (n,) of all
 
-    Slices are made here and below, not in a loop over bodies: across one the compiler would count their references.
+    Slices are made here and below, not in a loop over bodies: there the compiler would count their references.
     """
     work, first = scene.work, BLOCK * b
     own, changed, force = y[first : first + BLOCK], rate[first : first + BLOCK], work.force[6 * b : 6 * b + 6]
@@ -316,7 +316,7 @@ def of_one(scene, b, t, y, rate):
 
 @kernel(inline=True, counted=False)
 def give_to(work, b, y, rate, parts, number):
-    """`give` body b its own of the parts (N, 6) of forces; y, rate : (n,) of all"""
+    """`give` body b its parts (N, 6) of forces; y, rate : (n,) of all"""
     first = BLOCK * b
     give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
 
@@ -468,8 +468,8 @@ def of_moorings(scene, y, rate):
 
 @kernel(inline=True, counted=False)
 def of_links(scene, links, y, rate):
-    """What hinges hold between the bodies of a `Scene` in the state y (n,), into the forces; of dampers and springs the
-    work, into its rates (n,), is that of damping
+    """Forces of hinges between the bodies of a `Scene` in the state y (n,), added to the forces; the work of dampers
+    and springs, in the rates (n,), counts as damping
     """
     held, kept = links
     if held.ends.shape[0] > 0:
@@ -490,7 +490,7 @@ def of_links(scene, links, y, rate):
 def rates(scene, buoy, t, y, rate):
     """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
 
-    buoy : (Buoy, BuoyWork), None where there is none, and then nothing of it is compiled; it hangs on the first body
+    buoy : (Buoy, BuoyWork), None without one, and then not compiled; it is connected to the first body
     """
     work, body = scene.work, scene.body
     count = body.heading.size

@@ -6,10 +6,10 @@ half of all runs exceed it.
     P(x_d ≤ m ≤ x_{n+1−d}) = 1 − 2 P(B < d),   B binomial (n, ½)                                   (1)
     at most a share 1 − (1−c)^(1/n) of such runs exceeds the largest of n, with confidence c       (2)
 
-The interval of CONFIDENCE is between those of two neighbouring d and is interpolated between them (Hettmansperger and
+The interval of CONFIDENCE lies between those of two neighbouring d and is interpolated between them (Hettmansperger and
 Sheather 1986, Statistics & Probability Letters 4, 75-79).  No distribution is fitted: the largest values of lines that
-snap in few runs are from two populations, and slow motion has peaks in clusters (tests/bench/extremes_coverage.py shows
-the effect on fitted distributions).
+snap in few runs come from two populations, and slow motion has peaks in clusters (tests/bench/extremes_coverage.py
+shows the effect on fitted distributions).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 CONFIDENCE = 0.9
-FEWEST = 5  # runs: an interval of CONFIDENCE is within the largest and smallest of them, 1 − 2^(1−n)
+FEWEST = 5  # runs: an interval of CONFIDENCE lies within the largest and smallest of them, 1 − 2^(1−n)
 RARE = 2.0  # factor on the median of the largest values of runs; a larger one comes from few runs
 
 
@@ -38,7 +38,7 @@ class Extreme(NamedTuple):
 def median_extreme(largest):
     """`Extreme` of the largest values (n,) of independent runs.
 
-    For the smallest values give them with the other sign, and turn the result.
+    For the smallest values reverse their sign, and that of the result.
     """
     x = np.sort(np.asarray(largest, float))
     n = len(x)
@@ -63,15 +63,15 @@ def _order(n):
 
 
 def share_beyond(runs):
-    """Share of runs that goes beyond the largest of `runs` of them at most, with CONFIDENCE: eq. (2)"""
+    """Largest share of runs beyond the largest of `runs` runs, with CONFIDENCE: eq. (2)"""
     return -np.expm1(np.log1p(-CONFIDENCE) / runs)
 
 
 def rare(largest):
-    """(q,) number of runs whose largest value is beyond RARE times the median of them; largest : (runs, q), above 0
+    """(q,) number of runs whose largest value is beyond RARE times their median; largest : (runs, q), above 0
 
-    0 with fewer than FEWEST runs.  Where it is not, a line snaps in few runs, or a fender is met in few: one more run
-    may go far beyond all of them.
+    0 with fewer than FEWEST runs.  Otherwise a line snaps in few runs, or a fender is touched in few: one more run may
+    go far beyond all of them.
     """
     largest = np.asarray(largest, float)
     if len(largest) < FEWEST:
@@ -80,5 +80,5 @@ def rare(largest):
 
 
 def beyond(used, limit):
-    """(q,) number of runs in which a share used (runs, q) is above the limit; nan is not"""
+    """(q,) number of runs in which a utilisation (runs, q) is above the limit; nan is not"""
     return np.sum(np.asarray(used, float) > limit, axis=0)

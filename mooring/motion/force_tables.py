@@ -1,15 +1,15 @@
-"""Forces of a line of segments, sinkers and buoys over the region that its fairlead visits, as a table for kernels.
+"""Forces of a line of segments, sinkers and buoys over the range of its fairlead, as a table for kernels.
 
-Forces H, V and their exact derivatives come from the line's own solver at the corners of cells of the chord
-c = √(x² + z²) and the height z: a line becomes taut at one chord, whatever its height.  In a cell they are Adini's
+Forces H, V and their exact derivatives come from the line's own solver at the corners of cells of the chord c = √(x² +
+z²) and the height z: a line becomes taut at one chord, independent of its height.  In a cell they are Adini's
 polynomials, complete to third degree, of the values and derivatives at its four corners,
 
     ∂f/∂c at z = (c/x) ∂f/∂x,    ∂f/∂z at c = ∂f/∂z − (z/x) ∂f/∂x.
 
-A cell is halved, along the axis on which it is worse, until the polynomial is right in its middle and in those of its
-edges, within a tolerance of the tension there or at rest, whichever is larger.  The cells become small along the curves
-on which a sinker lifts, a buoy dives or the part above a sinker is taut, wherever these run.  Beyond the greatest chord
-a line, taut there, pulls on with the stiffness it has.
+A cell is halved, along the axis with the larger error, until the polynomial is accurate in its middle and in those of
+its edges, within a tolerance of the tension there or at rest, whichever is larger.  The cells become small along the
+curves on which a sinker lifts, a buoy dives or the part above a sinker is taut, wherever these run.  Beyond the
+greatest chord, at which the line is taut, its pull increases with its stiffness there.
 """
 
 from __future__ import annotations
@@ -26,22 +26,22 @@ from ..lines.catenary.flat_bed import ROW
 from ..lines.system.composite import fill_row
 
 TOLERANCE = 5e-3  # error of the table over the tension there, or over the tension at rest if larger
-FIRST = (8, 4)  # cells that are halved, of chord and height
+FIRST = (8, 4)  # initial cells, of chord and height
 MOST_CELLS = 3000
 SMALLEST = 2e-4  # smallest cell over the range
-CHECKS = 200  # places, other than those that decided the cells
-OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking load, strain where none is known
+CHECKS = 200  # places, other than those that determined the cells
+OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking load; strain without a known breaking load
 
 
 class ForceTable(NamedTuple):
     """A tree of cells.
 
-    ends : (2, 2) m, of chord and height; first : number of cells along each of them before any is halved
-    halved : (n,) m, where a cell is cut, at a chord where along (n,) is 0, at a height where it is 1
-    below : (n,) number of the lower half, the upper is the next; of a cell that is whole −1 − its row in the next two
+    ends : (2, 2) m, of chord and height; first : number of initial cells along each of them
+    halved : (n,) m, at which a cell is divided, at a chord where along (n,) is 0, at a height where it is 1
+    below : (n,) number of the lower half, the upper is the next; for an undivided cell −1 − its row in the next two
     cells : (m, 4) m, lowest chord and height, sizes; values : (m, 2, 4, 4) of H and V at the corners (low, low),
         (high, low), (low, high), (high, high): f, f_c, f_z, f_cz
-    error : the largest found in any cell, at places that did not decide it too, over the tension
+    error : the largest found in any cell, also at places that did not determine it, over the tension
     coarse : share of the region in cells that are further off than TOLERANCE
     """
 
@@ -59,8 +59,8 @@ class ForceTable(NamedTuple):
 def tabulate(composite, breaking_load, span, height, reach):
     """`ForceTable` of a `mooring.lines.system.composite.Composite` about a span and height at rest, m.
 
-    reach : (2,) m, how far the span may fall and the height may change either way
-    raises : ValueError where the line has no solution at rest
+    reach : (2,) m, largest decrease of the span and change of the height either way
+    raises : ValueError for a line without a solution at rest
     """
     chord = float(np.hypot(span, height))
     at_rest = _solved(composite, chord, height)
@@ -82,7 +82,7 @@ def tabulate(composite, breaking_load, span, height, reach):
 
 
 class _Tree:
-    """Cells of a table while they are halved; `whole` is a heap of (−error, number) of those that may be."""
+    """Cells of a table during their division; `whole` is a heap of (−error, number) of divisible ones."""
 
     def __init__(self, solve, ends, floor):
         self.solve, self.ends, self.floor = solve, ends, floor
@@ -110,7 +110,7 @@ class _Tree:
             heapq.heappush(self.whole, (-self.errors[-1], number, axis if may[axis] else 1 - axis))
 
     def grow(self):
-        """Halve the worst cell until all are right, or as small as they may be, or there are enough."""
+        """Halve the worst cell until all are accurate, or as small as allowed, or there are enough."""
         while self.whole and len(self.boxes) < 2 * MOST_CELLS:
             _, number, axis = heapq.heappop(self.whole)
             low, high = list(self.boxes[number]), list(self.boxes[number])
@@ -141,7 +141,7 @@ class _Tree:
         return table._replace(error=max(float(errors.max()), self._elsewhere(table, composite)))
 
     def _elsewhere(self, table, composite):
-        """Largest error at CHECKS places in cells drawn alike, so that small ones are looked at too"""
+        """Largest error at CHECKS places in equally probable cells, so that small ones are tested too"""
         rng, worst, tables = np.random.default_rng(1), 0.0, packed([table])
         for number in rng.integers(0, len(table.cells), CHECKS):
             c0, z0, dc, dz = table.cells[number]
@@ -170,12 +170,12 @@ def _with_twist(corners, dc, dz):
 
 
 def _slackest(chord, span, height, reach):
-    """m, smallest chord: that of a span that has fallen, and longer than any height"""
+    """m, smallest chord: that of the reduced span, and longer than any height"""
     return max(float(np.hypot(max(span - reach[0], 0.0), height)), 1.01 * (abs(height) + reach[1]), 0.02 * chord)
 
 
 def _solved(composite, chord, height):
-    """(2, 3) H and V with their derivatives to chord and height, nan where there is no solution"""
+    """(2, 3) H and V with their derivatives to chord and height, nan without a solution"""
     row, span = np.zeros(ROW), float(np.sqrt(max(chord**2 - height**2, 0.0)))
     fill_row(row, composite, np.zeros(3), np.array([span, 0.0, height]))
     out = np.full((2, 3), np.nan)
@@ -186,7 +186,7 @@ def _solved(composite, chord, height):
 
 
 def _tautest(composite, breaking_load, chord, height):
-    """m, chord at which the line carries OVERLOAD times its breaking load, or has STRAIN where none is known"""
+    """m, chord at which the line carries OVERLOAD times its breaking load, or has STRAIN without a known one"""
     length = sum(segment.length for segment in composite.line.segments)
     limit = OVERLOAD * breaking_load
     low, high = chord, max(chord, length) * (1 + STRAIN)

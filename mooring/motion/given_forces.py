@@ -1,4 +1,4 @@
-"""Forces that are given as tables in time, in the axes that turn with the body.
+"""Forces given as tables in time, in the axes that turn with the body.
 
 Between the rows they follow monotone cubics (Fritsch and Carlson 1980; `scipy.interpolate.PchipInterpolator`), which do
 not overshoot.  Before the first row they are those of the first, grown by the ramp as every load is.
@@ -21,18 +21,18 @@ from ..response.sea_state import drift_on_current
 from ..response.slow_drift import half_wave_drift, half_waves
 
 COLUMNS = ("t", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
-GAP = 10.0  # usual steps of a table, from which one is warned of
-FINE = 4  # samples of the shortest interval, between which polynomials of fifth degree are 1e-4 off
+GAP = 10.0  # usual steps of a table, above which a warning is given
+FINE = 4  # samples of the shortest interval, between which polynomials of fifth degree have an error of 1e-4
 MOST = 2_000_000  # samples
 FREQUENCIES = 500  # frequencies of the drift, linear in between
-SURFACE_STEP, PASSING = 0.1, 0.2  # s, of the surface; in which the drift of a half wave passes to that of the next
+SURFACE_STEP, PASSING = 0.1, 0.2  # s, of the surface; duration of the transition between the drifts of two half waves
 
 
 @dataclass(frozen=True, eq=False)
 class GivenForce:
     """times : (n,) s from the end of the ramp, rising; force : (n, 6) N, N m about the rotation centre
 
-    body : number of the one it acts on, of those that move
+    body : number of the loaded body, among the moving ones
     """
 
     times: np.ndarray
@@ -52,7 +52,7 @@ class GivenForce:
 def read_force(path):
     """`GivenForce` of a CSV file with a row of names and the columns t (s), Fx, Fy, Fz (N), Mx, My, Mz (N m).
 
-    Steps may be of any length; one of GAP usual ones is warned of.  raises : TableError naming the file and the line
+    Steps may be of any length; one of GAP usual ones causes a warning.  raises : TableError with the file and the line
     """
     names, values = read_table(path)
     if names is None or sorted(names) != sorted(COLUMNS):
@@ -77,7 +77,7 @@ def read_force(path):
 def drift_of_half_waves(reader, components, heading, ramp, duration):
     """`GivenForce` of the drift by half waves on a body with a fixed heading, rad.  Raises ValueError without waves.
 
-    reader : `bem.database.reader.Reader` with drift, on a current in its axes where there is one
+    reader : `bem.database.reader.Reader` with drift, on a current in its axes if there is one
     components : of waves, which travel in their mean direction, at intrinsic frequencies; ramp, duration : s
     """
     t = SURFACE_STEP * np.arange(int(np.ceil((ramp + duration) / SURFACE_STEP)) + 2)
@@ -104,7 +104,7 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
 
 
 def sampled(forces, ramp, duration, bodies=1):
-    """(6N, m) sum of GivenForces at equal steps from −ramp to the duration, and the step, s; one column for none
+    """(6N, m) sum of GivenForces at equal steps from −ramp to the duration, and the step, s; one column without forces
 
     raises : ValueError for a table that does not last
     """

@@ -1,11 +1,11 @@
 """Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, step by its own error.
 
 The error of a step is the difference of the two orders.  Its limit is a share of the tolerance, of the scale of each
-motion, times the step over the time in which an error decays; positions and velocities count.  Where a line comes taut
-or a fender is met the force has a corner, and the error of a step over it falls only like h²: such a step may have the
-error of a share of the usual step, which is the mean of steps over time.  Steps end where a window of wave forces ends
-and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite polynomials, of fifth
-degree for quantities with known velocity and acceleration.
+motion, times the step over the time in which an error decays; positions and velocities count.  Where a line becomes
+taut or a fender is touched the force has a corner, and the error of a step over it falls only like h²: such a step may
+have the error of a share of the usual step, which is the mean of steps over time.  Steps end where a window of wave
+forces ends and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite polynomials, of
+fifth degree for quantities with known velocity and acceleration.
 
 Lines with a motion of their own (`moving_lines`) follow a step that is computed with their predicted pull; the step is
 then repeated with their computed pull.
@@ -30,11 +30,11 @@ from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put
 from .wave_loads import fill_rows, fill_window
 
 SAFETY, LARGEST, SMALLEST = 0.85, 4.0, 0.2  # safety factor, largest and smallest change of step
-WITH_LINES = 0.7  # SAFETY where lines move: what they do is foreseen less well, and a step refused is dear
-SHORTEST, OF_USUAL = 1e-5, 1e-4  # s, share of the usual step: a step below both cannot be followed,
+WITH_LINES = 0.7  # SAFETY with moving lines: their response is predicted less well, and a rejected step is expensive
+SHORTEST, OF_USUAL = 1e-5, 1e-4  # s, share of the usual step: a step below both ends the run,
 AT_CORNER = 100  # largest number of consecutive steps below the first limit
 FIRST_STEP = 0.05  # s
-AT_ONCE = 1e-9  # s between instants that are one
+AT_ONCE = 1e-9  # s below which two instants are equal
 ROUNDING = 2e-9  # uncertainty of sample times, over the step between samples
 # step over the usual step, below which the error of a step over a corner counts in proportion; a corner takes six steps
 CORNER = 0.1
@@ -60,7 +60,7 @@ E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525
 
 @in_memory
 class Clock(NamedTuple):
-    """What a run keeps between calls; its arrays are changed in place.
+    """State of a run between calls; its arrays are changed in place.
 
     now : TIME, STEP, WINDOW (its begin), USUAL step, all s
     counts : STEPS, REFUSED, SAMPLES, WINDOWS, SHORT steps in a row
@@ -108,9 +108,9 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale, groups=0):
 
 @kernel(counted=False)
 def stage(trial, y, k, h, s):
-    """Trial state (n,) at stage s of a step of h s from y, in one pass along the states as they lie in memory
+    """Trial state (n,) at stage s of a step of h s from y, in one pass along the states in memory order
 
-    A rate that has no share is read as that of the first stage, which is finite.
+    A rate with weight zero is replaced by that of the first stage, which is finite.
     """
     a, b, c, d, e = k[0], k[min(1, s - 1)], k[2 if s > 2 else 0], k[3 if s > 3 else 0], k[4 if s > 4 else 0]
     f = k[5 if s > 5 else 0]
@@ -122,7 +122,7 @@ def stage(trial, y, k, h, s):
 
 @kernel(counted=False)
 def take_step(scene, buoy, clock, t, h):
-    """Stages and the trial state after a step; returns its error over the limit, and whether all lines could follow."""
+    """Stages and the trial state after a step; returns its error over the limit, and whether all lines have a force."""
     k, trial, good = clock.stages, clock.trial, True
     for s in range(1, 7):
         stage(trial, clock.y, k, h, s)
@@ -151,9 +151,9 @@ def take_step(scene, buoy, clock, t, h):
 
 @kernel(counted=False)
 def take_step_with_lines(scene, buoy, clock, moving, t, h):
-    """`take_step` with lines that move: with the pull foreseen, lines along that course, and again with theirs.
+    """`take_step` with moving lines: with the predicted pull, then lines along that course, then again with their pull.
 
-    The error has the part of the course that lines did not follow: they go where the body was foreseen.
+    The error includes the deviation of the body from its predicted course, which the lines followed.
     """
     lines, kept = moving
     work, trial = scene.line_work, clock.trial
@@ -272,7 +272,7 @@ def hermite(s, y, z, dy, dz):
 
 @kernel(counted=False)
 def next_break(lines, t):
-    """s of the first line that breaks after t, inf for none"""
+    """s, time of the next line break after t, inf for none"""
     first = np.inf
     for i in range(lines.lost.size):
         if t < lines.lost[i] < first:
@@ -306,12 +306,12 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
     stopped.
 
     scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy : (Buoy, BuoyWork), None without a buoy, moving :
-    (MovingLines, MovingWork), None where no line moves by itself, and then nothing of it is compiled
+    (MovingLines, MovingWork), None without moving lines, and then not compiled
     """
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
     lines, length = scene.lines, waves.table.window
     safety = SAFETY if moving is None else WITH_LINES
-    again = False  # after a step that was refused: one over a corner is, where one that a window cuts short is not
+    again = False  # after a rejected step, as over a corner; a step cut short by a window is none
     for _ in range(most):
         t = now[TIME]
         if t >= clock.end - AT_ONCE:
@@ -368,7 +368,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
             for row in range(first, counts[SAMPLES]):
                 put_tensions(moving[0], moving[1], row, row * clock.sample_step)
             keep_lines(moving[0], moving[1], h, scene.line_work.given)
-        for i in range(clock.y.size):  # array to array takes long to compile, see `contact_loads.settle`
+        for i in range(clock.y.size):  # array assignment is slow to compile, see `contact_loads.settle`
             clock.y[i] = clock.trial[i]
         now[TIME] = later
         now[USUAL] += min(1.0, h / (MEMORY * now[USUAL])) * (h - now[USUAL])
@@ -410,7 +410,7 @@ def put_samples(clock, t, h, later, samples):
 def keep_links(scene, links, buoy, clock, t, h, later):
     """Forces of links at the samples of the step from t to `later`, s, from the state there; the last as `put_samples`
 
-    What fenders remember is then that of the end of the step, as before.
+    The history of fenders is then that of the end of the step, as before.
     """
     held, kept = links
     if held.ends.shape[0] > 0:

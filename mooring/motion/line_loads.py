@@ -1,9 +1,9 @@
-"""Pull of the lines of a system on bodies in time, each in its exact static form for where its ends are.
+"""Pull of the lines of a system on bodies in time, each in its exact static shape for the positions of its ends.
 
 A uniform line follows the closed forms, started from its last solution (`mooring.lines.catenary.moving_end`).  A line
-of segments, with sinkers and buoys or a bed of its own, is read from a table of its own solver over the span and
-height its fairlead visits (`force_tables`).  A hawser pulls straight, with T(e) of its elongation, and may run from one
-body to another, which it pulls with the opposite force.
+of segments, with sinkers and buoys or its own bed, is read from a table of its own solver over the span and height of
+its fairlead (`force_tables`).  A hawser pulls straight, with T(e) of its elongation, and may run from one body to
+another, which receives the opposite force.
 
 With R = Rz(ψ) Ry(θ) Rx(φ) the forces on the rates of x, y, z, φ, θ, ψ are those of virtual work,
 
@@ -30,13 +30,13 @@ from .moving_lines.polynomial import TERMS, legendre
 from .tables.groups import moved_by_shapes
 
 reaction = kernel(inline=True, counted=False)(reaction_of)
-NEVER = np.inf  # s at which a line breaks that does not
-REACH = (1.5, 0.6)  # depths that a span may fall and a fairlead rise or sink in a table
+NEVER = np.inf  # s, time of a line's break if it does not break
+REACH = (1.5, 0.6)  # depths by which a span may decrease and a fairlead rise or sink in a table
 
 
 @in_memory
 class Lines(NamedTuple):
-    """Lines as the kernels read them.
+    """Lines in the form that the kernels read.
 
     anchor : (n, 3) m in space, or in the axes of the `other` body; fairlead : (n, 3) m in the axes of its `body`
     body, other : (n,) numbers of bodies, `other` below 0 for an anchor; lines : (n, 4) length, weight, 1/EA, friction
@@ -64,10 +64,10 @@ class Lines(NamedTuple):
 
 @in_memory
 class LineWork(NamedTuple):
-    """What is kept of the lines between evaluations.
+    """Values of the lines that are kept between evaluations.
 
     kept (n, 2) and rows (n, ROW) of `moving_end`; tension : (n, 2) horizontal and vertical pull at the fairlead, N
-    whole : (n,) whether a line has not broken yet
+    whole : (n,) whether a line is still unbroken
     given : (n, TERMS, 3) N in space, of lines that move, coefficients of Legendre's polynomials over a step of the body
     span : (3,) s, now, begin and length of that; terms : (TERMS,) room for work
     sums : (N, 6) N, N m in space, on each body about the origin of its axes
@@ -98,13 +98,13 @@ def line_work(lines):
 
 @kernel(counted=False)
 def hold(lines, work, t):
-    """Mark which lines have not broken at t s."""
+    """Mark the lines that are unbroken at t s."""
     for i in range(lines.lost.size):
         work.whole[i] = lines.lost[i] > t
 
 
 def body_lines(system, lost=(), tables=((), ()), moving=(), bodies=1):
-    """`Lines` of a System, that run from anchors to fairleads, or between bodies; of None, none of so many bodies.
+    """`Lines` of a System, from anchors to fairleads, or between bodies; for None, no lines on `bodies` bodies.
 
     tables : ForceTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
     lost : (name, s) of lines that break; moving : numbers of lines with a motion of their own
@@ -165,7 +165,7 @@ def ends_at_rest(lines, at_rest):
 
 
 def ends_in_time(line, points):
-    """The two ends of a line of a System: an anchor and a fairlead, or fairleads of two bodies that a hawser joins
+    """The two ends of a line of a System: an anchor and a fairlead, or fairleads of two bodies joined by a hawser
 
     points : {name: point}.  Raises ValueError for other lines.
     """
@@ -186,9 +186,9 @@ def ends_in_time(line, points):
 
 
 def tables_of(system, start):
-    """ForceTables of the lines with segments about the bodies' places at rest, and (n,) the number of each line's own.
+    """ForceTables of lines with segments about the bodies' places at rest, and (n,) the index of each line's table.
 
-    start : (6N,) of the bodies at rest, from the places given.  Lines that are alike share a table.
+    start : (6N,) of the bodies at rest, from the given places.  Equal lines share a table.
     raises : ValueError naming a line without equilibrium
     """
     points, R = {point.name: point for point in system.points}, np.zeros((3, 3))
@@ -297,7 +297,7 @@ def fairlead_course(lines, i, states):
 
 @kernel(inline=True, counted=False)
 def straight_pull(curves, number, length, span, rise):
-    """(H, V) N of a hawser with the curve `number`, `length` m unstretched; none where it is shorter"""
+    """(H, V) N of a hawser with the curve `number`, `length` m unstretched; zero if shorter"""
     away = np.sqrt(span * span + rise * rise)
     T = reaction(curves, number, away - length, 1.0)
     return T * span / max(away, length), T * rise / max(away, length)

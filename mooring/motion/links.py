@@ -3,12 +3,12 @@
     W⁻¹ ν̇ = F + Gᵀμ,    G ν̇ = −Ġν − 2α Gν − α² g,    (G W Gᵀ) μ = −Ġν − 2α Gν − α² g − G W F
 
 g (r,) are the quantities that a link keeps at zero: d, the distance of its point on the second body from that on the
-first, in space, or for a slider h · R₁ᵀd along two axes h of the first; and of Q = R₁ᵀR₂R₀ᵀ, the rotation of the second
-from its position at rest in axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the constrained axes h.  G is the
-derivative of g by the motions, along the axes of the forces, at the present angles; so μ, force and moment on the
-second body, does no work while the constraint is met.  A spring and a damper of a slider or a hinge give
-−k (s − rest) − c ṡ along or about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a
-difference quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).
+first, in space, or for a slider h · R₁ᵀd along two axes h of the first; and for Q = R₁ᵀR₂R₀ᵀ, the rotation of the
+second from its position at rest in axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the constrained axes h.  G is
+the derivative of g by the motions, along the axes of the forces, at the present angles; so μ, force and moment on the
+second body, does no work while the constraint is satisfied.  A spring and a damper of a slider or a hinge give −k (s −
+rest) − c ṡ along or about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference
+quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from hakobune.bem.kernels.jit import kernel
 
 from .line_loads import generalized, give_generalized, rotation_of
 
-BACK = 2.0  # α, rad/s: faster would ask for steps below those of waves
+BACK = 2.0  # α, rad/s: a larger value would need steps shorter than those for waves
 ALONG, ABOUT = 1, 2  # an axis, the travel of a slider and of a hinge
-AHEAD = 1e-3  # s, of the difference quotient: it is off by a millionth of a term of second order
+AHEAD = 1e-3  # s, of the difference quotient: its error is a millionth of a second-order term
 
 
 @in_memory
 class Links(NamedTuple):
-    """k links of r constraints as the kernels read them.
+    """k links of r constraints in the form that the kernels read.
 
     ends : (k, 2) numbers of the first and the second body, below 0 for a fixed point
     points : (k, 2, 3) m from the origins of the axes of these, along them; in space for a fixed point
@@ -93,7 +93,7 @@ class LinkWork(NamedTuple):
 
 
 def links_of(reader):
-    """`Links` of a `bem.database.reader.Reader`, None where it has none.  Raises ValueError for unknown bodies."""
+    """`Links` of a `bem.database.reader.Reader`, or None.  Raises ValueError for unknown bodies."""
     if not reader.links:
         return None
     ends, points, backs, helds, shown, ways = [], [], [], ([], []), [], []
@@ -121,7 +121,7 @@ def links_of(reader):
 
 
 def no_links(place):
-    """`Links` of none, of bodies with their axes at place (N, 3) m"""
+    """`Links` without any link, for bodies with their axes at place (N, 3) m"""
     none, of_none = np.zeros((0, 3, 3)), np.zeros(0, np.int64)
     return Links(
         np.zeros((0, 2), np.int64), np.zeros((0, 2, 3)), none, none, none, np.zeros(1, np.int64), of_none, place, none,
@@ -155,7 +155,7 @@ def rows_at(links, poses):
 
 
 def held_by(links, poses, mu):
-    """(k, 6) N, N m of the first body of each link on the second, along the axes of the first, from μ (r,)"""
+    """(k, 6) N, N m exerted by the first body of each link on the second, along the axes of the first, from μ (r,)"""
     work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(SHOWN * len(links.ends))
     fill_rows(links, work, poses, True)
     drive(links, work, np.zeros(poses.size))
@@ -314,7 +314,7 @@ def fill_shares(links, work, inverse):
 
 @kernel(counted=False)
 def hold_together(links, work, poses, inverse, force):
-    """Add to the forces (6N,) on bodies at poses (N, 6) with work.speed what links hold; W (6N, 6N) of `inverse`."""
+    """Add the link forces to the forces (6N,) on bodies at poses (N, 6) with work.speed; W (6N, 6N) of `inverse`."""
     count, speed, mu = poses.shape[0], work.speed, work.mu
     for side in (1.0, -1.0):
         for b in range(count):

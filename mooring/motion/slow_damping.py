@@ -14,7 +14,7 @@ from .tables.interpolation import ring_table
 from .wave_loads import HEADINGS, drift_damping
 
 PLANE = (0, 1, 5)
-SLOW = 0.5  # natural frequencies below this fraction of the mean wave frequency are slow
+SLOW = 0.5  # natural frequencies below this fraction of the mean wave frequency count as slow
 TOO_MUCH = 2.0  # largest damping over that at the natural frequency
 LIGHT = 0.02  # damping ratio below which slow motion counts as lightly damped
 

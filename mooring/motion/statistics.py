@@ -8,8 +8,8 @@ extreme of a duration D is the mean plus
 
     X = σ {s + γ/s},   s = √(2 ln(n√(1−ε²))),   n = D/T_peak,   γ = 0.5772                      (3.5.1.5, 3.5.1.6)
 
-with D of 1000 mean wave periods in the report, for Gaussian records: kept beside the report's tables, and no more.
-What is said of the largest values of runs is in `extremes`.
+with D of 1000 mean wave periods in the report, for Gaussian records: only for comparison with the report's tables.
+`extremes` treats the largest values of runs.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ from ..response.extremes import expected_maximum
 
 FEWEST_WAVES = 3  # zero crossings below which a record has no extreme
 STEADY = 1e-9  # σ over the largest value of a record that does not vary
-# σ over the largest of all motions or all forces; less is rounding of a value that symmetry makes zero.  NOTHING is
-# over the hull's length and weight, where nothing moves
+# σ over the largest of all motions or all forces, below which it is rounding of a value that is zero by symmetry.
+# NOTHING is over the hull's length and weight, if nothing moves
 ROUNDING, NOTHING = 1e-6, 1e-9
-PLANE = {"surge": 0, "sway": 1, "yaw": 5}  # motions that windows of a record tell
+PLANE = {"surge": 0, "sway": 1, "yaw": 5}  # motions reported by windows of a record
 FEWEST_IN_WINDOW = 5  # waves
 FEW = 8.0  # frequencies in a record, below which it has lines and no spectrum, and its maxima no distribution
 
@@ -53,7 +53,7 @@ class RecordStatistics(NamedTuple):
 
 
 def stillness(sigma, units, length, weight):
-    """(q,) σ up to which quantities do not vary, against what else moves and pulls, and the hull.
+    """(q,) σ up to which quantities count as constant, relative to the other motions and forces, and the hull.
 
     sigma, units : (q,) of "m", "rad", "N" or another; length : m; weight : N.  An angle moves an end of the hull by
     half the length times it.
@@ -68,15 +68,15 @@ def stillness(sigma, units, length, weight):
 
 
 def frequencies_in(record):
-    """How many frequencies a record (n,) is of, (ΣE)²/ΣE² of the energies E of its Fourier terms: about 2 of one wave,
-    4 of two, and of a sea nearly as many as its band holds; 0 of one that does not vary"""
+    """Number of frequencies in a record (n,), (ΣE)²/ΣE² of the energies E of its Fourier terms: about 2 for one wave, 4
+    for two, and for a sea nearly as many as its band contains; 0 for a constant record"""
     energy = np.abs(np.fft.rfft(np.asarray(record, float) - np.mean(record))[1:]) ** 2
     total = energy.sum()
     return float(total**2 / np.sum(energy**2)) if total > 0 else 0.0
 
 
 def without_rounding(found, still):
-    """`RecordStatistics` of a record whose σ is at most `still`: it does not vary, and ends that small are none"""
+    """`RecordStatistics` of a record whose σ is at most `still`: it counts as constant, and such small ends as zero"""
     if not found.sigma <= still:
         return found
     mean, *ends = (0.0 if abs(value) <= 3 * still else value for value in (found.mean, found.largest, found.smallest))
@@ -87,7 +87,7 @@ def record_statistics(record, step, split, duration=None):
     """RecordStatistics of equally spaced values.
 
     record : (n,); step : s; split : rad/s between slow and wave part; duration : s of the extreme, by default all
-    A record that does not vary has nan for all that needs maxima.  Raises ValueError for one that is not finite.
+    A constant record has nan for all values that need maxima.  Raises ValueError for one that is not finite.
     """
     x = np.asarray(record, float)
     if x.ndim != 1 or len(x) < 8 or not np.all(np.isfinite(x)):
@@ -108,7 +108,7 @@ def record_statistics(record, step, split, duration=None):
 
 
 def parts(record, step, split):
-    """Standard deviations of what lies below and above `split` rad/s of a record (n,) without mean: σ² is their sum."""
+    """Standard deviations of the parts of a record (n,) without mean below and above `split` rad/s: σ² is their sum."""
     power = np.abs(np.fft.rfft(record)) ** 2
     power[1 : (len(record) + 1) // 2] *= 2
     power[0] = 0.0
@@ -117,7 +117,7 @@ def parts(record, step, split):
 
 
 def slow_part(record, step, split):
-    """What lies below `split` rad/s of a record (n,), its mean with it, without delay"""
+    """Part of a record (n,) below `split` rad/s, including its mean, without delay"""
     part = np.fft.rfft(record)
     part[2 * np.pi * np.fft.rfftfreq(len(record), step) >= split] = 0.0
     return np.fft.irfft(part, len(record))
@@ -138,7 +138,7 @@ def highest_mean(falling, share):
 
 
 def over_runs(values):
-    """Root mean square, over the runs, of standard deviations (runs, …), as of one record as long as all of them"""
+    """Root mean square, over the runs, of standard deviations (runs, …), equal to that of one joined record"""
     return np.sqrt(np.mean(np.square(values), axis=0))
 
 

@@ -2,7 +2,7 @@
 
     F = c(α) |U|²,    U = U∞ (1 + u′/|U∞|) − (u, v) in the body's axes, α its angle
 
-F has six components: forces act at a height of their own (`loads.on_hull`; SR179 report, 1982, eq. 3.7.1.8).
+F has six components: forces act at their own height (`loads.on_hull`; SR179 report, 1982, eq. 3.7.1.8).
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from ..loads.on_hull import current_on, wind_on
 from .tables.interpolation import between_samples, on_ring, ring_table
 
 RING = 720  # angles of a table of coefficients
-GUST_BAND = (2 * np.pi * 1e-4, 2 * np.pi)  # rad/s; the report takes 0.001 to 1 Hz
+GUST_BAND = (2 * np.pi * 1e-4, 2 * np.pi)  # rad/s; the report uses 0.001 to 1 Hz
 GUST_STEP, GUSTS = 0.2, 400  # s, number of components
 
 
 @in_memory
 class Stream(NamedTuple):
-    """Wind or current as the kernels read it.
+    """Wind or current in the form that the kernels read.
 
     table : (bodies, RING + 3, 6) N s²/m², N s² of unit speed at equal angles; velocity : (2,) m/s in space
-    gusts : (1, n) m/s along the mean, from `first` s on in steps of GUST_STEP; one column where there are none
+    gusts : (1, n) m/s along the mean, from `first` s on in steps of GUST_STEP; one column without gusts
     """
 
     table: np.ndarray
@@ -45,7 +45,7 @@ def calm(bodies=1):
 
 
 def on_all(streams):
-    """The Stream of one wind or current on several bodies, of that on each"""
+    """The Stream of one wind or current on several bodies, from those of each"""
     return streams[0]._replace(table=np.concatenate([one.table for one in streams]))
 
 

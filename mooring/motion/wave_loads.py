@@ -3,15 +3,15 @@
     F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
 
 in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position. The drift is
-Newman's with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves pass a fixed place with
-ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
+Newman's approximation with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves at a place
+have ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
 windows. A slow pose is predicted for the end of each window, and forces change linearly from those of the pose at its
 begin to those of the pose at its end, so that they are continuous for any motion. Within a window exp(−iωt) at equal
 steps is always the same matrix: a window costs two products of small real matrices. Between the steps forces are
 polynomials of fifth degree through six of them.
 
-Each of several bodies has its own slow pose and carries the origin along: the waves scattered by the other bodies are
-those of the positions at rest, which is valid as long as the distances remain.
+Each of several bodies has its own slow pose, and the origin moves with it: the waves scattered by the other bodies are
+those of the positions at rest, which is valid while the distances change little.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from .tables.interpolation import EDGE, lagrange_weights
 HEADINGS = 120  # headings of the force table, 3° apart, with polynomials of fifth degree in between
 PHASE = (0.3, 0.6)  # rad of the highest component in a step, of few components and of many: quintics are 4e-6, 2e-4 off
 FEW = 40
-WINDOW = 6.0  # s; poses foreseen this far ahead
+WINDOW = 6.0  # s; poses are predicted this far ahead
 OF_PERIOD = 1.2  # and at most so many mean periods: of a model of 1:70 in waves of 0.6 s hinges were 2.7 % off by 6 s
 ROWS = 10  # six forces, three of drift, the elevation
 
@@ -115,7 +115,7 @@ class WaveForces:
 
     @cached_property
     def curves(self):
-        """Cubic splines over the frequency, of forces and of drift (None where it is not known)"""
+        """Cubic splines over the frequency, of forces and of drift (None if unknown)"""
         from scipy.interpolate import CubicSpline
 
         drift = None if self.drift is None else CubicSpline(self.omega, self.drift)
@@ -125,7 +125,7 @@ class WaveForces:
 def wave_forces(body):
     """`WaveForces` of a `bem.database.reader.Reader` at frequencies close enough for every resonance.
 
-    The same digits whatever the threads of the machine: a second one would add up products in another order.
+    The same digits for any number of threads: a second one would change the order of sums.
     """
     with blas_threads(1):
         return _wave_forces(body)
@@ -176,13 +176,13 @@ def _in_parts(omega):
 
 
 def no_wave_forces(body):
-    """`WaveForces` of a `bem.database.reader.Reader` in a run without waves, whatever headings it is solved for"""
+    """`WaveForces` of a `bem.database.reader.Reader` in a run without waves, for any solved headings"""
     none = WaveForces(body.omega, np.zeros((len(body.omega), HEADINGS, 12)), None)
     return replace(none, others=(none,) * (len(body.axes_at_rest) - 1 + len(groups_of(body).owner)))
 
 
 def drift_of(forces, components, heading):
-    """(c, 3) drift, in still water, of wave components alone on a body turned to `heading` rad, as runs take it"""
+    """(c, 3) drift, in still water, of wave components alone on a body at heading `heading` rad, as in runs"""
     table = forces.curves[1](np.clip(components.omega, forces.omega[0], forces.omega[-1]))
     place = (np.asarray(components.direction) - heading) * (HEADINGS / (2 * np.pi))
     whole, weights, out = np.floor(place), np.empty(6), np.empty((len(place), 3))
@@ -213,7 +213,7 @@ def drift_damping(forces, omega, depth, gravity):
 def drift_on_current(forces, omega, direction, velocity, depth, gravity):
     """(q, HEADINGS, 3) D + B V of waves of omega (q,) rad/s towards `direction` (q,) rad, V (2,) m/s, all in space
 
-    over headings of the waves in the body's axes, to which the current is turned with them
+    The HEADINGS are those of the waves in the body's axes; the current keeps its angle to the waves.
     """
     drift, B = drift_damping(forces, omega, depth, gravity)
     towards = np.arctan2(velocity[1], velocity[0]) - np.asarray(direction)[:, None]

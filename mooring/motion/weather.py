@@ -1,4 +1,4 @@
-"""What loads a body in time, and how a run is made."""
+"""Loads on a body in time, and settings of a run."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ MEMORY = ("states", "constant")
 
 @dataclass(frozen=True)
 class Weather:
-    """Everything that acts on a body except its lines; None or nothing for a load that is absent.
+    """All loads on a body except its lines; None or empty for an absent load.
 
     seas : tuple of `mooring.environment.sea.Sea`, long- or short-crested
     regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
     wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
     forces : tuple of `mooring.motion.given_forces.GivenForce`
-    beside_newman : of `mooring.response.pair_levels.beside_newman` in each sea, None where Newman's rule is enough:
-        forces of pairs of waves of one sea, on the body at its position and heading at rest
+    beside_newman : from `mooring.response.pair_levels.beside_newman` for each sea, None where Newman's approximation
+        suffices: forces of wave pairs of one sea, on the body at its position and heading at rest
     on_hull : `mooring.motion.tables.hull_water.OnHull`, with its current, in place of the hull and current of a box
-    components : `mooring.environment.sea.Components` in place of seas, the same for every seed, as of a measured
-        record; time is counted from the begin of the ramp, frequencies are those in the water
+    components : `mooring.environment.sea.Components` instead of seas, the same for every seed, such as those of a
+        measured record; time is counted from the begin of the ramp, frequencies are those in the water
     carrier : `mooring.on_current.waves.Carrier` that carries the waves, by default that of the current
     """
 
@@ -46,9 +46,9 @@ class Weather:
 
     @property
     def waves(self):
-        """All waves as a study in the frequency domain takes them: a Sea, `Systems`, regular `Waves`; None for none
+        """All waves in the form for frequency-domain studies: a Sea, `Systems`, regular `Waves`; None for none
 
-        Of components it is the ISSC spectrum of their energy, mean frequency and mean direction.
+        For components it is the ISSC spectrum of their energy, mean frequency and mean direction.
         """
         if self.seas:
             return self.seas[0] if len(self.seas) == 1 else Systems(self.seas)
@@ -81,19 +81,19 @@ class Settings:
     """Settings of a run.
 
     duration : s of the statistics; ramp : s before it, in which every load grows from zero
-    wave_ramp : (s, s) from the start, begin of the waves and length of their growth, None for the ramp of all loads
+    wave_ramp : (s, s) from the start, begin of the waves and duration of their growth, None for the ramp of all loads
     step : s between samples that are kept; tolerance : of the motions, relative to their standard deviations
     components : number of wave components of each sea, None to choose it by duration and bandwidth
     slow_drift : "newman", "half-waves" (the report's), "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
     constant_period : s, of that frequency, None for the mean one of the waves
-    dynamic_lines : names of lines with a motion of their own, "all", "none", or "auto" for all where a trial shows the
-        need; the others have their static shape
+    dynamic_lines : names of lines with their own motion, "all", "none", or "auto" for all if a trial shows the need;
+        the others have their static shape
     dynamic_elements : number of elements of each of these
     dynamic_water : the water around these, "still", or "sea" for that of the waves and the current
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
-    fixed_step : s, integrate with steps of that size and without control of the error; None to control it
+    fixed_step : s, integrate with this step and without control of the error; None to control it
     estimate_error : whether the error is estimated with a second run at a tenth of the tolerance, and a third at a
         hundredth where the second differs by more than a third of the tolerance
     offset, velocity : (6,) m, rad and m/s, rad/s from the equilibrium at the start

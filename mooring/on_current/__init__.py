@@ -1,1 +1,1 @@
-"""Waves on a current: at which frequency a body at rest meets them, and a body of a database among them."""
+"""Waves on a current: the frequency at which a body at rest meets them, and a body of a database in such waves."""

@@ -1,9 +1,9 @@
-"""The body of a database among waves that a current carries: it moves at the frequency at which it meets them.
+"""A database body in waves on a current: it moves at the frequency at which it meets the waves.
 
     {−ω²[M + A(ω)] − iω[B(ω) + B′] + [C + C′]} X = F(σ),    ω = σ + k·V
 
-The wave that comes in has the length and the pressure of its intrinsic frequency σ, and so F is taken; water and body
-answer at ω.  What the current does to F itself, of the order of V/C, is left out.
+The incident wave has the length and the pressure of its intrinsic frequency σ, and F is taken at σ; water and body
+respond at ω.  The effect of the current on F itself, of the order of V/C, is neglected.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ STEPS = 8  # spline steps of added mass and damping between stored frequencies
 class OnCurrent(Reader):
     """A `Reader` whose `motions` are those on the current of a `Carrier`; all else, drift too, is of still water.
 
-    omega of its functions is that in which waves are given, absolute or intrinsic (`waves.Carrier`); forces, drift and
-    far field take the intrinsic one
+    omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`); forces,
+    drift and far field use the intrinsic one
     """
 
     carrier: Carrier | None = None
@@ -42,11 +42,11 @@ class OnCurrent(Reader):
         return self.carrier.met(*self._pairs(omega, headings), self.depth, self.gravity)
 
     def intrinsic(self, omega, headings=None):
-        """(q, p) rad/s of waves in the water that moves along"""
+        """(q, p) rad/s of waves in the moving water"""
         return self.carrier.own(*self._pairs(omega, headings), self.depth, self.gravity)
 
     def motions(self, omega, headings=None):
-        """(q, p, n) as `Reader.motions`; of still water where the database has nothing that they follow from"""
+        """(q, p, n) as `Reader.motions`; those of still water if the database lacks the coefficients"""
         if self.lacks_motions:
             return self.still.motions(omega, headings)
         self._check_inertia()
@@ -57,15 +57,15 @@ class OnCurrent(Reader):
 
     @property
     def lacks_motions(self):
-        """Whether the motions are stored alone, without the coefficients that they follow from"""
+        """Whether the motions are stored without the coefficients that they are computed from"""
         return not {*RADIATION, "excitation_force"} <= set(self.between.quantities)
 
     def drift(self, omega, headings=None, fixed=False):
-        """(q, p, 3) as `Reader.drift`, in still water: of waves as long as those given"""
+        """(q, p, 3) as `Reader.drift`, in still water: for waves of the same length"""
         return self.waves_of("drift", omega, headings, fixed=fixed)
 
     def waves_of(self, name, omega, headings, **words):
-        """`forces` or `drift` (q, p, …) in still water of waves as long as those given"""
+        """`forces` or `drift` (q, p, …) in still water for waves of the same length"""
         of = getattr(self.still, name)
         if not self.carrier.absolute:
             return of(omega, headings, **words)
@@ -74,12 +74,12 @@ class OnCurrent(Reader):
         return np.concatenate([of(own[:, [p]].ravel(), [beta], **words) for p, beta in enumerate(headings)], axis=1)
 
     def at(self, omega, name, headings=None):
-        """As `Reader.at`; the error is that of still water"""
+        """As `Reader.at`; the error is that in still water"""
         value, error = self.still.at(omega, name, headings)
         return (self.motions(omega, headings) if name == "rao" else value), error
 
     def resonant(self, headings):
-        """(q,) rad/s, given frequencies of waves towards headings (p,) rad that show the resonances of the body"""
+        """(q,) rad/s, given frequencies of waves towards headings (p,) rad that resolve the resonances of the body"""
         met = about(self.still, resonances(self.still))
         low, high = self.between.span
         rows = [met]
@@ -102,7 +102,7 @@ class OnCurrent(Reader):
         return tuple(CubicSpline(omega, of) for of in self.still.coefficients(omega))
 
     def _coefficients(self, met):
-        """Added mass and damping (q, n, n) at rad/s (q,), held or by their limits beyond the stored frequencies"""
+        """Added mass and damping (q, n, n) at rad/s (q,), constant or by their limits beyond the stored frequencies"""
         inside = np.clip(met, *self.between.span)
         A, B = (spline(inside) for spline in self._splines)
         beyond = inside != met
@@ -112,7 +112,7 @@ class OnCurrent(Reader):
 
 
 def on_current(body, carrier):
-    """A `Reader` on the current of a `Carrier`, as it is where there is none"""
+    """A `Reader` on the current of a `Carrier`; the same `Reader` without current"""
     if carrier is None:
         return body
     return OnCurrent(**{one.name: getattr(body, one.name) for one in fields(Reader)}, carrier=carrier)

@@ -1,12 +1,12 @@
-"""Waves that a uniform current carries, seen from a place at rest.
+"""Waves on a uniform current, observed from a fixed place.
 
     ω = σ + k·V,    σ² = gk tanh kh,    C_g + V·k/k > 0
 
-V is the current, σ the intrinsic frequency, that in the water that moves along, and ω the absolute one, at which a
-buoy or a moored body at rest meets the waves.  The length of a wave belongs to σ.  Wave models (SWAN, WAVEWATCH III)
-give spectra over σ, "intrinsic"; a moored buoy and a record at a place measure over ω, "absolute".  "still" leaves the
-current out.  The direction of a wave is that of k, at right angles to its crests; its energy travels with C_g + V, and
-waves for which that is not upstream of the body do not come from there: the current blocks them.
+V is the current, σ the intrinsic frequency, in the moving water, and ω the absolute one, at which a buoy or a moored
+body at rest meets the waves.  The wave length depends on σ.  Wave models (SWAN, WAVEWATCH III) give spectra over σ,
+"intrinsic"; a moored buoy and a record at a place measure over ω, "absolute".  "still" neglects the current.  The
+direction of a wave is that of k, at right angles to its crests; its energy travels with C_g + V, and waves whose energy
+would come from downstream of the body do not exist there: the current blocks them.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from hakobune.bem.waves import group_factor, wavenumber
 SPECTRA = ("intrinsic", "absolute", "still")
 FIRST_ORDER = 0.25  # |V|/C_g; in deep water ωV/g = 1/8, half of where waves upstream end
 BLOCKED = 1e-3, 0.05  # shares of the energy: reported above the first, refused above the second
-MOST = 0.1  # share of the energy beyond FIRST_ORDER that is not named
-FINE = 4001  # frequencies between which the absolute one is inverted, before Newton's steps
+MOST = 0.1  # share of the energy beyond FIRST_ORDER that is not reported
+FINE = 4001  # number of frequencies between which the absolute one is inverted, before Newton's steps
 
 
 class Carrier(NamedTuple):
     """A current that carries waves.
 
-    velocity : (x, y) m/s; absolute : whether frequencies of waves are given at a place at rest, else in the water
+    velocity : (x, y) m/s; absolute : whether wave frequencies are given for a fixed place, else in the water
     """
 
     velocity: tuple[float, float]
@@ -49,7 +49,7 @@ class Carrier(NamedTuple):
 
 
 def carrier_of(current):
-    """`Carrier` of a `mooring.studies.conditions.Current`; None for none, for one at rest and for "still" waves"""
+    """`Carrier` of a `mooring.studies.conditions.Current`; None without current, at speed 0 and for "still" waves"""
     if current is None or current.waves == "still" or current.speed == 0:
         return None
     towards = current.direction
@@ -65,7 +65,7 @@ def in_water(components, carrier, depth, gravity):
 
 
 def met_by_a_place(components, carrier, depth, gravity):
-    """(c,) rad/s at which a place at rest meets wave components of intrinsic frequencies"""
+    """(c,) rad/s at which a fixed place meets wave components of intrinsic frequencies"""
     if carrier is None:
         return np.asarray(components.omega, float)
     return absolute_frequency(components.omega, carrier.along(components.direction), depth, gravity)
@@ -85,7 +85,7 @@ def absolute_frequency(omega, along, depth, gravity):
 def intrinsic_frequency(omega, along, depth, gravity):
     """σ of absolute frequencies, rad/s, and currents along the waves, m/s, arrays of one shape
 
-    Waves that the current blocks have that of the shortest which it lets pass.
+    For waves blocked by the current, σ of the shortest wave that is not blocked.
     """
     omega, along = np.broadcast_arrays(np.atleast_1d(np.asarray(omega, float)), along)
     out = np.empty(omega.shape)
@@ -107,7 +107,7 @@ def intrinsic_frequency(omega, along, depth, gravity):
 
 
 def check_blocked(carrier, sea, depth, gravity):
-    """Lines on waves of a sea that the current blocks, and on waves for which its first order is not enough.
+    """Messages on waves of a sea that the current blocks, and on waves for which its first order is insufficient.
 
     sea : `environment.sea.Sea` or `seas.systems.Systems`, or a regular wave (`studies.conditions.Waves`)
     raises : ValueError where the current blocks more than a twentieth of the energy
@@ -138,7 +138,7 @@ def check_blocked(carrier, sea, depth, gravity):
 
 
 def _shares(carrier, sea, depth, gravity, speed):
-    """Shares of the energy that the current blocks and of that beyond FIRST_ORDER, and |V|/C_g at the mean frequency"""
+    """Share of the energy blocked by the current and share beyond FIRST_ORDER, and |V|/C_g at the mean frequency"""
     if hasattr(sea, "period"):
         quantiles, headings = np.array([sea.omega]), np.array([sea.direction])
         places = [(quantiles, float(headings[0]), 1.0)]

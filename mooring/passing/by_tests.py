@@ -1,6 +1,6 @@
 """Forces of a passing ship by formulas fitted to tests in tanks: Kriebel (2005) for an open jetty, Swiegers (2011).
 
-The largest force of each kind is that of Wang (1975) in deep water, times a factor of the depth:
+The largest force of each kind is that of Wang (1975) in deep water, times a factor that depends on the depth:
 
     F = C ρ U² S₁ S₂/L₂²,   Mz = C_M ρ U² S₁ S₂ L₁/L₂²
     surge 1 + 1.70 e^(2.92 T/d) e^(−0.08 (G/B − 3)²)
@@ -8,8 +8,8 @@ The largest force of each kind is that of Wang (1975) in deep water, times a fac
     yaw   1 + 0.48 e^(3.87 T/d) e^(−0.08 (G/B − 2)²)
 
 T/d of the moored ship, G the gap between the sides, B the mean beam (Kriebel 2005, Mooring Loads Due to Parallel
-Passing Ships, eq. 10).  At a vertical quay they are 1.4, 0.4 and 0.5 times as large (Swiegers 2011).  C are the peaks
-of `slender.wang`; those of the printed curves may be given.  The course over ξ is Wang's, scaled.
+Passing Ships, eq. 10).  At a vertical quay the forces are 1.4, 0.4 and 0.5 times as large (Swiegers 2011).  C are the
+peaks of `slender.wang`; those of the printed curves may be given.  The course over ξ is Wang's, scaled.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def depth_factors(draft, depth, gap, beam):
 
 
 def scale(moored, passing, track, density=1025.0):
-    """(3,) N, N, N m that the coefficients of surge, sway and yaw stand for"""
+    """(3,) N, N, N m by which the coefficients of surge, sway and yaw are multiplied"""
     unit = density * track.through_water**2 * moored.area * passing.area / passing.length**2
     return np.array([unit, unit, unit * moored.length])
 
@@ -47,8 +47,8 @@ def kriebel(moored, passing, track, stagger, factors, *, quay=False, peaks=None,
     """`Passage` by tests in tanks.
 
     moored, passing : `slender.Slender`; stagger : (n,) m; factors : of `depth_factors`; quay : along a vertical one
-    peaks : (3,) coefficients C in deep water, read off printed curves, of the largest on `stagger`; left out, those of
-        `slender.wang`
+    peaks : (3,) coefficients C in deep water, read off printed curves, for the largest forces on `stagger`; by default
+        those of `slender.wang`
     """
     found = wang(moored, passing, track, stagger, density=density)
     factors = np.asarray(factors) * (QUAY if quay else 1.0)
@@ -61,7 +61,7 @@ def kriebel(moored, passing, track, stagger, factors, *, quay=False, peaks=None,
 
 
 def beyond(moored, passing, track):
-    """Lines on what lies beyond the curves that the tests were held against"""
+    """Messages on values beyond the range of the tests"""
     near, share = abs(track.distance) / moored.length, passing.length / moored.length
     if near <= NEAREST:
         yield f"distance is {near:.3g} of the moored ship's length; the curves are for more than {NEAREST:g}"

@@ -1,12 +1,12 @@
-"""Forces of a passing ship by panels: both hulls under a rigid lid, in water of any depth, before a wall or not.
+"""Forces of a passing ship by panels: both hulls under a rigid lid, in water of any depth, with or without a wall.
 
 With the surface as a lid the energy of the water is ½ Σ aᵢⱼ q̇ᵢ q̇ⱼ, a the added mass of both hulls at zero frequency
 where they lie, and Lagrange's equations (Lamb, art. 137) give the force on the moored hull, which is at rest:
 
     Fⱼ = −d/dt (a_js U) + ½ U² ∂a_ss/∂qⱼ,     s the surge of the passing ship, d/dt = U d/dξ
 
-The first part is the pressure that changes in time, the second that of the squares of the flow; it is of surge, sway
-and yaw, smaller by an order of the ship's slenderness, and taken at fewer places.
+The first part is the unsteady pressure, the second that of the squares of the flow; the latter is computed for surge,
+sway and yaw, is smaller by an order of the ship's slenderness, and is computed at fewer places.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from hakobune.meshing.panels import assembled, with_symmetry
 
 from .passage import Passage
 
-EACH = 2  # every how many places the squares are taken
+EACH = 2  # the squares are computed at one in this number of places
 STEP, TURN = 0.01, 1e-3  # displacement for finite differences, over the distance, and rotation, rad
 DEGREE = 5  # degree of the splines over ξ
 FINE = 5  # places between two that are solved
@@ -35,7 +35,7 @@ def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
 
     hulls : PanelMesh of the moored and of the passing ship, each with its middle at the origin
     place : (2,) m of the passing one
-    heading : rad, how far the moored ship is turned; depth : m; wall : y, m, of a wall along x
+    heading : rad, rotation of the moored ship; depth : m; wall : y, m, of a wall along x
     """
     placed = hulls[0].rotated(heading), hulls[1].moved(dx=float(place[0]), dy=float(place[1]))
     mesh = assembled([with_symmetry(folded(hull), "") for hull in placed])
@@ -48,8 +48,8 @@ def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
 def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each: Callable[..., Iterable] = map):
     """`Passage` by panels.
 
-    hulls : as `added_mass`, whole; track : Track; stagger : (n,) m, n ≥ 7, that are solved; between them splines
-    each : as `map`, over the places, which are independent; counted by whoever shows progress
+    hulls : as in `added_mass`, whole; track : Track; stagger : (n,) m, n ≥ 7, solved places; splines between them
+    each : as `map`, over the places, which are independent; for a display of progress
     raises : ValueError for too few places; FloatingPointError
     """
     stagger = np.asarray(stagger, float)
@@ -79,6 +79,6 @@ def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each
 
 
 def largest_section(hull):
-    """m², the area that a whole hull shows to flow along x"""
+    """m², largest cross section of a whole hull, normal to x"""
     along = hull.normals[:, 0] * hull.areas
     return float(along[along > 0].sum())

@@ -1,7 +1,7 @@
-"""A ship that passes a moored one on a parallel track, and the forces that this gives, as a table over time.
+"""A ship that passes a moored one on a parallel track, and the resulting forces as a table over time.
 
-Axes are those of the moored ship: x to the bow, y to port, from its middle in the water surface.  ξ is how far the
-middle of the passing ship lies ahead of that of the moored one, η how far to port.
+Axes are those of the moored ship: x to the bow, y to port, from its middle in the water surface.  ξ is the distance by
+which the middle of the passing ship is ahead of that of the moored one, η the distance to port.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from ..environment.spectra import GRAVITY
 from ..loads.over_wave import moved
 from ..motion.given_forces import GivenForce
 
-SQUEEZED = 1.1  # 1/√(1 − Fₕ²), by which subcritical shallow water raises the pressure of a slender ship (Tuck 1966)
-FAR = 0.02  # force at the ends of a track, over the largest surge or sway, that is accepted
+SQUEEZED = 1.1  # 1/√(1 − Fₕ²), increase of the pressure on a slender ship in subcritical shallow water (Tuck 1966)
+FAR = 0.02  # largest accepted force at the ends of a track, over the largest surge or sway
 ROUNDING = 1e-6  # force over the larger of surge and sway below which it is zero
 
 
 @dataclass(frozen=True)
 class Track:
-    """Where the passing ship goes, and how fast.
+    """Track and speed of the passing ship.
 
-    distance : m, of its centre line to port of that of the moored ship, negative to starboard
-    speed : m/s over the ground, > 0; opposite : whether it goes towards the stern of the moored ship
+    distance : m, from the centre line of the moored ship to that of the passing ship, positive to port
+    speed : m/s over the ground, > 0; opposite : whether the ship goes towards the stern of the moored ship
     current : m/s over the ground, positive towards the bow of the moored ship
     """
 
@@ -64,8 +64,8 @@ class Track:
 def along_track(track, moored, passing, lengths, fine=1):
     """(n,) m: places ξ to `lengths` mean lengths before and behind.
 
-    moored, passing : m, lengths of the ships, of whose shorter one places are at most an eighth apart, and a quarter of
-    the distance; fine : how many times as many
+    moored, passing : m, lengths of the ships; places are at most an eighth of the shorter one apart, and a quarter of
+    the distance; fine : factor on their number
     """
     reach = lengths * 0.5 * (moored + passing)
     step = min(0.125 * min(moored, passing), 0.25 * abs(track.distance)) / fine
@@ -76,7 +76,7 @@ def along_track(track, moored, passing, lengths, fine=1):
 class Passage:
     """Forces of a passage.
 
-    track : Track; stagger : (n,) m, ξ, rising; changing : (n, 6) N, N m of the pressure that changes in time,
+    track : Track; stagger : (n,) m, ξ, rising; changing : (n, 6) N, N m of the unsteady pressure,
     steady : (n, 6) of the squares of the flow, none by the slender methods
     Moments are about the middle of the moored ship, or `about` another place.
     """
@@ -92,14 +92,14 @@ class Passage:
         return self.changing + self.steady
 
     def about(self, place):
-        """The same with moments about a place (3,) m, where they were about the middle of the moored ship"""
+        """The same with moments about a place (3,) m instead of the middle of the moored ship"""
         place, middle = np.asarray(place, float), np.zeros(3)
         parts = {name: moved(getattr(self, name), middle, place) for name in ("changing", "steady")}
         return replace(self, **parts)
 
     @cached_property
     def in_time(self):
-        """`GivenForce` over time, from 0 where the ship comes"""
+        """`GivenForce` over time, from 0 at the beginning of the passage"""
         places, force = self.stagger, self.force
         if self.track.opposite:
             places, force = -places[::-1], force[::-1]
@@ -107,6 +107,6 @@ class Passage:
 
     @property
     def left(self):
-        """Share of the largest surge or sway that is left at the ends of the track"""
+        """Largest remaining surge or sway force at the ends of the track, over the largest of all"""
         plane = np.abs(self.force[:, :2])
         return float(np.max(plane[[0, -1]] / np.maximum(plane.max(axis=0), ROUNDING * plane.max())))

@@ -1,14 +1,14 @@
 """Forces of a passing ship by slender bodies (Wang 1975, J. Waterways, Harbors and Coastal Eng. 101).
 
 The surface is a rigid lid.  The passing ship is a line of sources of the slope of its section area S₂, and each section
-of the moored ship feels the flow at its place: its own added mass is ρS₁, that of a circle, so that
+of the moored ship is in the flow at its place: its added mass is ρS₁, that of a circle, so that
 
     φ = −U/(2π) ∫ S₂′ Σₙ 1/rₙ dx₂,   rₙ² = (x₂ + ξ − x₁)² + η² + (2nh)²
     Fx = ρ ∫ S₁ dφₓ/dt dx₁,   Fy = 2ρ ∫ S₁ dφ_y/dt dx₁,   Mz = 2ρ ∫ x₁ S₁ dφ_y/dt dx₁,   d/dt = U d/dξ
 
-Images in the bed, n from −∞ to ∞, are summed in shallow water as 1/h [−ln R + 2 Σₘ K₀(mπR/h)] (Poisson), with
-R² = (x₂ + ξ − x₁)² + η².
-Section areas are parabolas as Wang took them, S (1 − 4x²/L²).  That S₁ blocks the flow under the keel is not in it.
+Images in the bed, n from −∞ to ∞, are summed in shallow water as 1/h [−ln R + 2 Σₘ K₀(mπR/h)] (Poisson), with R² = (x₂
++ ξ − x₁)² + η². Section areas are parabolas as in Wang's paper, S (1 − 4x²/L²).  The blockage of the flow under the
+keel by S₁ is neglected.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def _slopes(R, depth):
 
 
 def _by_images(R, depth):
-    """As `_slopes`, image by image, with what lies beyond the last as integrals from half a step behind it"""
+    """As `_slopes`, image by image, with those beyond the last replaced by integrals from half a step behind it"""
     high = 2 * depth * np.arange(1, IMAGES + 1)[:, None, None]
     r = np.sqrt(R**2 + high**2)
     end = 2 * depth * (IMAGES + 0.5)

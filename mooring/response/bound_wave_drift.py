@@ -1,4 +1,4 @@
-"""Slow force of bound long waves on a body, which Newman's approximation of slow drift leaves out.
+"""Slow force of bound long waves on a body, which Newman's approximation of slow drift neglects.
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        T_ij = √(DᵢDⱼ) + s_ij D(Ω, κ),    Ω = ωᵢ − ωⱼ, κ = kᵢ − kⱼ
 
@@ -8,8 +8,8 @@ third part of the force with the diffraction of the bound wave at its own wavenu
 surface by products of first-order waves at Ω ≠ 0 are left to Newman's term.  On a fixed cylinder whose radius is half
 the depth the sum is within 8 % of the whole from ka = 0.2 and 0.4 on, Newman's term alone 4 % of it there.
 
-Long-crested waves only: all travel one way, and Ω/κ lies between their group velocities.  On a grid over Ω and Ω/κ the
-force is a polynomial, whose last coefficients are the estimated error.
+Long-crested waves only: all travel in one direction, and Ω/κ lies between their group velocities.  On a grid over Ω and
+Ω/κ the force is a polynomial, whose last coefficients are the estimated error.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ FREQUENCIES, SPEEDS = 10, 8  # frequencies and speeds of the grid
 SAMPLES = 64  # samples of a record per shortest period
 LEAST = 1e-4  # smallest eigenvalue kept, over the largest
 SLOW = (0.4, 0.6)  # difference frequencies over the mean frequency between which the force is faded out
-SHALLOW = 1.5  # kh at the mean period, below which what is left out is estimated
+SHALLOW = 1.5  # kh at the mean period below which the neglected force is estimated
 PLACES, FOURTH = 161, 4  # frequencies of an estimate; every fourth of the differences
 WORTH_NAMING = 0.2  # ratio to the slow force by Newman's approximation from which the force is reported
 NOTHING = 1e-6  # force over the weight of the body below which it is negligible
-RATIO = 10.0  # ratio to Newman's force, above which Newman's is negligible and no measure of the other
+RATIO = 10.0  # ratio to Newman's force, above which Newman's is negligible and no reference for the other
 STOKES = 40.0  # Ursell number H λ²/h³ up to which waves are a sum of first and second order (Hedges 1995)
 
 
@@ -72,7 +72,7 @@ class BoundWaveForces:
     def __call__(self, one, two):
         """(…, 6) T of the bound waves of pairs: frequencies that broadcast, rad/s; N/m², N m/m²
 
-        Differences beyond `highest` have none, a smooth step between SLOW before it.
+        T is zero for differences beyond `highest`; a smooth step over SLOW leads to it.
         """
         one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
         bound = bound_waves((one, 0.0), (two, 0.0), self.depth, self.gravity)
@@ -184,9 +184,9 @@ def record(forces, components, duration, drift=None, met=None):
 
 
 def left_out(body, sea, way='qtf = "auto" in a response study or a simulation includes those in the database'):
-    """What leaving out bound waves costs, as lines of text: none from kh = SHALLOW on or where it is little.
+    """Effect of neglected bound waves, as messages: none from kh = SHALLOW on or for small effects.
 
-    body : `bem.database.reader.Reader` that knows drift and inertia; sea : its mean direction is taken for all waves
+    body : `bem.database.reader.Reader` with drift and inertia; sea : its mean direction represents all waves
     way : out of it
     """
     found, kh = _slow_forces(body, sea), depth_in_waves(body, sea)
@@ -212,17 +212,17 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
 
 def bound_to_newman(body, sea):
     """Estimated slow force of bound waves over that by Newman's approximation, root mean squares of surge and sway over
-    the `differences` of the body; None where drift or inertia are not known.
+    the `differences` of the body; None if drift or inertia are unknown.
 
     On boxes of 60 and 100 m in 12 to 20 m of water, head and beam seas, kh of the peak from 0.3 to 2, it is 0.95 to 1.3
-    times what is solved for (`tests/bench/bound_to_newman.py`).  Arguments as of `left_out`
+    times the solved value (`tests/bench/bound_to_newman.py`).  Arguments as in `left_out`
     """
     found = _slow_forces(body, sea)
     return None if found is None else found[0] / max(found[1], 1e-300)
 
 
 def _slow_forces(body, sea):
-    """N, of bound waves and by Newman's approximation, as `bound_to_newman` has their ratio; None likewise"""
+    """N, force of bound waves and force by Newman's approximation, for the ratio `bound_to_newman`, or None"""
     spectrum = sea.spectrum
     if not body.knows_drift or body.inertia is None:
         return None
@@ -251,11 +251,11 @@ def depth_in_waves(body, sea):
 
 
 def estimated_forces(body, one, two, direction, highest):
-    """(…, 6) T of bound waves in surge and sway without solving: a long wave pushes with its slope.
+    """(…, 6) T of bound waves in surge and sway without a solution: a long wave exerts the force of its slope.
 
     D = iκ ρg (∇ + A/ρ) (cos β, sin β) f,   f = sinc(κa cos β) sinc(κb sin β), its mean over a plan of 2a by 2b
 
-    A added mass at the lowest frequency known; body : `bem.database.reader.Reader` with its inertia
+    A added mass at the lowest known frequency; body : `bem.database.reader.Reader` with its inertia
     highest : rad/s, of the differences, as of `BoundWaveForces`
     """
     bound = bound_waves((one, 0.0), (two, 0.0), body.depth, body.gravity)

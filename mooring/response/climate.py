@@ -1,7 +1,7 @@
-"""A body in a climate: every response in every cell of a table of heights and periods, and its long-term extremes.
+"""A body in a climate: every response in every cell of a table of heights and periods, and long-term extremes.
 
-In one family of spectra σ is proportional to the height, so that a column of the table costs one integral, the same
-as that of `sea_state` over the same frequencies.
+In one family of spectra σ is proportional to the height, so that a column of the table needs one integral, the same as
+that of `sea_state` over the same frequencies.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Climate:
         return f"<Climate {len(self.height)} sea states, {len(self.names)} responses>"
 
     def long_term(self, name) -> LongTerm:
-        """LongTerm of one response; ValueError for a name there is not, or a response that is zero"""
+        """LongTerm of one response; ValueError for an unknown name, or a response that is zero"""
         if name not in self.names:
             raise ValueError(f"there is no response {name!r}; allowed: {', '.join(self.names)}")
         i = self.names.index(name)
@@ -59,7 +59,7 @@ class Climate:
 
     @property
     def excited(self):
-        """(c,) whether a response is more than rounding beside those that are known; what is not known is"""
+        """(c,) whether a response exceeds rounding relative to the known ones; True for unknown ones"""
         largest = dict.fromkeys(self.units, 0.0)
         for unit, m0 in zip(self.units, self.m0.T, strict=True):
             largest[unit] = np.fmax.reduce(m0, initial=largest[unit])
@@ -72,7 +72,7 @@ class Climate:
 
 
 class _Column(NamedTuple):
-    """Moments (c,), drift (3,) and what of both is of waves beyond the stored ones, in a sea of height UNIT"""
+    """Moments (c,), drift (3,) and their parts from waves beyond the stored ones, in a sea of height UNIT"""
 
     m0: np.ndarray
     m2: np.ndarray
@@ -86,8 +86,8 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
     """A `bem.database.reader.Reader`, `floating`, in all cells of a Scatter.
 
     family : of `environment.spectra.FAMILIES`, called with height and period of the kind of the table, and `shape`
-    directions_and_shares : pairs of rad travelled to and share of time; each has the same table
-    spreading : None, or a function of the spectrum that gives its Spreading
+    directions_and_shares : pairs of rad travelled to and share of time; each with the same table
+    spreading : None, or a function of the spectrum that returns its Spreading
     raises : ValueError for shares that do not sum to 1, BetweenError outside the stored headings
     """
     total = sum(share for _, share in directions_and_shares)
@@ -123,7 +123,7 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
 
 
 class _Known:
-    """Transfer functions (q, p, c) and drift (q, p, 3) at all frequencies omega (q,), of each heading computed once"""
+    """Transfer functions (q, p, c) and drift (q, p, 3) at all frequencies omega (q,), computed once for each heading"""
 
     def __init__(self, body, omega, points):
         self.body, self.omega, self.points = body, omega, points
@@ -151,13 +151,13 @@ class _Known:
         return self.forces[self._place(omega, heading)]
 
     def at(self, omega, heading):
-        """Transfer and drift, zero where it is not known, at frequencies omega among all"""
+        """Transfer functions and drift at omega, some of the stored frequencies; zero where unknown"""
         place = self._place(omega, heading)
         transfer = self.transfer._replace(omega=omega, heading=heading, value=self.transfer.value[place])
         return transfer, self.forces[place]
 
     def _place(self, omega, heading):
-        """Rows (q, 1) and columns (1, p) of frequencies among all and of headings, which are computed where new"""
+        """Rows (q, 1) of frequencies among all, and columns (1, p) of headings, which are computed when new"""
         keys = [round(beta / SAME) for beta in np.mod(heading, 2 * np.pi)]
         new = {key: beta for key, beta in zip(keys, heading, strict=True) if key not in self.places}
         if new:
@@ -179,7 +179,7 @@ class _Known:
 
 
 def _column(known, sea, omega):
-    """What `sea_state.sea_state` gives for the same sea"""
+    """The result of `sea_state.sea_state` for the same sea"""
     heading, weights = directions(sea, omega, heading_step(known, sea, omega))
     transfer, drift = known.at(omega, heading)
     _, found = linear_response(sea, transfer, weights)

@@ -6,7 +6,7 @@ D in N per m² of wave amplitude squared (moment N m/m²), in surge, sway and ya
 coefficients for it: R_w = F / (½ρgLζ²) in 3.6.10 and 3.7.1.1, and C_R of the guideline (3.3) with the depth factor
 outside, R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 takes R_w once; the square printed there counts it twice.
 
-D is that of `bem.database.reader.Reader`, which follows the resonances of the motions between stored waves.
+D is that of `bem.database.reader.Reader`, which resolves the resonances of the motions between stored waves.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ TURN = np.deg2rad(0.25)  # either side, for the slope over the headings
 def drift_slopes(body, omega, heading, fixed=False):
     """(q, p, 3) drift and its derivatives ∂D/∂ω and ∂D/∂β per rad; omega rising, close enough to differentiate.
 
-    fixed : of the fixed body, in place of the one that floats
+    fixed : True for the fixed body, False for the floating one
     Where headings (p,) are steps of the circle, no more than 5°, D is known on all of it and ∂D/∂β is that of its
-    Fourier series, to the harmonics 2kR that D has; else it is a difference quotient.
+    Fourier series, up to the 2kR harmonics of D; else it is a difference quotient.
     """
     heading = np.atleast_1d(heading)
     found = _round_the_circle(body, omega, heading, fixed) or _by_differences(body, omega, heading, fixed)
@@ -34,7 +34,7 @@ def drift_slopes(body, omega, heading, fixed=False):
 
 
 def _round_the_circle(body, omega, heading, fixed):
-    """D and ∂D/∂β, None where headings are no steps of the circle or the database does not hold all of it"""
+    """D and ∂D/∂β, None where headings are no steps of the circle or the database does not cover the circle"""
     count = round(2 * np.pi / np.diff(heading).min()) if len(heading) > 1 and np.all(np.diff(heading) > 0) else 0
     place = heading * count / (2 * np.pi)
     if count < FEWEST_STEPS or np.abs(place - np.round(place)).max() > 1e-6:

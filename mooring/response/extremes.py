@@ -17,7 +17,7 @@ from __future__ import annotations
 import numpy as np
 
 EULER = 0.5772156649015329
-LEAST, HIGHEST = -10.0, 40.0  # standard deviations; what lies beyond has no weight
+LEAST, HIGHEST = -10.0, 40.0  # standard deviations; values beyond have no weight
 PANELS = 51  # Gauss panels between the limits
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
@@ -73,7 +73,7 @@ def significant_factor(epsilon):
 
 
 def crossings(duration, zero_crossing):
-    """Number of upward zero crossings in `duration` s, n√(1−ε²); ValueError where it is too few for an extreme."""
+    """Number of upward zero crossings in `duration` s, n√(1−ε²); ValueError where it is too small for an extreme."""
     count = np.asarray(duration, float) / zero_crossing
     if np.any(~(count > np.e)):
         raise ValueError(f"the duration has {np.min(count):.3g} zero crossings; allowed: above 3")
@@ -87,7 +87,7 @@ def expected_maximum(sigma, duration, zero_crossing):
 
 
 def maximum_not_exceeded(sigma, duration, zero_crossing, probability):
-    """Value that the largest in `duration` s stays below with `probability`: exp(−N exp(−x²/2σ²)) = p."""
+    """Value not exceeded by the largest in `duration` s with `probability`: exp(−N exp(−x²/2σ²)) = p."""
     p = np.asarray(probability, float)
     if np.any(~((p > 0) & (p < 1))):
         raise ValueError(f"probability is {probability}; allowed: between 0 and 1")

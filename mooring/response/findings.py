@@ -1,4 +1,4 @@
-"""What a reader of a response has to know: energy beyond the stored waves, and what lies between them."""
+"""Findings on a response: energy beyond the stored waves, and errors between stored waves."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from .linear import over_headings
 from .seas import directions, energy_outside
 
 LINES_NAMED = 12  # names listed in one warning; beyond that only their number
-MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
-WAVES_MISSED = 0.05  # share of the far field that sources in the hull do not send
-UNSURE = 0.05  # estimated error of a result between stored waves that is warned of
+MISSED = 0.01  # share of the energy beyond the stored frequencies that is reported
+WAVES_MISSED = 0.05  # share of the far field that sources in the hull do not reproduce
+UNSURE = 0.05  # estimated error of a result between stored waves above which a warning is given
 LEVER = 0.05  # shortest lever arm of a drift moment that is considered, over the radius of the hull
 LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
-OF_MOTION, OF_MOMENT = 4.0, 1.5  # deviations with which nine and a half of ten seas are within what is said
-# difference of the sum over bodies and the far-field drift, over the largest drift of a body, that is accepted
+OF_MOTION, OF_MOMENT = 4.0, 1.5  # factors on deviations with which the stated errors cover 95 % of seas
+# accepted difference of the sum over bodies and the far-field drift, over the largest drift of a body
 EACH = 0.1
-ACROSS = 0.02  # current across the waves, over the current, from which its omission is reported
-PLACES = 48  # frequencies at which it is estimated
+ACROSS = 0.02  # current across the waves, over the current, above which its omission is reported
+PLACES = 48  # number of frequencies for the estimate
 
 
 def waves_outside(body, spectrum):
@@ -38,7 +38,7 @@ def waves_outside(body, spectrum):
 
 
 def _solve_to(spectrum, end, share):
-    """Words on the frequency beyond which no more than a share of the energy lies; end : 0, of long waves, or -1"""
+    """Words on the frequency beyond which no more than a share of the energy lies; end : 0 for long waves, or -1"""
     omega = float(spectrum.quantile(share if end == 0 else 1 - share))
     return f"solve {'from' if end == 0 else 'to'} {omega:.3g} rad/s ({2 * np.pi / omega:.3g} s) too"
 
@@ -50,7 +50,7 @@ def missed_response(body, spectrum, transfer, weights):
 
 
 def responses_outside(body, spectrum, transfer, weights, m0):
-    """What those waves would add to responses with m0 (c,)"""
+    """Contribution of those waves to responses with m0 (c,)"""
     missed = missed_response(body, spectrum, transfer, weights)
     said = named_shares(transfer.names, np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0))
     if said:
@@ -58,7 +58,7 @@ def responses_outside(body, spectrum, transfer, weights, m0):
 
 
 def waves_missed(transfer):
-    """What the waves at points lack of those that the body scatters and makes"""
+    """Share of scattered and radiated waves missing in the waves at points"""
     if transfer.missed is not None and transfer.missed > WAVES_MISSED:
         yield (
             f"the representation of scattered and radiated waves misses up to {100 * transfer.missed:.1f} % of "
@@ -67,17 +67,17 @@ def waves_missed(transfer):
 
 
 def named_shares(names, share):
-    """Words on the responses whose share (c,) is above MISSED, the largest first; empty for none"""
+    """Words on the responses whose share (c,) exceeds MISSED, the largest first; empty without any"""
     return some([f"{names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED])
 
 
 class Errors(NamedTuple):
-    """Estimated errors of what is known between stored waves only, relative
+    """Relative estimated errors of results between stored waves
 
     motions : (n,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
     moment; damping : of wave drift damping.  Those of drift are None without drift, the moment's of at least LEVER
     times the radius times the force.  words : (n,) names of the motions
-    at : rad/s, where those of motions, drift and damping are largest; gap : rad, between the headings beside the waves
+    at : rad/s of the largest error of motions, drift and damping; gap : rad, between the headings around the waves
     """
 
     motions: np.ndarray
@@ -88,7 +88,7 @@ class Errors(NamedTuple):
     gap: float = 0.0
 
     def named(self, limit):
-        """Words "roll 2 %" and so on, of errors above `limit`"""
+        """Words such as "roll 2 %", for errors above `limit`"""
         words = dict(zip(self.words, self.motions, strict=True))
         if self.drift is not None:
             words |= {"mean drift": self.drift[0], "moment of drift": self.drift[1]}
@@ -101,10 +101,10 @@ def errors_between(body, sea, omega, m0, drift, damping):
     """`Errors` of the motions, of m0 (n,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
 
     The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
-    force 2∫ δD S dω, of its moment one and a half times that: with three times and once, six and seven of a hundred
-    seas on headings 30° apart err more than is said, long crests close to an axis of the hull most.  Over a gap γ
-    between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.  About a
-    round body nothing lies between headings: there is no gap, and no slope.
+    force 2∫ δD S dω, of its moment one and a half times that: with factors of three and one, six and seven of a hundred
+    seas on headings 30° apart have larger errors than stated, mostly long crests close to an axis of the hull.  Over a
+    gap γ between headings δD oscillates once: its slope is δD 2π/γ, and wave drift damping has the error (2 + 2π/γ) δD
+    / C_g.  A round body needs no interpolation between headings: there is no gap, and no slope.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
     heading, weights = directions(sea, places)
@@ -139,7 +139,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
 
 
 def between_waves(body, errors):
-    """What of `Errors` is worth a warning"""
+    """Warnings on those of `Errors` that are large enough"""
     named = errors.named(UNSURE)
     if named:
         advice = "" if errors.drift is None or body.rebuilds_drift else ", or Kochin functions (--only kochin,drift)"
@@ -153,11 +153,11 @@ def between_waves(body, errors):
 
 
 def drift_outside(body, spectrum, inside, beyond):
-    """Part of the mean drift that is from waves beyond the stored band, which they push as much as at its end"""
+    """Part of the mean drift from waves beyond the stored band, whose drift coefficient is that at its end"""
     total = np.abs(inside) + np.abs(beyond).sum(axis=0)
     share = np.abs(beyond).sum(axis=0)[:2].max() / max(total[:2].max(), 1e-300)
     if share > MISSED:
-        end = -int(np.argmax(np.abs(beyond)[:, :2].max(axis=1)))  # 0 or −1, where most of it is
+        end = -int(np.argmax(np.abs(beyond)[:, :2].max(axis=1)))  # 0 or −1, the end with the larger part
         yield (
             f"{100 * share:.1f} % of the mean drift force is from waves beyond the stored frequencies, with drift held "
             f"at its value at {body.omega[end]:.3g} rad/s; limit {100 * MISSED:g} %; "
@@ -166,7 +166,7 @@ def drift_outside(body, spectrum, inside, beyond):
 
 
 def drift_of_each(body, slow):
-    """How far the drift of several bodies, together, is from that of the whole by its far field, of `SlowForces`"""
+    """Difference between the summed drift of several bodies and that of the whole by its far field, of `SlowForces`"""
     if slow.of_each is None:
         if body.bodies:
             yield "drift of each body is left out: the database has none, or the waves travel on a current"
@@ -200,7 +200,7 @@ def current_along_waves(carrier, heading, weights, damping):
 
 
 def some(named, most=6):
-    """`named` as a list in words, what is beyond `most` of them as its number"""
+    """`named` as a list in words, with only the number of those beyond `most`"""
     rest = f" and {len(named) - most} more" if len(named) > most else ""
     return ", ".join(named[:most]) + rest
 

@@ -2,7 +2,7 @@
 
     {−ω²[M + A] − iω[B + B′] + [C + C′]} X = F,    S_X(ω) = Σ_β w_β |X(ω, β)|² S(ω),    m_n = ∫ ωⁿ S_X dω
 
-X is that of `bem.database.reader.Reader`, solved at every frequency asked for; w_β are the shares of the wave energy
+X is that of `bem.database.reader.Reader`, solved at every requested frequency; w_β are the shares of the wave energy
 per heading.  SR179 report (1982), section 2.1.2 and design guideline 7.4.
 """
 
@@ -16,13 +16,13 @@ from hakobune.bem.database.resonances import about, resonances
 
 from ..on_current.body import carrier_of_body
 
-COARSE = 64  # steps over the band to begin with, at least one between two stored frequencies and at most four
+COARSE = 64  # initial steps over the band, at least one between two stored frequencies and at most four
 CONVERGED = 1e-3  # convergence of the integral of |X|², over the largest of its mode
 ROUNDING = 1e-16  # |X|² below this fraction of the largest of all modes is rounding
 # smallest step between frequencies near resonances, over the highest frequency, for one heading and for many
 NEAREST = 1e-4, 2e-3
-FINEST = 2**20  # steps between two stored frequencies where a resonance is narrow: spars have damping ratios of 1e-5
-LEAST = 1e-9  # damping ratio that `resonances` has for none
+FINEST = 2**20  # steps between two stored frequencies at a narrow resonance: spars have damping ratios of 1e-5
+LEAST = 1e-9  # damping ratio that `resonances` gives for none
 UNDAMPED = (
     "the resonance of {} has no damping; give linear_damping, quadratic_damping or damping_ratio of the "
     "study, or [viscous] of the scene"
@@ -30,7 +30,7 @@ UNDAMPED = (
 
 
 class Moments(NamedTuple):
-    """∫ ωⁿ S dω for n = 0, 1, 2, 4 over the frequencies given, each (…,)."""
+    """∫ ωⁿ S dω for n = 0, 1, 2, 4 over the given frequencies, each (…,)."""
 
     m0: np.ndarray
     m1: np.ndarray
@@ -42,10 +42,10 @@ def frequencies(body, density=None, headings=None):
     """(q,) rad/s from the lowest to the highest stored frequency, close enough for every resonance between them.
 
     body : `bem.database.reader.Reader`; density : function of omega (q,), the waves that matter; None for all alike
-    headings : (p,) rad of the waves, of a body that a current shows its resonances at other frequencies of each
-    Steps between stored frequencies, and places about resonances (`bem.database.resonances`), are halved, all once and
-    then where it counts, until ∫ |X|² S dω of every mode and stored heading is known to 1e-3 of the largest of its
-    mode.  Raises ValueError where a million steps are not enough: a mode without damping.
+    headings : (p,) rad of the waves, for a body on a current, whose resonances depend on the heading
+    Steps between stored frequencies, and places about resonances (`bem.database.resonances`), are halved, first all and
+    then where the error is large, until ∫ |X|² S dω of every mode and stored heading is accurate to 1e-3 of the largest
+    of its mode.  Raises ValueError where a million steps are not enough: a mode without damping.
     """
     coarse = int(np.clip(np.ceil(COARSE / max(len(body.omega) - 1, 1)), 1, 4))
     carried = carrier_of_body(body) is not None
@@ -69,7 +69,7 @@ def frequencies(body, density=None, headings=None):
         omega, power = np.insert(omega, rough + 1, middle), np.insert(power, rough + 1, found, axis=0)
         largest = np.trapezoid(power, omega, axis=0).max(axis=0)
         largest = np.maximum(largest, max(ROUNDING * largest.max(), 1e-300))
-        share = (change / largest).max(axis=1) / 3  # a quarter, of the error before, is left
+        share = (change / largest).max(axis=1) / 3  # a quarter of the previous error remains
         if np.all(share.sum(axis=0) <= CONVERGED):
             return omega
         if steps[rough].max() >= FINEST // 2:
@@ -94,7 +94,7 @@ def _apart(peaks, steps, count):
 
 
 def _power(body, omega, density, headings):
-    """(q, m, n) |X|² S at headings, None for those stored"""
+    """(q, m, n) |X|² S at headings, None for the stored ones"""
     power = np.abs(body.motions(omega, headings)) ** 2
     return power if density is None else power * density(omega)[:, None, None]
 
@@ -106,7 +106,7 @@ def subdivided(values, steps):
 
 
 def over_headings(values, weights):
-    """Σ_β w_β f: (q, …) from values (q, p, …) and shares of the energy (p,), or (q, p) where they change with ω."""
+    """Σ_β w_β f: (q, …) from values (q, p, …) and shares of the energy (p,), or (q, p) if they depend on ω."""
     weights = np.broadcast_to(np.asarray(weights, float), np.shape(values)[:2])
     return np.einsum("qp...,qp->q...", values, weights)
 
@@ -122,7 +122,7 @@ def response_spectrum(transfer, density, weights=(1.0,)):
 
 
 def moments_met(omega, met, transfer, density, weights=(1.0,)) -> Moments:
-    """Moments of responses (q, p, …) per m to waves met at `met` (q, p) rad/s; the rest as of `response_spectrum`"""
+    """Moments of responses (q, p, …) per m to waves met at `met` (q, p) rad/s; the rest as in `response_spectrum`"""
     power = np.abs(transfer) ** 2
     column = np.reshape(met, met.shape + (1,) * (power.ndim - 2))
     rows = (over_headings(power * column**n, weights) for n in (0, 1, 2, 4))

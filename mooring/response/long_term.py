@@ -5,7 +5,7 @@
     P(largest in a time t < x) = exp(−t N(x))
 
 p_s is the share of time of state s (height, period, direction), σ_s = √m₀ and ν_s = 1/T_zero those of the response in
-it.  Maxima are those of a narrow spectrum, which for wide ones is on the safe side in Q and exact in N for high x.
+it.  Maxima are those of a narrow spectrum; for wide spectra Q is then conservative, and N exact for high x.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 YEAR = 365.25 * 86400.0  # s
-TINY = 1e-300  # crossings: exp(−x²/2σ²) of a small state may be none
+TINY = 1e-300  # crossings: exp(−x²/2σ²) of a small state may underflow
 
 
 class LongTerm(NamedTuple):
@@ -32,7 +32,7 @@ class LongTerm(NamedTuple):
         return np.sum(np.where(self.sigma > 0, self.probability * self.rate, 0.0) * np.exp(-0.5 * (x / sigma) ** 2), -1)
 
     def level(self, time):
-        """Value exceeded once on average in `time` s.  Raises ValueError where it is exceeded by no state so rarely."""
+        """Value exceeded once on average in `time` s.  Raises ValueError if no state exceeds any value so rarely."""
         from scipy.optimize import brentq
 
         cycles = self.crossing_rate(0.0) * time
@@ -43,12 +43,12 @@ class LongTerm(NamedTuple):
         return brentq(lambda x: np.log(max(self.crossing_rate(x) * time, TINY)), 0.0, high, xtol=1e-12 * high)
 
     def not_exceeded(self, x, time):
-        """(…,) probability that the largest value in `time` s stays below x, crossings taken as independent"""
+        """(…,) probability that the largest value in `time` s is below x, for independent crossings"""
         return np.exp(-time * self.crossing_rate(x))
 
 
 def long_term(m0, m2, probability) -> LongTerm:
-    """The LongTerm of responses with moments m0, m2 (s,) in sea states of share `probability` (s,) of the time.
+    """The LongTerm of responses with moments m0, m2 (s,) in sea states with shares `probability` (s,) of the time.
 
     The shares may sum to less than 1, the rest is calm; raises ValueError above 1 or for a negative one.
     """

@@ -1,4 +1,4 @@
-"""The slow force of pairs of waves by levels of its quadratic transfer function T, each dearer and nearer the whole.
+"""The slow force of wave pairs by levels of its quadratic transfer function T, each more expensive and more complete.
 
 newman      √(DᵢDⱼ) of the mean drift: nothing beside what every study has (`slow_drift`)
 bound-wave  and the long wave bound to the pair, diffracted (`bound_wave_drift`): a second for a sea
@@ -9,7 +9,7 @@ auto        newman where bound long waves are estimated to push with less than E
             whichever is stored, else bound-wave below kh = SHALLOW and newman from it on, where squares at their
             difference frequency take away most of what the bound wave adds to newman
 
-What a study adds to Newman's force is T less Newman's, of pairs at their difference.
+The addition to Newman's force is T minus Newman's, for pairs at their difference frequency.
 """
 
 from __future__ import annotations
@@ -23,31 +23,31 @@ from ..environment.sea import Sea, linear_weights
 from .bound_wave_drift import RATIO, SHALLOW, STOKES, bound_to_newman, depth_in_waves, of_sea, slow_share, ursell
 from .slow_drift import HORIZONTAL
 
-if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should not wait
+if TYPE_CHECKING:  # it loads the panel method, which Newman's approximation does not need
     from hakobune.bem.second_order.stored import BetweenPairs
 
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
-ENOUGH = 0.05  # largest part, over Newman's slow force, that "auto" leaves out
-# both of docs/slow_forces.md: slow forces by either level beside the whole
+ENOUGH = 0.05  # largest part, over Newman's slow force, that "auto" neglects
+# both from docs/slow_forces.md: slow forces by either level relative to the whole
 OF_BOUND = "without the other terms slow forces are up to 1.5 times too large on boxes in 12 and 20 m of water"
 OF_NEWMAN = (
     "on boxes in 10 to 20 m of water the whole slow force is 0.7 to 1.2 times Newman's in surge and sway, 1 to 2 times "
     "in yaw"
 )
-SAME = 1e-6  # rad, between headings that are one
+SAME = 1e-6  # rad, below which two headings are equal
 MOST_OUTSIDE = (
     0.05  # share of the energy of the waves beyond the stored pairs at either end, for which Newman's rule is left
 )
 AT_ONCE = 20_000  # pairs
-LEAST_SHARE = 1e-3  # headings with less than this fraction of the energy of the largest are left out
+LEAST_SHARE = 1e-3  # headings with less than this fraction of the largest energy are neglected
 
 
 @dataclass(frozen=True, eq=False)
 class PairForces:
-    """T of stored pairs less Newman's, in waves of one direction; or the first of a pair of one, the second of another.
+    """T of stored pairs minus Newman's, for waves in one direction; or for pairs of waves in two directions.
 
     between : `BetweenPairs` of these headings; omega : (q,) rad/s; drift : (q, 3) N/m², N m/m² there
-    second : (q, 3) towards the heading of the second wave, None where they are one
+    second : (q, 3) towards the heading of the second wave, None for one direction
     """
 
     between: BetweenPairs
@@ -58,15 +58,15 @@ class PairForces:
 
     @property
     def highest(self):
-        """rad/s, difference from which on there is none beside Newman's"""
+        """rad/s, difference frequency above which only Newman's force remains"""
         return float(self.between.difference[-1])
 
     def of_components(self, components, drift=None):
-        """(n, n, 6) of all pairs of wave `components`, all of the one direction"""
+        """(n, n, 6) of all pairs of wave `components`, all in the one direction"""
         return self(components.omega[:, None], components.omega)
 
     def __call__(self, one, two):
-        """(…, 6) of pairs of frequencies that broadcast, rad/s; zero where one is beyond the stored pairs"""
+        """(…, 6) of pairs of frequencies that broadcast, rad/s; zero if one is beyond the stored pairs"""
         one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
         flat = one.ravel(), two.ravel()
         parts = [self._of(*(w[i : i + AT_ONCE] for w in flat)) for i in range(0, one.size, AT_ONCE)]
@@ -78,7 +78,7 @@ class PairForces:
         return T * self.share(one, two)[:, None]
 
     def share(self, one, two):
-        """(…,) of T that is taken: none where one frequency is beyond the stored pairs or their difference is"""
+        """(…,) share of T that is used: zero if one frequency, or the difference, is beyond the stored pairs"""
         low, high = self.between.omega[[0, -1]]
         known = (np.minimum(one, two) >= low) & (np.maximum(one, two) <= high)
         return known * slow_share((one - two) / self.highest)
@@ -90,13 +90,13 @@ class PairForces:
 
 
 def newman(one, two):
-    """Force of pairs by Newman's rule from their mean drift, arrays that broadcast"""
+    """Force of pairs by Newman's approximation from their mean drift, arrays that broadcast"""
     return np.where(one * two > 0, np.sign(one) * np.sqrt(np.abs(one * two)), 0.0)
 
 
 @dataclass(frozen=True, eq=False)
 class SpreadPairForces:
-    """Pairs of a sea of several directions: both waves of a pair have their own.
+    """Pairs of a sea of several directions: each wave of a pair has its own direction.
 
     pairs : {(a, b): `PairForces`} of numbers of headings; headings : (m,) rad; sea : `Sea`
     """
@@ -108,13 +108,13 @@ class SpreadPairForces:
 
     @property
     def highest(self):
-        """rad/s, difference from which on there is none beside Newman's"""
+        """rad/s, difference frequency above which only Newman's force remains"""
         return max(pair.highest for pair in self.pairs.values())
 
     def of_components(self, components, drift):
-        """(n, n, 6) of all pairs of wave `components`, T less Newman's of their mean drift (n, 3)
+        """(n, n, 6) of all pairs of wave `components`, T minus Newman's of their mean drift (n, 3)
 
-        T is straight between headings; of a direction beyond those of the pairs it is that of the nearest
+        T is linear between headings; beyond the headings of the pairs it is that of the nearest
         """
         omega, total = np.asarray(components.omega, float), 0.0
         used = sorted({a for a, _ in self.pairs})
@@ -146,7 +146,7 @@ class SpreadPairForces:
 
 
 def between_headings(headings, directions):
-    """(n, m) weights of headings (m,) that interpolate linearly at directions (n,) rad, of the nearest beyond them"""
+    """(n, m) weights of headings (m,) for linear interpolation at directions (n,) rad; beyond them, of the nearest"""
     weights = linear_weights(headings, np.asarray(directions, float))
     outside = ~weights.any(axis=1)
     apart = np.abs(np.angle(np.exp(1j * (directions[outside, None] - headings))))
@@ -155,12 +155,12 @@ def between_headings(headings, directions):
 
 
 def beside_newman(db, sea, level, spread=False):
-    """What a level has beside Newman's rule: a function of two frequencies, or None; and remarks, lines of text.
+    """Terms of a level beyond Newman's approximation: function of two frequencies, or None; and lines of remarks.
 
-    spread : whether `SpreadPairForces` will do, in a sea of several directions
+    spread : whether `SpreadPairForces` are acceptable, in a sea of several directions
     raises : ValueError for other seas of several directions and pairs that are not stored
 
-    A remark on what is left out of the force begins with "left out", and has its size and the command that helps.
+    A remark on a neglected part of the force begins with "left out", and has its size and a command that computes it.
     """
     if level == "newman":
         return None, ()
@@ -221,7 +221,7 @@ def beside_newman_of_bodies(db, sea, level):
 
 
 def _lacks(db, sea, missing):
-    """What a database lacks of the pairs of a Sea, with the command that stores them where it has none"""
+    """Pairs of a Sea that a database lacks, with the command that stores them"""
     from hakobune.bem.database.widening import read_group
     from hakobune.bem.second_order.kinds import DIFFERENCE
     from hakobune.bem.second_order.stored import GROUPS
@@ -232,13 +232,13 @@ def _lacks(db, sea, missing):
 
 
 def _command(db, sea):
-    """That which stores the whole for a sea"""
+    """The command that stores all pairs for a sea"""
     towards = f" --heading {np.degrees(sea.direction) % 360:.4g}" if sea.spreading is None else ""
     return f"'hakobune qtf {db.path}{towards}{'' if db.bodies else ' --level full'}'"
 
 
 def _surface_left_out(db, sea, level):
-    """Remark on what the forcing of the surface is, where it is left out of the level `body`"""
+    """Remark on the size of the surface forcing, where the level `body` neglects it"""
     from hakobune.bem.second_order.stored import read_forces
 
     share = read_forces(db).share

@@ -1,21 +1,21 @@
-"""What a point of a body feels: displacement, velocity, acceleration, and the water below it.
+"""Responses at a point of a body: displacement, velocity, acceleration, and the water below it.
 
     d = X₁₋₃ + X₄₋₆ × (p − p₀),    v = −iωd,    a = −ω²d,    r = ζ − d_z
     f_x = a_x − gX₅,    f_y = a_y + gX₄,    u = h + tide + p_z − sinkage + d_z
 
-ζ is the incident wave and, where the database has Kochin functions, what the body scatters and makes by its motion
-(`bem.wave_field.around`), all but what decays within a depth or a wave length of the hull; beside a wall, where no
-Kochin functions are, the incident wave and its reflection, exp(2ikw sinβ) times the wave towards −β, wall at y = w.  A
-point over the hull, the convex hull of its waterline in plan, has the water at the nearest point of that.
+ζ is the incident wave and, if the database has Kochin functions, the scattered and radiated waves
+(`bem.wave_field.around`), except local waves within a depth or a wave length of the hull; beside a wall, without Kochin
+functions, the incident wave and its reflection, exp(2ikw sinβ) times the wave towards −β, wall at y = w.  A point
+inside the hull, the convex hull of its waterline in plan, has the elevation at the nearest waterline point.
 
-All per unit wave amplitude, in axes that do not turn with the body; a has no part of gravity.  f is what cargo and an
-accelerometer feel along the deck, with the part of gravity that roll and pitch turn into it.  u is the water under a
+All per unit wave amplitude, in axes that do not turn with the body; a contains no gravity.  f is the acceleration on
+cargo and on an accelerometer along the deck, with the part of gravity due to roll and pitch.  u is the water under a
 point of the bottom; over a plan it is least at a corner of its hull, since d_z is linear in x and y.  r is the height
-of the water above its mark on the body: a wall that reflects short waves doubles ζ.
+of the water above its mark on the body: at a wall that reflects short waves ζ is doubled.
 
-Of several bodies each point is one of a body's own, in its coordinates and along its axes, and there is no ζ: the water
-between hulls is not in the far field.  A `Pair` is how far the second of two points moves from the first, along the
-axes of the body of the first.
+With several bodies each point belongs to one body, in its coordinates and along its axes, and there is no ζ: the far
+field does not describe the water between hulls.  A `Pair` is the displacement of the second of two points relative to
+the first, along the axes of the body of the first.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ MOST = 12
 
 
 class Point(NamedTuple):
-    """name; position (3,) m at rest; clearance m, height of what must stay dry above still water, or None
+    """name; position (3,) m at rest; clearance m, height above still water of the part to be kept dry, or None
 
     body : name of one of several bodies, in whose coordinates the point is
     """
@@ -54,7 +54,7 @@ class Pair(NamedTuple):
 
 
 class KeelPoint(NamedTuple):
-    """name; position (3,) m at rest, of the bottom of the body; gap m, water under it at rest; body : as of a Point"""
+    """name; position (3,) m at rest, of the bottom of the body; gap m, water under it at rest; body : as in Point"""
 
     name: str
     position: tuple[float, float, float]
@@ -63,7 +63,7 @@ class KeelPoint(NamedTuple):
 
 
 class Station(NamedTuple):
-    """name; x m of a section of the beam of a body that bends; body : as of a Point"""
+    """name; x m of a section of the beam of a flexible body; body : as in Point"""
 
     name: str
     x: float
@@ -74,7 +74,7 @@ class Transfer(NamedTuple):
     """Transfer functions per m of wave amplitude.
 
     names, units : (c,); omega : (q,) rad/s; heading : (p,) rad; value : (q, p, c) complex
-    missed : share of the far field that is not in the waves at points; None where these are the incident ones alone
+    missed : share of the far field missing in the waves at points; None for incident waves alone
     met : (q, p) rad/s at which a body on a current meets these waves, None in still water
     """
 
@@ -89,11 +89,11 @@ class Transfer(NamedTuple):
 
 def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
     """All responses of a body, or several: its motions, and for every Point displacement, velocity, acceleration along
-    x, y, z, what is felt along the deck, and of one body the relative elevation of the water; for every KeelPoint its
-    vertical displacement; for every Station what the beam deflects and carries there; for every Pair displacement and
-    velocity; for every link the force and moment with which its first body holds the second, along axes of the first.
+    x, y, z, acceleration along the deck with gravity, and for one body the relative elevation of the water; for every
+    KeelPoint its vertical displacement; for every Station deflection and loads of the beam; for every Pair displacement
+    and velocity; for every link the force and moment exerted by its first body on the second, along axes of the first.
 
-    omega : (q,) rad/s; heading : (p,) rad; water : whether the elevation is wanted, which takes most of the time
+    omega : (q,) rad/s; heading : (p,) rad; water : whether the elevation is wanted, the most expensive part
     raises : BetweenError outside the database
     """
     heading = np.atleast_1d(heading)
@@ -163,10 +163,10 @@ def keel_name(point):
 
 
 def of_point(body, motion, point):
-    """Displacement (q, p, 3) of a Point or KeelPoint, and the motions (q, p, 6) of its body, along the axes of that
+    """Displacement (q, p, 3) of a Point or KeelPoint, and the motions (q, p, 6) of its body, along the body's axes
 
     body : `bem.database.reader.Reader`; motion : (q, p, n) of all of it
-    Of a body that bends both have the shapes in them, and its rotations are those at the point.
+    For a flexible body both include the shapes, and the rotations are those at the point.
     """
     one = None
     if body.bodies:

@@ -1,7 +1,7 @@
 """A body in one sea state: standard deviations, extremes and drift, with warnings on their limits.
 
-The spectrum is integrated over the stored frequencies only.  What lies outside is estimated with each transfer
-function held at its end, and named where it is more than 1 %.
+The spectrum is integrated over the stored frequencies only.  The part outside is estimated with constant transfer
+functions, and reported if above 1 %.
 """
 
 from __future__ import annotations
@@ -25,22 +25,22 @@ from .seas import check_coverage, directions, heading_step
 from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, signed, slow_parts
 from .wave_drift_damping import along_waves, drift_and_damping, mean_damping, of_current
 
-TINY = 1e-6  # standard deviations below this fraction of the largest with the same unit vanish by symmetry
+TINY = 1e-6  # standard deviations below this fraction of the largest with the same unit count as zero by symmetry
 
 
 @dataclass(frozen=True, eq=False)
 class SlowForces:
-    """Second order in one sea state: N, N, N m.
+    """Second-order forces in one sea state: N, N, N m.
 
-    drift : (3,) mean; beyond : (2, 3) of it from waves below and above the stored band, D held at its ends
-    difference : (d,) rad/s; spectrum : (d, 3) of the slow drift force, N² s/rad, D held above the stored band
-    of_pairs : (d, 6) the same of all modes by a level of the force of pairs above Newman's rule, `level` its name; None
-    where it was not asked for
+    drift : (3,) mean; beyond : (2, 3) its parts from waves below and above the stored band, D constant beyond its ends
+    difference : (d,) rad/s; spectrum : (d, 3) of the slow drift force, N² s/rad, D constant above the stored band
+    of_pairs : (d, 6) the same for all modes at a level above Newman's approximation, `level` its name; None if not
+    requested
     damping : (3, 2) N s/m, N s: wave drift damping of velocities along x and y, waves within the stored band;
     None where drift has no slope over the headings, because the direction has no stored neighbours
     by_current : (3,) of the mean drift, what the current adds, None in still water
-    of_each : (bodies, 3) mean drift of each of several bodies about its own point in its own axes, None where it is not
-    known for these motions; `drift` is that of all about the origin
+    of_each : (bodies, 3) mean drift of each of several bodies about its own point in its own axes, None if unknown
+    for these motions; `drift` is that of all about the origin
     """
 
     drift: np.ndarray
@@ -55,7 +55,7 @@ class SlowForces:
 
     @property
     def sigma_of_pairs(self):
-        """(6,) as `sigma`, of all modes"""
+        """(6,) as `sigma`, for all modes"""
         return np.sqrt(np.trapezoid(self.of_pairs, self.difference, axis=0))
 
     @property
@@ -69,7 +69,7 @@ class SeaState:
     """Result of `sea_state`; arrays follow `names` (c,).
 
     duration : s; spectrum : (q, c) at omega (q,), unit² s/rad; moments : Moments of it, each (c,)
-    slow : SlowForces, None where the database has no drift; errors : `findings.Errors` between stored waves
+    slow : SlowForces, None without drift in the database; errors : `findings.Errors` between stored waves
     missed : of the waves at points, as `points.Transfer.missed`
     """
 
@@ -97,7 +97,7 @@ class SeaState:
 
     @property
     def zero_period(self):
-        """(c,) s, mean between upward zero crossings; nan for a response that is zero"""
+        """(c,) s, mean between upward zero crossings; nan for a zero response"""
         return _ratio(self.moments.m0, self.moments.m2)
 
     @property
@@ -107,7 +107,7 @@ class SeaState:
 
     @property
     def bandwidth(self):
-        """(c,) ε; nan for a response that is zero"""
+        """(c,) ε; nan for a zero response"""
         return self._each(lambda m, _: float(bandwidth(m.m0, m.m2, m.m4)))
 
     @property
@@ -121,7 +121,7 @@ class SeaState:
         return self._each(lambda m, T: expected_maximum(np.sqrt(m.m0), self.duration, T))
 
     def not_exceeded(self, probability):
-        """(c,) value that the largest in `duration` stays below with `probability`"""
+        """(c,) value not exceeded by the largest in `duration` with `probability`"""
         return self._each(lambda m, T: maximum_not_exceeded(np.sqrt(m.m0), self.duration, T, probability))
 
     def air_gaps(self):
@@ -142,9 +142,9 @@ class SeaState:
         }
 
     def reached(self, name, level):
-        """Probability that a response rises (or drops) to a level in `duration`, crossings taken as independent
+        """Probability that a response rises (or drops) to a level in `duration`, for independent crossings
 
-        On the safe side: below 3.5 deviations crossings come in groups, at 3 the probability is a tenth too high.
+        Conservative: below 3.5 deviations crossings occur in groups; at 3 the probability is a tenth too high.
         """
         i = self.names.index(name)
         if not self.sigma[i] > 0:
@@ -156,7 +156,7 @@ class SeaState:
         return level, level - self.expected_maximum[self.names.index(name)], self.reached(name, level)
 
     def _each(self, function):
-        """(c,) of function(moments, zero period) of each response that is not zero, nan for the others"""
+        """(c,) function(moments, zero period) of each nonzero response, nan for the others"""
         parts = zip(*self.moments, self.zero_period, strict=True)
         values = [function(Moments(*m), T) if np.isfinite(T) else np.nan for *m, T in parts]
         return np.where(np.isfinite(self.zero_period), values, 0.0)
@@ -212,7 +212,7 @@ def linear_response(sea, transfer, weights):
 
 
 def mean_drift(body, sea, omega, drift, weights):
-    """(3,) N, N, N m of waves within the stored band, (2, 3) of those below and above it; drift (q, p, 3) at omega"""
+    """(3,) N, N, N m by waves within the stored band, (2, 3) below and above it; drift (q, p, 3) at omega"""
     ends = weights if weights.ndim == 1 else weights[[0, -1]]
     inside = drifts.mean_in_sea(omega, drift, sea.spectrum.density(omega), weights)
     return inside, drifts.mean_in_sea_beyond(body, sea.spectrum, drift[[0, -1]], ends)
@@ -251,7 +251,7 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
 
 
 def drift_of_each(body, sea, omega, heading, weights):
-    """(bodies, 3) mean drift of each of several bodies, None where it is not known; arguments as of `slow_forces`"""
+    """(bodies, 3) mean drift of each of several bodies, None if unknown; arguments as in `slow_forces`"""
     if not body.bodies:
         return None
     try:
@@ -265,7 +265,7 @@ def drift_of_each(body, sea, omega, heading, weights):
 def drift_on_current(body, omega, heading):
     """D (q, p, 3) on the current of the body, if any, B (q, p, 3, 2), and whether B knows how D changes over headings
 
-    B is None in still water where that is not known
+    B is None in still water if unknown
     """
     try:
         value, coefficients = drift_and_damping(body, omega, heading)
@@ -287,12 +287,12 @@ def _met_of(body, heading):
 
 
 def _without_rounding(found, units):
-    """Moments with those of responses that symmetry makes zero set to 0"""
+    """Moments of responses, set to 0 where they are zero by symmetry"""
     largest = {unit: max(m for m, u in zip(found.m0, units, strict=True) if u == unit) for unit in units}
     real = found.m0 > TINY**2 * np.array([largest[unit] for unit in units])
     return Moments(*(np.where(real, m, 0.0) for m in found))
 
 
 def _ratio(above, below):
-    """2π√(above/below), nan where below is 0"""
+    """2π√(above/below), nan for below = 0"""
     return np.where(below > 0, 2 * np.pi * np.sqrt(above / np.where(below > 0, below, 1.0)), np.nan)

@@ -2,9 +2,9 @@
 
     ∫ D(θ) f(θ) dθ ≈ Σ_i w_i f(β_i),    w_i ∝ D(β_i − β₀),    β_i = i Δβ
 
-On equal steps the rule errs by the harmonics of D f beyond 2π/Δβ alone: D f is periodic and |X|² has few harmonics more
-than 2kR.  The steps are those of the circle, not of the sea, so that seas of several directions share headings, and a
-force that symmetry makes zero at 0° or 90° has its change of sign at a heading.
+On equal steps the error of the rule comes only from harmonics of D f beyond 2π/Δβ: D f is periodic and |X|² has few
+harmonics beyond 2kR.  The steps are those of the circle, not of the sea, so that seas of several directions share
+headings, and a force that symmetry makes zero at 0° or 90° changes its sign at a heading.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from hakobune.bem.database.between_frequencies import BetweenError
 
 from .slow_drift import signed_means
 
-MOST_OUTSIDE = 0.5  # share of the energy beyond the stored frequencies, above which a response says nothing of the sea
-STEP = 10.0  # degrees between directions of a short-crested sea, halved until results stay
+MOST_OUTSIDE = 0.5  # largest share of the energy beyond the stored frequencies for which a response is meaningful
+STEP = 10.0  # degrees between directions of a short-crested sea, halved until results converge
 FINEST = STEP / 32
 CLOSE = 1e-3  # relative convergence of every result
 SMALL = 1e-4  # motions with less than this fraction of the energy of the largest of their kind are ignored
-PLACES = 64  # frequencies at which steps are compared
+PLACES = 64  # number of frequencies at which steps are compared
 
 
 def directions(sea, omega, step=STEP):
@@ -46,7 +46,7 @@ def directions(sea, omega, step=STEP):
 
 
 def is_long_crested(sea):
-    """Whether no system of the sea is spread"""
+    """Whether no system of the sea has spreading"""
     return all(system.spreading is None for system in _systems(sea))
 
 
@@ -67,10 +67,10 @@ def _of_one(sea, omega, step):
 
 
 def heading_step(body, sea, omega):
-    """Degrees between directions with which motions, mean drift and its positive and negative parts are known to 1e-3.
+    """Degrees between directions at which motions, mean drift and its positive and negative parts converge to 1e-3.
 
-    body : `bem.database.reader.Reader`, or what has its motions and drift ready
-    Steps are halved until all of them, integrated over the spectrum, change by less.  Warns where 0.3° are not enough.
+    body : `bem.database.reader.Reader`, or an object with its motions and drift computed
+    Steps are halved until all of them, integrated over the spectrum, change by less.  Warns if 0.3° are not enough.
     """
     if is_long_crested(sea):
         return STEP
@@ -79,7 +79,7 @@ def heading_step(body, sea, omega):
     while step > FINEST:
         step = 0.5 * step
         found = _integrals(body, sea, places, step)
-        change = np.inf if before is None else _change(found, before) / 3  # a quarter, of the error before, is left
+        change = np.inf if before is None else _change(found, before) / 3  # a quarter of the previous error remains
         change = max(change, _lost(sea, places, step))
         if change <= CLOSE:
             return step
@@ -93,7 +93,7 @@ def heading_step(body, sea, omega):
 
 
 def _lost(sea, omega, step):
-    """How far the sum over directions is from all of the energy: a spreading between two headings is not seen"""
+    """Share of the energy missing in the sum over directions: spreading between two headings is not captured"""
     return max(_lost_of_one(system, omega, step) for system in _systems(sea))
 
 
@@ -121,7 +121,7 @@ def _integrals(body, sea, omega, step):
 
 
 def _change(found, before):
-    """Largest relative change of what counts; drift beside both parts together"""
+    """Largest relative change of the compared values; drift relative to both parts together"""
     (motion, drift), (motion_before, drift_before) = found, before
     kinds = motion.reshape(-1, 2, 3)
     kind = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
@@ -130,7 +130,7 @@ def _change(found, before):
     total = drift.sum(axis=0)
     seen = total > SMALL * np.array([*2 * [total[:2].max()], total[2]])
     changes = np.abs(drift - drift_before)[:, seen] / total[seen]
-    # σ is the root of what is compared of the motions
+    # σ is the root of the compared values of motions
     return max(0.5 * change.max(initial=0.0), changes.max(initial=0.0))
 
 

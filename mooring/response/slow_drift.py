@@ -1,30 +1,30 @@
 """Slowly varying drift force in irregular waves: Newman's approximation, and half wave by half wave.
 
-Newman (1974) takes the transfer function of a pair of waves from the mean drift of each, here with the root:
+Newman (1974) approximates the transfer function of a pair of waves by the mean drift of each, here with the root:
 
     F(t) = Σᵢ Σⱼ aᵢ aⱼ T_ij cos{(ωᵢ − ωⱼ)t − (εᵢ − εⱼ)},    T_ij = sign √(DᵢDⱼ) where Dᵢ and Dⱼ have one sign, else 0
 
-which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, less one of √−Dᵢ for D < 0.
-No sum frequencies are in it and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  Every component has its own direction, and the same T
-serves pairs of one heading and of two: each of a pair is taken by itself, so that a force that changes sign over the
-headings varies although its mean may vanish.  It holds for small ωᵢ − ωⱼ: the force of the bound
-long wave, which grows with the difference and in shallow water, is left out.  The body is frozen at its mean place
-and heading: wave phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`).
-Over differences Δω the spectrum of the force is, after Pinkster (1980),
+which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, minus one of √−Dᵢ for D < 0. It contains
+no sum frequencies and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  Every component has its own direction, and the same T serves
+pairs of one heading and of two: each wave of a pair enters separately, so that a force that changes sign over the
+headings varies although its mean may vanish.  It holds for small ωᵢ − ωⱼ: the force of the bound long wave, which
+increases with the difference and in shallow water, is neglected.  The body is fixed at its mean place and heading: wave
+phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`). Over differences Δω the
+spectrum of the force is, after Pinkster (1980),
 
     S_F(Δω) = 8 ∫ S(ω) S(ω + Δω) Σ_a Σ_b w_a w_b T²(ω, β_a; ω + Δω, β_b) dω
 
-with the shares w of the energy per heading.  With D = D⁺ − D⁻ of two parts that are nowhere negative T² is D⁺D⁺ + D⁻D⁻,
-so that the sum over all pairs is ⟨D⁺⟩⟨D⁺⟩ + ⟨D⁻⟩⟨D⁻⟩ of the means over the headings of each part.
+with the shares w of the energy per heading.  With D = D⁺ − D⁻ of two non-negative parts T² is D⁺D⁺ + D⁻D⁻, so that the
+sum over all pairs is ⟨D⁺⟩⟨D⁺⟩ + ⟨D⁻⟩⟨D⁻⟩ of the means over the headings of each part.
 
 Half wave by half wave (Remery and Hermans 1971, Hsu and Blenkarn 1970; SR179 report (1982), eq. 3.7.1.5): between two
 zero crossings Δt apart the force is constant, D(ω) ζ² with ω = π/Δt and ζ the largest elevation between them.  In a
 narrow spectrum its mean is 2∫SD dω.  In a broad one it is not: ζ² of the extremes is 12 % more than twice the energy
-(ISSC; 8 to 10 % JONSWAP), and half waves sit at other frequencies than their energy.  For a box of 100 × 50 × 10 m in
-20 m of water, whose drift has a peak at 10 s, the mean is off the integral by +16, +27, +2 % in head seas and by +19,
-+17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 % (JONSWAP, Tp 11 s), means of four records of three hours.
-`half_waves(…, amplitude="energy")` removes the first part; `with_mean` gives the record the mean of the integral, and
-says by what factor.
+(ISSC; 8 to 10 % JONSWAP), and half waves lie at other frequencies than their energy.  For a box of 100 × 50 × 10 m in
+20 m of water, whose drift has a peak at 10 s, the mean deviates from the integral by +16, +27, +2 % in head seas and by
++19, +17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 % (JONSWAP, Tp 11 s), means of four records of three
+hours. `half_waves(…, amplitude="energy")` removes the first part; `with_mean` scales the record to the mean of the
+integral, and returns the factor.
 """
 
 from __future__ import annotations
@@ -37,10 +37,10 @@ from hakobune.bem.database.between_frequencies import BetweenError
 
 from .linear import over_headings
 
-MOST_OUTSIDE = 0.01  # largest share of the energy beyond the stored band, for which the drift at its ends is used
+MOST_OUTSIDE = 0.01  # largest share of the energy beyond the stored band for which the drift at its ends is used
 FINE = np.deg2rad(5.0)  # step between directions of the drift of short-crested waves, rad
 HORIZONTAL = [0, 1, 5]  # surge, sway and yaw of six degrees of freedom
-SLOWEST = 0.2, 100.0  # rad/s to which the spectrum of the slow force goes, of a hull of that length, m
+SLOWEST = 0.2, 100.0  # rad/s, upper end of the slow force spectrum, for a hull of that length, m
 STEPS = 80
 # smallest slope of encounter frequency over wave frequency before blocking, and most frequencies
 SLOWEST_SLOPE, MOST_MET = 0.05, 3000
@@ -61,7 +61,7 @@ def component_drift(body, components, hold=False):
     """(n, 3) mean drift D of every wave component at its own frequency and direction, N/m² and N m/m².
 
     components : omega, amplitude, phase, direction, each (n,)
-    hold : take components beyond the stored band at its ends however much energy they have; else above 1 % of it
+    hold : use the end values for all components beyond the stored band; else only up to 1 % of the energy
     raises : BetweenError
     """
     omega, direction = np.asarray(components.omega, float), np.asarray(components.direction, float)
@@ -104,7 +104,7 @@ def newman(components, drift, t):
 
 def differences(body):
     """(d,) rad/s of the spectrum of the slow force: to 0.2 for a hull of 100 m, by Froude's law for others, and to
-    three times the natural frequency of surge, sway and yaw where the body is held"""
+    three times the natural frequency of surge, sway and yaw for a moored body"""
     high = SLOWEST[0] * np.sqrt(SLOWEST[1] / body.between.length * body.gravity / 9.80665)
     for mode in (0, 1, 5):
         if body.stiffness[mode, mode] > 0:
@@ -122,7 +122,7 @@ def signed_means(drift, weights=(1.0,)):
 
 
 def signed(drift):
-    """(q, p, 2, 3) drift (q, p, 3) where it is positive, and less it where it is negative"""
+    """(q, p, 2, 3) positive part of drift (q, p, 3), and minus its negative part"""
     return np.stack([np.maximum(sign * drift, 0.0) for sign in (1, -1)], axis=2)
 
 
@@ -154,7 +154,7 @@ def signed_pairs(drift):
 
 
 class _Met(NamedTuple):
-    """A spectrum whose energy is in what is summed"""
+    """A spectrum restricted to the summed energy"""
 
     def density(self, omega):
         return np.ones(np.shape(omega))
@@ -164,8 +164,8 @@ def slow_parts(body, spectrum, omega, heading, parts, weights):
     """Spectrum, frequencies (g,) and means over the headings (g, …) of drift parts (q, p, …), as `force_spectrum` and
     `cross_spectrum` take them.
 
-    On a current two waves beat at the difference of the frequencies at which the body meets them, whatever their
-    headings: parts, with the energy, are summed over the headings at equal ones of these.
+    On a current two waves beat at the difference of the frequencies at which the body meets them, for any headings:
+    parts, with the energy, are summed over the headings at equal met frequencies.
     """
     carrier = getattr(body, "carrier", None)
     if carrier is None or carrier.absolute:
@@ -188,7 +188,7 @@ def slow_parts(body, spectrum, omega, heading, parts, weights):
 
 
 def cross_spectrum(spectrum, omega, products, difference):
-    """(d, 3, 3) spectral densities of slow forces and of each two of them; products : `signed_products` at omega
+    """(d, 3, 3) cross spectral densities of slow forces; products : `signed_products` at omega
 
     In phase: T_ij of two forces in one pair of waves have no lag by Newman's rule.  Its diagonal is `force_spectrum`.
     """
@@ -213,8 +213,8 @@ def force_spectrum_with(bound, spectrum, omega, drift, difference, met=None):
     """(d, 6) as `force_spectrum` of long-crested waves, with the force of their bound waves: 8 ∫ S S |T|² dω
 
     bound : T of them as a function of two frequencies, `bound_wave_drift.BoundWaveForces`; drift : (q, 3), in surge,
-    sway and yaw, to which Newman's part belongs; met : frequency at which a body on a current meets waves, a function
-    of theirs, whose differences those are then; None in still water
+    sway and yaw, for Newman's part; met : frequency at which a body on a current meets waves, a function of the wave
+    frequency, whose differences are then used; None in still water
     """
     omega, drift = np.asarray(omega, float), np.asarray(drift, float)
     density = np.asarray(spectrum.density(omega))
@@ -246,8 +246,8 @@ def half_waves(elevation, step, amplitude="extreme") -> HalfWaves:
     """Half waves of a record of wave elevation (s,) m sampled every `step` s, from its first zero crossing to its last.
 
     amplitude : "extreme", the largest elevation as in the report; "energy", √2 times the root mean square
-    Crossings are found on straight lines between samples, extremes on parabolas through three of them.
-    Raises ValueError with fewer than 3 crossings, or fewer than 8 samples per half wave on average.
+    Crossings are interpolated linearly between samples, extremes by parabolas through three of them. Raises ValueError
+    with fewer than 3 crossings, or fewer than 8 samples per half wave on average.
     """
     if amplitude not in ("extreme", "energy"):
         raise ValueError(f"amplitude is {amplitude!r}; allowed: 'extreme', 'energy'")
@@ -272,7 +272,7 @@ def half_wave_drift(waves, omega, drift, t):
     """(s, 3) drift force record at times t (s,), N, N, N m; zero outside the half waves.
 
     waves : from `half_waves`; omega : (q,) rad/s, drift : (q, 3) mean drift there.  Beyond omega D keeps its end
-    values: half waves scatter far more in frequency than the spectrum, `half_waves_outside` says how much.
+    values: half waves scatter far more in frequency than the spectrum; `half_waves_outside` gives their share.
     """
     force = np.stack([np.interp(waves.omega, omega, column) for column in np.transpose(drift)], axis=-1)
     force *= waves.amplitude[:, None] ** 2
@@ -285,8 +285,8 @@ def half_wave_drift(waves, omega, drift, t):
 def with_mean(force, mean):
     """A force record (s, n) scaled so that its means are `mean` (n,), and the factors (n,).
 
-    For records made half wave by half wave, whose mean is not that of the integral; a component without mean stays.
-    Raises ValueError where the record's mean has the other sign: no factor can mend that.
+    For records made half wave by half wave, whose mean is not that of the integral; a component without mean is
+    unchanged. Raises ValueError where the record's mean has the other sign: no factor can correct that.
     """
     found, mean = np.mean(force, axis=0), np.asarray(mean, float)
     scale = np.abs(force).max(axis=0)
@@ -328,7 +328,7 @@ def sums(rows, omega, t):
 
 
 def _peaks(y):
-    """|y| with every sample that is an extreme raised to the top of the parabola through it and its neighbours"""
+    """|y| with every local maximum raised to the top of the parabola through it and its neighbours"""
     size = np.abs(y)
     a, b, c = size[:-2], size[1:-1], size[2:]
     bend = a - 2 * b + c

@@ -1,12 +1,12 @@
 """Viscous damping in irregular waves by equivalent linearisation.
 
-A law of `bem.viscous` gives the linear damping that dissipates as much in a regular motion of amplitude a at ω.  In
-irregular motion with standard deviations σ and σ_v it is taken at ω = σ_v/σ and a = 1.88 σ, which for quadratic drag
-N₂ is √(8/π) σ_v N₂: the least mean square difference of a Gaussian motion (Borgman 1969).  Motion and damping
+A law of `bem.viscous` gives the linear damping that dissipates the same energy in a regular motion of amplitude a at ω.
+In irregular motion with standard deviations σ and σ_v it is evaluated at ω = σ_v/σ and a = 1.88 σ, which for quadratic
+drag N₂ gives √(8/π) σ_v N₂: the least mean square difference for a Gaussian motion (Borgman 1969).  Motion and damping
 depend on each other and are found by the secant rule.
 
-Every study takes the laws of a database's scene here: in a sea (`in_sea`), in regular waves (`in_regular_waves`, the
-damping that takes as much out of a cycle of the motion in them), in time (`in_time`, where a drag stays one).
+Every study uses the laws of a database's scene here: in a sea (`in_sea`), in regular waves (`in_regular_waves`, the
+damping with the same dissipation per cycle), in time (`in_time`, where a drag remains quadratic).
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ RESTORED = [2, 3, 4]  # heave, roll, pitch
 
 
 class InTime(NamedTuple):
-    """A body's viscous damping in time, beside radiation
+    """A body's viscous damping in time, in addition to radiation
 
     quadratic : (n,) N₂ of laws that are a drag; damping : (n, n) of the other laws, linearised in the waves
-    body : `bem.database.reader.Reader`, floating, that drifts as the body damped in these waves does
+    body : `bem.database.reader.Reader`, floating, with the drift of the body damped in these waves
     """
 
     quadratic: np.ndarray
@@ -41,14 +41,14 @@ class InTime(NamedTuple):
 
 
 def laws_of(reader):
-    """{degree of freedom: law} of the scene of a `bem.database.reader.Reader`, {} for none"""
+    """{degree of freedom: law} of the scene of a `bem.database.reader.Reader`, {} without laws"""
     return {} if reader.viscous is None else reader.viscous.laws
 
 
 def in_sea(reader, sea, laws=None, held=None):
     """A `Reader`, floating, with viscous damping linearised in a Sea, and that damping (n, n).
 
-    laws : in place of those of its scene; held : the floating Reader as it is restrained, None for free
+    laws : instead of those of its scene; held : the floating Reader with its restraint, None for a free body
     raises : as `linearised` and `Reader.floating`
     """
     laws, body = laws_of(reader) if laws is None else laws, reader.floating() if held is None else held
@@ -56,7 +56,7 @@ def in_sea(reader, sea, laws=None, held=None):
 
 
 def in_regular_waves(reader, omega, amplitude, direction):
-    """A `Reader`, floating, with the viscous damping of its scene at its motion in regular waves; that damping (6, 6).
+    """A `Reader`, floating, with the viscous damping of its scene for its motion in regular waves; that damping (6, 6).
 
     omega : rad/s; amplitude : m; direction : rad, travelled to
     """
@@ -71,11 +71,11 @@ def in_regular_waves(reader, omega, amplitude, direction):
 
 
 def in_time(reader, waves=None, damping=None, quadratic=None):
-    """`InTime` of a `Reader` in waves: a Sea, `mooring.studies.conditions.Waves` that are regular, or None for none,
-    in which only laws that are a drag damp.
+    """`InTime` of a `Reader` in waves: a Sea, regular `mooring.studies.conditions.Waves`, or None, without which only
+    laws in the form of a drag act.
 
-    damping : (n, n), quadratic : (n,) of a study, beside the laws of its scene; of these heave, roll and pitch count
-    for the drift, whose resonances waves reach, and not what damps slow motion
+    damping : (n, n), quadratic : (n,) of a study, in addition to the laws of its scene; heave, roll and pitch of these
+    affect the drift, since waves excite their resonances; damping of slow motions does not
     """
     names, count = reader.names, len(reader.names)
     linear = np.zeros((count, count)) if damping is None else np.asarray(damping, float)
@@ -94,7 +94,7 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
     elif waves is not None and laws:
         damped = replace(body, viscous=Viscous(laws, 0.5 * waves.height))
         body, added = in_regular_waves(damped, waves.omega, 0.5 * waves.height, waves.direction)
-    if not reader.rebuilds_drift:  # only the stored drift is known, at the waves of the scene
+    if not reader.rebuilds_drift:  # only the stored drift is known, in the waves of the scene
         body = replace(reader, viscous=None)
     added = linear + added
     for i, dof in enumerate(names):
@@ -104,10 +104,10 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
 
 
 def linearised(body, sea, laws):
-    """The `bem.database.reader.Reader` with the damping that viscosity has in a Sea, and that damping (n, n).
+    """The `bem.database.reader.Reader` with viscous damping in a Sea, and that damping (n, n).
 
     laws : {degree of freedom: law of `bem.viscous`}
-    raises : ValueError where no damping is found that agrees with its own motion
+    raises : ValueError if no damping is consistent with its own motion
     """
     middle = 2 * np.pi / sea.spectrum.T01
     damping = np.array([laws[d].equivalent(middle, FIRST) if d in laws else 0.0 for d in body.names])
@@ -136,7 +136,7 @@ def _share(step, answer):
 
 
 def _damping(body, sea, laws, step):
-    """(n,) damping at the motion of a body that has some already; step : degrees between directions"""
+    """(n,) damping at the motion of a body that already has some damping; step : degrees between directions"""
     omega = frequencies(body, sea.spectrum.density)
     heading, weights = directions(sea, omega, step)
     X, density = body.motions(omega, heading), sea.spectrum.density(omega)

@@ -1,26 +1,26 @@
-"""Wave drift damping: what a slow velocity of the body changes in its mean drift.
+"""Wave drift damping: change of the mean drift by a slow velocity of the body.
 
-A body that moves with the slow velocity U, along the waves U_L and across them (to the left) U_T, meets them at the
-frequency ω − kU_L and in the direction β − U_T/C_g, and its drift is
+A body with the slow velocity U, along the waves U_L and across them (to the left) U_T, meets them at the frequency ω −
+kU_L and in the direction β − U_T/C_g, and its drift is
 
     D(U) = {1 + (ω dn/dω − 2) U_L/C_g} D(ω − kU_L, β − U_T/C_g),    n = C_g/C
 
     B_jk = −∂F_j/∂U_k = [k ∂D_j/∂ω + (2 − ω dn/dω) D_j/C_g] e_L,k + (∂D_j/∂β)/C_g e_T,k
 
-In deep water n = ½ and 1/C_g = 2ω/g: the formula of Aranha (1994), ω²/g ∂D/∂ω + 4ω/g D along and 2ω/g ∂D/∂β across.
-In finite depth it follows from the same two balances, of wave action and momentum along rays; they give a totally
-reflecting wall, and a body that scatters evenly, {1 − 2U_L/C_g} of the drift at rest in any depth.  The long waves
-bound to wave groups are not in it.  The yaw moment is treated as the forces are; nothing is said of a velocity of yaw.
+In deep water n = ½ and 1/C_g = 2ω/g: the formula of Aranha (1994), ω²/g ∂D/∂ω + 4ω/g D along and 2ω/g ∂D/∂β across. In
+finite depth it follows from the same two balances, of wave action and momentum along rays; for a totally reflecting
+wall, and a body that scatters evenly, they give {1 − 2U_L/C_g} of the drift at rest in any depth.  The long waves bound
+to wave groups are neglected.  The yaw moment is treated like the forces; a yaw velocity is not included.
 
-On a current V the velocity through the water is U = ẋ − V: a body at rest feels, to first order,
+On a current V the velocity through the water is U = ẋ − V: the force on a body at rest is, to first order,
 
     D(V) = D + B V
 
-What is held fixed is the wave in the water: its intrinsic frequency ω, with it its length, its amplitude and the
-direction β of its crests.  A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D = 0.4464, 0.3598,
-0.4769 s/m at ka = 0.5, 1, 1.5.  Where the frequency at the place at rest is held in its stead (`on_current.waves`,
-"absolute") the intrinsic one falls by kV, which takes k ∂D/∂ω away: (2 − ω dn/dω)/C_g is left along the waves, 0.2512,
-0.4277, 0.5164 s/m of that cylinder.
+The wave in the water is held fixed: its intrinsic frequency ω, with it its length, its amplitude and the direction β of
+its crests.  A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D = 0.4464, 0.3598, 0.4769 s/m at ka =
+0.5, 1, 1.5.  Where the frequency at a fixed place is held instead (`on_current.waves`, "absolute") the intrinsic one
+falls by kV, which removes k ∂D/∂ω: (2 − ω dn/dω)/C_g remains along the waves, 0.2512, 0.4277, 0.5164 s/m for that
+cylinder.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ def drift_and_damping(body, omega, heading, fixed=False):
     along x and y, N s/m³ ….
 
     omega : (q,) rad/s rising and close enough to differentiate the drift, from `linear.frequencies`; heading : (p,) rad
-    fixed : of the fixed body, in place of the one that floats
+    fixed : True for the fixed body, False for the floating one
     """
     value, by_omega, by_heading = drift_slopes(body, omega, heading, fixed)
     return value, _damping(body, omega, heading, value, by_omega, by_heading)
 
 
 def along_waves(body, omega, heading):
-    """As `drift_and_damping`, where drift is not known beside the headings: as if it were there what it is at them"""
+    """As `drift_and_damping` for drift known at single headings: its derivative over heading is taken as zero"""
     value = body.drift(omega, heading)
     return value, _damping(body, omega, heading, value, np.gradient(value, omega, axis=0, edge_order=2), 0 * value)
 

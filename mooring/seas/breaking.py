@@ -1,4 +1,4 @@
-"""Waves that are too high for their water and period.
+"""Waves too high for their water depth and period.
 
 H_b = 0.142 λ tanh kh     highest single wave of period Tp (Miche 1944); 0.89 h in long waves
 H_s = 0.6 h               a sea saturated with breakers, from H_rms = 0.42 h (Thornton & Guza 1983)
@@ -18,7 +18,7 @@ GRAVITY = 9.80665
 
 
 class BreakingError(ValueError):
-    """Waves higher than their water holds; one line says how high, the limit and what helps"""
+    """Waves higher than possible in their water; the message names the height, the limit and a remedy"""
 
 
 def breaking_height(period, depth, gravity=GRAVITY):
@@ -28,12 +28,12 @@ def breaking_height(period, depth, gravity=GRAVITY):
 
 
 def largest_height(period, depth, gravity=GRAVITY):
-    """m, the significant height that water of `depth` m holds: 0.6 h, or H_b of the period where that is less"""
+    """m, largest significant height in water of `depth` m: 0.6 h, or H_b of the period if that is less"""
     return np.minimum(SATURATED * depth, breaking_height(period, depth, gravity))
 
 
 def too_high(spectrum, depth, gravity=GRAVITY):
-    """Lines on a sea whose waves break in water of `depth` m.  Raises BreakingError for a sea there cannot be."""
+    """Messages on a sea whose waves break in water of `depth` m.  Raises BreakingError for an impossible sea."""
     height, single = spectrum.significant_height, float(breaking_height(spectrum.Tp, depth, gravity))
     if height > single:
         raise BreakingError(

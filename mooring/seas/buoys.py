@@ -1,4 +1,4 @@
-"""Spectra as buoys and their offices give them, in text.
+"""Text spectra of buoys and their operators.
 
     NDBC       densities of a year (swden, station w year .txt): a head "#YY MM DD hh mm .0200 .0325 …", rows of m²/Hz;
                files of the same name with d, i, j, k for w have α₁, α₂ (degrees from), r₁ and r₂ (hundredths)
@@ -7,12 +7,12 @@
     Datawell   .spt: twelve lines, the second Hm0 in cm, the fourth the largest density in m²/Hz; rows of Hz, share of
                the largest density, direction from, spread, skewness, kurtosis
     Triaxys    NONDIRSPEC: Hz, m²/Hz; DIRSPEC: rows of frequencies, columns of directions from, m²/Hz/degree
-               .his: a history of heights, periods and directions, which is told and is no spectrum
+               .his: a history of heights, periods and directions, which is no spectrum: an error reports it
     TRDI       WavesMon's DSpec….txt: rows of frequencies, columns of slices of directions from, mm²/Hz/degree; PSpec…,
                SSpec… and VSpec….txt: a root of density in a row, mm/√Hz
     Spotter    .csv: columns f_i, varianceDensity_i, direction_i (from), directionalSpread_i and Significant Wave Height
 
-Where a file has a height of its own its spectrum is held against it.
+If a file states a height, its spectrum is checked against it.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ from . import directions
 from .planes import two_dimensional
 
 MISSING = 999.0
-OFF = 0.1  # largest relative difference of a file's stated height and that of its spectrum
+OFF = 0.1  # largest relative difference between a file's stated height and that of its spectrum
 DAYS = (".swdir", ".swdir2", ".swr1", ".swr2")
 
 
 def kind(text):
-    """The reader for a text, None for none of these"""
+    """The reader for a text, None for other formats"""
     head = text.lstrip()[:2000]
     lines = head.splitlines() or [""]
     if re.match(r"#?\s*Y", head) and re.match(r"#?\s*YY(YY)?\s+MM\s+DD", lines[0]):
@@ -57,7 +57,7 @@ def kind(text):
 
 
 def ndbc(path, text, x_axis, time):
-    """Sea of the row of `time`; with directions where x_axis, degrees of the compass, and their files are there"""
+    """Sea of the row of `time`; with directions if x_axis, degrees of the compass, and the direction files are given"""
     frequency, density = _row(path, text, time)
     density = _measured(path, frequency, density, time)
     beside = None if x_axis is None else _directions_beside(path)
@@ -86,7 +86,7 @@ def datawell(path, text, x_axis, time):
 
 
 def history(path, text, x_axis, time):
-    """Raise TableError: a .his has no densities; the message has its first row, or that of the time"""
+    """Raise TableError: a .his has no densities; the message quotes its first row, or that of the time"""
     rows = [re.split(r"[,\t ]+", line.strip()) for line in text.splitlines() if line.strip()]
     rows = [row for row in rows if time is None or row[0].startswith(str(time).strip().replace(" ", "T"))]
     if not rows:
@@ -139,7 +139,7 @@ def triaxys(path, text, x_axis, time):
         raise _no_axis(path)
     frequency = first + step * np.arange(len(values))
     alpha = np.radians(float(head["DIRECTION SPACING (DEG)"]) * np.arange(values.shape[1]))
-    turn = alpha < 2 * np.pi - 1e-9  # 0 and 360 are one
+    turn = alpha < 2 * np.pi - 1e-9  # 0 and 360 are the same
     kept = frequency > 0
     return _plane(path, frequency[kept], np.radians(x_axis) - alpha[turn] - np.pi, np.degrees(values[kept][:, turn]))
 
@@ -164,7 +164,7 @@ def spotter(path, text, x_axis, time):
 
 
 def one_of(path, times, time):
-    """Place of the time that begins with `time` in a list of texts, of the only one for None.  Raises TableError."""
+    """Index of the time that begins with `time` in a list of texts; for None the only one.  Raises TableError."""
     found = [i for i, one in enumerate(times) if time is None or one.startswith(str(time).strip())]
     if len(found) == 1:
         return found[0]
@@ -175,7 +175,7 @@ def one_of(path, times, time):
 
 
 def check_height(path, sea, height):
-    """Raise TableError where the height of a Sea is not that of its file, m; NaN is not known"""
+    """Raise TableError where the height of a Sea differs from that in its file, m; NaN if unknown"""
     read = float(sea.spectrum.significant_height)
     if np.isfinite(height) and height > 0 and abs(read / height - 1) > OFF:
         raise TableError(

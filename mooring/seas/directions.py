@@ -1,11 +1,11 @@
-"""Directions of a measured spectrum from what buoys give for each frequency: moments, or a mean and a spread.
+"""Directions of a measured spectrum from buoy data at each frequency: moments, or a mean and a spread.
 
     D(α) = (1/2π) (1 − φ₁ c₁* − φ₂ c₂*) / |1 − φ₁ e^{−iα} − φ₂ e^{−2iα}|²
     φ₁ = (c₁ − c₂ c₁*) / (1 − |c₁|²),   φ₂ = c₂ − φ₁ c₁,   c₁ = r₁ e^{iα₁},   c₂ = r₂ e^{2iα₂}
 
-has the moments c₁, c₂ = ∫ D e^{iα} dα, ∫ D e^{2iα} dα and is nowhere negative, as their Fourier sum is (Lygre and
-Krogstad 1986, J. Phys. Oceanogr. 16).  Of a spread σ alone it is cos²ˢ{(α − α₁)/2}, s = 2/σ² − 1 (Kuik et al. 1988).
-Angles α are where waves come from, clockwise from north.
+has the moments c₁, c₂ = ∫ D e^{iα} dα, ∫ D e^{2iα} dα and is nowhere negative, unlike their Fourier sum (Lygre and
+Krogstad 1986, J. Phys. Oceanogr. 16).  From a spread σ alone it is cos²ˢ{(α − α₁)/2}, s = 2/σ² − 1 (Kuik et al. 1988).
+Angles α are directions that waves come from, clockwise from north.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ LARGEST = 0.99  # largest r₁ and r₂; beyond, D is narrower than a row
 
 
 def of_moments(r1, r2, alpha1, alpha2):
-    """(n, ROWS) 1/rad on ALPHA; r1, r2 : (n,); alpha1, alpha2 : (n,) rad, NaN where unknown: all alike there"""
+    """(n, ROWS) 1/rad on ALPHA; r1, r2 : (n,); alpha1, alpha2 : (n,) rad, NaN where unknown: uniform there"""
     r1, r2 = np.clip(r1, 0, LARGEST), np.clip(r2, 0, LARGEST)
     c1, c2 = r1 * np.exp(1j * alpha1), r2 * np.exp(2j * alpha2)
     with np.errstate(invalid="ignore"):  # division by NaN, where the direction is unknown
@@ -31,19 +31,19 @@ def of_moments(r1, r2, alpha1, alpha2):
 
 
 def of_spread(alpha1, spread):
-    """(n, ROWS) 1/rad on ALPHA; alpha1, spread : (n,) rad, NaN where unknown: all alike there"""
+    """(n, ROWS) 1/rad on ALPHA; alpha1, spread : (n,) rad, NaN where unknown: uniform there"""
     s = np.clip(2 / np.maximum(spread, 1e-3) ** 2 - 1, 0, LARGEST_S)
     with np.errstate(divide="ignore"):
         return _whole(np.exp(2 * s[:, None] * np.log(np.abs(np.cos((ALPHA - alpha1[:, None]) / 2)))))
 
 
 def towards(x_axis):
-    """(ROWS,) rad that waves from ALPHA travel to in axes whose x heads x_axis degrees of the compass"""
+    """(ROWS,) rad travelled to by waves from ALPHA, in axes whose x points to x_axis degrees of the compass"""
     return np.radians(x_axis) - ALPHA - np.pi
 
 
 def _whole(values):
-    """Rows of integral one; all alike where a row is unknown or negative, as of moments that no sea has"""
+    """Rows of integral one; uniform where a row is unknown or negative, as for impossible moments"""
     bad = ~np.all(np.isfinite(values) & (values >= 0), axis=1)
     values = np.where(bad[:, None], 1.0, values)
     return values / (values.sum(axis=1, keepdims=True) * (2 * np.pi / ROWS))

@@ -1,4 +1,4 @@
-"""All families of spectra by name, those of `environment.spectra` and those that need a depth or have two peaks."""
+"""All families of spectra by name: those of `environment.spectra`, and those that need a depth or have two peaks."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NAMES = (*spectra.FAMILIES, "tma", "ochi_hubble", "torsethaugen")
 
 
 def families(depth):
-    """{name: function of height, period by kind, gamma where it has one}; depth : m, None where it is not known
+    """{name: function of height, period by kind, gamma if it has one}; depth : m, None if unknown
 
     Raises ValueError from "tma" without a finite depth.
     """

@@ -1,4 +1,4 @@
-"""Spectra in netCDF: by names and units of the variables, as the programs write them.
+"""Spectra in netCDF, identified by names and units of the variables as the programs write them.
 
     WAVEWATCH III   efth(time, station, frequency, direction) m² s/rad, directions towards
     ERA5            d2fd(time, frequency, direction, place): log₁₀ of m² s/rad; 30 frequencies from 0.03453 Hz, each
@@ -12,7 +12,7 @@
     NDBC            spectral_wave_density(time, frequency) m²/Hz, mean_wave_dir, principal_wave_dir, wave_spectrum_r1,
                     wave_spectrum_r2
 
-Directions are clockwise from north, towards where the standard name has "to_direction", else from.
+Directions are clockwise from north: towards if the standard name has "to_direction", else from.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ HEIGHTS = ("hs", "swh", "VHM0", "HS")
 MOMENTS = ("a1", "b1", "a2", "b2")
 MEANS = ("theta_1d", "spread_1d")
 NDBC = ("mean_wave_dir", "principal_wave_dir", "wave_spectrum_r1", "wave_spectrum_r2")
-ERA5 = 0.03453, 1.1  # Hz, and from one frequency to the next (ECMWF, 2D wave spectra)
+ERA5 = 0.03453, 1.1  # Hz, and ratio of successive frequencies (ECMWF, 2D wave spectra)
 INTEGRALS = {"swh": "m high", "hs": "m high", "VHM0": "m high", "pp1d": "s of peak", "mwp": "s mean", "mwd": "° from"}
 
 
 def read_netcdf(path, x_axis, time, location):
-    """Sea of one time and place, as `spectra_files.read_sea`.  Raises TableError."""
+    """Sea of one time and place, as in `spectra_files.read_sea`.  Raises TableError."""
     try:
         import xarray
     except ImportError:
@@ -142,7 +142,7 @@ def _towards(data, name, axis):
 
 
 def _clockwise(angles):
-    """rad clockwise from north towards, of angles that say their unit, and whether they are towards or from"""
+    """rad clockwise from north, from angles with a unit, and whether they are towards or from"""
     values, attrs = np.asarray(angles, float), angles.attrs
     values = values if str(attrs.get("units", "")).startswith("rad") else np.radians(values)
     return values if "to_direction" in str(attrs.get("standard_name", "")) else values + np.pi
@@ -160,7 +160,7 @@ def _measured(path, data, frequency, order, density, x_axis):
     elif all(name in data for name in MOMENTS):
         a1, b1, a2, b2 = of(MOMENTS)
         c1, c2 = a1 + 1j * b1, a2 + 1j * b2
-        west = 1.5 * np.pi  # whence waves come that travel east
+        west = 1.5 * np.pi  # direction from which waves come that travel east
         spread = directions.of_moments(abs(c1), abs(c2), west - np.angle(c1), west - 0.5 * np.angle(c2))
     elif all(name in data for name in MEANS):
         spread = directions.of_spread(_clockwise(data["theta_1d"])[order] - np.pi, np.radians(next(of(MEANS[1:]))))
@@ -179,7 +179,7 @@ def _at_time(path, data, time):
 
 
 def _at_place(path, data, name, location, kept=()):
-    """The place `location`, from 1, of the axes that are neither frequency nor direction, the last fastest"""
+    """The place number `location`, from 1, over the axes that are neither frequency nor direction, the last fastest"""
     axes = [axis for axis in data[name].dims if axis not in AXES and axis not in kept]
     sizes = [data.sizes[axis] for axis in axes]
     if not 1 <= location <= np.prod(sizes, dtype=int):

@@ -1,4 +1,4 @@
-"""A sea given as a plane: densities by frequency and direction, straight lines between."""
+"""A sea given as densities over frequency and direction, interpolated linearly."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..environment.spreading import Spreading
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TabulatedSpreading(Spreading):
-    """Directions of a two-dimensional spectrum: straight between rows of omega (n,) rad/s and of angle (m,) rad.
+    """Directions of a two-dimensional spectrum: linear between rows of omega (n,) rad/s and of angle (m,) rad.
 
     values : (n, m) 1/rad, each row of integral one; angle rising over one turn at most, closed at its end
     """
@@ -49,7 +49,7 @@ def two_dimensional(omega, angle, density, name):
     if len(angle) < 3 or np.diff(angle).min(initial=1.0) < 1e-6:
         raise ValueError(f"{name}: {len(angle)} directions; allowed: at least 3, each once")
     gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
-    if np.count_nonzero(gaps > 1.5 * np.median(gaps)):  # a sector: nothing travels beyond it
+    if np.count_nonzero(gaps > 1.5 * np.median(gaps)):  # a sector: no waves travel outside it
         k = int(np.argmax(gaps))
         ends = angle[k] + 1e-4, angle[(k + 1) % len(angle)] - 1e-4 + 2 * np.pi * (k == len(angle) - 1)
         angle = np.mod(np.concatenate([angle, ends]), 2 * np.pi)
@@ -64,6 +64,6 @@ def two_dimensional(omega, angle, density, name):
 
 
 def _place(rows, values):
-    """Place below (…,) and share of the way to the next, held at both ends"""
+    """Index of the place below (…,) and relative position up to the next; the end values outside"""
     i = np.clip(np.searchsorted(rows, values, side="right") - 1, 0, len(rows) - 2)
     return i, np.clip((values - rows[i]) / (rows[i + 1] - rows[i]), 0.0, 1.0)

@@ -2,8 +2,8 @@
 
     S = S_JONSWAP(ω) Φ(ω),    Φ = k⁻³ ∂k/∂ω / {(ω²/g)⁻³ 2ω/g} = tanh²(kh) / 2n,    n = ½(1 + 2kh/sinh 2kh)
 
-which tends to ω²h/2g in long waves, where the tail is then ω⁻³, and to 1 in short ones.  The peak period is that
-of the JONSWAP form; scaled to a height, or by fetch with the height that the depth leaves.
+which tends to ω²h/2g in long waves, where the tail is then ω⁻³, and to 1 in short ones.  The peak period is that of the
+JONSWAP form; the spectrum is scaled to a height, or by fetch to the height possible in this depth.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from ..environment.spectra import HEIGHTS, LARGEST_GAMMA, PERIODS, jonswap_fetch
 from ..environment.spectrum import NODES, WEIGHTS, Peaked, Spectrum
 from .breaking import GRAVITY
 
-DEEP = 20.0  # ω²h/g, where Φ differs from 1 by 2e-16
+DEEP = 20.0  # ω²h/g above which Φ differs from 1 by less than 2e-16
 STEPS = 40  # panels of Gauss's rule per unit of ln ω, as narrow as the flank of the peak
 
 
@@ -46,7 +46,7 @@ class Shallow(Spectrum):
 
     @cached_property
     def _edges(self):
-        """(e,) rad/s of panels from where S is nothing to where Φ is 1"""
+        """(e,) rad/s, edges of panels from where S vanishes to where Φ is 1"""
         low = 0.3 * self.peak_omega
         high = max(np.sqrt(DEEP * self.gravity / self.depth), 2.0 * self.peak_omega)
         between = np.geomspace(low, high, 2 + int(STEPS * np.log(high / low)))
@@ -113,6 +113,6 @@ def tma(height, depth, *, gamma=3.3, gravity=GRAVITY, **period):
 
 
 def tma_fetch(wind_speed, fetch, depth, *, gamma=3.3, gravity=GRAVITY):
-    """TMA spectrum of a wind (m/s, at 10 m) that blew over `fetch` m: its height is what the depth leaves of it."""
+    """TMA spectrum of a wind (m/s, at 10 m) over a fetch of `fetch` m: its height is reduced by the depth."""
     positive("water depth of tma", depth, "m")
     return Shallow(jonswap_fetch(wind_speed, fetch, gamma=gamma, gravity=gravity), depth, 1.0, gravity)

@@ -1,11 +1,11 @@
-"""Spectra as buoys, hindcasts and wave models give them, in one and in two dimensions.
+"""Spectra of buoys, hindcasts and wave models, in one and in two dimensions.
 
     SWAN (`swan`);  NDBC, Datawell, TRDI, Triaxys, Spotter (`buoys`);  WAVEWATCH III's transfer file (`wavewatch`)
     netCDF of WAVEWATCH III, ERA5, SWAN, WWM, NDBC, Sofar and wavespectra (`netcdf`);  a table of densities (.csv)
 
-Nautical directions are where waves come from, clockwise from north; with the x axis of the body towards ψ of the
-compass waves travel to β = ψ − (N + 180°).  Cartesian ones are where they travel to, from the x axis of the model,
-which is taken for the body's after it is turned by the heading given.
+Nautical directions are directions that waves come from, clockwise from north; with the x axis of the body towards ψ of
+the compass waves travel to β = ψ − (N + 180°).  Cartesian ones are directions travelled to, from the x axis of the
+model, which is assumed to be the body's after a turn by the given heading.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ NETCDF = (b"CDF", b"\x89HDF")
 
 
 def read_sea(path, x_axis=None, time=None, location=1):
-    """`environment.sea.Sea` of a file of the module; long-crested towards 0 where it has no directions.
+    """`environment.sea.Sea` of a file of the module; long-crested towards 0 if the file has no directions.
 
-    x_axis : degrees of the compass that the x axis heads, needed for nautical directions of planes; what buoys measure
-        is long-crested without
-    time : as the file has it, or how it begins, by default its only one; location : number of the place in the file
+    x_axis : compass degrees of the x axis, needed for nautical directions of planes; without it, buoy spectra are
+        long-crested
+    time : as in the file, or its beginning, by default the only one; location : number of the place in the file
     Raises TableError that names the line.
     """
     path = Path(path)

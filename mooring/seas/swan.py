@@ -1,9 +1,9 @@
 """Spectra as SWAN writes them (.spc, .sp1, .sp2, .s1d, .s2d, .hot): AFREQ or RFREQ, NDIR or CDIR, VaDens or EnDens.
 
-AcDens, of the file that a run starts again from, is VaDens over ω.
+AcDens, in the restart file, is VaDens over ω.
 
 1-D with mean direction and spread, or 2-D with FACTOR, ZERO, NODATA; of several quantities in a 2-D file the first is
-taken (SWAN user manual, appendix D).  Remarks stand behind single numbers.
+used (SWAN user manual, appendix D).  Remarks follow single numbers.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ..environment.spreading import HalfCosinePower
 from ..environment.tables import TableError
 from .planes import two_dimensional
 
-ENERGY = 1025.0 * 9.81  # J/m³, of EnDens, as SWAN has it
+ENERGY = 1025.0 * 9.81  # J/m³, for EnDens, as in SWAN
 
 
 class Swan:
@@ -47,10 +47,10 @@ class Swan:
         return int(word)
 
     def numbers(self, count, thing):
-        """(count,) numbers from as many lines as they take
+        """(count,) numbers from as many lines as needed
 
-        SWAN writes remarks behind a single number, none among many: there a word is a fault, or the line after it,
-        which may be a time, would be taken for what it stands in the place of.
+        SWAN writes remarks after a single number, none among many: there a word is a fault; otherwise the next line,
+        which may be a time, would be read in its place.
         """
         found = []
         while len(found) < count:
@@ -91,7 +91,7 @@ class Swan:
         return self.made(head, self.block(head), x_axis)
 
     def none_follows(self):
-        """Whether 0 directions are said and none listed, as of a 1-D file; then its line is read"""
+        """Whether the file states 0 directions and lists none, as a 1-D file does; then its line is read"""
         said = [line.split()[0] for _, line in self.lines[self.at : self.at + 2]]
         none = said[:1] == ["0"] and not numbers_of(said[-1])
         self.at += none
@@ -105,7 +105,7 @@ class Swan:
         return name.upper(), unit, none
 
     def to_time(self, time, head, places):
-        """Go to the wanted time; the only one where none is said"""
+        """Move to the wanted time; by default the only one"""
         seen = []
         while self.at < len(self.lines):
             found = self.words()[0]
@@ -124,7 +124,7 @@ class Swan:
         raise TableError(f"{self.path} has no time {time}; it has {', '.join(seen[:6])}")
 
     def block(self, head):
-        """(n, columns) numbers of one location, of the first of its quantities where there are directions; else None"""
+        """(n, columns) numbers of one location, of the first quantity if there are directions; else None"""
         found = self.part(head)
         for _ in head["QUANT"][1:] if "angle" in head and found is not None else ():
             self.part(head)

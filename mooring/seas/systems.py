@@ -1,8 +1,8 @@
-"""Several systems of waves at once: swell and wind sea, long waves of a harbour, each with its own direction.
+"""Several systems of waves together: swell and wind sea, long waves of a harbour, each with its own direction.
 
     S(ω) = Σ_i S_i(ω),    D(θ; ω) = Σ_i S_i(ω) D_i(θ) / S(ω)
 
-Systems are independent: energies add, and so do mean forces.  Slow forces are of the pairs of all waves.
+Systems are independent: energies add, and so do mean forces.  Slow forces include pairs of all waves.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Sum(Spectrum):
 
 @dataclass(frozen=True, eq=False)
 class Systems:
-    """A sea of several `environment.sea.Sea`; what a study asks of a Sea it answers for all together"""
+    """A sea of several `environment.sea.Sea`, with the methods of a Sea for all together"""
 
     systems: tuple[Sea, ...]
 
@@ -62,7 +62,7 @@ class Systems:
         return m0 / m0.sum()
 
     def directional(self, headings, omega=None):
-        """Shares per heading as of `Sea.directional`"""
+        """Shares per heading as in `Sea.directional`"""
         if omega is None:
             return sum(share * s.directional(headings) for share, s in zip(self._energies, self.systems, strict=True))
         parts = [s.spectrum.density(omega)[:, None] * s.directional(headings, omega) for s in self.systems]
@@ -70,7 +70,7 @@ class Systems:
         return total / np.maximum(total.sum(axis=1, keepdims=True), 1e-300)
 
     def components(self, count, seed, *, low=None, high=None, **words):
-        """`Sea.components` of each system, their number by its share of the frequencies; at least a quarter each.
+        """`Sea.components` of each system, numbered in proportion to its range of frequencies; at least a quarter each.
 
         low, high : rad/s of the whole sea; each system has its own share of them
         """

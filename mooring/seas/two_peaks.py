@@ -2,7 +2,7 @@
 
     S = ¼ Σ_j (b_j ω_j⁴)^λ_j / Γ(λ_j)  H_j² ω^−(4λ_j+1) exp(−b_j ω_j⁴/ω⁴),    b_j = λ_j + ¼
 
-and its most probable member by significant height alone.  λ = 1 is Bretschneider's shape.
+and its most probable member for a given significant height.  λ = 1 is Bretschneider's shape.
 
 Height and peak period: Torsethaugen & Haver (2004, ISOPE) in their simplified form (DNV-RP-C205, appendix A), with
 T_f = 6.6 H^(1/3) the peak period of a fully developed sea at a fetch of 370 km.  Both systems have λ = ¾, a tail ω⁻⁴:
@@ -12,7 +12,7 @@ T_f = 6.6 H^(1/3) the peak period of a fully developed sea at a fetch of 370 km.
     T_p > T_f   swell     r H, T_p, γ = 35 (2πH/gT_f²)^0.857 (1 + 6 t),  r = 0.6 + 0.4 exp{−(t/0.3)²},
                 wind sea  √(1 − r²) H, 6.6 (√(1 − r²) H)^(1/3),          t = (T_p − T_f)/(25 − T_f)
 
-γ at least 1; the height of the enhanced system is kept by integration.
+γ at least 1; the height of the enhanced system is preserved by integration.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from .breaking import GRAVITY
 from .systems import Sum
 
 HIGHEST = 26.0  # m, of the most probable sea: the shape of its wind sea is 0.3 there
-LEAST = 1e-3  # height of the second system over the total below which it is omitted
+LEAST = 1e-3  # height of the second system over the total, below which it is omitted
 
 
 @dataclass(frozen=True, repr=False)
@@ -117,7 +117,7 @@ class Enhanced(Spectrum):
 def torsethaugen(height, *, peak_period=None, gravity=GRAVITY, **period):
     """Swell and wind sea of a significant height (m) and the period (s) of the higher peak.
 
-    raises : ValueError for another period, and for one beyond 25 s or steeper than a wind raises
+    raises : ValueError for another period, a period above 25 s, or waves steeper than those of wind
     """
     given = [kind for kind, value in period.items() if value is not None]
     if peak_period is None or given:
@@ -154,8 +154,8 @@ def six_parameters(swell, sea):
 def ochi_hubble(height, **period):
     """The most probable sea of a significant height (m): the first row of the eleven of table 2b.
 
-    Periods follow from it: ValueError for one that is given.  The print's heights, 0.84 and 0.54 of it, have 0.9972 of
-    its energy; they are scaled to all of it.
+    Periods follow from the height: ValueError if one is given.  The printed heights, 0.84 and 0.54 of it, have 0.9972
+    of its energy; they are scaled to the whole.
     """
     given = [kind for kind, value in period.items() if value is not None]
     if given:

@@ -2,8 +2,8 @@
 
 Hawsers are weightless and inextensible here, the buoy has no inertia, lines are in their static form, as in the SR179
 report (1982), section 3.6.1; but the buoy lies where the forces on it balance in the plane, not on the line from its
-place at rest to the bow (eq. 3.6.5).  The energy of the lines is convex in the place of the buoy, so that there is
-one such place.  Axes of the body: x forward, y to port, from its centre of mass.
+place at rest to the bow (eq. 3.6.5).  The energy of the lines is convex in the place of the buoy, so that this place is
+unique.  Axes of the body: x forward, y to port, from its centre of mass.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ class SinglePointError(ValueError):
 
 
 class NotFollowedError(SinglePointError):
-    """A motion that goes where the mooring does not hold, or that no step is short enough for"""
+    """A motion beyond the range of the mooring, or too fast for any step"""
 
 
 class Pull(NamedTuple):
     """Force of its lines on a buoy.
 
-    force : (2,) N; stiffness : (2, 2) N/m, the buoy free to rise and sink; height : m of the attachment
+    force : (2,) N; stiffness : (2, 2) N/m, with the buoy free to rise and sink; height : m of the attachment
     """
 
     force: np.ndarray
@@ -47,9 +47,9 @@ class Pull(NamedTuple):
 
 
 class Hold(NamedTuple):
-    """What the mooring does to the body.
+    """Effect of the mooring on the body.
 
-    force : (3,) N, N, N m in axes of the body; tension : (k,) N of the hawsers, of a contact buoy the force on it
+    force : (3,) N, N, N m in axes of the body; tension : (k,) N of the hawsers; for a contact buoy the contact force
     buoy : (2,) m
     """
 
@@ -62,8 +62,8 @@ class Hold(NamedTuple):
 class SinglePoint:
     """loads : Loads; mass : (3, 3) kg, kg m, kg m² of slow surge, sway and yaw, with added mass
 
-    ends : (k, 2) m, where the hawsers are made fast to the body; lengths : (k,) m, of one end 0 for a contact buoy
-    system : System whose one body is the buoy, with the steady loads that it has of itself
+    ends : (k, 2) m, attachments of the hawsers to the body; lengths : (k,) m, 0 for the single one of a contact buoy
+    system : System whose only body is the buoy, with the buoy's own steady loads
     """
 
     loads: Loads
@@ -100,7 +100,7 @@ class SinglePoint:
 
     @cached_property
     def _floats(self):
-        """N/m of buoyancy over the height of a buoy that rises and sinks, 0 where it is held at its height"""
+        """N/m of buoyancy over the height of a buoy that rises and sinks, 0 for a fixed height"""
         body = self.system.bodies[0]
         return float(body.hydrostatic_stiffness[2, 2]) if "Heave" in body.freedom else 0.0
 
@@ -116,7 +116,7 @@ class SinglePoint:
 
     @cached_property
     def apex(self):
-        """(2,) m in the body's axes, ahead, where two taut hawsers meet; the one end where there is one of no length"""
+        """(2,) m in the body's axes, ahead, where two taut hawsers meet; the attachment of a single hawser"""
         if len(self.ends) == 1:
             return self.ends[0]
         (p, q), (a, b) = self.ends, self.lengths
@@ -128,7 +128,7 @@ class SinglePoint:
         return p + x * along + np.sqrt(a * a - x * x) * across
 
     def pull(self, place, height=None) -> Pull:
-        """Pull of the lines with the buoy at (2,) m.  Raises SinglePointError where a line cannot reach."""
+        """Pull of the lines with the buoy at (2,) m.  Raises SinglePointError beyond the reach of a line."""
         body = self.system.bodies[0]
         z, floats = body.position[2] if height is None else height, self._floats
         for _ in range(STEPS):
@@ -147,7 +147,7 @@ class SinglePoint:
         return Pull(F[:2].copy(), K[:2, :2] - np.outer(K[:2, 2], K[2, :2]) / stiff, float(z))
 
     def buoy_under(self, force, start: Pose | None = None):
-        """SystemEquilibrium of the buoy that a body pulls with (2,) N, sought from a Pose.  Raises SinglePointError."""
+        """SystemEquilibrium of the buoy pulled by a body with (2,) N, sought from a Pose.  Raises SinglePointError."""
         name = self.system.bodies[0].name
         load = np.array(self.system.bodies[0].load)
         load[:2] += force
@@ -179,9 +179,9 @@ class SinglePoint:
         return min(found, key=lambda one: one[0])[1]
 
     def stiffness(self, heading, held: Hold):
-        """(3, 3) N/m, N … −1 times the derivatives of a Hold's force by the body's place in space and its heading
+        """(3, 3) N/m, N … minus the derivatives of a Hold's force by the body's place in space and its heading
 
-        A taut hawser turns about the body's end until the lines pull along it, so that it yields sideways.
+        A taut hawser turns about its end on the body until the lines pull along it, so that it yields sideways.
         """
         taut = np.flatnonzero(held.tension)
         if not len(taut):
@@ -208,7 +208,7 @@ class SinglePoint:
         return share * self.lengths.max(), Hold(_with_moment(force, self.apex), tension, buoy)
 
     def _one(self, place, R, which, near):
-        """How far the buoy is beyond the reach of the other hawser, m, and the Hold of this one"""
+        """Distance of the buoy beyond the reach of the other hawser, m, and the Hold of this hawser"""
         end, length = self.ends[which], float(self.lengths[which])
         bow = place + R @ end
         tension, force = np.zeros(len(self.ends)), np.zeros(3)
@@ -223,10 +223,10 @@ class SinglePoint:
         return max(0.0, hypot(*(buoy - other)) - self.lengths[1 - which]), Hold(force, tension, buoy)
 
     def _on_circle(self, bow, length, near):
-        """Place of the buoy at the end of a taut hawser where its lines pull along it, and their pull, (2,) N
+        """Place of the buoy at the end of a taut hawser where the lines pull along the hawser, and their pull, (2,) N
 
-        Newton's method on the angle, by halves where it leaves the half circle towards the buoy's place at rest; the
-        pull of its last step follows from the stiffness of the lines.
+        Newton's method on the angle, with bisection outside the half circle towards the buoy's place at rest; the pull
+        of its last step follows from the stiffness of the lines.
         """
         px, py = bow.tolist()
         x, y = (self.origin if near is None else near).tolist()
@@ -266,7 +266,7 @@ def _with_moment(force, arm):
 def planar_mass(own, length, beam, added, gyration=None):
     """(3, 3) kg, kg m² of slow surge, sway and yaw about the centre of mass.
 
-    own : kg; length, beam : m; added : (3,) masses of the water, over the mass and over the moment of inertia
+    own : kg; length, beam : m; added : (3,) added mass over the mass, and added inertia over the moment of inertia
     gyration : m, in yaw, of a uniform box if not given
     """
     squared = (length**2 + beam**2) / 12 if gyration is None else gyration**2

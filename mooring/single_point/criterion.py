@@ -1,4 +1,4 @@
-"""Whether a towed or moored body slews: the quartic of small motions, its Routh–Hurwitz conditions and its roots.
+"""Whether a towed or moored body slews: quartic of small motions, its Routh–Hurwitz conditions and its roots.
 
     λ⁴ + A λ³ + B λ² + C λ + D = 0
 
@@ -7,8 +7,8 @@ of lateral motion y and yaw ψ on a line of length ℓ that pulls with F at a di
     M ÿ = Fγ + Y_v ẏ + Y_r ψ̇ + Y_ψ ψ,    I ψ̈ = aFγ + N_v ẏ + N_r ψ̇ + N_ψ ψ,    γ = −(y + aψ)/ℓ − ψ
 
 M, I with added mass; Y, N in axes of the body.  Where the far end of the line yields, ℓ = F over the lateral stiffness
-that the attachment feels.  SR179 report (1982), eq. 3.6.17–3.6.23: in 3.6.17 Y_β = −U Y_v, N_β = −U N_v, and the Y_r
-printed there contains −MU; all four of A, B, C, D have to be positive (the printed sum is a misprint).
+at the attachment.  SR179 report (1982), eq. 3.6.17–3.6.23: in 3.6.17 Y_β = −U Y_v, N_β = −U N_v, and the Y_r printed
+there contains −MU; all four of A, B, C, D have to be positive (the printed sum is a misprint).
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Lateral(NamedTuple):
 
 
 class Slewing(NamedTuple):
-    """Stability from the roots λ: the motion that grows most or decays least.
+    """Stability from the roots λ: the fastest growing or slowest decaying motion.
 
     stable : every motion decays; growth : 1/s, below 0 where it decays; period : s, inf without oscillation
     """
@@ -50,7 +50,7 @@ class Slewing(NamedTuple):
 
 
 def moored_quartic(m: Lateral):
-    """(…, 5) coefficients 1, A, B, C, D of a body moored in a stream that does not move (eq. after 3.6.18)"""
+    """(…, 5) coefficients 1, A, B, C, D of a body moored in a steady stream (eq. after 3.6.18)"""
     M, I, F, a, L = m.mass, m.inertia, m.pull, m.arm, m.length
     A = -m.Y_v / M - m.N_r / I
     B = (m.Y_v * m.N_r - m.Y_r * m.N_v) / (M * I) + F / (L * I) * (I / M + a * a + a * L) - m.N_psi / I
@@ -63,7 +63,7 @@ def moored_quartic(m: Lateral):
 def towed_quartic(m: Lateral, speed):
     """(…, 5) coefficients of a body towed at `speed`, m/s, in water at rest (3.6.17); its loads depend on v/U, not ψ
 
-    Y_r of the motion is that of the water less the centripetal M U; Y_psi and N_psi are not included.
+    Y_r of the motion is that of the water minus the centripetal M U; Y_psi and N_psi are not included.
     """
     M, I, F, a, L = m.mass, m.inertia, m.pull, m.arm, m.length
     Y_r = m.Y_r - M * speed
@@ -76,7 +76,7 @@ def towed_quartic(m: Lateral, speed):
 
 
 def undamped(quartic):
-    """The same quartic with A = C = 0: it oscillates for ever, or it slews (3.6.19)"""
+    """The same quartic with A = C = 0: the body oscillates without decay, or it slews (3.6.19)"""
     return np.asarray(quartic) * np.array([1.0, 0.0, 1.0, 0.0, 1.0])
 
 
@@ -102,7 +102,7 @@ def roots(quartic):
 
 
 def falling(values):
-    """(…, n) complex numbers by real part, the largest first; of a pair, that with positive imaginary part"""
+    """(…, n) complex numbers by real part, the largest first; in a pair, the one with positive imaginary part first"""
     order = np.lexsort((-values.imag, -values.real), axis=-1)
     return np.take_along_axis(values, order, axis=-1)
 

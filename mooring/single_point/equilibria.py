@@ -1,13 +1,13 @@
-"""Where a body at a single point lies: all headings and places in which it is at rest, and whether it stays there.
+"""Equilibria of a body at a single point: all headings and places of rest, and their stability.
 
-Hawsers transmit no moment to the point p of the body at which their pull meets, so that headings of rest are the zeros
-of one function of the heading alone (SR179 report 1982, eq. 3.6.3),
+Hawsers transmit no moment about the point p of the body where their lines of pull meet, so that headings of rest are
+the zeros of one function of the heading alone (SR179 report 1982, eq. 3.6.3),
 
     g(ψ) = M(ψ) − (p_x F_y − p_y F_x)
 
-with the external force and moment about the centre of mass; all of them are found (`rings.zeros`).  The lines then
-hold a given force in one place of the buoy (`System`, Newton's method), and the body lies downstream of it.  Of two
-hawsers either both are taut, and their pull meets at the apex ahead, or one is, and the other has to be slack.
+with the external force and moment about the centre of mass; all of them are found (`rings.zeros`).  The lines then hold
+a given force at one place of the buoy (`System`, Newton's method), and the body lies downstream of it.  With two
+hawsers either both are taut, and their pull meets at the apex ahead, or one is, and the other must be slack.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .criterion import Lateral, Slewing, falling, moored_quartic, slewing
 from .rings import zeros
 from .slewing import at_rest_state, linearised
 
-SYMMETRIC = 1e-6  # asymmetry of force and mass below which an equilibrium is symmetric about the body's plane
+SYMMETRIC = 1e-6  # asymmetry of force and mass below which an equilibrium counts as symmetric about the body's plane
 STEP = 1e-4  # relative step of derivatives with respect to velocity
 
 
@@ -64,12 +64,12 @@ class Equilibrium:
 
     @cached_property
     def slewing(self) -> Slewing:
-        """Growth and period of the motion that grows most"""
+        """Growth and period of the fastest growing motion"""
         return slewing(self.roots)
 
     @cached_property
     def lateral(self) -> Lateral | None:
-        """Lateral of the quartic; None where the line does not lie straight ahead, or sway and yaw share added mass"""
+        """Lateral of the quartic; None if the line does not lie straight ahead, or added mass couples sway and yaw"""
         point, (x, y, turn) = self.point, self.force
         T, p = point.mass, point.apex
         if x > 0 or p[0] <= 0:
@@ -86,19 +86,19 @@ class Equilibrium:
 
     @cached_property
     def quartic(self):
-        """(5,) coefficients of the criterion, None where `lateral` is"""
+        """(5,) coefficients of the criterion, None if `lateral` is"""
         return None if self.lateral is None else moored_quartic(self.lateral)
 
 
 def equilibria(point: SinglePoint):
-    """All Equilibrium of a body, by heading; raises SinglePointError where nothing pulls or lines do not hold."""
+    """All Equilibrium of a body, by heading; raises SinglePointError without any pull, or if lines do not hold."""
     found = []
     for end, length, which in _supports(point):
         for heading in zeros(lambda psi, end=end: _moment(point, psi, end)):
             force = point.loads.at_rest(np.array([heading]))[0]
             tension = _tensions(point, force, end, length, which)
             if tension is not None:
-                start = found[-1].lines.pose if found else None  # loads from one side pull alike at all headings
+                start = found[-1].lines.pose if found else None  # loads from one side pull equally at all headings
                 found.append(_at(point, heading, force, end, length, tension, start))
     if not found:
         raise SinglePointError(f"no heading is at rest: {_why_none(point)}")
@@ -120,7 +120,7 @@ def _why_none(point):
 
 
 def headings_of_rest(loads, end):
-    """(k,) rad, all headings at which loads have no moment about the point (2,) m of the body"""
+    """(k,) rad, all headings at which loads have zero moment about the point (2,) m of the body"""
     return zeros(lambda psi: _about(loads.at_rest(psi), end))
 
 
@@ -133,7 +133,7 @@ def _about(force, end):
 
 
 def _supports(point):
-    """(point of the body, length of the hawser from it, its number) of what may carry the pull; number −1 of both"""
+    """(point of the body, hawser length from it, its number) of each possible carrier of the pull; number −1 of both"""
     if len(point.ends) == 2:
         yield point.apex, 0.0, -1
     for i, (end, length) in enumerate(zip(point.ends, point.lengths, strict=True)):
@@ -141,7 +141,7 @@ def _supports(point):
 
 
 def _tensions(point, force, end, length, which):
-    """(k,) N of the hawsers under a force (3,) of the loads; None where one would have to push or the other is taut"""
+    """(k,) N of the hawsers under a force (3,) of the loads; None in case of compression, or if the other is taut"""
     F = np.hypot(*force[:2])
     if not F > 0:
         return None
@@ -185,7 +185,7 @@ def _derivatives(point, heading):
 
 
 def preferred(found):
-    """The stable Equilibrium that decays fastest; the one that grows least where none is stable"""
+    """The stable Equilibrium of fastest decay; without one, that of slowest growth"""
     return min(found, key=lambda one: one.slewing.growth)
 
 

@@ -17,8 +17,8 @@ SETTLED = np.radians(0.2)  # heading amplitude at rest, rad
 class Record(NamedTuple):
     """A body at a single point in time: time : (n,) s; place : (n, 2) m and heading : (n,) rad of the slow motion
 
-    wave : (n, 6) m, rad beside it, along x, y, z
-    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N of both together; wind_speed : (n,) m/s
+    wave : (n, 6) m, rad in addition, along x, y, z
+    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N by both motions; wind_speed : (n,) m/s
     """
 
     time: np.ndarray
@@ -44,7 +44,7 @@ class Cycle(NamedTuple):
 
 
 def line_tensions(point: SinglePoint, buoy, height=None):
-    """(n, lines) N, the larger of both ends, with the buoy at (n, 2) m; height : (n,) m, None to find or hold it"""
+    """(n, lines) N, the larger of both ends, with the buoy at (n, 2) m; height : (n,) m, None to compute it"""
     system, turn = point.system, point.system.pose.turn
     z = np.full(len(buoy), system.bodies[0].position[2]) if height is None else np.asarray(height, float)
     if height is None and "Heave" in system.bodies[0].freedom:
@@ -90,7 +90,7 @@ def cycle(time, heading) -> Cycle:
 def wave_deviations(record, after):
     """(6,) m, rad: standard deviations of surge, sway, heave, roll, pitch and yaw in waves, from `after` s on
 
-    Surge and sway are along and across the hull at its slow heading; nan where the record ends before
+    Surge and sway are along and across the hull at its slow heading; nan if the record ends earlier
     """
     late = record.time >= after
     if not late.any():
@@ -102,7 +102,7 @@ def wave_deviations(record, after):
 
 
 def settled_after(time, heading, final):
-    """s after which a heading stays within SETTLED of its final value, rad; nan where it does not"""
+    """s after which a heading remains within SETTLED of its final value, rad; nan if it does not"""
     away = np.abs(heading - final) > SETTLED
     if not away.any():
         return float(time[0])

@@ -1,4 +1,4 @@
-"""A body at a single point in time: gusts that it meets, the buoy it touches, and the statistics of a run.
+"""A body at a single point in time: gusts at the body, contact with the buoy, and the statistics of a run.
 
 Significant values are the SR179 report's (1982, 3.6): steady + ⅔ of the largest amplitude.
 """
@@ -16,15 +16,15 @@ from .history import Cycle, Record
 from .scope import significant
 
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
-ALOFT = 104729  # added to the seed of the waves for that of the gusts
+ALOFT = 104729  # added to the seed of the waves for the seed of the gusts
 SLOW_DRIFT = 1.2  # factor of the report on line tensions, in place of slow drift
 
 
 class Run(NamedTuple):
     """record : with waves, or the slow motion alone; steady : Equilibrium near its start
 
-    cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
-    drifts : whether slow drift is in the run; findings : one line each
+    cycle : of its last part; settled : s, nan if the heading does not come to rest; radius : m of the watch circle
+    drifts : whether the run includes slow drift; findings : one line each
     full_waves : s, time from which the waves have their full height, inf without
     """
 
@@ -45,7 +45,7 @@ def gusty(point, duration, seed):
         return None
     low, high, count = 2 * np.pi * GUSTS[0], 2 * np.pi * GUSTS[1], GUSTS[2]
     t = np.arange(0.0, duration + 2.0, 0.5)
-    with warnings.catch_warnings():  # the report's band, beyond which no hull is moved
+    with warnings.catch_warnings():  # the report's band, beyond which no hull responds
         warnings.simplefilter("ignore", MissingVariance)
         record = wind.speed + gust_record(wind.gusts, t, seed + ALOFT, low, high, count)
     return lambda at: float(np.interp(at, t, record))
@@ -72,13 +72,13 @@ def ropes_of(run: Run):
 
 
 def largest_of(run: Run, waves):
-    """Largest tensions of hawsers (k,) and lines (n,), N, with the report's fifth where `waves` lack slow drift"""
+    """Largest tensions of hawsers (k,) and lines (n,), N, plus the report's fifth if `waves` lack slow drift"""
     more = SLOW_DRIFT if waves and not run.drifts else 1.0
     return more * run.record.hawser.max(axis=0), more * run.record.lines.max(axis=0)
 
 
 def pulls(best, cycle=None, run=None, waves=False):
-    """{where: (hawsers (k,), lines (n,)) N}, the largest: at rest, in the limit cycle and in the run, where they are
+    """{where: (hawsers (k,), lines (n,)) N}, the largest at rest, in the limit cycle and in the run, if available
 
     best : Equilibrium; cycle : LimitCycle; run : Run; waves : whether waves act
     """
@@ -91,9 +91,9 @@ def pulls(best, cycle=None, run=None, waves=False):
 
 
 def used_in(pulled, best, hawser=None):
-    """{where: (k + n,) shares of the breaking load of hawsers and lines}, nan where it is not known
+    """{where: (k + n,) tension over breaking load of hawsers and lines}, nan if unknown
 
-    pulled : of `pulls`; best : Equilibrium; hawser : N, breaking load, nan if unknown, None for a buoy without hawsers
+    pulled : from `pulls`; best : Equilibrium; hawser : N, breaking load, nan if unknown, None without hawsers
     """
     count = 0 if hawser is None else len(best.hawser)
     breaking = np.array([*np.full(count, np.nan if hawser is None else hawser), *best.point.system.breaking_load])

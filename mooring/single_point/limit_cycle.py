@@ -1,9 +1,9 @@
-"""The limit cycle of a body that slews: amplitude, period and tensions, whatever its start.
+"""The limit cycle of a slewing body: amplitude, period and tensions, independent of the start.
 
-The motion is followed from one largest heading ψ to the next.  A period at the amplitude A changes it by g = Δψ/A,
-which near the onset of slewing is linear in A² (Hopf): a line through two of them predicts where g = 0, and the
-deviation from the mean of the period is scaled to it.  A cycle is attractive where g falls with A; elsewhere the motion
-continues unscaled, and after MOST periods the result is the range in which the heading still swings.
+The motion is computed from one largest heading ψ to the next.  A period at the amplitude A changes ψ by Δψ = gA, where
+g near the onset of slewing is linear in A² (Hopf): a line through two periods predicts where g = 0, and the deviation
+from the mean of the period is scaled to it.  A cycle is attractive where g falls with A; elsewhere the motion continues
+unscaled, and after MOST periods the result is the range of the heading.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ ACCURACY = 1e-7  # relative accuracy of the integration
 SAMPLES = 128  # samples per period
 MOST = 100  # periods that are followed
 SCALED = 2.0  # largest change of an amplitude in one step, as a factor
-HALVED = 4  # number of times that the logarithm of a scaling is halved
+HALVED = 4  # number of halvings of the logarithm of a scaling
 LEAST = np.radians(0.05)  # amplitude below which the body is at rest, rad
 START = np.radians(2.0)  # initial heading relative to the equilibrium, rad
 LATEST = 30.0  # latest time of the turn, over 1/|λ| of the growing root
 
 
 class LimitCycle(NamedTuple):
-    """A cycle of slewing, over one period from a largest heading on; n = SAMPLES + 1.
+    """A slewing cycle, over one period starting at a largest heading; n = SAMPLES + 1.
 
     period : s; amplitude, middle : rad, of the heading; time : (n,) s; states : (n, 6) of `slewing.rates`
     hawser : (n, k), lines : (n, l) N
@@ -54,10 +54,10 @@ class _Period(NamedTuple):
 
 
 def limit_cycle(steady, turn=START) -> LimitCycle:
-    """Cycle of a body that slews about an `Equilibrium`, from its heading `turn` rad beside it.
+    """Cycle of a body that slews about an `Equilibrium`, starting `turn` rad from its heading.
 
-    raises : SinglePointError where the heading is stable, the body comes to rest elsewhere or does not turn back, or
-        there is no cycle within MOST periods
+    raises : SinglePointError if the heading is stable, the body comes to rest elsewhere or does not turn back, or no
+        cycle appears within MOST periods
     """
     if steady.slewing.stable:
         raise SinglePointError(
@@ -86,7 +86,7 @@ def limit_cycle(steady, turn=START) -> LimitCycle:
 
 
 def _foreseen(before, now):
-    """rad, amplitude at which a period changes nothing; None where no cycle that attracts is in sight"""
+    """rad, amplitude at which a period changes nothing; None if no attractive cycle is predicted"""
     if abs(now.change) < ACCURACY:
         return now.amplitude
     apart = now.amplitude**2 - before.amplitude**2
@@ -98,9 +98,9 @@ def _foreseen(before, now):
 
 
 def _scaled(point, period, share, longest):
-    """State a period after the deviation from its mean was scaled: what is not of the slewing has died out
+    """State one period after its deviation from the mean was scaled: motions other than slewing have then decayed
 
-    Where the lines do not reach so far it is scaled by less.
+    Beyond the reach of the lines the scaling is reduced.
     """
     center = period.samples(np.linspace(0, period.length, SAMPLES, endpoint=False)).mean(axis=0)
     for _ in range(HALVED):

@@ -1,4 +1,4 @@
-"""Steady loads on a body that lies or slews at one point, against its heading and its slow motion.
+"""Steady loads on a body that lies or slews at one point, as functions of its heading and slow motion.
 
     F = F_wind(α_w) |U_w|² + F_water + F_drift(ψ)
 
@@ -7,8 +7,8 @@ water is either that of turning tests, polynomials in the turn r' = rL/V at each
 
     F_water = Σₖ cₖ(β) V^(2−k) (rL)ᵏ,    k = 0 … 4,   |rL| ≤ V/2                 (SR179 report 1982, eq. 2.3.2, 3.6.8)
 
-or that of current coefficients with the cross flow of a body that turns, −N₂ r|r|.  Never both: both hold the force of
-the current.  Velocities u, v are those through the water, r the yaw rate.
+or that of current coefficients with the cross flow of a turning body, −N₂ r|r|.  The two exclude each other: both
+contain the force of the current.  Velocities u, v are relative to the water, r is the yaw rate.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ POWERS = 5  # number of powers of r', 0 to 4
 
 @dataclass(frozen=True, eq=False)
 class WindLoad:
-    """table : (count, 3) N s²/m², N m s²/m² of unit speed against the angle that the wind blows to, from the bow
+    """table : (count, 3) N s²/m², N m s²/m² at unit speed over the angle that the wind blows to, from the bow
 
     speed : m/s; direction : rad, blown to, in space; gusts : `GustSpectrum`, None for a steady wind
     height : (2,) m above still water at which forces along and across the body act
@@ -48,13 +48,13 @@ class WindLoad:
 
 @dataclass(frozen=True, eq=False)
 class WaterLoad:
-    """Force of the water, and the current that carries it.
+    """Force of the water, and the current that causes it.
 
-    table : (count, 5, 3) N over V^(2−k) (rL)ᵏ, against the angle that the water flows to, from the bow
-    length : m, of r'; turning : whether the table is of turning tests, whose inertia it then contains
+    table : (count, 5, 3) N over V^(2−k) (rL)ᵏ, over the angle that the water flows to, from the bow
+    length : m, of r'; turning : whether the table is from turning tests, and then includes inertia
     speed : m/s; direction : rad the current flows to, in space
     quadratic : N₂ of yaw, N m s²; linear : (3, 3) damping, N s/m …
-    height : m above still water at which it acts
+    height : m above still water of its point of action
     """
 
     table: np.ndarray
@@ -73,7 +73,7 @@ class WaterLoad:
 
     @cached_property
     def still(self):
-        """Ring of the force on a body that does not turn"""
+        """Ring of the force on a body without rotation"""
         return self.ring.part(0)
 
     @property
@@ -95,7 +95,7 @@ class WaterLoad:
 
 @dataclass(frozen=True, eq=False)
 class DriftLoad:
-    """table : (count, 3) N, N, N m of mean wave drift in axes of the body, against its heading in space"""
+    """table : (count, 3) N, N, N m of mean wave drift in axes of the body, over its heading in space"""
 
     table: np.ndarray
 
@@ -107,14 +107,14 @@ class DriftLoad:
 
 @dataclass(frozen=True, eq=False)
 class Loads:
-    """Everything that acts on the body apart from its mooring; None for a load that is absent"""
+    """All loads on the body except its mooring; None for an absent load"""
 
     water: WaterLoad
     wind: WindLoad | None = None
     drift: DriftLoad | None = None
 
     def at_rest(self, heading):
-        """(n, 3) N, N, N m in axes of the body that lies still at headings (n,), rad"""
+        """(n, 3) N, N, N m in axes of the body at rest at headings (n,), rad"""
         heading, water = np.asarray(heading, float), self.water
         stream = water.direction - heading
         total = water.speed**2 * water.still.along(stream)
@@ -125,9 +125,9 @@ class Loads:
         return total if self.drift is None else total + self.drift.ring.along(heading)
 
     def moving(self, heading, velocity, wind_speed=None):
-        """(3,) N, N, N m at one heading, moving through the water with (u, v, r)
+        """(3,) N, N, N m at one heading, with velocities (u, v, r) through the water
 
-        wind_speed : m/s at this instant, the mean one if not given
+        wind_speed : m/s at this instant, by default the mean
         """
         u, v, r = velocity
         total = self.water.force(u, v, r)
@@ -138,7 +138,7 @@ class Loads:
         return total if self.drift is None else total + self.drift.ring(heading)
 
     def _through_air(self, heading, u, v, speed):
-        """m/s of the wind that meets the moving body, in its axes"""
+        """Wind relative to the moving body, m/s, in its axes"""
         water = self.water
         w, c = self.wind.direction - heading, water.direction - heading
         return (
@@ -156,7 +156,7 @@ def turning_table(coefficients: TurningCoefficients, length, draft, density, cou
 
 
 def still_table(unit):
-    """(count, 5, 3) of a WaterLoad whose force does not depend on the yaw rate; unit : (count, 3) at 1 m/s"""
+    """(count, 5, 3) of a WaterLoad with a force independent of the yaw rate; unit : (count, 3) at 1 m/s"""
     table = np.zeros((len(unit), POWERS, 3))
     table[:, 0] = unit
     return table

@@ -1,8 +1,8 @@
 """A body at a single point in one equation with its waves and its buoy (`mooring.motion`): its parts, and a run.
 
-Slow and wave motion are one motion, with six degrees of freedom and the memory of the water where there is a database,
-and with three in the plane without.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part
-of the body, whose lines then end at it.  Loads are those of the statics and of the slow motion (`loads`), from turning
+Slow and wave motion are one motion, with six degrees of freedom and memory of the water if there is a database, and
+with three in the plane otherwise.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part of
+the body, whose lines then end at it.  Loads are those of the statics and of the slow motion (`loads`), from turning
 tests or coefficients, for all directions; drift is that of every pair of waves, or the mean drift given in a study.
 """
 
@@ -56,10 +56,10 @@ class PlanarBody:
 
 
 def planar(point: SinglePoint) -> Moored:
-    """Moored of a body with the masses of a SinglePoint that moves in the plane, held by nothing yet"""
+    """Moored with the masses of a SinglePoint that moves in the plane, without lines"""
     T = point.mass
     rigid = np.zeros((6, 6))
-    own = min(T[0, 0], T[1, 1])  # how T is shared among body and water does not matter in the plane
+    own = min(T[0, 0], T[1, 1])  # the division of T into body and water has no effect in the plane
     rigid[range(3), range(3)], rigid[range(3, 6), range(3, 6)] = own, own * T[2, 2] / T[1, 1]
     added = np.zeros((6, 6))
     added[np.ix_(PLANE, PLANE)] = T - rigid[np.ix_(PLANE, PLANE)]
@@ -74,7 +74,7 @@ def planar(point: SinglePoint) -> Moored:
 
 
 def on_hull(point: SinglePoint, slow_added_mass, drift=True, up=0.0) -> OnHull:
-    """OnHull of the loads of a SinglePoint; slow_added_mass : (6, 6); drift : whether their mean drift pushes
+    """OnHull of the loads of a SinglePoint; slow_added_mass : (6, 6); drift : whether to include their mean drift
 
     up : m above still water of the point that motions are about
     """
@@ -89,7 +89,7 @@ def on_hull(point: SinglePoint, slow_added_mass, drift=True, up=0.0) -> OnHull:
 
 def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None, rope=None, end_z=0.0,
             memory=None, sea=None) -> Moored:  # fmt: skip
-    """Moored at a state (6,) near an Equilibrium (`slewing.turned_state`), with the hawser stretched by its pull.
+    """Moored at a state (6,) near an Equilibrium (`slewing.turned_state`), with the hawser stretched by its tension.
 
     db : opened database, None for the plane; memory : of its water; sea : for the linearisation of its viscous damping
     end_z : m, of the attachment over the water
@@ -133,7 +133,7 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
     """`Realisation` of a body from `body_at`, in the wind, current and drift of its SinglePoint.
 
     duration, step : s; components : of waves, which grow over wave_ramp, (s, s) begin and length
-    gusts : GustSpectrum of the wind; drift : whether the mean drift of the loads pushes, else that of the waves
+    gusts : GustSpectrum of the wind; drift : True for the mean drift of the loads, False for that of the waves
     carrier : `mooring.on_current.waves.Carrier` of the waves, whose frequencies are intrinsic; None in still water
     raises : SinglePointError
     """
@@ -150,9 +150,9 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
 
 
 def _stretch(steady, state, rope, buoy):
-    """(3,) m, by which the body lies farther from its buoy where the hawser is as long as its pull makes it
+    """(3,) m, additional distance of the body from its buoy when its hawser is stretched by its tension
 
-    and the buoy tilted as far
+    and the buoy tilted accordingly
     """
     tension = float(steady.hawser.max())
     away = state[:2] + _turned(state[2]) @ steady.point.apex - steady.buoy

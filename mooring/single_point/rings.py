@@ -1,7 +1,7 @@
-"""Functions of an angle all the way round, as periodic cubic splines: what steady loads look like to a body that turns.
+"""Functions of an angle around the circle, as periodic cubic splines: the steady loads on a turning body.
 
-Zeros of a ring are those of its cubics, so that a search on it passes none over; then they are polished on the exact
-function, and a crest that just touches 0 is looked at closely.
+Zeros of a ring are those of its cubics, so that a search finds all of them; they are then polished on the exact
+function, and an extremum that just touches 0 is examined closely.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import numpy as np
 
 COUNT = 720  # half a degree; tables of coefficients have nodes every 5° or more
 SCAN = 360  # points of the search for zeros; where the spline is too coarse the exact function decides
-TOUCH = 1e-3  # extrema within this fraction of the largest value from 0 are searched on the exact function
+TOUCH = 1e-3  # extrema closer to 0 than this fraction of the largest value are searched on the exact function
 NARROW, STRAIGHT = 1e-5, 1e-6  # a chord tells a zero: of a step, at most, and of its rise, by which it is bent
 WIDTHS = np.concatenate([-np.array([0.5, 0.1, 1e-3, 1e-4, 1e-5, 1e-6]), [0.0], [1e-6, 1e-5, 1e-4, 1e-3, 0.1, 0.5]])
 
@@ -46,7 +46,7 @@ class Ring:
         return out
 
     def __call__(self, angle):
-        """(…) of one angle, rad"""
+        """(…) at one angle, rad"""
         place = (angle / self.step) % len(self._pieces)
         whole = int(place)
         s = (place - whole) * self.step
@@ -62,7 +62,7 @@ class Ring:
         return ((at[:, 0] * s + at[:, 1]) * s + at[:, 2]) * s + at[:, 3]
 
     def crests(self):
-        """(k,) rad, rising, where a Ring of numbers is level: the slope of each cubic is a parabola"""
+        """(k,) rad, rising, where a Ring of numbers has zero slope: the slope of each cubic is a parabola"""
         a, b, c = self._pieces[:, :3].T
         with np.errstate(divide="ignore", invalid="ignore"):
             root = np.sqrt(b * b - 3 * a * c)
@@ -76,7 +76,7 @@ class Ring:
 def zeros(function, count=SCAN):
     """Rising angles (k,) in 0 … 2π at which a smooth periodic function is 0.
 
-    function : callable of angles (n,) rad → (n,); where it is 0 all the way round there are none
+    function : callable of angles (n,) rad → (n,); if it is 0 everywhere the result is empty
     """
     from scipy.optimize import brentq
 
@@ -95,7 +95,7 @@ def zeros(function, count=SCAN):
     found = []
     for crest in crests[np.abs(heights) < TOUCH]:
         found += _beside_crest(exact, crest, ring.step)
-    # between nodes and crests the spline rises or falls, so that it is 0 once where its sign changes
+    # between nodes and extrema the spline is monotone, so that it has one zero where its sign changes
     order = np.argsort(np.concatenate([at, crests]), kind="stable")
     place, value = np.concatenate([at, crests])[order], np.concatenate([values / size, heights])[order]
     after = np.append(value[1:], value[0])
@@ -107,10 +107,10 @@ def zeros(function, count=SCAN):
 
 
 def _near(function, exact, zero, step):
-    """[the zero of a function by that of its spline], none where it does not change sign there
+    """[the zero of a function near that of its spline], empty where its sign does not change there
 
-    All widths are asked in one call.  Where the narrowest bracket shows a straight line its chord ends at the zero to
-    1e-13 rad, and no more calls are needed.
+    All widths are evaluated in one call.  Where the narrowest bracket is straight its chord gives the zero to 1e-13
+    rad, and no more calls are needed.
     """
     from scipy.optimize import brentq
 
@@ -129,7 +129,7 @@ def _near(function, exact, zero, step):
 
 
 def _beside_crest(exact, crest, step):
-    """Zeros on both sides of a crest of the function, where it reaches across 0"""
+    """Zeros on both sides of an extremum of the function, if it crosses 0"""
     from scipy.optimize import brentq, minimize_scalar
 
     sides = [crest - step, crest + step]
@@ -144,7 +144,7 @@ def _beside_crest(exact, crest, step):
 
 
 def _distinct(found):
-    """Rising angles, those that are one to rounding given once"""
+    """Rising angles without those equal to rounding"""
     found = np.sort(found)
     if len(found) < 2:
         return found

@@ -1,8 +1,8 @@
-"""A body at a single point in time, from near one of its equilibrium headings, by one of three schemes.
+"""A body at a single point in time, starting near one of its equilibrium headings, by one of three schemes.
 
-`slow_run` has the slow motion alone, `two_scale_run` the waves of a step at a slow position that is held (the
-report's), `full_run` slow and wave motion in one equation.  Gusts are those of the wind of the loads; tensions of lines
-are those of static forms with their ends moved by all motions together.
+`slow_run` computes the slow motion alone, `two_scale_run` the waves of a step at a fixed slow position (as the report
+does), `full_run` slow and wave motion in one equation.  Gusts are those of the wind of the loads; tensions of lines are
+static, with their ends moved by all motions together.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from .slewing import slew, turned_state
 from .two_scale import Steps, two_scale
 from .waves import GROWS, mean_frequency, slow_part, split_frequency
 
-SLOW_STEP, FULL_STEP = 1.0, 0.5  # s, of the record of slow motion, and in one equation
+SLOW_STEP, FULL_STEP = 1.0, 0.5  # s, step of the record of slow motion, and of one equation
 OF_PERIOD = 30  # steps of the record in a mean period of the waves, of two scales
 MISSED = 0.05  # share of the energy of the waves
 
 
 @dataclass(frozen=True)
 class Times:
-    """How long a run is, and how it is stepped.
+    """Duration and steps of a run.
 
     duration, step (of the record, None for that of the scheme), slow_step (of two scales), waves_after : s
-    offset : rad of the heading at its begin from that of rest; tolerance : of place and heading; seed : of the gusts
+    offset : rad, initial heading relative to that of rest; tolerance : of place and heading; seed : of the gusts
     """
 
     duration: float = 1200.0
@@ -42,7 +42,7 @@ class Times:
     seed: int = 1
 
     def begin(self, steady):
-        """(6,) state beside an Equilibrium"""
+        """(6,) initial state near an Equilibrium"""
         return turned_state(steady.point, steady.state, self.offset)
 
 
@@ -100,10 +100,10 @@ def _run(record, steady, drifts=False, findings=(), full_waves=np.inf):
 
 
 def sea_components(sea, count, seed, reader, carrier=None, gravity=9.80665):
-    """Components of a Sea among the frequencies that a Reader of a database holds.
+    """Components of a Sea within the frequency range of a database Reader.
 
     carrier : `mooring.on_current.waves.Carrier` of the waves, None in still water
-    raises : ValueError where more than a twentieth of its energy lies outside
+    raises : ValueError if more than a twentieth of its energy lies outside
     """
     ends = sea.spectrum.quantile((1e-4, 1 - 1e-3))
     low, high = np.clip(ends, reader.omega[0], reader.omega[-1])
@@ -114,6 +114,6 @@ def sea_components(sea, count, seed, reader, carrier=None, gravity=9.80665):
             f"{100 * MISSED:g} %; solve {ends[0]:.3g} to {ends[1]:.3g} rad/s as well"
         )
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # said above where it is more than the report's own spectrum leaves out
+        warnings.simplefilter("ignore")  # reported above if it exceeds the omission of the report's own spectrum
         found = sea.components(count, seed, low=float(low), high=float(high))
     return in_water(found, carrier, reader.depth, gravity)

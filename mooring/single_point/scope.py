@@ -1,10 +1,10 @@
-"""Length of a uniform line that just does not lift its anchor.
+"""Smallest length of a uniform line that does not lift its anchor.
 
     S₀ = √(V(2T/w − V))        SR179 report (1982), eq. 3.6.15: S₀² = V² + 2aV with T = w(a + V)
 
-V is the height of the upper end over the bed, T the tension there, w the weight in water: an inextensible catenary
-with its vertex at the anchor.  The report's smallest scope is S₀ over the water depth at the peak tension; its tables
-take the peak as T_static + (T_significant − T_static)/(2/3), not the 1.3 times significant of its text.
+V is the height of the upper end over the bed, T the tension there, w the weight in water: an inextensible catenary with
+its vertex at the anchor.  The report's smallest scope is S₀ over the water depth at the peak tension; its tables use
+the peak T_static + (T_significant − T_static)/(2/3), not the 1.3 times significant of its text.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def significant(values, steady):
 def highest_third(record):
     """Mean of the highest third of the peaks of a record (n,) between upcrossings of its mean, as for waves in a tank
 
-    For a load that snaps it scatters less from record to record than `significant`, which depends on the largest alone.
+    For a snapping load it scatters less from record to record than `significant`, which uses the largest peak alone.
     """
     above = record >= record.mean()
     begin = np.flatnonzero(above[1:] & ~above[:-1]) + 1

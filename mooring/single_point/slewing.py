@@ -2,10 +2,10 @@
 
     T ν̇ = F(ψ, ν) + F_mooring − C(ν) ν,   ẋ = R(ψ) ν + U,   ν = (u, v, r) through the water, U the current
 
-T is the mass with added mass, C the inertia of axes that turn, without the moment of the added mass (Munk's), which
-turning tests and current coefficients contain.  Through turning tests C cancels in surge and sway: the tests hold the
-inertia of the model in its turn.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there; and
-with velocities through the water on both sides, so that a mooring that drifts with the current feels none.
+T is the mass with added mass, C the inertia of turning axes, without the moment of the added mass (Munk's), which
+turning tests and current coefficients contain.  With turning tests C cancels in surge and sway: the tests include the
+inertia of the turning model.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there; and
+with velocities through the water on both sides, so that a mooring that drifts with the current has no load.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .body import Hold, NotFollowedError, SinglePoint, SinglePointError
 
 LONGEST = 40.0, 2.0  # s, of a step in steady and in gusty wind
 UNITS = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])  # units of the tolerance of each state
-FIRST = 0.5  # s, of the first step: one that is sought may be refused, for which `scipy` has no answer
+FIRST = 0.5  # s, first step: `scipy` fails if a first step of its own choice is rejected
 MOST = 20_000  # evaluations until the heading turns back
 STEP = 1e-4  # finite-difference step, over the scales of `linearised` in m, rad, m/s, rad/s
 
@@ -62,7 +62,7 @@ def accelerations(point: SinglePoint, heading, velocity, pull, wind_speed=None):
 
 
 def at_rest_state(point: SinglePoint, place, heading):
-    """(6,) state of a body that lies still on the ground, its centre of mass at (2,) m"""
+    """(6,) state of a body at rest relative to the ground, its centre of mass at (2,) m"""
     x, y = point.loads.water.velocity
     cos, sin = np.cos(heading), np.sin(heading)
     return np.array([*place, heading, -cos * x - sin * y, sin * x - cos * y, 0.0])
@@ -71,22 +71,22 @@ def at_rest_state(point: SinglePoint, place, heading):
 def linearised(point: SinglePoint, state, held: Hold | None = None):
     """(6, 6) derivatives of the `rates` by displacements (m, m, rad) at an equilibrium and by their rates.
 
-    Unknowns are the place, the heading and the velocity over the ground in axes that do not turn, so that no rate is
-    left at rest.  The mooring yields by its stiffness, loads by differences of fourth order.
-    held : what the mooring does there, sought if not given
+    Unknowns are the place, the heading and the velocity over the ground in axes that do not turn, so that all rates are
+    zero at rest.  The mooring reacts by its stiffness, loads by differences of fourth order.
+    held : Hold of the mooring there, computed if not given
     """
     state, current = np.asarray(state, float), point.loads.water.velocity
     held = point.hold(state[:2], state[2]) if held is None else held
     scale = np.array([0.02, 0.1, 0.1, 2e-3])
 
     def motion(z):
-        """Acceleration in space at a heading and a velocity over the ground, the pull of the mooring as it is"""
+        """Acceleration in space at a heading and a velocity over the ground, with a constant pull of the mooring"""
         heading, r = z[0], z[3]
         cos, sin = np.cos(heading), np.sin(heading)
         over = z[1:3] - current
         u, v = cos * over[0] + sin * over[1], -sin * over[0] + cos * over[1]
         found = accelerations(point, heading, (u, v, r), held.force)
-        # Galilean: acceleration in space of the velocity through the water, whose axes turn
+        # Galilean: acceleration in space of the velocity through the water, in turning axes
         du, dv = found[0] - r * v, found[1] + r * u
         return np.array([cos * du - sin * dv, sin * du + cos * dv, found[2]])
 
@@ -125,7 +125,7 @@ def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-4, wind_spee
 def until_turn(point: SinglePoint, start, direction, longest, tolerance):
     """Solution (`scipy`, dense) from a state (6,) until the yaw rate passes 0, upwards for a direction above 0
 
-    raises : SinglePointError where it does not within `longest` s
+    raises : SinglePointError if it does not turn within `longest` s
     """
     from scipy.integrate import solve_ivp
 
@@ -155,7 +155,7 @@ def until_turn(point: SinglePoint, start, direction, longest, tolerance):
 
 
 def _followed(point, wind_speed=None):
-    """Function of (s, state) → rates, nan where the mooring refuses, and a list of what it said last"""
+    """Function of (s, state) → rates, nan where the mooring fails, and a list of its last message"""
     kept, refused = [None], [""]
 
     def rate(t, y):
@@ -173,7 +173,7 @@ def _followed(point, wind_speed=None):
 
 
 def turned_state(point: SinglePoint, state, turn):
-    """(6,) state with the body turned by `turn` rad about where the mooring holds it, still over the ground"""
+    """(6,) state with the body turned by `turn` rad about its attachment, at rest relative to the ground"""
     x, y, heading = state[:3]
     arms = [np.array([np.cos(a) * p[0] - np.sin(a) * p[1], np.sin(a) * p[0] + np.cos(a) * p[1]])
             for p in (point.apex,) for a in (heading, heading + turn)]  # fmt: skip

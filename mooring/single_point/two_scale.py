@@ -1,12 +1,12 @@
-"""The two-scale scheme of the SR179 report (1982), section 3.6: slow motion and wave motion one after the other.
+"""The two-scale scheme of the SR179 report (1982), section 3.6: alternating slow motion and wave motion.
 
     slow      T ν̇ = F(ψ, ν) + F_mooring                          in steps of 10 s, with constant wind in each
     waves     A ẍ + B ẋ + C x = F_w(t) + T_w,   T_w = F_mooring(slow + x) − F_mooring(slow)
 
 The position and the heading of the slow motion are constant during the waves of its step; A and B are those of one
 frequency.  Tensions are those of both displacements together (3.6.4, with the arm of the hawser and the sign of yaw
-corrected, and with pitch, which the report omits).  Waves may start later than the slow motion, so that the decay of
-the slewing is seen alone.  Wave motion is integrated by Newmark's method of mean acceleration, with the mooring at the
+corrected, and with pitch, which the report omits).  Waves may start later than the slow motion, to show the decay of
+the slewing alone.  Wave motion is integrated by Newmark's method of mean acceleration, with the mooring at the
 predicted position.  The slow drift is not included: the report adds a fifth to the tension.
 """
 
@@ -27,7 +27,7 @@ from .waves import RING, at_heading, headings, mean_frequency, share_of_height
 
 @dataclass(frozen=True)
 class Steps:
-    """duration, slow, fast : s; waves_after : s without waves; parts : of a slow step for its own integration"""
+    """duration, slow, fast : s; waves_after : s without waves; parts : number of integration steps in a slow step"""
 
     duration: float = 1200.0
     slow: float = 10.0
@@ -59,7 +59,7 @@ class WaveBody:
     mean_omega: float
 
     def forces_at(self, place, heading, times):
-        """(m, 6) N, N m at times (m,) s on a body whose slow place, (2,) m, and heading are held"""
+        """(m, 6) N, N m at times (m,) s on a body with constant slow place, (2,) m, and heading"""
         near = at_heading(self.force, self.direction - heading)
         cos, sin = np.cos(heading), np.sin(heading)
         cx, cy = self.center
@@ -120,7 +120,7 @@ def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = N
 
 
 def _advanced(point, state, step, parts, speed, near):
-    """State after a slow step, by Runge and Kutta's method of fourth order; near : (2,) m, the buoy at its begin"""
+    """State after a slow step, by the Runge–Kutta method of fourth order; near : (2,) m, the buoy at its begin"""
     h = step / parts
     for _ in range(parts):
         k1, held = rates(point, state, speed, near)
@@ -132,7 +132,7 @@ def _advanced(point, state, step, parts, speed, near):
 
 
 class _Newmark:
-    """Steps of the wave motion, its state z (18,) of place, velocity and acceleration; step : s
+    """Steps of the wave motion, state z (18,): place, velocity and acceleration; step : s
 
     z becomes Φ z + Γ f under forces f of the waves and of the mooring.
     """
@@ -152,7 +152,7 @@ class _Newmark:
         self.z, self.past = np.zeros(18), None
 
     def run(self, point, state, held, forces, wave, buoy, hawser):
-        """Move under forces (m, 6) of the waves for a slow step; fills the rows of its record"""
+        """Integrate under forces (m, 6) of the waves for a slow step; writes the rows of its record"""
         cos, sin = np.cos(state[2]), np.sin(state[2])
         x, y, heading = state[:3].tolist()
         z, before = self.z, held.force

@@ -1,4 +1,4 @@
-"""Waves at a body that slews: forces of each component and mean drift over the headings, and how the waves begin."""
+"""Waves at a slewing body: forces of each component and mean drift over the headings; growth of waves at the start."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..motion.wave_loads import HEADINGS, drift_damping
 LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave motion
 ORDER, PADDED = 8, 3  # order of the forward–backward filter at the split, and padding at either end in its periods
 RING = 72  # headings of the forces or motions of a component
-GROWS = 2  # mean periods in which waves grow to their height
+GROWS = 2  # mean periods in which waves grow to their full height
 
 
 def headings():
@@ -23,7 +23,7 @@ def mean_frequency(omega, amplitude):
 
 
 def split_frequency(omega, amplitude):
-    """rad/s of components (n,), below which only LOWEST of their energy is: slower motion is slow motion"""
+    """rad/s of components (n,), below which only LOWEST of their energy lies: lower frequencies count as slow motion"""
     order = np.argsort(omega)
     energy = np.cumsum(np.square(amplitude)[order])
     return float(omega[order][np.searchsorted(energy, LOWEST * energy[-1])])
@@ -42,7 +42,7 @@ def slow_part(motion, step, split):
 
 
 def share_of_height(time, after, mean_omega):
-    """(n,) of waves that are none before `after`, s, and grow over GROWS periods of `mean_omega`, rad/s"""
+    """(n,) share of the full height of waves that start at `after`, s, and grow over GROWS periods of `mean_omega`"""
     return np.clip((time - after) * mean_omega / (2 * np.pi * GROWS), 0.0, 1.0)
 
 
@@ -61,7 +61,7 @@ def mean_drift(forces, sea, carrier=None, depth=np.inf, gravity=9.80665):
     """(HEADINGS, 3) N, N, N m of mean drift in axes of the body, at headings from 0 all round, in a `Sea`.
 
     forces : `mooring.motion.wave_loads.WaveForces` with drift
-    carrier : `mooring.on_current.waves.Carrier` of the waves in `depth` m, which gives D + B V; None for none
+    carrier : `mooring.on_current.waves.Carrier` of the waves in `depth` m, which gives D + B V; or None
     """
     headings = np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
     density = np.asarray(sea.spectrum.density(forces.omega))
@@ -70,7 +70,7 @@ def mean_drift(forces, sea, carrier=None, depth=np.inf, gravity=9.80665):
         return np.stack([sea.directional(headings + heading) @ mean for heading in headings])
     own = np.clip(
         carrier.own(forces.omega, sea.direction, depth, gravity), forces.omega[0], forces.omega[-1]
-    )  # a spread sea counts as one of its mean direction
+    )  # a spread sea is replaced by its mean direction
     drift, B = drift_damping(forces, own, depth, gravity)
     mean, damping = (2 * np.trapezoid((of.T * density).T, forces.omega, axis=0) for of in (drift, B))
     towards, speed, rows = np.arctan2(carrier.velocity[1], carrier.velocity[0]), np.hypot(*carrier.velocity), []

@@ -1,18 +1,18 @@
 """Published criteria of the yaw stability of a ship at a single point, beside the quartic (`criterion`).
 
 static         a > N_ψ/Y_ψ: the attachment lies ahead of the point where the side force of a small heading acts; behind
-               it the heading leaves without oscillation for one of two oblique ones (a pitchfork), whatever the length
+               it the heading diverges without oscillation to one of two oblique ones (a pitchfork), whatever the length
                of the hawser.  D > 0 of the quartic.  Papoulias and Bernitsas, J. Ship Research 32 (1988); Leite et al.,
                Applied Ocean Research 20 (1998)
-straight line  Y_v N_r − N_v (Y_r − MU) > 0, of a ship that runs free, about its centre of mass: Abkowitz, "Stability
-               and motion control of ocean vehicles" (1969).  MI times what is left of B where the line is long and its
-               pull small, as for the towed ship of Strandhagen, Schoenherr and Kobayashi, Trans. SNAME 58 (1950)
+straight line  Y_v N_r − N_v (Y_r − MU) > 0, for a free-running ship, about its centre of mass: Abkowitz, "Stability
+               and motion control of ocean vehicles" (1969).  MI times the limit of B for a long line with a small pull,
+               as for the towed ship of Strandhagen, Schoenherr and Kobayashi, Trans. SNAME 58 (1950)
 hawser         ABC − C² − A²D > 0 (Routh and Hurwitz), as in Wichers, "A simulation model for a single point moored
                tanker" (Delft 1988) and Sharma, Jiang and Schellin (17th Symp. on Naval Hydrodynamics, 1988): where a
                length of the line changes its sign a limit cycle begins (Hopf)
 
-Y_r of `Lateral` is that of the motion over the ground, in axes that do not turn; −MU with the added mass brings it to
-those of the ship.
+Y_r of `Lateral` is that of the motion over the ground, in axes that do not turn; −MU with the added mass converts it to
+the ship's axes.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ from .criterion import Lateral, moored_quartic, routh_hurwitz
 class YawStability(NamedTuple):
     """lever : m, N_ψ/Y_ψ, ahead of the centre of mass, nan without a side force; static : whether a is larger
 
-    straight_line : Y_v N_r − N_v (Y_r − MU), (N s/m)(N m s), above 0 where the ship keeps a straight line
-    lengths : (k,) m, rising, of the line at which Routh and Hurwitz's condition changes its sign, of those asked for
+    straight_line : Y_v N_r − N_v (Y_r − MU), (N s/m)(N m s), above 0 for a ship that keeps a straight line
+    lengths : (k,) m, rising, of the line at which Routh and Hurwitz's condition changes its sign, among the given ones
     """
 
     lever: float
@@ -40,7 +40,7 @@ class YawStability(NamedTuple):
 def yaw_stability(lateral: Lateral, speed, lengths) -> YawStability:
     """YawStability of a Lateral; speed : m/s, ahead through the water
 
-    lengths : (n,) m, rising, of the line, between which its changes are sought
+    lengths : (n,) m, rising, of the line, between which sign changes are sought
     """
     m = lateral
     lever = m.N_psi / m.Y_psi if m.Y_psi != 0 else np.nan
@@ -51,7 +51,7 @@ def yaw_stability(lateral: Lateral, speed, lengths) -> YawStability:
 
 
 def straight_line(m: Lateral, speed):
-    """Y_v N_r − N_v (Y_r − MU) of a ship that runs free at `speed`, m/s, from derivatives by motion over the ground"""
+    """Y_v N_r − N_v (Y_r − MU) of a free-running ship at `speed`, m/s, from derivatives by motion over the ground"""
     return m.Y_v * m.N_r - m.N_v * (m.Y_r - m.mass * speed)
 
 

@@ -1,4 +1,4 @@
-"""Joint law of significant height and period of a place, and its contours by inverse FORM.
+"""Joint distribution of significant height and period at a place, and its contours by inverse FORM.
 
     H:      F(h) = 1 − exp(−[(h − γ)/α]^β), h > γ                     Weibull, three parameters
     T | H:  ln T normal, μ(h) = a₁ + a₂ h^a₃, σ(h) = b₁ + b₂ exp(−b₃ h)    DNV-RP-C205, 3.7.2; Bitner-Gregersen (1991)
@@ -6,12 +6,12 @@
     contour of R years, seas of D hours:  u₁² + u₂² = β_R²,  Φ(β_R) = 1 − D/(8766 R),
     h = F⁻¹(Φ(u₁)),  ln T = μ(h) + σ(h) u₂                             Winterstein et al. (1993)
 
-A plane of the normal space that touches the contour has the sea beyond it once in R years: a response whose border is
-plane there is largest on the contour, for the median of its short-term extremes.  The largest height of the contour is
-the return value of the height alone, with its median period.
+A plane of the normal space tangent to the contour separates off the seas that occur once in R years: a response with a
+plane limit surface there is largest on the contour, for the median of its short-term extremes.  The largest height of
+the contour is the return value of the height alone, with its median period.
 
-Both laws are those of the largest likelihood of the counts in classes, the periods with the mean height of
-their class.  Beyond the table they are an extrapolation, which is told.
+Both distributions have the largest likelihood of the counts in classes, the periods with the mean height of their
+class.  Beyond the table they are an extrapolation, which a finding reports.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SIMPLEX = {"xatol": 1e-8, "fatol": 1e-12, "maxiter": 3000, "adaptive": True}
 class JointLaw(NamedTuple):
     """weibull : γ m, α m, β; mean : a₁, a₂, a₃; spread : b₁, b₂, b₃; period_kind : one of `environment.periods.KINDS`
 
-    highest : m, middle of the highest class that was seen
+    highest : m, middle of the highest observed class
     """
 
     weibull: tuple
@@ -53,7 +53,7 @@ class JointLaw(NamedTuple):
     def contour(self, years, hours=3.0, points=POINTS):
         """Heights m and periods s (points,) each, closed, of a return period of seas that last `hours`
 
-        raises : ValueError where that many years have fewer than two seas
+        raises : ValueError if that many years contain fewer than two seas
         """
         from scipy.special import ndtr
 
@@ -82,7 +82,7 @@ class JointLaw(NamedTuple):
 def joint_law(scatter) -> JointLaw:
     """`JointLaw` of an `environment.scatter.Scatter`.
 
-    raises : ValueError with fewer than four classes of height, or of which none has two periods
+    raises : ValueError with fewer than four classes of height, or if none of them has two periods
     """
     share = scatter.probability.sum(axis=1)
     seen = np.flatnonzero(share > 0)
@@ -116,7 +116,7 @@ def _weibull(heights, share):
         return -share[there] @ np.log(np.maximum(left[:-1] - left[1:], 1e-300)[there])
 
     start = 0.0, np.log(share @ heights / share.sum()), np.log(1.3)
-    for _ in range(3):  # once more from where it stopped: a simplex may have fallen flat
+    for _ in range(3):  # once more from its end point: a simplex may have collapsed
         found = minimize(
             unlikely, start, method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-13, "maxiter": 4000}
         )
@@ -125,7 +125,7 @@ def _weibull(heights, share):
 
 
 def _centers(heights, weibull):
-    """(n,) m, mean height within each class by its law"""
+    """(n,) m, mean height within each class by its distribution"""
     (low, scale, shape), ends = weibull, _edges(heights)
     fine = ends[:-1, None] + np.diff(ends)[:, None] * np.linspace(0, 1, PARTS + 1)
     left = np.exp(-((np.maximum(fine - low, 0.0) / scale) ** shape))
@@ -135,7 +135,7 @@ def _centers(heights, weibull):
 
 
 def _of_periods(scatter, share, heights):
-    """(a₁, a₂, a₃) and (b₁, b₂, b₃) of the largest likelihood of the classes of period in each of height"""
+    """(a₁, a₂, a₃) and (b₁, b₂, b₃) of the largest likelihood of the period classes at each height"""
     from scipy.optimize import minimize
     from scipy.special import ndtr
 

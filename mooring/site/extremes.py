@@ -1,4 +1,4 @@
-"""Return values of yearly maxima by three distributions, with intervals that hold their confidence in few years.
+"""Return values of yearly maxima by three distributions, with intervals valid for few years.
 
     gumbel    P(x) = exp(−exp(−(x − b)/s))                          maximum likelihood
     weibull   P(x) = 1 − exp(−(x/λ)^k), x > 0                        maximum likelihood; −ln x is Gumbel's
@@ -7,10 +7,10 @@
     x_R : P(x_R) = 1 − 1/R
 
 Interval.  For gumbel, and for weibull in −ln x, (x̂_R − x_R)/ŝ has a distribution free of b and s (Lawless, 1982): its
-quantiles come from samples of the standard distribution, and the interval is exact but for their number.  For gev
-every sample of uniform numbers is turned into that law of which these numbers would have given the maxima's own
-L-moments and κ̂, and the quantiles are those of its x_R (the generalised fiducial distribution, Hannig 2009): exact in
-location and scale, and to the order of few years in κ.
+quantiles come from samples of the standard distribution, and the interval is exact except for their number.  For gev
+every sample of uniform numbers is converted to the distribution for which these numbers give the maxima's own L-moments
+and κ̂, and the quantiles are those of its x_R (the generalised fiducial distribution, Hannig 2009): exact in location
+and scale, and to the order of few years in κ.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from typing import NamedTuple
 import numpy as np
 
 FAMILIES = ("gumbel", "weibull", "gev")
-FEWEST, ENOUGH = 5, 10  # years: fewer fix no scale; fewer than ten are said with the interval
+FEWEST, ENOUGH = 5, 10  # years: fewer give no scale; below ten a finding warns
 SAMPLES, SEED = 4000, 1982
 SHAPES = (-0.6, 0.9)  # range of the moment estimate κ
 WIDEST = (-1.0, 1.5)  # range of κ whose samples have such an estimate
-SAME = 1e-6  # |κ| below which the law equals Gumbel's
+SAME = 1e-6  # |κ| below which the distribution equals Gumbel's
 TURNS = 10  # iterations of the search; the estimate follows κ nearly one to one
 GRINGORTEN = 0.44
 

@@ -4,8 +4,8 @@
     C, F   K_h = regional · ground · importance
     E      K_h = A · B · C · K_b    ground class, damping factor, factor of the natural period, regional coefficient
 
-The report prints no tables of the factors: they are the user's.  B and D give no rule.  A force is weight times
-coefficient; by C and F the worse of the weight without and with surcharge, at the centroid of each.
+The user gives the factors; the report prints no tables.  Rules B and D have no formula.  A force is weight times
+coefficient; by C and F of the weight without or with surcharge, the worse, at its centroid.
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""Studies of a moored body, one each: what is asked of lines, loads and a wave database together."""
+"""Studies of a moored body, each from its lines, loads and wave database."""

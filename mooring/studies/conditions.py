@@ -1,4 +1,4 @@
-"""Input of a study of moored hulls: each as a box in its place, and the wind, current and waves that load it."""
+"""Input of a study of moored hulls: each hull as a box in its place, with its wind, current and waves."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..on_current.waves import SPECTRA
 
 @dataclass(frozen=True)
 class ExposedBox:
-    """The box that wind and current act on, its middle at x = y = 0.
+    """The box on which wind and current act, its middle at x = y = 0.
 
     length, beam, draft, freeboard (depth of the hull less draft) : m
     front_area, side_area : m², of superstructures from ahead and from abeam
@@ -39,7 +39,7 @@ class Wind:
     """speed m/s, direction rad blown to, density kg/m³
 
     table : coefficients of a box, of a hull, or a function (ExposedBox) → those of a hull
-    height : m above still water at which it acts, None for the middle of what it meets (`loads.on_hull`)
+    height : m above still water of its point of action, None for the middle of the exposed area (`loads.on_hull`)
     """
 
     speed: float
@@ -51,12 +51,12 @@ class Wind:
 
 @dataclass(frozen=True)
 class Current:
-    """speed m/s, direction rad it flows to
+    """speed m/s, direction rad that it flows to
 
     table : coefficients as of a Wind, None for the SR179 box tests
-    height : m above still water at which it acts, None for half the draft below it
-    waves : of `mooring.on_current.waves.SPECTRA`, frequencies in which the waves are given that it carries:
-    "intrinsic", in the water that moves along, "absolute", at a place at rest; "still": waves that do not know of it
+    height : m above still water of its point of action, None for half the draft below it
+    waves : of `mooring.on_current.waves.SPECTRA`, meaning of the frequencies of the waves on it:
+    "intrinsic", in the moving water, "absolute", at a fixed place; "still": waves unaffected by the current
     """
 
     speed: float
@@ -80,7 +80,7 @@ class Waves:
 
     @property
     def omega(self):
-        """rad/s.  Raises ValueError for a period that is none."""
+        """rad/s.  Raises ValueError for an invalid period."""
         if not 0 < self.period < np.inf:
             raise ValueError(f"wave period is {self.period:g} s; allowed: above 0")
         return 2 * np.pi / self.period
@@ -88,12 +88,12 @@ class Waves:
 
 @dataclass(frozen=True)
 class Conditions:
-    """Wind, current and waves of a study; None leaves the load out.
+    """Wind, current and waves of a study; None omits the load.
 
     method : of `wave_effects.METHODS`, "irregular" or "regular_wave"
-    sea : `environment.sea.Sea` of the waves; None for the ISSC spectrum of their height and period with long crests
+    sea : `environment.sea.Sea` of the waves; None for a long-crested ISSC spectrum of their height and period
     duration : s, in which the largest motions in irregular waves are expected
-    motion_factor : by which the largest motions are multiplied before lines are tightened by them, as some rules ask
+    motion_factor : factor on the largest motions before line tensions are computed, as some rules require
     """
 
     wind: Wind | None = None
@@ -106,7 +106,7 @@ class Conditions:
 
 
 class Afloat(NamedTuple):
-    """A hull that moves.
+    """A moving hull.
 
     name : of its body in the System; box : ExposedBox about the origin of its coordinates
     rotation_center : (3,) m in these; place : (2,) m, their origin in space; heading : rad, of their x axis
@@ -122,7 +122,7 @@ class Afloat(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) whose columns are its axes in space"""
+        """(3, 3) matrix whose columns are its axes in space"""
         return rotation(0.0, 0.0, self.heading)
 
     @property
@@ -131,12 +131,12 @@ class Afloat(NamedTuple):
         return np.array([*(self.axes @ self.rotation_center + (*self.place, 0.0)), 0.0, 0.0, self.heading])
 
     def own(self, point):
-        """(3,) m in its coordinates of a point in space"""
+        """(3,) m, a point of space in the hull's own coordinates"""
         return (np.asarray(point, float) - (*self.place, 0.0)) @ self.axes
 
 
 def afloat(db, hull, name="body"):
-    """(`Afloat`, …) of the bodies of a database that move, in its order.
+    """(`Afloat`, …) of the moving bodies of a database, in its order.
 
     hull : ExposedBox of one body, called `name`; of several {name: ExposedBox}
     """
@@ -150,12 +150,12 @@ def afloat(db, hull, name="body"):
 
 
 def alone(body, hull, name="body"):
-    """`Afloat` of one body, which has rotation_center and density"""
+    """`Afloat` of one body with rotation_center and density"""
     return Afloat(name, hull, np.asarray(body.rotation_center, float), np.zeros(2), 0.0, body.density)
 
 
 def in_motions(stiffness, hulls):
-    """(n, n) about the axes that motions are along, of one (n, n) about those of space, of hulls one after another"""
+    """(n, n) about the axes of the motions, from (n, n) about space axes, for hulls one after another"""
     if len(hulls) == 1 and not hulls[0].heading:
         return stiffness
     turn = axes_in_space([one.heading for one in hulls])

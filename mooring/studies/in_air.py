@@ -1,4 +1,4 @@
-"""Lines that hang out of the water at rest and weigh there what they do in it."""
+"""Lines partly above the water at rest, whose weight is computed there as if submerged."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from ..lines.system.hawser import Hawser
 from ..lines.system.parts import CompositeLine
 from ..lines.system.shapes import line_shapes
 
-IN_AIR = 0.01  # part of a line that may be above the water without a finding
+IN_AIR = 0.01  # part of a line above the water that is not reported
 
 
 def dry_shares(state):
-    """(n,) share of the length of every line of a SystemEquilibrium above still water, from straight pieces of it"""
+    """(n,) share of the length of every line of a SystemEquilibrium above still water, from straight pieces"""
     shares = []
     for shape in line_shapes(state):
         length, z = np.linalg.norm(np.diff(shape, axis=0), axis=1), shape[:, 2]
@@ -24,7 +24,7 @@ def dry_shares(state):
 
 
 def lines_in_air(state):
-    """One line on the lines that count as under water over more than a hundredth of them"""
+    """A message on lines of which more than a hundredth is above the water"""
     shares = dry_shares(state)
     told = [
         f"{line.name} over {share:.3g} of it"
@@ -33,7 +33,7 @@ def lines_in_air(state):
     ]
     if told:
         yield (
-            f"above still water and weighing there as in it: {', '.join(told)}; limit {IN_AIR:g}; lower the end that "
+            f"above still water, with the weight in water: {', '.join(told)}; limit {IN_AIR:g}; lower the end that "
             "is out, or give a line that is dry throughout its weight in air"
         )
 

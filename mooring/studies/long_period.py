@@ -2,12 +2,11 @@
 
     m ẍ + N ẋ + K x = F₀ + F(t),    ω₀² = K/m,    ν = N/√(mK),    x_s = F₀/K
 
-Quick (SR179 report (1982), eq. 3.5.4.1):  σ = x_s/(2ν), with F₀ the mean drift.
-Spectrum:  σ² = ∫ S_F(ω) / {(K − mω²)² + (Nω)²} dω,  S_F of slow drift, gusts and the
-waves themselves below the split (`slow_spectrum`).  What subharmonics of stiffening lines and
-rectified line forces add only a simulation has: it says where the estimates fail.
+Quick (SR179 report (1982), eq. 3.5.4.1):  σ = x_s/(2ν), with F₀ the mean drift. Spectrum:  σ² = ∫ S_F(ω) / {(K − mω²)²
++ (Nω)²} dω,  S_F of slow drift, gusts and the waves themselves below the split (`slow_spectrum`).  Only a simulation
+includes subharmonics of stiffening lines and rectified line forces: it shows where the estimates fail.
 
-Each motion by itself: K is its entry of the mooring stiffness where the steady forces hold the body, m has the added
+Each motion separately: K is its entry of the mooring stiffness at the equilibrium under steady forces, m has the added
 mass of ω₀.  N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velocities of waves and of the slow motion itself
 (statistical linearisation, Caughey 1963), of wave drift damping, and of radiation at ω₀.
 """
@@ -26,16 +25,16 @@ from ..response.viscous import in_sea
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum, wave_spectrum
 from .wave_effects import sea_of
 
-LOWEST = 1e-3  # share of the waves' energy below the frequencies that are slow
+LOWEST = 1e-3  # share of the waves' energy below the frequencies that count as slow
 TURNS = 60  # iterations on the velocity of the slow motion
 SETTLED = 1e-6
-STILL = 1e-3  # m/s, or rad/s times the length, of a motion that has none
+STILL = 1e-3  # m/s, or rad/s times the length, below which a motion counts as zero
 
 
 class LongPeriod(NamedTuple):
-    """Of surge, sway and yaw, (3,) each: period s, nan where nothing holds the body; ν; x_s m, rad
+    """Of surge, sway and yaw, (3,) each: period s, nan without restoring; ν; x_s m, rad
 
-    quick, by_spectrum : standard deviations, m, rad; split : rad/s, the end of what is slow
+    quick, by_spectrum : standard deviations, m, rad; split : rad/s, upper end of slow motion
     """
 
     period: np.ndarray

@@ -1,4 +1,4 @@
-"""Parts of a line out of the water that count as under it, at rest or in the run."""
+"""Parts of a line out of the water whose weight counts as submerged, at rest or during a run."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ def _warn_of_fairlead(line, time, z):
         warnings.warn(
             f"the fairlead is {z[top, -1]:.3g} m above still water {_when(time, top)}, allowed {IN_AIR:.0%} of the "
             f"line, {IN_AIR * line.length:.3g} m, and the line counts as under water there: with surface = true it "
-            "weighs as in air and feels no water",
+            "weighs as in air, without water loads",
             stacklevel=3,
         )
 
 
 def _warn_of_floating(line, time, z):
-    """Of nodes that rise above still water and both ends: nothing but their buoyancy, or a whip, holds them there."""
+    """Warn of nodes that rise above still water and both ends: only their buoyancy, or a whip, can hold them there."""
     above = z[:, 1:-1] - np.maximum(0.0, np.maximum(z[:, 0], z[:, -1]))[:, None]
     limit = max(segment.diameter for segment in line.segments)
     top = 0 if above[0].max() > limit else int(np.argmax(above.max(axis=1)))  # the state at rest has priority
@@ -39,7 +39,7 @@ def _warn_of_floating(line, time, z):
         warnings.warn(
             f"the line is {z[top, node]:.3g} m above still water {_when(time, top)}, {line.nodes[node]:.4g} m of it "
             f"from the anchor, where it counts as under water; allowed: up to its diameter, {limit:.3g} m: with "
-            "surface = true it lies in the surface, weighs as in air above it and feels no water there",
+            "surface = true it lies in the surface and weighs as in air above it, without water loads",
             stacklevel=3,
         )
 

@@ -1,17 +1,16 @@
 """Multi-point mooring by the simplified method of the SR179 report (1982), section 5.1.1.
 
-Natural periods come first: the method is not on the safe side where one of them lies near the wave period.
-Then steady forces of wind, current and wave drift, the position and heel in which lines and water balance them (of the
-body trimmed at rest, so that the weight of the lines there heels nothing), and there the largest motions of the freely
-floating body: in irregular waves, or by the report's regular wave of significant height (`wave_effects`).  All modes
-are taken in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension.
-The body is small-angled throughout: loads and motions are those of its heading at rest.
-Motions of slow drift are not in the method.
+Natural periods come first: the method is not on the safe side where one of them lies near the wave period. Then steady
+forces of wind, current and wave drift, the position and heel in which lines and water balance them (of the body trimmed
+at rest, so that the weight of the lines there causes no heel), and there the largest motions of the freely floating
+body: in irregular waves, or by the report's regular wave of significant height (`wave_effects`).  All modes are assumed
+in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension. Angles of the body
+are small throughout: loads and motions are those of its heading at rest. Motions of slow drift are not included.
 
-Several bodies are held by lines to anchors and to each other: forces and motions are six for each that moves, one body
-after another, in one equilibrium and one set of natural periods.  A line between two of them is tightened by the
-largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are in the rest, the equilibrium
-and the periods; of the motions in waves hinges alone change those of the free bodies.
+Several bodies are held by lines to anchors and to each other: forces and motions are six per moving body, one body
+after another, with one equilibrium and one set of natural periods.  A line between two of them is tightened by the
+largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included in the state of rest,
+the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.
 """
 
 from __future__ import annotations
@@ -45,16 +44,16 @@ class MultiPoint:
     """Result of a study; per-line arrays follow the lines of the system.
 
     at_rest, at_equilibrium : natural periods without and with the steady forces
-    loads : {"wind", "current", "drift": (n,)} N, N m about the rotation centre, of n = 6 for each body along space axes
+    loads : {"wind", "current", "drift": (n,)} N, N m about the rotation centre, n = 6 per body along space axes
     rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
-    waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
+    waves : {method: `WaveEffects`}, of the chosen method and of the other one if possible; empty without waves
     amplitudes : (n,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
         the amplitudes
     hulls : `conditions.Afloat` of every body; berth : `motion.contacts.Berth`, None for none
     contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
-    held : (3, k, 6) N, N m with which the first body of each of k `hinges` holds the second, along its axes, at both,
-        and the largest, with `motion_factor` times what motions in the waves add, away from zero
-    warnings : findings, a line each; of what fails as `criteria.failing.fails` marks it
+    held : (3, k, 6) N, N m exerted by the first body of each of k `hinges` on the second, along its axes, at rest and
+        in equilibrium, and the largest, increased by `motion_factor` times the effect of motions in waves
+    warnings : findings, one line each; failures are marked as in `criteria.failing.fails`
     """
 
     system: System
@@ -113,7 +112,7 @@ class MultiPoint:
 
     @property
     def utilisation(self):
-        """(n,) largest tension over breaking load; infinite beyond reach, nan where no breaking load is given"""
+        """(n,) largest tension over breaking load; infinite beyond reach, nan without a breaking load"""
         return self.extreme.utilisation
 
 
@@ -124,7 +123,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
         between them, as `lines.system.moored_body` makes one
     hull : `conditions.ExposedBox`, of several bodies {name: ExposedBox}; allowable : fraction of the breaking load
     berth : `motion.contacts.Berth` of fenders and ropes; body : `Reader` with hinges, by default that of the database
-    raises : ValueError naming what does not fit or has no solution
+    raises : ValueError, which names an inconsistent input, or a case without solution
     """
     hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader if body is None else body
     berth = no_berth() if berth is None else berth
@@ -191,9 +190,9 @@ def _loads(hulls, conditions, depth, drift):
 
 
 def _heeled(system, at_rest, hydrostatic, load):
-    """SystemEquilibrium of bodies that float, under a load (n,); its stiffness is that of the lines alone.
+    """SystemEquilibrium of floating bodies under a load (n,); its stiffness is that of the lines alone.
 
-    hydrostatic : (6, 6) of each.  What the lines pull down and heel at rest, which ballast is for, is taken off.
+    hydrostatic : (6, 6) of each.  The weight and heel by lines at rest, which ballast compensates, is subtracted.
     """
     count = len(system.bodies)
     trim = np.tile([0, 0, 1, 1, 1, 0], count)
@@ -234,7 +233,7 @@ def line_ends(state):
 
 
 def outward_directions(state):
-    """(n, 2) unit vectors from anchor to fairlead; a line above its anchor has no direction and is given +x"""
+    """(n, 2) unit vectors from anchor to fairlead; a line above its anchor has no direction and uses +x"""
     anchors, fairleads = line_ends(state)
     away = (fairleads - anchors)[:, :2]
     span = np.hypot(*away.T)[:, None]
@@ -245,9 +244,8 @@ def fairlead_displacements(state, amplitudes):
     """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (l,) m.
 
     amplitudes : (n,) of all bodies; of a line between two both ends are summed
-    Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction.
-    The sum is an upper bound of the displacement; how far it is above depends on the origin of the body's axes, to
-    which the motions refer.
+    Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction. The sum is an
+    upper bound of the displacement; its excess depends on the origin of the body's axes, to which the motions refer.
     """
     arrays, towards = state.system.arrays, outward_directions(state)
     outward, upward = np.zeros((2, len(towards)))

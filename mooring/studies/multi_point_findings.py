@@ -1,4 +1,4 @@
-"""What a reader of a multi-point study has to know: one line each, with the number and its limit."""
+"""Findings on a multi-point study: one line each, with the number and its limit."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from ..lines.catenary.state import State
 from ..lines.system.findings import LONGEST_STRAIN, beyond_tables, strains, unheld
 from ..response.findings import LINES_NAMED, large_rotations, some
 
-UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
+UNSURE = 0.05  # estimated error of a motion or of drift between stored waves above which it is reported
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
-MOVING = 1e-4  # m or rad per m of wave amplitude; less is rounding in waves that do not move the body
+MOVING = 1e-4  # m or rad per m of wave amplitude; less counts as rounding in waves that do not move the body
 # natural period over wave period within which a motion without viscous damping is several times too large
 NEAR = (0.85, 1.15)
-WEAK = 0.1  # damping ratio of waves alone, to which viscous damping adds a tenth to a third
+WEAK = 0.1  # ratio of wave damping alone, to which viscous damping adds a tenth to a third
 NEGLIGIBLE = 0.05  # mooring over hydrostatic stiffness, where free motions are used
 ROUNDING = 1e-6  # force over the largest force, with moments per metre, below which it is rounding
 NO_DAMPING = "has no viscous damping"  # text of a finding on a motion at its resonance
-IN_TIME = "simulate in time"  # the end of what that method alone is not enough for
+IN_TIME = "simulate in time"  # end of findings on the limits of the simplified method
 TURNED = 0.1  # rad; over that angle the drag coefficients of a box change by a tenth of their largest values
 SHALLOW = 20.0  # m; SR179 report, section 5.5.3: there some simulations of its floaters exceeded this method
 HORIZONTAL = ("Surge", "Sway", "Yaw")
 
 
 def findings(result, db):
-    """What a reader of the result has to know: one line each, with the number and its limit."""
+    """Findings on the result: one line each, with the number and its limit."""
     waves, current, words = result.conditions.waves, result.conditions.current, db.bodies_reader.words
     if current:
         yield from getattr(current.table, "notes", ())
@@ -52,7 +52,7 @@ def findings(result, db):
 
 
 def _uncertain(body, waves):
-    """Estimated errors of motions and drift between stored waves, beside the largest of their kind in this wave"""
+    """Estimated errors of motions and drift between stored waves, over the largest of their kind in this wave"""
     motion, wrong = (part[0, 0] for part in body.at([waves.omega], "rao", [waves.direction]))
     largest = np.abs(motion).reshape(-1, 2, 3).max(axis=(0, 2))
     largest = np.tile(np.repeat(largest, 3), len(motion) // 6)
@@ -95,7 +95,7 @@ def resonances(result, wave_period):
 
 
 def _undamped(result, db, waves):
-    """Roll, and heave and pitch that waves alone damp little, near the wave period"""
+    """Roll, and heave and pitch with little wave damping, near the wave period"""
     low, high = NEAR
     body = db.bodies_reader
     weak = {one.mode for one in known_resonances(body) if one.damping < WEAK}
@@ -125,7 +125,7 @@ def _stiff_modes(result, hydrostatic, words):
 
 
 def _worded(name):
-    """A mode of several bodies, "barge__Roll", as their motions are called elsewhere"""
+    """A mode of several bodies, "barge__Roll", in the words used for motions elsewhere"""
     body, _, motion = name.rpartition("__")
     return f"{body} {motion.lower()}" if body else name
 
@@ -155,8 +155,8 @@ def _outside_the_method(result, depth):
     turn = np.abs(result.displacement[2::3]).max()
     if turn > TURNED:
         yield (
-            f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: they and the motions are those "
-            "of its heading at rest"
+            f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: forces and motions are those "
+            "at its heading at rest"
         )
     if result.conditions.waves and result.conditions.method == "regular_wave" and depth <= SHALLOW:
         yield (
@@ -196,7 +196,7 @@ def _line_findings(result):
 
 
 def _broken(result, beyond):
-    """Lines that part, or use more than is allowable; beyond : (n,) whether out of reach"""
+    """Lines that part, or exceed their allowable share; beyond : (n,) whether out of reach"""
     names, strain = result.system.line_names, strains(result.system, result.tension)
     if np.any(beyond):
         named = some([names[i] for i in np.flatnonzero(beyond)], LINES_NAMED)

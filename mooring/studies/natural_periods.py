@@ -14,7 +14,7 @@ from .system_at_rest import about_body_axes, body_number, mooring_stiffness
 def moored_periods(state: SystemEquilibrium, body, db):
     """NaturalPeriods of one body of the system, its hydrodynamics from an opened database of the same body.
 
-    The axes of the body are those of the database; the stiffness is taken to them and to its rotation centre.
+    The axes of the body are those of the database; the stiffness is converted to these axes and to its rotation centre.
     raises : ValueError where the database lacks added mass, inertia or hydrostatics
     """
     i = body_number(state.system, body)
@@ -26,7 +26,7 @@ def moored_periods(state: SystemEquilibrium, body, db):
 def periods_at_berth(moored):
     """(3,) s of small motions of surge, sway and yaw about rest, coupled, each named by its largest share; nan: none
 
-    moored : `mooring.motion.simulation.Moored`.  Friction of fenders, which holds small motions, is left out.
+    moored : `mooring.motion.simulation.Moored`.  Friction of fenders, which prevents small motions, is neglected.
     """
     place = np.ix_((0, 1, 5), (0, 1, 5))
     mass, stiffness = (moored.reader.inertia + moored.slow_added_mass)[place], moored.stiffness[place]

@@ -1,4 +1,4 @@
-"""Lines of a system loaded beyond what breaks them: one line for each state, with the number and its limit."""
+"""Lines of a system beyond their breaking load: one message for each state, with the number and its limit."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from ..response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):
-    """What fails of lines, and remarks, at rest, at offsets, with a line broken: above the breaking load, stretched by
-    more than a half, without an equilibrium; beyond their table.
+    """Failures and remarks on lines at rest, at offsets, with a line broken: above the breaking load, stretched by more
+    than a half, without an equilibrium; beyond their table.
 
     state : SystemEquilibrium; curves : OffsetCurves of it
     losses : {line: SystemEquilibrium without it, or an exception}
@@ -30,7 +30,7 @@ def overloads(state, curves=(), losses=None):
 
 
 def _missed(curve):
-    """Of offsets without an equilibrium: which, and why at the nearest"""
+    """Offsets without an equilibrium, and the reason at the nearest one"""
     if curve.missed:
         nearest = min(curve.missed, key=abs)
         yield fails(

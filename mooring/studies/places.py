@@ -1,4 +1,4 @@
-"""Whether lines are made fast where a hull and an anchor are, and can reach from one to the other."""
+"""Whether line ends lie on their hull and anchor, and whether each line reaches from one to the other."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from ..lines.system.parts import Fairlead
 from ..response.findings import LINES_NAMED, some
 
 BESIDE = 0.1  # largest distance of a fairlead outside the hull, over the hull length
-NEAR = 0.01  # the same, from which a fairlead outside, or a line inside the hull, is reported
+NEAR = 0.01  # the same, above which a fairlead outside, or a line inside the hull, is reported
 
 
 def check_places(system, hulls):
-    """Raise ValueError for a fairlead off its hull, and for a line that no material stretches to its other end.
+    """Raise ValueError for a fairlead off its hull, and for a line too short for its ends with any material.
 
     system : at rest; hulls : (`conditions.Afloat`, …)
     """
@@ -37,7 +37,7 @@ def check_places(system, hulls):
 
 
 def place_findings(system, hulls):
-    """Lines on fairleads beside their hull, and on lines whose way to the other end leads through it"""
+    """Messages on fairleads off their hull, and on lines whose straight way to the other end crosses the hull"""
     beside, through, limit = [], [], f"limit {NEAR * max(one.box.length for one in hulls):.3g} m"
     for line, anchor, fairlead, hull in _ends(system, hulls):
         out, inside = _outside(fairlead, hull), _inside(fairlead, anchor, hull)
@@ -55,7 +55,7 @@ def place_findings(system, hulls):
 
 
 def off_the_mesh(system, body, mesh):
-    """Lines on fairleads of the body of this name beside or below the box around its wetted hull, a PanelMesh"""
+    """Messages on fairleads of the named body beside or below the box around its wetted hull, a PanelMesh"""
     points = mesh.whole().vertices.reshape(-1, 3)
     low, high = points.min(axis=0), points.max(axis=0)
     length = float(np.max(high[:2] - low[:2]))
@@ -69,7 +69,7 @@ def off_the_mesh(system, body, mesh):
 
 
 def _ends(system, hulls):
-    """(line, its other end (3,), fairlead (3,), hull) of every end of a line at a hull, in coordinates of that"""
+    """(line, its other end (3,), fairlead (3,), hull) of every line end at a hull, in coordinates of the hull"""
     points, bodies = {point.name: point for point in system.points}, {one.name: one for one in hulls}
     for line in system.lines:
         a, b = points[line.a], points[line.b]
@@ -100,7 +100,7 @@ def _outside(point, hull):
 
 
 def _inside(start, end, hull):
-    """m, of the straight way between two points that lies within the hull"""
+    """m, length inside the hull of the straight line between two points"""
     low, high = _box(hull)
     way = end - start
     with np.errstate(divide="ignore", invalid="ignore"):

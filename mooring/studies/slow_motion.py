@@ -1,23 +1,23 @@
-"""A moored body in a sea, in the frequency domain: its slow motion, that of the waves, and both together.
+"""A moored body in a sea, in the frequency domain: its slow motion, its wave motion, and both together.
 
     {−Ω²[M + A(Ω)] − iΩ[B_D + B′] + C + K} x(Ω) = F(Ω),    S_x = H S_F H*,    σ² = ∫ S_x dΩ
 
-K is the stiffness of the lines where the steady forces leave the body, B_D the wave drift damping, B′ what the study
-adds.  F is slow drift by Newman's rule with its cross spectra and gusts, in phase over the hull (`slow_spectrum`).  The
-drag of the hull is that of `long_period`, linearised; lines in statics damp nothing, their drag is B′.
-Beside it two estimates of a mode alone, of its stiffness C, damping N and ν = N/N_critical:
+K is the stiffness of the lines in the equilibrium under steady forces, B_D the wave drift damping, B′ the damping given
+in the study.  F is slow drift by Newman's approximation with its cross spectra, and gusts, in phase over the hull
+(`slow_spectrum`).  The drag of the hull is that of `long_period`, linearised; static lines have no damping, their drag
+is part of B′. In addition, two estimates for a single mode, of stiffness C, damping N and ν = N/N_critical:
 
     σ ≈ √(π S_F(ω_n) / 2NC)  a flat spectrum,        x ≈ x_s / 2ν  a force that beats at ω_n, x_s = σ_F/C
 
-Waves move the held body as `response.sea_state` has it.  Slow drift is a quadratic form of the waves and far from
-Gaussian: with independent complex normal z_j
+The wave motion of the moored body is that of `response.sea_state`.  Slow drift is a quadratic form of the waves and far
+from Gaussian: with independent complex normal z_j
 
     x = Σ_j λ_j |z_j|²,    λ the eigenvalues of  Q_il = H(ω_i − ω_l) √(D_i D_l) 2√(S_i S_l) Δω
 
 (Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  With f the density of the sum, from its
 characteristic function, levels are crossed f(x) σ_ẋ/√2π times a second.  Its largest value in head seas is a third
-above that of a Gaussian of the same variance.  The rule beside it (DNV-OS-E301, chapter 2, section 2) is the larger of
-slow significant + fast largest and slow largest + fast significant, both Gaussian.
+above that of a Gaussian of the same variance.  The rule for comparison (DNV-OS-E301, chapter 2, section 2) is the
+larger of slow significant + fast largest and slow largest + fast significant, both Gaussian.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ from ..response.slow_drift import differences
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum
 
 NAMES = ("surge", "sway", "yaw")
-ABOUT = 60  # frequencies on either side of a resonance, to some widths from it
+ABOUT = 60  # frequencies on either side of a resonance, up to some widths away
 # fewest and most waves of the quadratic form, two within the half width of a resonance if possible
 FEWEST_WAVES, MOST_WAVES = 100, 500
 REACH, POINTS = 30.0, 8192  # deviations, and points over twice that many, of the density of the motion
 SIGNIFICANT = 2.0  # amplitude over deviation, of a narrow spectrum
-NEAR = 1.5  # a natural period within this factor of a period of waves is named
+NEAR = 1.5  # a natural period within this factor of a wave period is reported
 
 
 class SlowMotion(NamedTuple):
@@ -49,7 +49,7 @@ class SlowMotion(NamedTuple):
     critical of each mode; estimates (3, 2) of the deviation, flat spectrum and beating force; largest : of all
     together, and rule : DNV's, both expected and from rest
 
-    omega (d,) rad/s; force (d, 3, 3) and spectrum (d, 3) of the slow force and motion; fast : `SeaState` of the held
+    omega (d,) rad/s; force (d, 3, 3) and spectrum (d, 3) of the slow force and motion; fast : `SeaState` of the moored
     body, with the slow forces on the free one; duration s
     """
 
@@ -124,8 +124,8 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
 class Loads(NamedTuple):
     """offset : (3,) m, m, rad of the steady forces; gust : None, or (GustSpectrum, (3,) mean wind force N, N, N m)
 
-    water : (3,) N s/m, N m s, damping of surge, sway and yaw by the water, that of the waves' drift included, as of
-    `long_period`; what of it is beyond that of the waves' drift is added to the damping of the held body
+    water : (3,) N s/m, N m s, damping of surge, sway and yaw by the water, including that by wave drift, as in
+    `long_period`; the part without wave drift is added to the damping of the moored body
     """
 
     offset: np.ndarray = np.zeros(3)
@@ -254,7 +254,7 @@ def _rule(slow, slow_period, fast, fast_period, duration):
 
 
 def _flags(modes, sea):
-    """Natural periods near a period of waves, and lightly damped ones"""
+    """Messages on natural periods near a wave period, and on lightly damped ones"""
     for system in getattr(sea, "systems", (sea,)):
         peak = system.spectrum.Tp
         near = [f"{n} {T:.4g} s" for n, T in zip(NAMES, modes.period, strict=True) if peak / NEAR < T < peak * NEAR]

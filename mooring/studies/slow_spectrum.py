@@ -1,9 +1,9 @@
-"""Spectra of the slow forces on a moored body, of surge, sway and yaw with each other.
+"""Spectra and cross spectra of the slow forces on a moored body in surge, sway and yaw.
 
     S_F(Ω) = S_drift(Ω) + (2/U)² F̄ F̄ᵀ S_u(Ω) + S(Ω) ⟨|E|²⟩
 
-Slow drift by Newman's rule with its cross spectra (`response.slow_drift`); gusts of a wind of force F̄ and speed U,
-F̄ (1 + 2u/U), in phase over the hull; the waves themselves where they are slow, E their exciting force.
+Slow drift by Newman's approximation with its cross spectra; gusts of a wind of force F̄ and speed U, F̄ (1 + 2u/U), in
+phase over the hull; first-order waves of low frequency, E their exciting force.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ..response.seas import directions, heading_step
 from ..response.slow_drift import cross_spectrum, signed, signed_pairs, slow_parts
 
 PLANE = [0, 1, 5]
-COARSE = 121  # differences at which that of drift, which is smooth, is summed
+COARSE = 121  # difference frequencies at which the smooth drift spectrum is summed
 
 
 class DriftOfSea(NamedTuple):
@@ -61,7 +61,7 @@ def gust_spectrum(spectrum, force, omega):
 
 
 def wave_spectrum(body, sea, omega):
-    """(d, 3) of the first-order waves within the stored band, at omega (d,) rad/s below its middle"""
+    """(d, 3) spectrum of first-order wave forces within the stored band, at omega (d,) rad/s below its middle"""
     inside = np.linspace(body.omega[0], max(omega[-1], body.omega[0] * 1.001), 61)
     heading, weights = directions(sea, inside)
     squares = over_headings(np.abs(body.forces(inside, heading)[:, :, PLANE]) ** 2, weights)

@@ -11,10 +11,10 @@ from ..loads.on_hull import current_on, wind_on
 
 
 def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
-    """{"wind", "current", "drift"} of the conditions that are given, each (6,) N and N m about the rotation centre.
+    """{"wind", "current", "drift"} of the given conditions, each (6,) N and N m about the rotation centre.
 
-    Wind and current are taken at the heading of the body at rest, with the moments of the heights they act at; drift :
-    (3,) surge, sway and yaw of the waves, None without; heading : rad, of the hull's axes, along which all of it is
+    Wind and current act at the heading of the body at rest, with the moments of their heights; drift : (3,) surge, sway
+    and yaw by waves, or None; heading : rad, of the hull's axes, along which all forces are given
     """
     loads, center, wind, current = {}, db.rotation_center, conditions.wind, conditions.current
     if wind:

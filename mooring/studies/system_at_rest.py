@@ -23,7 +23,7 @@ class OffsetCurve:
 
     offset : (m,) m along direction, rad; force : (m, 6) N and N m of the lines on the body
     tension : (m, n) N, the larger of both ends of each line; grounded_length : (m, n) m
-    utilisation : (m, n) as of LineForces; missed : {offset m: why there is no equilibrium}, where the others are nan
+    utilisation : (m, n) as in LineForces; missed : {offset m: reason for no equilibrium}, where other values are nan
     """
 
     body: str
@@ -42,7 +42,7 @@ class OffsetCurve:
 
 
 def body_number(system, name):
-    """Number of a body; LineSystemError if there is none of that name."""
+    """Number of a body; LineSystemError for an unknown name."""
     names = [body.name for body in system.bodies]
     if name not in names:
         raise LineSystemError(
@@ -54,8 +54,8 @@ def body_number(system, name):
 def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
     """(6, 6) mooring stiffness of one body, without its own hydrostatics.
 
-    others : "free", other bodies follow in the motions they are free in; "held", they do not move
-    raises : LineSystemError where a free point has no stiffness in some direction
+    others : "free", other bodies follow in their free motions; "held", they do not move
+    raises : LineSystemError if a free point has no stiffness in some direction
     """
     if others not in ("free", "held"):
         raise LineSystemError(f"others is {others!r}; allowed: 'free', 'held'")
@@ -79,7 +79,7 @@ def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
 def _following(inner, pulled):
     """K_ee⁻¹ K_eb, least where a motion, as of a clamp about its line, is held by nothing and pulled by nothing.
 
-    raises : LineSystemError where one held by nothing is pulled
+    raises : LineSystemError for a motion with force but without stiffness
     """
     size = np.sqrt(np.abs(np.diag(inner)))
     size[size <= FREE * size.max()] = 1.0  # N/m or N m/rad
@@ -93,7 +93,7 @@ def _following(inner, pulled):
 
 
 def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=None) -> OffsetCurve:
-    """Forces and tensions with a body held at offsets from its place at rest, its attitude kept.
+    """Forces and tensions with a body held at offsets from its place at rest, its attitude unchanged.
 
     direction : rad; offsets : (m,) m; everything else comes to rest anew at each, after which `progress` is called
     raises : EquilibriumError where no equilibrium is found at any of them
@@ -132,9 +132,9 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=No
 
 
 def one_line_broken(state: SystemEquilibrium, progress=None):
-    """The equilibrium after the loss of each line: {name: SystemEquilibrium, or EquilibriumError where there is none}.
+    """The equilibrium after the loss of each line: {name: SystemEquilibrium, or EquilibriumError without one}.
 
-    The search starts from the intact equilibrium; what hangs loose by one end goes with its line.
+    The search starts from the intact equilibrium; lines that then hang by one end alone are removed with it.
     progress : called after each line
     """
     found = {}

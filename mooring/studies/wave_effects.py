@@ -1,10 +1,10 @@
-"""Waves in a study of statics: their mean drift, and the largest motions of the free body.
+"""Waves in a static study: their mean drift, and the largest motions of the free body.
 
 Irregular waves: drift is 2∫SD dω, motions the largest expected in a duration (`mooring.response.sea_state`).
 
 Regular wave: the SR179 report (1982), section 5.1.1, replaces irregular waves by a regular wave with the significant
 height as its height and the mean period as its period.  It has twice their energy, all of it at one frequency: its
-drift may be several times that of the sea, its motions a quarter of the largest or twice them.
+drift may be several times that of the sea, its motions between a quarter and twice the largest.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ BESIDE = 1e-3  # relative frequency step for the slope of the drift of a regular
 class WaveEffects(NamedTuple):
     """drift : (3,) N, N, N m; amplitudes : (n,) m, rad; slow : (3,) deviation of the slow drift, or None; warnings
 
-    by_current : (3,) of the drift, what a current that carries the waves adds; None in still water
-    held : (k, 6) N, N m, of each link of the body, largest that the motions add to what it holds; None without links
-    Of several bodies drift is (3,) for each that moves, one after another, and slow that of all about the origin
+    by_current : (3,) part of the drift due to a current that carries the waves; None in still water
+    held : (k, 6) N, N m, for each link of the body, largest increase of its forces by motions; None without links
+    With several bodies drift is (3,) per moving body, one after another, and slow that of all about the origin
     """
 
     drift: np.ndarray
@@ -48,10 +48,10 @@ class WaveEffects(NamedTuple):
 
 
 def wave_effects(db, conditions, body=None):
-    """{method: WaveEffects} of a database in the waves of `Conditions`: the method of the conditions, and the other one
-    where the database has what it needs.
+    """{method: WaveEffects} of a database in the waves of `Conditions`: by the chosen method, and by the other one if
+    the database has its quantities.
 
-    body : `Reader` of it, by default as it is stored
+    body : its `Reader`, by default as stored
     raises : ValueError or BetweenError where the method of the conditions is not possible
     """
     if conditions.method not in METHODS:
@@ -66,7 +66,7 @@ def wave_effects(db, conditions, body=None):
 
 
 def sea_of(conditions):
-    """The `Sea` of Conditions, of the ISSC spectrum with long crests where they name none"""
+    """The `Sea` of Conditions; by default a long-crested ISSC spectrum"""
     if conditions.sea is not None:
         return conditions.sea
     w = conditions.waves
@@ -97,13 +97,13 @@ def _irregular(reader, conditions):
 
 
 def _held(body, names, values):
-    """(k, 6) of `WaveEffects.held`, of responses (c,) and their names"""
+    """(k, 6) of `WaveEffects.held`, from responses (c,) and their names"""
     told = [values[names.index(name)] for name, unit, _ in told_of(body.links) if unit.startswith("N")]
     return np.array(told).reshape(-1, 6) if told else None
 
 
 def _of_moving(body, of_each):
-    """(3,) for each body that moves, one after another, of the drift (bodies, 3) of several; None: not known"""
+    """(3,) per moving body, one after another, of the drift (bodies, 3) of several; None if unknown"""
     if of_each is None:
         raise BetweenError(
             'drift of each of several bodies is known without a current that carries the waves; say waves = "still" '
@@ -144,5 +144,5 @@ def _regular(reader, conditions):
 
 
 def _cleared(values):
-    """Values (n,) without what is rounding of what symmetry makes zero"""
+    """Values (n,) without rounding errors of values that are zero by symmetry"""
     return np.where(np.abs(values) > ROUNDING * np.abs(values).max(), values, 0.0)

@@ -14,7 +14,7 @@ from ..criteria.failing import fails
 from ..response.viscous import in_regular_waves
 
 SPANS, LENGTHS = 1.5, 1.5  # half the map's width, in lengths of the body or wave lengths, whichever is more
-MISSED = 0.02  # share of the far field that the sources may miss without a word
+MISSED = 0.02  # share of the far field that the sources may miss without a message
 
 
 class Map(NamedTuple):
@@ -27,7 +27,7 @@ class Map(NamedTuple):
 
 
 def frequency(period, omega):
-    """rad/s of the one that is given.  Raises ValueError."""
+    """rad/s from whichever of the two is given.  Raises ValueError."""
     if (period is None) == (omega is None):
         raise ValueError("give period in s or omega in rad/s, one of the two")
     value = omega if period is None else period
@@ -37,9 +37,9 @@ def frequency(period, omega):
 
 
 def around_body(db, omega, beta, fixed, amplitude=None):
-    """`WavesAround` of a database's body, or of all of several.  Raises ValueError for waves that it does not have.
+    """`WavesAround` of a database's body, or of all of several.  Raises ValueError for waves outside the database.
 
-    amplitude : m, of the waves that its viscous damping is of, None for those of its scene
+    amplitude : m, of the waves for its viscous damping, None for those of its scene
     """
     if not math.isfinite(beta):
         raise ValueError("heading is not a number; allowed: an angle")
@@ -51,7 +51,7 @@ def around_body(db, omega, beta, fixed, amplitude=None):
 
 
 def half_width(around, width):
-    """m, of a map of the width asked for, or one that shows body and waves.  Raises ValueError."""
+    """m, of a map of the given width, or one that contains body and waves.  Raises ValueError."""
     span = float(np.ptp(around.sources.plan, axis=0).max())
     if width is None:
         return max(SPANS * span, LENGTHS * 2 * np.pi / around.k)
@@ -69,7 +69,7 @@ def mapped(around, half, points):
 
 
 def sides(around):
-    """{name: (2,) m}, places half a length of the body before and behind it, as the waves go"""
+    """{name: (2,) m}, places half a body length before and behind it, along the direction of the waves"""
     way = np.array([math.cos(around.beta), math.sin(around.beta)])
     plan = around.sources.plan
     reach = 0.5 * float(np.ptp(plan, axis=0).max())
@@ -80,7 +80,7 @@ def sides(around):
 
 
 def remarks(around, db, amplitude=None):
-    """One line each on what the waves leave out or hang on; amplitude : as of `around_body`"""
+    """Remarks on effects that the waves neglect or depend on; amplitude : as in `around_body`"""
     viscous = db.bodies_reader.viscous
     if around.motion is not None and viscous is not None:
         height = 2 * (viscous.wave_amplitude if amplitude is None else amplitude)

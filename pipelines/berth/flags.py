@@ -19,7 +19,7 @@ def berth(
         bool, Parameter(negative=(), help="the fifty measured berthings of Ueda (1981) instead of a study")
     ] = False,
 ):
-    """Compute the energy of a ship that berths, the reaction of its fenders, and its course in time.
+    """Compute the energy of a berthing ship, the reaction of its fenders, and its course in time.
 
     hakobune berth berth_tanker.toml --plot berth.png
     """

@@ -1,4 +1,4 @@
-"""`hakobune.berth`: energies by the kinetic-energy method, the fender that is met first, the course in time."""
+"""`hakobune.berth`: energies by the kinetic-energy method, the fender that the ship meets first, the course in time."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from .study import BerthFender, BerthStudy, approach_of, read_berth
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
-MASS_DIFFERS = 0.02  # share, of the ship's mass from that of the water its database displaces
+MASS_DIFFERS = 0.02  # relative difference of the ship's mass from the displaced mass in its database
 DEPTH_DIFFERS = 0.02  # relative difference of water depths that is reported; less than a tide
 BUCKLING = ("cell", "v", "h", "cone")  # families with a plateau
-LINEAR_TO = 0.15  # strain up to which Ueda (1981) takes a fender as a spring
+LINEAR_TO = 0.15  # strain up to which Ueda (1981) treats a fender as a spring
 BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "stiffest")
-BEHIND = ("x", "gap", "dolphin", "dolphin_yield", "dolphin_beyond")  # keys that the fender of a simulation has not
+BEHIND = ("x", "gap", "dolphin", "dolphin_yield", "dolphin_beyond")  # keys that the fender of a simulation lacks
 DEFAULT = dict(zip(BerthFender.__struct_fields__[::-1], BerthFender.__struct_defaults__[::-1], strict=False))
 TAKEN = "the same energy, with a fender that differs from its catalogue"
 
@@ -97,7 +97,7 @@ def _ship(study, approach, db):
 
 
 def _to_paste(study, approach):
-    """A line with the fenders, and the dolphins behind them, as the study of a simulation takes them"""
+    """A line with the fenders, and the dolphins behind them, in the form of a simulation study"""
     fenders, dolphins = [], []
     for k, (table, (_, x, gap)) in enumerate(zip(study.fender, approach.meetings, strict=True), 1):
         own = {
@@ -121,7 +121,7 @@ def _inline(table):
 
 
 def _first(approach):
-    """The fender that is met first, with its dolphin"""
+    """The fender that the ship meets first, with its dolphin"""
     return approach.meetings[approach.first][0]
 
 
@@ -141,7 +141,7 @@ def _of_approach(approach):
 
 
 def _taken(fenders, energies):
-    """Rows of what fenders do with energies"""
+    """Rows of fender deflections and reactions for each energy"""
     places = np.array([deflection_of(one, energy) for one, energy in zip(fenders, energies, strict=True)])
     strain, reaction = at_deflections(fenders, places)
     own = strain * fenders[0].height
@@ -158,7 +158,7 @@ def _by_method(approach):
 
 
 def _by_band(approach, table):
-    """What fenders of a batch do with the energy, and those that differ by all causes"""
+    """Deflections of the fenders of a batch for the energy, and fenders that differ by all causes"""
     alone, energy = fender_of(table), approach.energy
     fenders, factors = [_first(approach)], [1.0]
     for causes in (BATCH, None):
@@ -172,7 +172,7 @@ def _by_band(approach, table):
 
 
 def _two_springs(table, approach):
-    """Ueda's closed form, for a buckling fender: a spring up to LINEAR_TO, then its rated reaction"""
+    """Ueda's closed form; for a buckling fender a spring up to LINEAR_TO, then its rated reaction"""
     if table.family not in BUCKLING:
         return {}
     mass, plateau = approach.eccentricity * approach.virtual_mass * approach.ship.mass, _first(approach).rated_reaction
@@ -220,7 +220,7 @@ def _in_time(approach, course):
 
 
 def _failures(study, approach, course):
-    """What fails of fenders and dolphins: by the kinetic-energy method as Ueda (1981) judges, section 6, and in time"""
+    """Failures of fenders and dolphins: by the kinetic-energy method (Ueda 1981, section 6), and in time"""
     table = study.fender[approach.first]
     alone = fender_of(table)
     found = list(beyond_batch("energy of the berthing", approach.energy, table, alone))

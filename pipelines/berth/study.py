@@ -1,4 +1,4 @@
-"""A berthing as typed TOML: a ship, how it comes, and the fenders that it meets.
+"""A berthing as typed TOML: a ship, its approach, and the fenders that it meets.
 
 [ship]                    [approach]                 [[fender]]            # keys of `hakobune fender` and
 length = 337.5  # over    speed = 0.15               family = "v"
@@ -36,7 +36,7 @@ MOST_FENDERS = 200
 
 
 class ShipTable(Table):
-    """Dimensions and mass of the ship that berths
+    """Dimensions and mass of the berthing ship
 
     length : m, length over all
     beam : m, beam of the ship

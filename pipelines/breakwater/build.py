@@ -14,7 +14,7 @@ SIZES = {"kN_per_m3": KN, "t_per_m": TONNE, "kN_per_m": KN, "kPa": KN, "kN": KN}
 
 
 def breakwater_of(study):
-    """The `Breakwater` of a BreakwaterStudy.  Raises ValueError for bodies and lines that cannot be."""
+    """The `Breakwater` of a BreakwaterStudy.  Raises ValueError for impossible bodies and lines."""
     sea, waves = study.sea, study.waves
     return Breakwater(
         Water(**_si(study.water)),
@@ -32,7 +32,7 @@ def breakwater_of(study):
 
 
 def anchors_of(study):
-    """The `Anchors` that a study asks for"""
+    """The `Anchors` of a study"""
     made = {"sinker": Sinker, "common_sinker": Sinker, "pile": Pile, "holding": Holding}
     tables = {key: getattr(study.anchors, key) for key in made}
     return Anchors(**{key: made[key](**_si(table)) for key, table in tables.items() if table is not None})
@@ -45,7 +45,7 @@ def ranges_of(asked):
 
 
 def changing(breakwater):
-    """Values as `ranges_of` has them → the `Breakwater` changed to them"""
+    """Values named as in `ranges_of` → the `Breakwater` with these values"""
 
     def changed(angle_deg=None, **sizes):
         return breakwater.changed(**sizes, angle=None if angle_deg is None else math.radians(angle_deg))

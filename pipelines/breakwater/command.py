@@ -21,7 +21,7 @@ def breakwater(
 
     With a database of one unit of finite length it computes the waves around a row of them.
 
-    Status 1 if a line goes slack, no pretension is allowed, an anchor is too small, or no design is good enough.
+    Status 1 if a line goes slack, no pretension is allowed, an anchor is too small, or no design meets the target.
     """
     from rich.console import Console
 

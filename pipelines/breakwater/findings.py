@@ -1,4 +1,4 @@
-"""What fails of a breakwater, and the design that is wanted."""
+"""Failures of a breakwater, and the wanted design."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def _of_pretension(held):
 
 
 def wanted(optimisation, front):
-    """The design with the least tension that leaves no more behind than is wanted"""
+    """The design with the least tension whose transmitted wave is within the target"""
     wanted = optimisation.behind
     enough = [] if wanted is None else np.flatnonzero(front.behind <= wanted)
     if len(enough):

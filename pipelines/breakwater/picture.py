@@ -104,7 +104,7 @@ def _section(axis, breakwater):
 
 
 def _front(axes, study, front):
-    """Best designs: what is left behind over tension, and what they are, each range from 0 to 1"""
+    """Best designs: the transmitted wave over tension, and their values, each range from 0 to 1"""
     axes[0].plot(front.tension / KN, front.behind, "o-", color="C4", markersize=4)
     if study.optimisation.behind is not None:
         axes[0].axhline(study.optimisation.behind, color="C3", linewidth=0.8, label="wanted")

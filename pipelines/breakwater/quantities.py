@@ -25,7 +25,7 @@ DESIGN = {"draft": ("m", 1.0, "draft"), "width": ("m", 1.0, "width"), "angle_deg
 
 
 def curves_of(asked, found):
-    """Transmission, reflection, motions and tensions of each way to hold the body, over period"""
+    """Transmission, reflection, motions and tensions of each holding, over period"""
     made, axes = (
         {},
         labels("period", asked.waves.period, "s") | labels("holding", [curve.name for curve in found.curves]),
@@ -50,7 +50,7 @@ def _moduli(name, values, axes, unit, words, table):
 
 
 def checks_of(asked, found):
-    """Mean drift, and what energy and Haskind's relation miss"""
+    """Mean drift, and violations of energy conservation and Haskind's relation"""
     obliquity = asked.waves.obliquity
     omega, water = 2 * np.pi / asked.waves.period, asked.fluid | {"obliquity": obliquity}
     parts = [curve.response for curve in found.curves]
@@ -69,7 +69,7 @@ def checks_of(asked, found):
 
 
 def pretension_of(asked, found):
-    """Tensions at every level of the tide, and the pretension that they ask for"""
+    """Tensions at every level of the tide, and the required pretension"""
     tides, held = found.tides, found.pretension
     if tides is None:
         return {}, {}

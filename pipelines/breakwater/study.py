@@ -28,7 +28,7 @@ def read_breakwater(path):
 
 
 def make_breakwater(raw):
-    """The BreakwaterStudy of nested dictionaries as TOML gives them.  Raises StudyError."""
+    """The BreakwaterStudy of nested dictionaries read from TOML.  Raises StudyError."""
     study = typed(raw, BreakwaterStudy, StudyError)
     _check_water(study.water)
     _check_section(study.section)

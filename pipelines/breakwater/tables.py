@@ -127,7 +127,7 @@ class SinkerTable(Table):
     width : m, width of the block
     unit_weight_kN_per_m3 : unit weight of the block in air
     weight_kN_per_m : submerged weight of an existing block for each metre of breakwater, to be checked
-    lifted : whether the block also has to carry the upward pull of the line
+    lifted : whether the block must also carry the upward pull of the line
     """
 
     friction: float
@@ -239,7 +239,7 @@ class OptimisationTable(Table):
 
 
 class DesignTable(Table):
-    """The computed curve that tensions and anchors are sized with
+    """The computed curve used to size tensions and anchors
 
     holding : one of the holdings of the study; by default the last
     theory : theory of that curve: "potential flow" or "long waves"

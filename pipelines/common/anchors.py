@@ -1,4 +1,4 @@
-"""Anchors where there are none: high above the water, or between it and the bed."""
+"""Anchors at implausible heights: high above the water, or between water and bed."""
 
 from __future__ import annotations
 

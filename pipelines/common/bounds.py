@@ -1,6 +1,6 @@
-"""What a command will take, against what there is: refused before any work is done, in one line with the way out.
+"""Memory and time of a command, against those available: refused before the computation, in one line with a remedy.
 
-Estimates are within a factor of three or so; what is refused would take far more than anybody has.
+Estimates are within a factor of about three; refused work would exceed any available machine.
 """
 
 from __future__ import annotations
@@ -16,30 +16,30 @@ LONGEST = 30 * 86400.0  # s
 WORTH_TELLING = 10.0  # s
 MUCH = 1e9  # bytes
 LITTLE = 1e8  # bytes below which free memory is not checked; the check takes 0.01 s
-MOST = 10_000  # numbers of one list or span
+MOST = 10_000  # largest length of one list or span
 
 
 class TooMuchError(ValueError):
-    """A command would take more memory or time than there is; one line says how much, and what helps."""
+    """A command would take more memory or time than available; the message gives the amount and a remedy."""
 
 
 def check_memory(what, needed, way_out, error=TooMuchError):
     """Raise `error` where more bytes are needed than are free.
 
-    what : of the question, with its verb, as "5000 panels need"; way_out : "give fewer panels (--panels)"
+    what : subject and verb, such as "5000 panels need"; way_out : "give fewer panels (--panels)"
     """
     if needed > LITTLE and needed > (free := available_memory()):
         raise error(f"{what} about {needed / 1e9:.3g} GB, and {free / 1e9:.1f} GB are free; {way_out}")
 
 
 def check_seconds(what, seconds, way_out, error=TooMuchError):
-    """Raise `error` for work of more than LONGEST; arguments as of `check_memory`, as "5000 sections take"."""
+    """Raise `error` for work of more than LONGEST; arguments as in `check_memory`, such as "5000 sections take"."""
     if not seconds <= LONGEST:
         raise error(f"{what} about {duration(seconds)}; allowed: {duration(LONGEST)}; {way_out}")
 
 
 def told(what, seconds, say=None, memory=0.0):
-    """Say what work of WORTH_TELLING or more, or of MUCH memory (bytes), will take, to stderr unless elsewhere."""
+    """Report the time and memory of work of WORTH_TELLING or more, or of MUCH memory (bytes), by default to stderr."""
     if seconds >= WORTH_TELLING or memory >= MUCH:
         (say or _to_stderr)(
             f"{what} about {duration(seconds)}" + (f", {memory / 1e9:.2g} GB" if memory >= MUCH else "")
@@ -47,13 +47,13 @@ def told(what, seconds, say=None, memory=0.0):
 
 
 def check_count(key, count, least=1, most=MOST, error=TooMuchError):
-    """Raise `error` unless a list or a span has as many numbers as are allowed."""
+    """Raise `error` unless the length of a list or a span is within its limits."""
     if not least <= count <= most:
         raise error(f"{key} has {count} numbers; allowed: {least} to {most}")
 
 
 def whole_number(flag, text, least=0, otherwise=None):
-    """The whole number that a flag has, below 10^15, or `otherwise` where it has no text.  Raises ValueError."""
+    """The whole number of a flag, below 10^15, or `otherwise` for an empty text.  Raises ValueError."""
     if text is None:
         return otherwise
     if not (text.isdecimal() and text.isascii() and len(text) <= 15) or int(text) < least:
@@ -63,17 +63,17 @@ def whole_number(flag, text, least=0, otherwise=None):
 
 
 class Pace:
-    """Tells what equal pieces of work will take together, once their pace is known, and refuses what is too long."""
+    """Estimates the total time of equal pieces of work from the first ones, and refuses work that is too long."""
 
     FIRST, EVERY = 1.0, 10.0  # s
 
     def __init__(self, what, total, way_out, say=None):
-        """what : of all pieces, with its verb, as "5000 sections take"; way_out : as of `check_seconds`"""
+        """what : all pieces, with a verb, such as "5000 sections take"; way_out : as in `check_seconds`"""
         self.what, self.total, self.way_out, self.say = what, total, way_out, say or _to_stderr
         self.done, self.begin, self.spoken = 0, 0.0, None
 
     def step(self):
-        """One more piece is done.  Raises TooMuchError."""
+        """Count one more finished piece.  Raises TooMuchError."""
         self.done += 1
         now = time.perf_counter()
         if self.done == 1:  # the first piece also loads and compiles
@@ -94,7 +94,7 @@ def _to_stderr(text):
 
 
 def available_memory():
-    """Bytes that can be had without swapping, of the machine or of the container that the process is in"""
+    """Bytes available without swapping, of the machine or of the container of the process"""
     import psutil
 
     return min(float(psutil.virtual_memory().available), _left_to_container())

@@ -17,7 +17,7 @@ from hakobune.mooring.fenders.variability import bands, chosen, extremes
 from .quantities import StudyError, Table, below, positive
 
 LARGEST = 20.0  # m, a height or diameter
-WIDEST = 50.0  # m, of what an inclined face presses
+WIDEST = 50.0  # m, largest width under an inclined face
 MOST = 1000  # fenders side by side
 BATCH = ("manufacture",)  # causes of scatter within a batch: 0.9 to 1.1, Ueda (1981), section 6
 
@@ -67,7 +67,7 @@ class FenderTable(Table):
 
 
 def with_tables_in(raw, folder):
-    """Nested dictionaries of a study whose fenders have their tables in a folder, with the whole path of each"""
+    """Nested dictionaries of a study whose fenders have their tables in a folder, with full paths"""
 
     def placed(one):
         return one | {"table": str(Path(folder) / one["table"])} if isinstance(one.get("table"), str) else one
@@ -94,7 +94,7 @@ def fender_of(table, where="fender"):
 
 
 def upright(table):
-    """The FenderTable of the same fender under a face that is not inclined"""
+    """The FenderTable of the same fender under a face without inclination"""
     return msgspec.structs.replace(table, angle_deg=0.0, width=None)
 
 
@@ -115,7 +115,7 @@ def _inclined(table, where, fender):
 
 
 def pair_of(table, fender, where="fender"):
-    """The fender in series with the dolphin of a FenderTable; the fender where there is none.  Raises ValueError."""
+    """The fender in series with the dolphin of a FenderTable; the fender without one.  Raises ValueError."""
     if table.dolphin is None:
         if table.dolphin_yield is not None or table.dolphin_beyond is not None:
             raise StudyError(
@@ -148,14 +148,14 @@ def softest_and_stiffest(table, fender, causes=None):
 
 
 def on_dolphin(pair):
-    """Whether the support of a fender yields"""
+    """Whether the support of a fender is elastic"""
     return bool(pair.own(pair.limit) < pair.limit)
 
 
 def beyond_batch(what, energy, table, fender):
-    """A line where an energy, J, is more than the softest fender of a batch takes up at its rated strain
+    """A message if an energy, J, exceeds the capacity of the softest fender of a batch at its rated strain
 
-    what : of the energy; fender : `fender_of` the table, without its dolphin
+    what : name of the energy; fender : `fender_of` the table, without its dolphin
     """
     (soft, _), (factor, _) = softest_and_stiffest(table, fender, BATCH)
     if energy > soft.rated_energy * (1 + 1e-9):

@@ -1,4 +1,4 @@
-"""Kernels that numba compiles are announced at a terminal and timed; kernels from disk are no event of numba."""
+"""Kernels compiled by numba are announced at a terminal and timed; kernels loaded from disk are not."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..printing import timing
 
 
 def tell_first_use():
-    """Say it on a terminal before the next kernel is compiled, and time all of them; returns the listener of numba."""
+    """Announce the compilation of the next kernel on a terminal, and time all of them; returns numba's listener."""
     from numba.core import event
 
     class Teller(event.Listener):

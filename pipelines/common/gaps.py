@@ -1,4 +1,4 @@
-"""What a database lacks of what it is for: frequencies not solved, numbers that are not known, in one line each."""
+"""Missing parts of a database: unsolved frequencies and unknown numbers, in one line each."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hakobune.bem.database.schema import QUANTITIES
 class Gaps(NamedTuple):
     """asked : (n,) rad/s, of all frequencies; solved : (n,) whether each is; path : of the file
 
-    unknown : {quantity: {name of a motion, or "": (m,) numbers, among the solved frequencies, that it is not known at}}
+    unknown : {quantity: {name of a motion, or "": (m,) indices, among solved frequencies, without a value}}
     """
 
     path: object
@@ -22,7 +22,7 @@ class Gaps(NamedTuple):
 
     @property
     def spans(self):
-        """[(low, high) rad/s] between solved frequencies, or the ends, with one between that is not solved"""
+        """[(low, high) rad/s] between solved frequencies, or the ends, that contain unsolved ones"""
         out, w, whole = [], self.asked, self.solved
         for i in np.flatnonzero(~whole):
             before, after = np.flatnonzero(whole[:i]), np.flatnonzero(whole[i:])
@@ -36,7 +36,7 @@ class Gaps(NamedTuple):
         yield from self.not_known()
 
     def not_solved(self):
-        """The line on frequencies that are not solved, where there are some"""
+        """The message on unsolved frequencies, if there are any"""
         w, count = self.asked[~self.solved], int(np.sum(~self.solved))
         if count:
             where = f"{w[0]:.4g} rad/s" if count == 1 else f"{w[0]:.4g} to {w[-1]:.4g} rad/s"
@@ -46,7 +46,7 @@ class Gaps(NamedTuple):
             )
 
     def not_known(self):
-        """Lines on quantities that have no number at solved frequencies"""
+        """Messages on quantities without values at solved frequencies"""
         solved = self.asked[self.solved]
         for name, motions in self.unknown.items():
             places = np.unique(np.concatenate(list(motions.values())))

@@ -1,4 +1,4 @@
-"""Ctrl-C between frequencies, and the message of a command that it ended."""
+"""Ctrl-C between frequencies, and the message of an interrupted command."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-AGAIN, PATIENCE = 0.01, 1.0  # s, between looks at what is at work, and altogether
+AGAIN, PATIENCE = 0.01, 1.0  # s, between checks of the running code, and in total
 STORING = (
     "box",
     "buoy",
@@ -22,7 +22,7 @@ STORING = (
 
 
 def interrupted(command, arguments):
-    """What to say of a command that Ctrl-C ended at once"""
+    """Message about a command that Ctrl-C ended at once"""
     if command in STORING and "--mesh-only" not in arguments:
         return "interrupted; solved frequencies are stored, and the same command continues"
     if command == "sweep":
@@ -33,11 +33,11 @@ def interrupted(command, arguments):
 
 
 class Interrupt:
-    """Signal handler: KeyboardInterrupt where it can neither be lost nor leave anything half done.
+    """Signal handler: KeyboardInterrupt at a point where it cannot be lost and interrupts nothing halfway.
 
-    Raised while a module is being loaded it would leave that half loaded; raised in a callback (of a weak reference,
-    of the compiler) it would be printed and lost.  So it waits until code of this program is at work, but in other
-    code than loading no longer than PATIENCE.
+    An interrupt during the import of a module would leave it half loaded; in a callback (of a weak reference, of the
+    compiler) it would be printed and lost.  The handler therefore waits until code of this program runs, but in other
+    code than imports no longer than PATIENCE.
     """
 
     def __init__(self):
@@ -67,21 +67,20 @@ def _is_loading(frame):
 
 
 class Stop:
-    """Whether someone has asked to stop."""
+    """Whether a stop was requested."""
 
     asked = False
 
 
 @contextmanager
 def ctrl_c(say=None):
-    """A `Stop` that the first Ctrl-C sets; the second one acts as ever.
+    """A `Stop` that the first Ctrl-C sets; the second one interrupts at once.
 
-    say : called with one line at the first; None where that is heeded at once, and acts as the second if it is not,
-    as while kernels are compiled
+    say : called with one line at the first Ctrl-C; None if it should interrupt at once, as the second does during
+    compilation of kernels
 
-    An exception raised while a compiled kernel runs comes out of it as an error of the kernel, and would be
-    taken for a frequency that fails.  Outside the main thread, and where Ctrl-C is left to another process, signals are
-    left as they are.
+    An exception during a compiled kernel appears as an error of the kernel, and would be mistaken for a failed
+    frequency.  Outside the main thread, and where another process handles Ctrl-C, signals are unchanged.
     """
     stop = Stop()
 

@@ -1,6 +1,6 @@
-"""Lines as tables of a study, the same words wherever one is described: types, segments, and the bodies between them.
+"""Lines as tables of a study, with the same keys in all studies: types, segments, and the bodies between them.
 
-Segments, and the bodies between them, count from the end the line begins at: its anchor, or the point it comes `from`.
+Segments, and the bodies between them, count from the first end of the line: its anchor, or the point named in `from`.
 """
 
 from __future__ import annotations
@@ -145,7 +145,7 @@ def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineT
 
 
 def _strength_left(where, table):
-    """Share of the breaking load that the termination and corrosion of a MaterialTable leave.  Raises StudyError."""
+    """Share of the breaking load after the termination and corrosion of a MaterialTable.  Raises StudyError."""
     from hakobune.mooring.criteria.strength import TERMINATIONS, kind_and_size, worn_breaking_load
     from hakobune.mooring.lines.catalogue import line_type as of_catalogue
 
@@ -186,7 +186,7 @@ def of_types(where, name, types):
 def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.80665, level=-math.inf):
     """The UniformLine or CompositeLine of a LineTable between two points
 
-    types : {name: TypeTable}; level : m, z of its anchor, where a bed of its own begins
+    types : {name: TypeTable}; level : m, z of its anchor, where its own bed begins
     """
     whole = table.type, table.length
     if whole != (None, None) if table.segments else None in whole:
@@ -231,7 +231,7 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
 
 
 def hawser_of(where, name, kind_name, kind, length, ends=("", "")):
-    """The Hawser of a TypeTable that is straight; length : m without tension"""
+    """The Hawser of a straight TypeTable; length : m without tension"""
     place = f"types.{kind_name}"
     heavy = [key for key in MaterialTable.__struct_fields__ if not key.startswith("breaking")
              and getattr(kind, key) is not None]  # fmt: skip
@@ -244,7 +244,7 @@ def hawser_of(where, name, kind_name, kind, length, ends=("", "")):
 
 
 def hawser_at_tension(where, name, kind_name, kind, distance, tension):
-    """The Hawser that pulls with a tension, N, between points at a distance, m"""
+    """The Hawser with a given tension, N, between points at a distance, m"""
     place = f"types.{kind_name}"
     if kind.spring_kN_per_m is None:  # table of elongations: the strain follows from a rope of unit length
         length = distance / (1 + elongation_at(_pull(place, name, kind, 1.0)[0], tension))
@@ -263,7 +263,7 @@ def _length(place, table):
 
 
 def check_types(types, density=1025.0, gravity=9.80665):
-    """Raise StudyError for a type that cannot be, also where no line is of it; types : {name: TypeTable}"""
+    """Raise StudyError for an impossible type, also if no line uses it; types : {name: TypeTable}"""
     for name, kind in types.items():
         if kind.straight:
             _pull(f"types.{name}", name, kind, 1.0)
@@ -272,7 +272,7 @@ def check_types(types, density=1025.0, gravity=9.80665):
 
 
 def _pull(place, name, kind, length):
-    """Fender of the pull, N over m, and N where its table ends"""
+    """Fender of the pull, N over m, and N at the end of its table"""
     given = [key for key in ("tension_tonf", "tension_kN") if getattr(kind, key) is not None]
     if kind.spring_kN_per_m is not None:
         if kind.elongation_percent is not None or given:

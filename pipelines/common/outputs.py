@@ -1,4 +1,4 @@
-"""Where a result may be written: in a folder that is there, over a result of the same kind, over nothing else."""
+"""Places where a result may be written: in an existing folder, over a result of the same kind or over nothing."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ DATABASE = (".h5", ".hdf5")
 
 
 def check_ending(path, endings):
-    """Raise ValueError unless the name of a result ends in a way that says what is in it."""
+    """Raise ValueError unless the ending of a result's name gives its format."""
     path = Path(path)
     if path.suffix.lower() not in endings:
         has = f"the suffix {path.suffix!r}" if path.suffix else "no suffix"
@@ -21,8 +21,8 @@ def check_ending(path, endings):
 def check_output(path, kind, is_one, endings, inputs=()):
     """Raise ValueError unless a file can be made under this name and no other is lost; before any work for it.
 
-    kind : what may be replaced, "the result of a study"; is_one : tells of a path whether such a file is there
-    endings : of the name, that are allowed; inputs : paths of files that are read; path : None where none is asked for
+    kind : replaceable content, "the result of a study"; is_one : whether a path has such a file
+    endings : allowed endings of the name; inputs : paths of files that are read; path : None for no output
     """
     if path is None:
         return
@@ -37,7 +37,7 @@ def check_output(path, kind, is_one, endings, inputs=()):
 
 
 def check_folder(path):
-    """Raise ValueError unless files can be made in this folder, or in one that is made under this name."""
+    """Raise ValueError unless files can be made in this folder, or in a new one under this name."""
     path = Path(path)
     there = next((place for place in (path, *path.parents) if place.exists()), path)
     if not there.is_dir():
@@ -47,7 +47,7 @@ def check_folder(path):
 
 
 def opening(path):
-    """First line of a text file and its first line without # before it, the names of columns; "" where it is no text"""
+    """First line of a text file and its first line without # before it, the column names; "" for other files"""
     try:
         with Path(path).open(encoding="utf-8") as file:
             first = line = file.readline()

@@ -1,4 +1,4 @@
-"""Whether a picture can be made: the kind of file, its folder, a display for a window."""
+"""Whether a picture can be written: format, folder, a display for a window."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from hakobune.meshing.whole_files import write_whole
 
 PLOTS = (".png", ".svg", ".pdf")
 FIRST_OF_OTHERS = "\u2e80"  # first of the Chinese, Japanese and Korean letters, which matplotlib's own font lacks
-BOXES = "Last Resort"  # a font of matplotlib that has a box for every letter
+BOXES = "Last Resort"  # a font of matplotlib with a box for every letter
 VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
 def check_picture(path, kinds):
-    """Raise ValueError if no picture can be written there, before any work is done for it; None asks for none."""
+    """Raise ValueError if no picture can be written there, before the computation; None for no picture."""
     if path is None:
         return
     from hakobune.bem.database.file import check_place
@@ -31,8 +31,8 @@ def check_picture(path, kinds):
 def save(figure, path, dpi):
     """Write a matplotlib Figure in the format of its suffix.  Raises `meshing.whole_files.NotWritten`.
 
-    Letters that matplotlib's own font lacks, as those of Japanese names, come from an installed font that has them;
-    where there is none, a warning says so.
+    Letters missing in matplotlib's own font, such as those of Japanese names, come from an installed font that has
+    them; without one, a warning is given.
     """
     _give_letters(figure)
     drawn, kind = io.BytesIO(), Path(path).suffix[1:].lower() or "png"
@@ -42,7 +42,7 @@ def save(figure, path, dpi):
 
 
 def draw_streams(axes, towards):
-    """Arrows of {name: rad that it travels to}, one below the other left of what is drawn on matplotlib axes"""
+    """Arrows of {name: rad that it travels to}, one below the other left of the matplotlib axes"""
     import numpy as np
 
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
@@ -66,7 +66,7 @@ def font_file(text):
 
 
 def _give_letters(figure):
-    """Put a font behind that of every text with letters which that lacks"""
+    """Add a fallback font to every text with letters that its font lacks"""
     texts = [text for text in _texts(figure) if not text.get_text().isascii()]
     strange = {letter for text in texts for letter in text.get_text() if letter > FIRST_OF_OTHERS}
     if not strange:
@@ -85,7 +85,7 @@ def _give_letters(figure):
 
 
 def _texts(artist):
-    """Every matplotlib Text that is seen of a Figure or a part of it"""
+    """Every visible matplotlib Text of a Figure or a part of it"""
     from matplotlib.text import Text
 
     if isinstance(artist, Text):
@@ -95,7 +95,7 @@ def _texts(artist):
 
 
 def _parts(artist):
-    """Parts of an artist that may hold letters: axes make their ticks for who asks, which those of numbers need not"""
+    """Parts of an artist that may contain letters: axes create their ticks on request, and numbers need none"""
     from matplotlib.axis import Axis
     from matplotlib.ticker import LogFormatter, NullFormatter, ScalarFormatter
 
@@ -119,7 +119,7 @@ def font_with(letters):
 
 
 def data_address(draw):
-    """A picture (PNG) as the address of an `img` that needs no file; draw : writes it to a path"""
+    """A picture (PNG) as a data address for an `img` without a file; draw : writes it to a path"""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "picture.png"
         draw(path)
@@ -127,7 +127,7 @@ def data_address(draw):
 
 
 def check_display():
-    """Raise ValueError where a window would never appear, which VTK passes over."""
+    """Raise ValueError where a window would never appear, which VTK does not report."""
     drawn_by_x = sys.platform.startswith("linux")
     if drawn_by_x and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         raise ValueError(

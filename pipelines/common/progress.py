@@ -1,4 +1,4 @@
-"""Lines that tell how far a run is."""
+"""Lines that report the progress of a run."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ import math
 import time
 from itertools import takewhile
 
-TRUST = 0.1  # the part of a preparation over which its pace comes to be taken from what is done, not from the estimate
-ONCE = "reduction", "rankine"  # parts of a frequency's time that only the first one takes
+TRUST = 0.1  # share of a preparation over which its pace changes from the estimate to the measured one
+ONCE = "reduction", "rankine"  # parts of a frequency's time that only the first frequency needs
 
 
 class Progress:
-    """Prints one line per frequency, with the time left estimated from the ones before."""
+    """Prints one line per frequency, with the remaining time estimated from the previous ones."""
 
     def __init__(self, console, total):
         self.console, self.total, self.done, self.started = console, total, 0, time.perf_counter()
-        self.once = 0.0  # s, of what is done for all frequencies, by every process at the same time
+        self.once = 0.0  # s, of work done once for all frequencies, by every process at the same time
 
     def step(self, where, result, reason):
         """where : ω in rad/s, or the name of a limit; result : of the solver; reason : of a failure, or empty"""
@@ -31,7 +31,7 @@ class Progress:
 
 
 class Preparing:
-    """Prints now and then how far the preparation of a large body is, and what is left of it."""
+    """Prints at intervals the progress of the preparation of a large body, and the remaining time."""
 
     EVERY = 10.0  # seconds
 
@@ -59,13 +59,13 @@ class Preparing:
 
     @property
     def share(self):
-        """What of the estimated time is done, 0 to 1"""
+        """Finished share of the estimated time, 0 to 1"""
         done = sum(min(self.counts[stage], count) * seconds for stage, (count, seconds) in self.stages.items())
         return done / self.seconds
 
 
 def times(result):
-    """{step: s} of what a solver returned, empty where it failed"""
+    """{step: s} of a solver's result, empty after a failure"""
     return result.get("wall_time", {}) if isinstance(result, dict) else {}
 
 
@@ -74,7 +74,7 @@ def _seconds(result):
 
 
 def checks_text(result):
-    """`reciprocity 2e-04  energy 1e-03` of a result's checks that apply."""
+    """`reciprocity 2e-04  energy 1e-03` of a result's applicable checks."""
     checks = result.get("checks", {}) if isinstance(result, dict) else {}
     return "  ".join(f"{name} {value:.0e}" for name, value in checks.items() if math.isfinite(value))
 

@@ -1,8 +1,8 @@
 """Quantities of a study file in SI, and the one-line message for an impossible value.
 
-A quantity carries its unit in the key where it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and waves
-have either `direction_deg`, travelled to, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from ahead:
-direction = incidence + 180°.
+A quantity outside SI has its unit in the key: `speed_knots`, `pretension_tonf`.  Wind, current and waves have either
+`direction_deg`, travelled to, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from ahead: direction =
+incidence + 180°.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ ROUGHEST = 5.0  # coefficient of friction
 
 
 class StudyError(ValueError):
-    """A study cannot be used; one line names the key, its value and what is allowed."""
+    """A study cannot be used; the message names the key, its value and the allowed values."""
 
 
 class Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
@@ -62,7 +62,7 @@ def water_depth(key, value):
 
 
 def one_of(where, table, units, required=False):
-    """The value of the one key of `units` {key: factor} that is given, in SI; None if none is and none has to be."""
+    """The value of the single given key of `units` {key: factor}, in SI; None if none is given and none is required."""
     given = [key for key in units if getattr(table, key) is not None]
     if len(given) > 1 or (required and not given):
         state = " and ".join(given) + " are given" if given else "nothing is given"
@@ -82,7 +82,7 @@ def speed(where, table):
 
 
 def waves_on(current):
-    """How the current of a table acts on waves.  Raises StudyError."""
+    """Effect of a table's current on waves.  Raises StudyError."""
     from hakobune.mooring.on_current.waves import SPECTRA
 
     if current.waves not in SPECTRA:

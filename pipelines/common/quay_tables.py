@@ -9,9 +9,9 @@ on = "D1"                                                 breaking_load_kN = 120
 friction = 0.2                                            break_strain = 0.1
 shear = 2000.0                                            tail_length = 8.0 …
 
-A fender is met by the flat side of the hull that it stands before; x, y, z in m with the body at rest, forces in kN.
-Of several bodies `body` is the one that leans or has the fairlead; `to` has the fender or the bollard, in whose
-coordinates its place is given; without `to` it stands still, in coordinates of the scene.
+A fender touches the flat side of the hull in front of it; x, y, z in m with the body at rest, forces in kN. With
+several bodies `body` is the one that touches it, or has the fairlead; `to` is the one with the fender or the bollard,
+whose place is in its coordinates; without `to` the fender or bollard is fixed, in coordinates of the scene.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ def berth_of_tables(fenders, dolphins, ropes, hull, center):
 def berth_between(fenders, dolphins, ropes, hulls, bodies):
     """`mooring.motion.contacts.Berth` of several bodies.  Raises ValueError.
 
-    hulls : `mooring.studies.conditions.Afloat` of those that move; bodies : `bem.modes.Body` of all
+    hulls : `mooring.studies.conditions.Afloat` of the moving bodies; bodies : `bem.modes.Body` of all
     """
     from hakobune.mooring.motion.contacts import berth_of
 
@@ -172,7 +172,7 @@ def _inside(point, box):
 
 
 def _dolphins(fenders, dolphins):
-    """{name: DolphinTable}.  Raises StudyError where dolphins and fenders do not belong together."""
+    """{name: DolphinTable}.  Raises StudyError where dolphins and fenders do not match."""
     known = {one.name: one for one in dolphins}
     if len(known) < len(dolphins):
         raise StudyError("two [[dolphin]] have the same name; give each a name of its own")

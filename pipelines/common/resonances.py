@@ -1,4 +1,4 @@
-"""Resonances of a body in words: period, mode, peak, damping ratio, and what the peak hangs on."""
+"""Resonances of a body in words: period, mode, peak, damping ratio, and the causes of its uncertainty."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import numpy as np
 
 from ..printing.number import significant
 
-VISCOUS = 0.1  # ratio of wave damping; viscous damping, 1 to 3 % of critical, takes up to a third off lower ones
-UNSURE = 0.05  # estimated error of a peak that is named
-SEEN = 0.8  # fraction of a peak that stored frequencies have to show
+VISCOUS = 0.1  # ratio of wave damping; below it viscous damping, 1 to 3 % of critical, lowers a peak by up to a third
+UNSURE = 0.05  # estimated error of a peak above which it is reported
+SEEN = 0.8  # fraction of a peak that stored frequencies should show
 
 
 def resonance_lines(found, omega=None, rao=None):
@@ -20,7 +20,7 @@ def resonance_lines(found, omega=None, rao=None):
 
 
 def underdamped(one):
-    """Whether viscous damping, that would lower a peak of heave, roll or pitch by a third and more, is not in it"""
+    """Whether viscous damping, which would lower a peak of heave, roll or pitch by a third or more, is missing"""
     return not one.viscous and one.mode % 6 in (2, 3, 4) and one.damping < VISCOUS
 
 

@@ -14,7 +14,7 @@ from hakobune.meshing.text_files import read_text
 from ..keys.words import OTHER_NAMES
 
 Typed = typing.TypeVar("Typed")
-ALIKE = 0.75  # similarity of letters from which a key counts as misspelt
+ALIKE = 0.75  # similarity of letters above which a key counts as misspelt
 LARGEST = 8  # MB, which take some seconds
 WORDS = {
     "float": "a number",
@@ -44,7 +44,7 @@ def read_toml(path, what, error):
 def typed(raw: dict[str, typing.Any], kind: type[Typed], error: type[ValueError]) -> Typed:
     """`raw` as a value of the msgspec.Struct `kind`.
 
-    raw : nested dictionaries as TOML gives them; error : class raised with key, value and what is allowed
+    raw : nested dictionaries read from TOML; error : class raised with key, value and allowed values
     """
     try:
         return msgspec.convert(raw, kind)
@@ -53,9 +53,9 @@ def typed(raw: dict[str, typing.Any], kind: type[Typed], error: type[ValueError]
 
 
 def differing(table):
-    """{key: value} of a msgspec.Struct, of all in it that is not its default, tables in it likewise.
+    """{key: value} of a msgspec.Struct for all values that differ from their defaults, also in nested tables.
 
-    A key that a later version adds is in none of them until somebody gives it.
+    A key added by a later version therefore appears only in files that give it.
     """
     return {
         field.encode_name: _plain(value)
@@ -74,7 +74,7 @@ def _plain(value):
 
 
 def of_another(raw, kind):
-    """Which commands read a file that is of another kind, whole and without a fault; "" where it is none"""
+    """Commands that read a file of another kind without a fault; "" if there are none"""
     known = {field.encode_name for field in msgspec.structs.fields(kind)}
     strange = [key for key in raw if key not in known]
     if not strange:
@@ -103,7 +103,7 @@ def _line(message, raw, kind):
 
 
 def _meant(key, keys):
-    """ ", {key} may be meant" of the key that another name or a misprint may mean, "" without"""
+    """Text ", {key} may be meant" for a key with another name or a misprint; "" if none is similar"""
     other = [name for name, others in OTHER_NAMES.items() if name in keys and key.lower() in others.split()]
     found = other or difflib.get_close_matches(key.lower(), keys, 1, ALIKE)
     return f", {found[0]} may be meant" if found else ""

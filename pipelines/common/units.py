@@ -1,4 +1,4 @@
-"""Units that studies are written in, in SI."""
+"""Units of studies, in SI."""
 
 KNOT = 1852 / 3600  # m/s
 TONF = 9806.65  # N

@@ -39,7 +39,7 @@ def damping(
 
 
 def _draw(result, path):
-    """The record and what was fitted to it"""
+    """The record and the curve fitted to it"""
     from matplotlib.figure import Figure
 
     from ..common.picture import save

@@ -105,7 +105,7 @@ def _decay_by_units(path, names, values):
 
 
 def _check_columns(columns, names):
-    """Raises ValueError for columns that are no record of the motion and force (moment) of `names`"""
+    """Raises ValueError for columns that are no record of the motion and force (moment) in `names`"""
     strange = [name for name in columns if name not in ("time_s", *names)]
     if strange or names[0] not in columns:
         raise ValueError(
@@ -115,7 +115,7 @@ def _check_columns(columns, names):
 
 
 def _to_paste(found, motion):
-    """A line with the damping as a study and a scene take it, () where it is not known; its motion is to be named"""
+    """A line with the damping in the form of a study and a scene, () if unknown; the user names the motion"""
     if "B1" not in found:
         return ()
     B1, B2 = (float(found[name].values) for name in ("B1", "B2"))
@@ -191,7 +191,7 @@ def _decay(time, motion, mass, unit):
 
 
 def _rest(off, what, kind):
-    """What fails of a fit that leaves too much"""
+    """Failure of a fit with a residual that is too large"""
     if off > LEFT:
         yield fails(
             f"{100 * off:.3g} % of the {what} is not explained, limit {100 * LEFT:g} %; this is not a record of "

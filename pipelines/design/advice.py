@@ -1,8 +1,8 @@
-"""The smallest change that passes, for each way of changing a mooring, found by running the governing cases.
+"""The smallest sufficient change for each way of changing a mooring, found by running the governing cases.
 
-Each change is a new layout: a heavier line hangs and pulls in another way.  The changes of one way are tried first in
-doubling steps, then between the last that failed and the first that passed.  So the change just below the advised one
-was run, and it failed.
+Each change is a new layout: a heavier line has another shape and another pull.  The changes of one way are tried first
+in doubling steps, then between the last that failed and the first that passed.  The change just below the advised one
+was therefore run, and failed.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ class Tried(NamedTuple):
 
 
 class Advice(NamedTuple):
-    """tried : names of the ways that were run; found : Tried of each of them that helps; beyond : what no way changes
+    """tried : names of the ways that were run; found : Tried of each helpful way; beyond : failures that no way changes
 
-    Of a way the Tried is the smallest change that passes, or else the best.
+    The Tried of a way is its smallest sufficient change, or else the best.
     """
 
     tried: tuple
@@ -50,7 +50,7 @@ class Advice(NamedTuple):
 
 
 def advise(read, judged, cases, others, paths, folder, step):
-    """The Advice on criteria that are not met; empty where all are met.
+    """The Advice on criteria that are not met; empty if all are met.
 
     judged : of all criteria; cases : {name: LoadCase} of all that ran; others : quantities of the project
     paths : {level: database}; step : called with the number of changes tried, their largest number and the change
@@ -64,7 +64,7 @@ def advise(read, judged, cases, others, paths, folder, step):
         return Advice((), (), NOTHING)
     governing = [one for one in changed if one.governing is not None and one.governing.case in cases]
     keys = {key_of(cases[one.governing.case]) for one in governing}
-    if read.project.fatigue is not None:  # the damage is a sum over all cases that have a share of the time
+    if read.project.fatigue is not None:  # the damage is a sum over all cases with a share of the time
         tired = {state.name for state in read.project.states if state.share}
         keys |= {key_of(case) for case in cases.values() if case.state in tired and not case.lost}
     criteria, now = [one.criterion for one in governing], max(one.governing.utilisation for one in governing)
@@ -88,8 +88,8 @@ def advise(read, judged, cases, others, paths, folder, step):
 
 
 def after_lines_move(advice, ran):
-    """An Advice that begins with lines in their static shape, where Ran of a design have them, whose snaps ask for
-    larger sizes and more pretension in vain
+    """An Advice that begins with static lines, if Ran of a design have them, since larger sizes and more pretension do
+    not prevent their snaps
     """
     left = [
         line for one in ran if one.numbers is not None for line in one.numbers.warnings if line.startswith(OF_LINES)
@@ -101,7 +101,7 @@ def after_lines_move(advice, ran):
 
 
 def _beyond(judged, cases, fixed):
-    """What is not met and is not a matter of lines, in a sentence, "" without
+    """Failed criteria that do not depend on lines, in a sentence, "" without any
 
     fixed : quantities that the project gives
     """
@@ -118,15 +118,15 @@ def _beyond(judged, cases, fixed):
 
 
 def _shaken(judged, cases):
-    """Name of an earthquake's load case that a criterion is not met in, "" without one"""
+    """Name of an earthquake load case that fails a criterion, "" without one"""
     apart = {case.name for case in cases if case.apart}
     return next((use.case for one in judged for use in one.uses if use.case in apart and use.utilisation > 1), "")
 
 
 def _smallest(run, count, now):
-    """The Tried of the smallest change that passes, else the best, None where none is better than `now`
+    """The Tried of the smallest sufficient change, else the best, None if none is better than `now`
 
-    run : number of the change → Tried, None where it cannot be laid
+    run : number of the change → Tried, None for an impossible layout
     """
     failed, i, tried = -1, 0, []
     while i < count:
@@ -152,14 +152,14 @@ def _tried(read, way, change, criteria, keys, others, paths, folder):
     changed = msgspec.structs.replace(read, study=change.study)
     try:
         worst = _governing(changed, criteria, keys, others, paths, folder)
-    except ValueError:  # it does not reach, or has no equilibrium: no way out
+    except ValueError:  # beyond the line's reach, or without equilibrium: no remedy
         return None
     used = worst.governing.utilisation
     return Tried(way, change.words, used, used <= 1, worst.criterion)
 
 
 def _governing(read, criteria, keys, others, paths, folder):
-    """The Judged with the largest utilisation, of the cases of `keys`; the line that is lost is the worst of its own"""
+    """The Judged with the largest utilisation, over the cases of `keys`; the lost line is the worst of each case"""
     folder.mkdir(parents=True, exist_ok=True)
     base, factors = base_of(read, paths), factors_of(read)
     asked, names, ran = {key[:-1] for key in keys}, read.kind.lost(base), []

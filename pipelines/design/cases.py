@@ -1,4 +1,4 @@
-"""Load cases of a project, each a study of its own that the door of its kind runs too (`kinds`)."""
+"""Load cases of a project, each a study of its own that the command of its kind can also run (`kinds`)."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ OFF = ("wind_off_deg", "current_off_deg")
 
 
 class LoadCase(NamedTuple):
-    """study : raw tables of a study; lost : name of the line that is gone, "" for none; factor : of motions
+    """study : raw tables of a study; lost : name of the lost line, "" for none; factor : on motions
 
-    apart : whether it is of another kind of study than the project's, an earthquake
+    apart : whether it is another kind of study than the project's: an earthquake
     """
 
     name: str
@@ -45,7 +45,7 @@ class LoadCase(NamedTuple):
 def intact_cases(read, base, factors):
     """LoadCases of all states, directions and levels with every line in place.
 
-    base : tables of the study as laid, of its kind; factors : of the largest motions that the criteria ask for
+    base : tables of the study with its layout, of its kind; factors : on the largest motions, as required by criteria
     """
     for state, raw in zip(read.project.states, read.raw["states"], strict=True):
         asked = product(state.levels, state.incidence_deg, state.wind_off_deg, state.current_off_deg, factors)
@@ -90,14 +90,14 @@ def _name(state, level, incidence, wind_off, current_off, lost, factor):
 
 
 def file_name(case):
-    """A name for the files of a case, without what file systems do not take"""
+    """File name of a case, without characters that file systems refuse"""
     return re.sub(r"[^A-Za-z0-9.+-]+", "_", case.name).strip("_")
 
 
 def check_cases(read, scenes):
-    """Raises StudyError for a load case that could not be run; scenes : {level: Scene}, {} without a scene
+    """Raises StudyError for an invalid load case; scenes : {level: Scene}, {} without a scene
 
-    One case is checked for all cases that differ in the direction of wind and current alone.  Whether lines reach their
+    One case is checked for all cases that differ only in the direction of wind and current.  Whether lines reach their
     anchors at another water level is a result of the case, not an error.
     """
     bodies = _bodies(read, scenes)

@@ -1,4 +1,4 @@
-"""What a simulation of a mooring has to include, according to the rules compared in the SR179 report (1982), chapter 4.
+"""Requirements on a simulation of a mooring, according to the rules compared in the SR179 report (1982), chapter 4.
 
 The list follows the report's comparison of rules: a hull in three dimensions, lines and fenders with their complete
 characteristics, directional spectra, gusts, a steady current, slow drift in finite depth, earthquakes.

@@ -1,8 +1,8 @@
 """Verdicts of every rule set in the tables on the same load cases, side by side (as Table 4.3 of SR179, 1982).
 
-A rule set has several subjects, such as chain or hawser, or one of several kinds of anchor.  Each subject has a row of
-its own where the study has such a part.  Limits on motions are those of a ship with its cargo; they appear only where
-the project has chosen them.
+A rule set has several subjects, such as chain or hawser, or one of several kinds of anchor.  Each subject has its own
+row if the study has such a part.  Limits on motions apply to a ship with its cargo; they appear only if the project has
+chosen them.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class RuleSet(NamedTuple):
 
 
 def side_by_side(read, cases):
-    """(RuleSet of each rule set and subject of which a criterion can be judged by Cases, the largest use first)"""
+    """(RuleSet of each rule set and subject with a criterion that Cases can judge, the largest use first)"""
     own, found, motions = set(read.criteria), [], {dof.lower() for dof in DOFS}
     known = dict.fromkeys((*read_rules(), *(one for one in read.criteria if one.rule != OWN)))  # and own files
     bounded = [one for one in known if one.quantity not in motions or one in own]
@@ -54,7 +54,7 @@ def side_by_side(read, cases):
 
 
 def _things(study):
-    """{word of a subject: whether the tables of a study have it}; a line of no catalogue may be of anything"""
+    """{word of a subject: whether the tables of a study have it}; a line outside the catalogue may be of any kind"""
     fibre = tuple(FIBRE)
     made = [table.get("catalogue", "").lower() for table in study.get("types", {}).values()]
     made += ["rope" for _ in study.get("rope", ())]

@@ -6,8 +6,8 @@ Only intact lines count.  The `share` of the time of a state is divided equally 
 criterion is factor · D ≤ 1.  The record is that of the fairlead, with the reference strength of the curve for the
 section of each type.
 
-No interval of 90 % is computed where fewer cycles than `mooring.motion.extremes.FEWEST` carry the damage, as in a run
-with few slow oscillations, or for a regular wave, whose cycles are not those of a sea.
+No 90 % interval is computed if fewer cycles than `mooring.motion.extremes.FEWEST` cause the damage, as in a run with
+few slow oscillations, or for a regular wave, whose cycles are not those of a sea.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ QUANTITY = "factor x fatigue damage over the service life"
 
 
 def fatigue(read, ran):
-    """Judged of the line damage of a Read project from its Ran cases; None where the project has no [fatigue]"""
+    """Judged line damage of a Read project from its Ran cases; None without [fatigue]"""
     if read.project.fatigue is None:
         return None
     own = read.project.fatigue
@@ -76,8 +76,7 @@ def _is_regular(read, state):
 
 
 def _damage(read, one, curve):
-    """(2, n) of the lines over the service life, had it this weather alone: the damage, and the sum of the squares of
-    that of each cycle"""
+    """(2, n) damage of the lines over the service life in this weather alone, and the sum of its squares over cycles"""
     life = read.project.project.service_life * YEAR
     found = [
         max(_rate(cycles, read, name, curve, load) for name in types)
@@ -87,7 +86,7 @@ def _damage(read, one, curve):
 
 
 def _rate(cycles, read, name, curve, breaking_load):
-    """Damage a second of (duration s, Cycles), and the sum of the squares of that of each cycle"""
+    """Damage per second of (duration s, Cycles), and the sum of its squares over cycles"""
     duration, found = cycles
     diameter = kind_and_size(read.study["types"][name]["catalogue"])[1]
     damage, squares = miner(found, curve, diameter, breaking_load)

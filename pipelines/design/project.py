@@ -1,4 +1,4 @@
-"""A design project as typed TOML: a study, the states of weather it has to stand, and the rules that judge it.
+"""A design project as typed TOML: a study, its states of weather, and the rules that judge it.
 
 ```toml
 [project]
@@ -36,7 +36,7 @@ at_most = 2.0
 source = "the owner"
 ```
 
-Paths are from the folder of the project.  Every fault is one line that names key, value and what is allowed.
+Paths are relative to the folder of the project.  Every fault is one line that names key, value and allowed values.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ class Read(msgspec.Struct, frozen=True):
 
 
 def read_project(path):
-    """The Read of a TOML file.  Raises StudyError, or the one line of the study, the rules or a table in it."""
+    """The Read of a TOML file.  Raises StudyError, or the one-line error of the study, the rules or a table in it."""
     path = Path(path)
     raw, text = read_toml(path, "a project", StudyError)
     raw = _with_files(_at_site(raw, path.parent), path)
@@ -164,8 +164,8 @@ def _at_site(raw, folder):
 
 
 def _with_files(raw, path):
-    """Tables of a project with the numbers of the files of coefficients that its states name, and the whole paths of
-    those that its simulation names, whose studies lie elsewhere.  Raises StudyError.
+    """Tables of a project with the numbers of the coefficient files that its states name, and the full paths of those
+    that its simulation names, whose studies are in another folder.  Raises StudyError.
     """
     states, simulation, made = raw.get("states"), raw.get("simulation"), dict(raw)
     if isinstance(states, list):
@@ -185,7 +185,7 @@ def _of_state(i, state, path):
 
 
 def _placed(table, folder):
-    """A raw table in which each "file" has its whole path"""
+    """A raw table in which each "file" is a full path"""
     if isinstance(table, list):
         return [_placed(one, folder) for one in table]
     if not isinstance(table, dict):
@@ -208,7 +208,7 @@ def worn_diameters(project, study):
 
 
 def _check_numbers(project):
-    """Raises StudyError for numbers that no project could have, whatever its study."""
+    """Raises StudyError for numbers that are invalid for any study."""
     own = project.project
     if own.service_life is not None:
         positive("project.service_life", own.service_life)
@@ -224,7 +224,7 @@ def _check_numbers(project):
 
 
 def _check_worn(worn):
-    """Raises StudyError for wear that leaves too little of a type; worn : of `worn_diameters`"""
+    """Raises StudyError for wear that leaves too little of a type; worn : from `worn_diameters`"""
     for name, (diameter, loss) in worn.items():
         try:
             worn_breaking_load(1.0, diameter, loss, 1.0)
@@ -269,7 +269,7 @@ def _check_states(project, depth):
 
 
 def _check_waves(where, waves, depth):
-    """Raises StudyError for waves that no case could take"""
+    """Raises StudyError for waves that are invalid in every case"""
     if waves.file is None:
         spectrum_of(where, waves, depth)
     for i, one in enumerate(waves.swell):
@@ -277,7 +277,7 @@ def _check_waves(where, waves, depth):
 
 
 def _check_streams(where, state):
-    """Raises StudyError for wind or current that no case could take"""
+    """Raises StudyError for wind or current that is invalid in every case"""
     for key, made in (("wind", wind_table), ("current", partial(coefficients_of, "current"))):
         if (table := getattr(state, key)) is not None:
             speed(f"{where}.{key}", table)
@@ -338,7 +338,7 @@ def _check_fatigue(project, study):
 
 
 def _check_limits(project, found):
-    """Raises StudyError where no load case and no [[values]] has the quantity of a limit; found : by the load cases"""
+    """Raises StudyError if no load case and no [[values]] gives the quantity of a limit; found : by the load cases"""
     known = (*OF_TENSIONS, *found, *KNOWN_OF_PROJECT)
     for i, one in enumerate(project.limits):
         if one.quantity not in (*known, *(value.quantity for value in project.values)):
@@ -348,7 +348,7 @@ def _check_limits(project, found):
 
 
 def _check_own_rules(project, found, folder):
-    """Raises StudyError where a file of one's own has a quantity that no load case, table or value gives: a misprint"""
+    """Raises StudyError if a user's rule file has a quantity that no load case, table or value gives: a misprint"""
     known = {*OF_TENSIONS, *found, *KNOWN_OF_PROJECT, *(value.quantity for value in project.values)}
     known |= {criterion.quantity for criterion in read_rules()}
     for i, table in enumerate(project.rules):
@@ -361,7 +361,7 @@ def _check_own_rules(project, found, folder):
 
 
 def _check_needs(needs, criteria):
-    """Raises StudyError where no criterion is about a Need of the study: it would pass unjudged"""
+    """Raises StudyError if no criterion limits a Need of the study, which would pass unchecked"""
     for need in needs:
         if not need.judged(criteria):
             subject = ' with subject = "hawser"' if need.hawser else ""
@@ -372,7 +372,7 @@ def _check_needs(needs, criteria):
 
 
 def _check_hawsers(project, needs):
-    """Raises StudyError for a limit of hawsers where a study has none: nothing would be judged by it"""
+    """Raises StudyError for a limit on hawsers if the study has none: it would check nothing"""
     if not any(need.hawser for need in needs):
         for i, one in enumerate(project.limits):
             if one.subject == HAWSER:
@@ -382,7 +382,7 @@ def _check_hawsers(project, needs):
 
 
 def _check_used(project, criteria):
-    """Raises StudyError where a table is given that no criterion asks for"""
+    """Raises StudyError for a table that no criterion uses"""
     asked = {one.quantity for one in criteria}
     for table, quantity in USED.items():
         if getattr(project, table) is not None and quantity not in asked:
@@ -460,7 +460,7 @@ def _one(key, value, allowed):
 
 
 def scenes(read):
-    """{level: Scene} of the levels that states use, {} without a scene.  Raises StudyError."""
+    """{level: Scene} of the levels of all states, {} without a scene.  Raises StudyError."""
     from ..scene.scene import SceneError, make_scene
 
     if read.project.project.scene is None:

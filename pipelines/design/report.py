@@ -1,6 +1,6 @@
-"""The report of a project: one page that needs nothing else, and its tables as CSV.
+"""The report of a project: one page without external files, and its tables as CSV.
 
-Nothing of it depends on when or where it is made: the same inputs give the same report.
+Its content is independent of time and place: the same inputs give the same report.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def _levels(read, paths, folder):
 
 
 def _found_in(read, verdict, folder):
-    """(name of a load case, criterion) → address of the file that has the number, "" for the project's, and its key"""
+    """(name of a load case, criterion) → address of the file with the number, "" for the project's, and its key"""
     ran = {one.case.name: one for one in verdict.ran}
 
     def found(name, criterion):
@@ -99,7 +99,7 @@ def _found_in(read, verdict, folder):
 
 
 def _of_body(read, paths, folder):
-    """What the page says of the body and its waves; where no database stands behind it, of the study alone"""
+    """Text of the page on the body and its waves; without a database, on the study alone"""
     from hakobune.bem.database import open_database
 
     if paths[MEAN] is None:
@@ -114,7 +114,7 @@ def _of_body(read, paths, folder):
 
 
 def _css_text(text):
-    """A text between quotes of a style sheet, in which nothing ends quotes, rule or element"""
+    """A text inside quotes of a style sheet, escaped so that it ends neither quotes, rule nor element"""
     return "".join(letter if letter.isalnum() or letter in " .,-" else f"\\{ord(letter):x} " for letter in text)
 
 
@@ -138,7 +138,7 @@ def _whole(value):
 
 
 def _checks(paths):
-    """What the checks of the databases say, a line each"""
+    """Results of the checks of the databases, one line each"""
     from hakobune.bem.database import open_database
 
     from ..solve.report import checked

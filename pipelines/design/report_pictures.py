@@ -15,11 +15,11 @@ from .kinds.stored import key_of, picture, plain
 from .report_words import percent
 
 MOST_PLANS = 4
-ON_WHITE = {"boxstyle": "square,pad=0.05", "fc": "white", "ec": "none"}  # a number beside the line of 100 %
+ON_WHITE = {"boxstyle": "square,pad=0.05", "fc": "white", "ec": "none"}  # a number next to the line of 100 %
 
 
 def plans(read, verdict, paths, folder):
-    """{"name", "data"} of the cases that govern, the worst first"""
+    """{"name", "data"} of the governing cases, the worst first"""
     for one in _governing(verdict)[:MOST_PLANS]:
         known = one.case.study, paths[one.case.level], one.numbers._replace(largest=one.largest)
         base = None if known[1] is None else Path(known[1])
@@ -40,7 +40,7 @@ def _governing(verdict):
 
 
 def records(verdict, folder):
-    """{"name", "data"} of the case in time that governs first: its records, and its watch circle with the pull in it"""
+    """{"name", "data"} of the first governing case in time: its records, and its watch circle coloured by the pull"""
     from h5py import File
 
     from ..simulate.pictures import draw_one
@@ -69,7 +69,7 @@ def body_picture(database, folder):
 
 
 def use_picture(verdict, folder):
-    """What is used of each criterion, as bars"""
+    """Utilisation of each criterion, as bars"""
     judged = [one for one in verdict.judged if one.governing]
     names = [_short(one.criterion) for one in judged]
     names = [

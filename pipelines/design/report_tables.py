@@ -1,4 +1,4 @@
-"""Tables of a report as CSV: load cases, criteria, what of fenders, anchors and waves they find, and whence."""
+"""Tables of a report as CSV: load cases, criteria, results of fenders, anchors and waves, with their origin."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PART_HEAD = "case", "quantity", "of", "value"
 
 
 def write_tables(name, verdict, folder):
-    """Write cases.csv, criteria.csv and, where there are such, parts.csv; returns their names."""
+    """Write cases.csv, criteria.csv and, if not empty, parts.csv; returns their names."""
     tables = {
         "cases.csv": (f"load cases of {name}", CASE_HEAD, [case_row(one) for one in verdict.ran]),
         "criteria.csv": (f"criteria of {name}", HEAD, _criterion_rows(verdict)),
@@ -47,7 +47,7 @@ def write_tables(name, verdict, folder):
 
 
 def part_rows(verdict):
-    """(case, quantity, of what, value)"""
+    """(case, quantity, part, value)"""
     for one in verdict.ran:
         for quantity, values in one.numbers.parts.items() if one.numbers else ():
             for item, value in values.items():
@@ -80,7 +80,7 @@ def case_row(one):
 
 
 def excursion(one):
-    """m, the largest horizontal distance of a Ran from rest: of its runs in time, else steady offset and motions"""
+    """m, the largest horizontal distance of a Ran from rest: in its runs in time, else by steady offset and motions"""
     if one.runs is not None and "excursion" in one.runs:
         return float(one.runs["excursion"])
     r = one.numbers

@@ -1,4 +1,4 @@
-"""Words and rows of a report: verdict, states, lines, criteria, cases, as its page has them."""
+"""Words and rows of a report: verdict, states, lines, criteria, cases."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row
 from .verdict import FAILS, NUMBER, OPEN
 
-COUNTED = ("stable headings",)  # a number of things: where it is met, nothing of it is used
-THE_PROJECT = "the project"  # has what is of no load case
+COUNTED = ("stable headings",)  # a count without a utilisation: if the criterion is met its use is 0
+THE_PROJECT = "the project"  # origin of values that belong to no load case
 WAYS = {"size": "larger sizes", "number": "more lines"}  # words for ways that differ from their names
 MARK = {True: "passes", False: "fails", None: "open"}
 
 
 def summary(verdict):
-    """What governs, in a line after "the mooring passes" """
+    """The governing criterion in words, which follow "the mooring passes" in the report"""
     if verdict.broken:
         more = f", and {len(verdict.broken) - 1} more" if len(verdict.broken) > 1 else ""
         return f": {verdict.broken[0].removeprefix(MARKED)}{more}"
@@ -99,7 +99,7 @@ def return_words(own, verdict):
 
 
 def time_words(read):
-    """How long the cases are run in time, "" where they are not"""
+    """Simulated duration of the cases, "" without simulation"""
     own = read.project.simulation
     if own is None:
         return ""
@@ -117,7 +117,7 @@ def _system(waves):
 
 
 def issue(own):
-    """Words on whose report it is, and which"""
+    """Words on the issuer and the issue number of the report"""
     given = {"for": own.client, "by": own.author, "revision": own.revision, "of": own.date}
     return ", ".join(f"{word} {value}" for word, value in given.items() if value)
 
@@ -243,7 +243,7 @@ def rule_set(one):
 
 
 def with_factor(name, factor):
-    """Name of the load case with `factor` times the motions, where it is a case of its own"""
+    """Name of the load case with `factor` times the motions, if it is a separate case"""
     return name if factor == 1 else f"{name}, motions x {factor:g}"
 
 
@@ -266,7 +266,7 @@ def case(one, links):
 
 
 def motion_rows(verdict):
-    """(name of a case, six largest motions from the mean, m and degrees) of the cases that have some"""
+    """(name of a case, six largest motions from the mean, m and degrees) of the cases with motions"""
     for one in verdict.ran:
         if one.numbers is not None:
             found = one.numbers.motions if one.runs is None else one.runs["motions"]
@@ -275,13 +275,13 @@ def motion_rows(verdict):
 
 
 def _place_words(row):
-    """Offset, yaw and excursion of a row of cases, dashes where the method has none"""
+    """Offset, yaw and excursion of a row of cases, dashes for a method without them"""
     values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"]])
     return [f"{value:.2f}" if np.isfinite(value) else "–" for value in np.round(values, 2) + 0.0]  # no −0.00
 
 
 def warnings(verdict):
-    """Findings of the cases: of those that differ in numbers alone the one whose first number is the largest"""
+    """Findings of the cases; of findings that differ only in numbers, the one with the largest first number"""
     found = {}
     for one in verdict.ran:
         for text in one.numbers.warnings if one.numbers else ():

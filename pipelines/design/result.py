@@ -32,7 +32,7 @@ def design(
     """A mooring in all load cases of a site, judged by rule sets, as one page.
 
     project : path of a project; output : path of the folder of its page, load cases and databases
-    executor : local or processes:N; advice : try other sizes and pretensions where it fails; console : for progress
+    executor : local or processes:N; advice : try other sizes and pretensions if it fails; console : for progress
     returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
     raises : ValueError, one line, before anything is solved
     """
@@ -67,8 +67,8 @@ def made(read, folder, workers, console, advice=True):
 
 
 class _Counting:
-    """Context whose value, called with the number done, the number known and a name, shows how far the cases are, and
-    writes it to the file `log` with the time of day"""
+    """Context whose value, called with the number done, the total number and a name, shows the progress of the cases,
+    and writes it to the file `log` with the time of day"""
 
     def __init__(self, console, log):
         self.console, self.log = console, log

@@ -1,4 +1,4 @@
-"""Databases of the water levels and results of the load cases, in a folder; existing files that fit are used again.
+"""Databases of the water levels and results of the load cases, in a folder; existing valid files are used again.
 
 databases/LEVEL.h5     as `hakobune solve` writes them
 cases/NAME.toml, .h5   the study of a case, and its result as the command of its kind writes it
@@ -29,9 +29,9 @@ ROTATIONS = ("roll", "pitch", "yaw")
 
 @dataclass(frozen=True)
 class Ran:
-    """A load case that ran, or could not: numbers, of its files, None with the reason in `fault`
+    """A load case that ran, or failed to run: numbers, from its files, None with the reason in `fault`
 
-    path : of the file that they are in; runs : of `kinds.in_time.simulated`, None where the project has no simulation
+    path : of their file; runs : from `kinds.in_time.simulated`, None for a project without simulation
     """
 
     case: LoadCase
@@ -42,18 +42,18 @@ class Ran:
 
     @property
     def largest(self):
-        """(n,) N, largest tensions: of the runs in time where there are some"""
+        """(n,) N, largest tensions, from the runs in time if there are any"""
         return self.numbers.largest if self.runs is None else self.runs["largest"][1.0]
 
     @property
     def at_anchors(self):
-        """(2, n) N, largest pull along and up at the anchors: of the runs in time where there are some"""
+        """(2, n) N, largest pull along and up at the anchors, from the runs in time if there are any"""
         found = self.numbers._asdict() if self.runs is None else self.runs
         return np.array([found["horizontal"], found["uplift"]])
 
 
 def databases(read, folder, executor, console):
-    """{level: path} of the databases, solved for where they are missing.  Raises StudyError where one is not whole."""
+    """{level: path} of the databases, solved if they are missing.  Raises StudyError for an incomplete one."""
     from ..solve.run import solve
 
     own = read.project.project
@@ -75,7 +75,7 @@ def databases(read, folder, executor, console):
 
 
 def of_databases(read, paths):
-    """What fails of the databases, a line each: laws, and the tolerance of those that were solved for the project"""
+    """Failures of the databases, one line each: laws, and the tolerance of those that were solved for the project"""
     from hakobune.bem.database import open_database
 
     from ..solve.report import failed_laws, gives_panels, missed_tolerance
@@ -90,7 +90,7 @@ def of_databases(read, paths):
 
 
 def run_cases(read, paths, folder, executor, step):
-    """[Ran] of all load cases, intact ones first, then those that lost a line.
+    """[Ran] of all load cases, intact ones first, then those with a lost line.
 
     paths : {level: database}; step : called with the number done, the number known and a name
     """
@@ -105,24 +105,24 @@ def run_cases(read, paths, folder, executor, step):
 
 
 def factors_of(read):
-    """Multiples of the largest motions at which criteria ask for tensions, 1 among them"""
+    """Factors on the largest motions for which criteria need tensions, including 1"""
     return sorted({1.0, *(criterion.motion_factor for criterion in read.criteria)})
 
 
 def base_of(read, paths):
-    """Tables of the study as laid; paths : {level: database}"""
+    """Tables of the study with its layout; paths : {level: database}"""
     from hakobune.bem.database import open_database
 
     return read.kind.base(read.study, None if paths[MEAN] is None else open_database(paths[MEAN]))
 
 
 def repeated(read, factors):
-    """Factors of the motions that have load cases of their own"""
+    """Factors on the motions that have load cases of their own"""
     return factors if read.kind.MOVED and read.project.simulation is None else [1.0]
 
 
 def judged_case(read, ran, others):
-    """The Case that criteria judge: of Ran of one load case with all factors of the motions.
+    """The Case for the criteria, from the Ran of one load case with all factors on the motions.
 
     ran : {factor: Ran}; others : {quantity: value} of the whole project
     """
@@ -140,7 +140,7 @@ def judged_case(read, ran, others):
 
 
 def given_parts(read, case, numbers):
-    """{quantity: {of what: value}}: values that the project gives, by their source, and the scope of the lines"""
+    """{quantity: {part: value}}: values given in the project, by their source and scope of lines"""
     found = {}
     for one in read.project.values:
         if one.state in ("any", case.kind) and one.lines in ("any", case.lines) and not case.apart:
@@ -164,7 +164,7 @@ def grouped(ran):
 
 
 def key_of(case):
-    """(state, level, directions, lost line), of a LoadCase but for the factor of its motions"""
+    """(state, level, directions, lost line) of a LoadCase, without the factor on its motions"""
     return case.state, case.level, case.incidence, case.wind_off, case.current_off, case.lost
 
 
@@ -202,14 +202,14 @@ def _shaken(read, paths, folder):
 
 
 def _lost(read, group, names):
-    """The LoadCases that follow from an intact one, with each factor of the motions, by the loss of a line"""
+    """The LoadCases that follow from an intact one, with each factor on the motions, by the loss of a line"""
     intact = group[1.0]
     (state,) = [state for state in read.project.states if state.name == intact.case.state]
     if "one lost" not in state.lines:
         return
     lost = names
     if state.lost == "worst":
-        if intact.numbers is None:  # the worst line is unknown; the intact case is reported as one that failed
+        if intact.numbers is None:  # the worst line is unknown; the intact case is reported as failed
             return
         lost = [worst_of(intact, names)]
     for name in lost:
@@ -218,7 +218,7 @@ def _lost(read, group, names):
 
 
 def worst_of(ran, among=None):
-    """Name of the line that carries most of its breaking load, or pulls most where none is known
+    """Name of the line with the largest utilisation, or the largest pull if no breaking load is known
 
     among : names, by default all
     """
@@ -243,7 +243,7 @@ def _tensions(read, ran, largest):
 
 
 def _holding(read, ran):
-    """(n,) N that the anchors hold, by the project or by the study's own [[anchors]]; None where one is not known"""
+    """(n,) N, anchor capacities, from the project or from the study's own [[anchors]]; None if one is unknown"""
     anchors, names = read.project.anchors, ran.numbers.names
     if anchors is not None:
         return np.array([1e3 * anchors.lines.get(name, anchors.holding_kN) for name in names])
@@ -257,7 +257,7 @@ def _holding(read, ran):
 
 
 def _worn_loads(read, numbers):
-    """(n,) N: breaking loads of the lines less what the weakest of their chain loses; None without wear"""
+    """(n,) N: breaking loads of the lines minus the loss of the weakest of their chains; None without wear"""
     worn = worn_diameters(read.project, read.study)
     if not worn:
         return None

@@ -13,7 +13,7 @@ MEAN = "mean"  # the level of the study's own water
 
 
 class ProjectTable(Table):
-    """What is designed, and for how long
+    """The design and its service life
 
     name : title of the report
     study : file beside this one: a mooring study, with or without a berth (fenders, ropes), a single point or a
@@ -207,7 +207,7 @@ class Project(Table):
 
     @property
     def database_with_levels(self):
-        """Whether levels are asked for beside the database of one depth"""
+        """Whether levels are requested with the database of one depth"""
         return self.project.database is not None and bool(self.levels)
 
     def level(self, name):

@@ -1,4 +1,4 @@
-"""All of a project judged: cases, criteria, governing cases, whether it can be signed."""
+"""The judgement of a whole project: cases, criteria, governing cases, whether it can be signed."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
 
 
 class Verdict(NamedTuple):
-    """ran : all Ran; broken : failures of a case or a database other than criteria, a line each
+    """ran : all Ran; broken : failures of a case or a database other than criteria, one line each
     judged : a Judged for each criterion; return_period : years, None where it is not given
 
-    word : passes, fails, or cannot be signed where a criterion is not judged or a case could not be run
+    word : passes, fails, or cannot be signed, if a criterion is not judged or a case could not be run
     rule_sets : of `comparison.side_by_side`
     """
 
@@ -34,7 +34,7 @@ class Verdict(NamedTuple):
 
 
 def judged_project(read, ran, of_databases=()):
-    """The Verdict on all load cases of a project; of_databases : what fails of its databases, a line each"""
+    """The Verdict on all load cases of a project; of_databases : failures of its databases, one line each"""
     groups = grouped(ran)
     others = project_quantities(read)
     cases = [judged_case(read, group, others) for group in groups.values() if group[1.0].numbers is not None]
@@ -47,8 +47,8 @@ def judged_project(read, ran, of_databases=()):
 
 
 def broken_in(ran):
-    """Failures that the studies of load cases report themselves, lines that part or fenders beyond their capacity: a
-    line for each kind, of the first case with it; tensions at the multiples of motions in rules are no such failures
+    """Failures reported by the studies of load cases, lines that part or fenders beyond their capacity: a line for each
+    kind, from the first case with it; tensions at multiples of motions in rules are no such failures
     """
     found = {}
     for one in (one for one in ran if one.case.factor == 1):
@@ -60,7 +60,7 @@ def broken_in(ran):
 
 
 def project_quantities(read):
-    """{quantity: value} that criteria ask of the project as a whole"""
+    """{quantity: value} of criteria on the project as a whole"""
     own = read.project.project
     if own.service_life is None:
         return {}

@@ -1,1 +1,1 @@
-"""`hakobune downtime`: hours at a berth that cannot be used, and windows of weather, from a record of years."""
+"""`hakobune downtime`: unusable hours at a berth, and weather windows, from a multi-year record."""

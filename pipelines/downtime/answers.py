@@ -40,7 +40,7 @@ class Verdicts(NamedTuple):
 
 
 def judged(used, limits, operations):
-    """Verdicts where what hours use (n, l) is sure: an operation is known where all of its limits are"""
+    """Verdicts for certain utilisations (n, l): an operation is known in hours in which all of its limits are"""
     down, known = [], []
     for number in range(operations):
         own = used[:, [one.operation == number for one in limits]]
@@ -67,7 +67,7 @@ def answers(study, hindcast, limits, verdicts):
 
 
 def _three(head, table, axes, three, words, unit="", share=True):
-    """Quantities of a value and the ends of its interval, printed where there are any"""
+    """Quantities of a value and the ends of its interval, printed if there are any"""
     parts = zip(("share", "low", "high") if share else ("mean", "low", "high"), ("", "90 % from", "90 % to"), three,
                 strict=True)  # fmt: skip
     return {
@@ -103,7 +103,7 @@ def _whole(chance, known, hindcast, years, error):
 
 
 def _causes(known, verdicts, limits):
-    """Hours a year beyond each limit, and those in which it alone stops its operation"""
+    """Hours per year beyond each limit, and those in which this limit alone stops its operation"""
     beyond, alone, used = [], [], verdicts.used
     for k, one in enumerate(limits):
         others = [j for j, other in enumerate(limits) if other.operation == one.operation and j != k]
@@ -136,7 +136,7 @@ def _by_year(down, known, hindcast, years):
 
 
 def sector_of(study, hindcast):
-    """(n,) sector of the compass that the highest system of waves comes from, −1 of a calm"""
+    """(n,) compass sector from which the highest wave system comes, −1 for a calm"""
     main = hindcast.main
     comes_from = study.hindcast.x_axis_compass_deg - np.degrees(main.direction) - 180.0
     sector = np.floor(np.mod(comes_from + SECTOR / 2, 360.0) / SECTOR).astype(int)

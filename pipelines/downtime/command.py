@@ -1,4 +1,4 @@
-"""`hakobune downtime`: a record of years → hours of downtime, windows of weather; a file, pictures, a page."""
+"""`hakobune downtime`: a multi-year record → hours of downtime, weather windows; a file, pictures, a page."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def downtime(
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     page: Annotated[Path | None, Parameter(help=".html: tables and pictures of all results")] = None,
 ):
-    """Compute the hours of years in which operations at a berth stop, and windows of weather, from a hindcast.
+    """Compute the hours of years in which operations at a berth stop, and weather windows, from a hindcast.
 
     Each hour is computed by linear responses of the body. Or a moored body is simulated in states that represent
     all hours; a second call then continues where the first stopped.

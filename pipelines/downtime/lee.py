@@ -11,7 +11,7 @@ from ..common.quantities import StudyError
 from .limits import limits_of
 
 BEHIND = "wave height behind"
-PERIODS = 1.5, 40.0  # s, shortest and longest waves; K_T beyond those of the study is that of its first or last
+PERIODS = 1.5, 40.0  # s, shortest and longest waves; beyond the study's periods K_T is that of its first or last
 COUNT = 400
 
 
@@ -19,7 +19,7 @@ def lee(read, folder):
     """Limits, `every_hour.Response` and notes of a DowntimeStudy with [lee].  Raises StudyError."""
     for key in ("points", "keel", "turned_deg"):
         if getattr(read, key):
-            raise StudyError(f"{key} is given with [lee]; it needs a body: leave out one of the two")
+            raise StudyError(f"{key} is given with [lee], but {key} needs a body; leave out one of the two")
     limits = limits_of(read, [], {BEHIND: "m"})
     found = breakwater(folder / read.lee.study)
     names, periods = list(found.labels["holding"].values), found.labels["period"].values
@@ -39,7 +39,7 @@ def lee(read, folder):
 
 
 def _designed(study, names):
-    """The name of the curve that the breakwater is designed by"""
+    """The name of the curve for which the breakwater is designed"""
     wanted = study.design.holding
     return next((name for name in names if wanted and wanted in name and study.design.theory in name),
                 next((name for name in names if wanted and name.startswith(wanted)), names[-1]))  # fmt: skip

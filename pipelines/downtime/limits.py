@@ -1,10 +1,9 @@
 """Limits of operations, and the utilisation of each limit in each hour.
 
-motion, point           mean largest amplitude of an hour, the significant one, or peak to peak
-air gap                 clearance less the largest rise of the water at a point
-under-keel clearance    water at rest, with the level of the hour, less the largest drop of the bottom; the least
-simulated               motions, tensions, fenders of the moored body, with [simulation], in place of all these
-the hindcast            significant height, and each of its columns
+motion, point           mean largest amplitude of an hour, the significant one, or peak to peak air gap
+clearance minus the largest rise of the water at a point under-keel clearance    water at rest, with the level of the
+hour, minus the largest drop of the bottom; the least simulated               motions, tensions, fenders of the moored
+body, with [simulation], in place of all these the hindcast            significant height, and each of its columns
 """
 
 from __future__ import annotations
@@ -57,7 +56,7 @@ def limits_of(study, points, responses, moored=None):
     """[Limit] of a DowntimeStudy.
 
     points : of its body; responses : {name: unit} of all responses of the body
-    moored : {name: unit} of the results of simulations of the moored body, in place of these; None without
+    moored : {name: unit} of simulation results of the moored body, in place of these; or None
     raises : StudyError
     """
     found = []
@@ -120,7 +119,7 @@ def _limit(where, number, name, criterion, source):
 
 
 def _source(where, quantity, study, points, responses, moored):
-    """Kind, names of responses, what is left at rest, and unit of a quantity.  Raises StudyError."""
+    """Kind, names of responses, clearance at rest, and unit of a quantity.  Raises StudyError."""
     columns = [*known_columns(study.hindcast.columns), *(PASSING if study.passages else ())]
     if quantity == "significant height" or quantity in columns:
         return "weather", (), (), (WEATHER | PASSING).get(quantity, "")
@@ -145,7 +144,7 @@ def _source(where, quantity, study, points, responses, moored):
 
 
 def used_of(limits, hours, hindcast):
-    """(n, l) share used of each limit in each hour, above 1 beyond it; nan where it is not known"""
+    """(n, l) utilisation of each limit in each hour, above 1 beyond it; nan where unknown"""
     return np.stack([_used(one.criterion, value_of(one, hours, hindcast)) for one in limits], axis=1)
 
 

@@ -1,4 +1,4 @@
-"""Downtime of a moored body: simulated states give that of every hour, of other moorings, and of seas at the limit."""
+"""Downtime of a moored body: simulated states give that of every hour, of other moorings, and of limiting seas."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Found(NamedTuple):
 def moored(read, folder, db, states, executor, say):
     """The Found of a DowntimeStudy with [simulation].
 
-    db : database; states : path of the file of states, or None; executor : its name; say : takes a line
+    db : database; states : path of the file of states, or None; executor : its name; say : called with each line
     """
     for key in ("points", "keel", "lee"):
         if getattr(read, key):
@@ -134,7 +134,7 @@ def _others(read, folder, db, path, workers, say):
 
 
 def _compared(found, others):
-    """Hours of alternatives, and what each gains"""
+    """Hours of alternatives, and the gain of each"""
     if not others:
         return {}, {}
     hours = np.array([one.hours for _, one in others])
@@ -181,7 +181,7 @@ def _returned(read, hindcast, limits, found):
 def _limiting(read, hindcast, found):
     """Significant height at which an operation stops in half of the seas of a period and a direction.
 
-    By the interpolant, with the wind that hours of that height have, from where the waves come; none far from states.
+    By the interpolant, with the wind of hours of that height, from the direction of the waves; none far from states.
     """
     from .simulated import QUIET, columns_of, streams_of
 
@@ -214,7 +214,7 @@ def _limiting(read, hindcast, found):
 
 
 def crossed(height, used):
-    """(p, b) m at which ln of the share used (h, p, b) passes 0, straight in ln of height (h,), else nan"""
+    """(p, b) m at which ln of the utilisation (h, p, b) crosses 0, linear in ln of height (h,), else nan"""
     below, above = used[:-1], used[1:]
     passes = (below <= 0) & (above > 0)
     first = np.argmax(passes, axis=0)[None]

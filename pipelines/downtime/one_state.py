@@ -1,4 +1,4 @@
-"""One state of the weather, simulated with its seeds, as an executor does it."""
+"""One state of the weather, simulated with its seeds, by an executor."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ OF_MOTION = "largest", "significant", "peak to peak"
 
 
 def names_of(body):
-    """Quantities that a `Moored` body gives: its motions, tensions where breaking loads are known, fenders"""
+    """Quantities of a `Moored` body: its motions, tensions with known breaking loads, fenders"""
     found = list(MOTIONS)
     if np.isfinite(_breaking(body)).any():
         found += ["tension / breaking load", "breaking load / tension"]
@@ -49,9 +49,9 @@ def state(task, raw, weather, seeds):
 
 
 def _prepared(task, weather):
-    """The `Moored` body of a Task; its wave forces are those of the state before, which has the same body
+    """The `Moored` body of a Task; its wave forces are those of the previous state, which has the same body
 
-    But where the viscous damping of the database's scene is linearised in each sea, or waves ride on a current of it.
+    Exceptions: viscous damping of the database's scene is linearised in each sea, and waves may be on a current.
     """
     key = task.database, task.folder, task.duration, msgspec.json.encode(_without(task.study, weather))
     db, waves = _kept.get(key) or (database_of(task.database), None)
@@ -92,7 +92,7 @@ def _values(body, statistics):
 
 
 def _breaking(body):
-    """(lines,) N, nan where it is not known"""
+    """(lines,) N, nan where unknown"""
     load = [
         *(() if body.system is None else body.system.breaking_load),
         *(one.breaking_load for one in body.berth.ropes),

@@ -11,7 +11,7 @@ MOST = len(COLOURS)  # operations of a picture
 
 
 def draw(result, path):
-    """All panels on one sheet, the limiting sea of the first operation that has one"""
+    """Draw all panels on one sheet, with the limiting sea of the first operation that has one"""
     figure = _figure((15, 8.4))
     spots = [figure.add_subplot(2, 3, place, polar=place in (3, 6)) for place in range(1, 7)]
     for panel, axes in zip((months, years, rose, persistence, waits), spots, strict=False):
@@ -26,7 +26,7 @@ def draw(result, path):
 
 
 def one_panel(panel, result, path, polar=False):
-    """A panel alone, as of the page"""
+    """A single panel, as on the page"""
     figure = _figure((6.4, 5.0) if polar else (7.6, 3.6))
     axes = figure.add_subplot(polar=polar)
     panel(result, axes)
@@ -56,7 +56,7 @@ def months(result, axes):
 
 
 def waits(result, axes):
-    """Mean waiting time of who arrives in a month"""
+    """Mean waiting time by month of arrival"""
     _bars(result, axes, result["wait.mean"], result["wait.low"], result["wait.high"])
     axes.set(ylabel="mean wait, h", title="waiting time for the window that each operation needs")
     axes.set_xticks(range(12), result.labels["month"].values)
@@ -86,7 +86,7 @@ def years(result, axes):
 
 
 def rose(result, axes):
-    """Hours a year by the direction that waves come from, over the share of the time that they do"""
+    """Hours per year by direction of the waves, over the share of time with that direction"""
     _compass(axes)
     operations, count = _operations(result), len(result.labels["sector"].values)
     at, width = np.arange(count) * 2 * np.pi / count, 1.6 * np.pi / count / len(operations)
@@ -97,7 +97,7 @@ def rose(result, axes):
 
 
 def persistence(result, axes):
-    """Share of the time that lies in windows of at least so many hours"""
+    """Share of the time inside windows of at least the given number of hours"""
     for o, name in _operations(result):
         hours = result.labels["window"].values
         axes.plot(hours, 100 * result["window.share"][:, o], "o-", ms=4, color=COLOURS[o], label=name)
@@ -106,14 +106,14 @@ def persistence(result, axes):
 
 
 def limited(result):
-    """Numbers of the operations that have a limiting sea"""
+    """Indices of the operations with a limiting sea"""
     if "limiting.height" not in result:
         return []
     return [o for o, _ in _operations(result) if np.any(np.isfinite(result["limiting.height"][..., o]))]
 
 
 def limiting(result, number, axes):
-    """Significant height at which an operation stops over period (outwards) and direction that waves come from"""
+    """Significant height at which an operation stops, over period (radius) and direction that waves come from"""
     from matplotlib.ticker import MaxNLocator
 
     height = result["limiting.height"][..., number]

@@ -1,4 +1,4 @@
-"""The page of a downtime study: its answers in words, tables and pictures; it needs no other file."""
+"""The page of a downtime study: results in words, tables and pictures; without external files."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MARK = "<!-- hakobune downtime -->"
 
 
 def written_by_downtime(path):
-    """Whether a file is a page that this command wrote and may write again"""
+    """Whether a file is a page by this command, which may replace it"""
     return Path(path).read_text(encoding="utf-8", errors="replace").startswith(MARK)
 
 
@@ -35,7 +35,7 @@ def page_of(result, text):
 
 
 def _verdict(result, number):
-    """A line on an operation: hours, share, interval, the cause that stops it most"""
+    """A line on an operation: hours, share, interval, the most frequent cause"""
     name, at = result.labels["operation"].values[number], result["downtime.hours"][number]
     low, high = result["downtime.hours_low"][number], result["downtime.hours_high"][number]
     between = f", 90 % interval {low:.4g} to {high:.4g} h" if low == low else ""

@@ -1,4 +1,4 @@
-"""`hakobune.downtime`: hours at a berth that cannot be used, windows of weather, limiting seas, return values."""
+"""`hakobune.downtime`: unusable hours at a berth, weather windows, limiting seas, return values."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def downtime(
 
 
 def _linear(read, folder, db):
-    """What linear responses say of every hour"""
+    """Results of linear responses for every hour"""
     with heard() as caught:
         record = record_with_passages(read, folder, None if db is None else db.water_depth)
         limits, response, notes = lee(read, folder) if read.lee else _of_body(read, db)
@@ -111,7 +111,7 @@ def _linear(read, folder, db):
 
 
 def _of_body(read, db):
-    """Limits, Response and notes of a body that floats freely"""
+    """Limits, Response and notes of a freely floating body"""
     of_body = ResponseStudy(body=read.body, points=read.points, keel=read.keel)
     body, points = of_body.restrained(db.reader.floating()), places_of(of_body, db)
     first = transfer_functions(body, body.omega[:1], body.headings[:1], points)
@@ -121,7 +121,7 @@ def _of_body(read, db):
 
 
 def _too_long(read, made):
-    """Operations that stop for more hours than they may"""
+    """Operations with more downtime than allowed"""
     for number, one in enumerate(read.operations):
         hours = made["downtime.hours"].values[number]
         if one.allowed_hours is not None and hours > one.allowed_hours:
@@ -138,7 +138,7 @@ def _with_waves(response):
 
 
 def hours_of(response, record):
-    """`limits.Hours` of a Record, systems of waves added, or by its planes"""
+    """`limits.Hours` of a Record, with wave systems added, or by its planes"""
     hindcast, planes = record.hindcast, record.planes
     if planes is None:
         each = [moments_of_hours(response, shape, waves)
@@ -160,7 +160,7 @@ def _viscous(read, db):
 
 
 def _outside(response, record, hours):
-    """What of the waves is beyond the stored frequencies.  Raises StudyError where most are, most of the time."""
+    """Part of the waves beyond the stored frequencies.  Raises StudyError if that is most of them, most of the time."""
     whole = sum(waves.height**2 / 16 for waves in record.hindcast.waves)
     with np.errstate(invalid="ignore", divide="ignore"):
         share = 1 - hours.m0[:, -1] / whole
@@ -209,7 +209,7 @@ def _returned(read, hindcast, hours):
 
 
 def _limiting(read, record, response, limits):
-    """Significant height at which an operation stops, for each period and direction: of the limits on the body alone"""
+    """Significant height at which an operation stops, for each period and direction: by the limits on the body alone"""
     own = [one for one in limits if one.kind != "weather"]
     period = np.concatenate([waves.period[waves.height > 0] for waves in record.hindcast.waves])
     if not own or not len(period):
@@ -229,7 +229,7 @@ def _limiting(read, record, response, limits):
 
 
 def _height(limit, hours, at_one):
-    """(g,) m at which a limit on the body is reached: all responses grow with the height"""
+    """(g,) m at which a limit on the body is reached: all responses are proportional to the height"""
     if limit.kind == "response":
         room, moved = limit.criterion.limit, value_of(limit, hours, at_one)[:, None]
     else:
@@ -240,7 +240,7 @@ def _height(limit, hours, at_one):
 
 
 def _turned(read, record, response, limits):
-    """Downtime with the body turned in plan, all else as it is"""
+    """Downtime with the body turned in plan, all else equal"""
     if not read.turned_deg:
         return {}, {}
     rows = []

@@ -1,4 +1,4 @@
-"""Limits on a moored body: states that are simulated, more of them until the hours are known, and chances of hours."""
+"""Limits on a moored body: simulated states, added until the hours are known, and probabilities of hours."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ from .study import STREAMS
 from .tables import WavesColumns
 
 QUIET = 0.05  # m, height of a calm hour in a simulation
-REALISED = 19  # seed of the course of stopped hours whose windows are counted
+REALISED = 19  # seed of the random course of stopped hours whose windows are counted
 
 
 class Simulated(NamedTuple):
-    """rows : (s,) numbers of those that were simulated; hours : (o,) h a year in this record
+    """rows : (s,) indices of the simulated hours; hours : (o,) h per year in this record
 
     used : (s, seeds, l) of the simulated limits, nan of others
-    verdicts : `answers.Verdicts`; error, sea : (o,) h a year, standard deviation by the interpolant, and of the sea
+    verdicts : `answers.Verdicts`; error, sea : (o,) h per year, standard deviation by the interpolant, and by the sea
     failed : ((row, reason), …); said : lines
-    hours_at : (r,) rows that are known; fits : [Fit]; each : as of `_each`, over these
+    hours_at : (r,) known rows; fits : [Fit]; each : from `_each`, over these
     """
 
     rows: np.ndarray
@@ -52,7 +52,7 @@ class Simulated(NamedTuple):
 
 
 class Prepared(NamedTuple):
-    """task : `simulate.work.Task`; raw : tables of its study; names : of the quantities that it gives"""
+    """task : `simulate.work.Task`; raw : tables of its study; names : of its quantities"""
 
     task: Task
     raw: dict
@@ -77,10 +77,10 @@ def prepared_of(table, folder, db):
 
 
 def simulated(read, record, limits, ready, path, executor, say):
-    """The Simulated of a DowntimeStudy with [simulation]: states are run and kept in the file of states as they come.
+    """The Simulated of a DowntimeStudy with [simulation]: states are run and stored in the file of states.
 
-    ready : Prepared; path : of the file of states; executor : as of `executors`; say : takes a line
-    raises : StudyError; KeyboardInterrupt, states that were done are kept
+    ready : Prepared; path : of the file of states; executor : as in `executors`; say : called with each line
+    raises : StudyError; KeyboardInterrupt, finished states are kept
     """
     table, hindcast = read.simulation, record.hindcast
     rows = np.flatnonzero(np.all([np.isfinite(one.height) for one in hindcast.waves], axis=0))
@@ -133,7 +133,7 @@ def _features(hindcast, rows):
 
 def columns_of(hindcast, rows):
     """Numbers [(r,), …] and angles [(r,), …] from which features are computed: height, period and direction of each
-    wave system, and speed and direction of wind and current where both are known
+    wave system, and speed and direction of wind and current if both are known
     """
     numbers, angles = [], []
     for one in hindcast.waves:
@@ -147,13 +147,13 @@ def columns_of(hindcast, rows):
 
 
 def streams_of(hindcast):
-    """[(column of the speed, of the direction, name in a mooring study)] of those that hours have whole"""
+    """[(column of the speed, of the direction, name in a mooring study)] of streams with complete columns"""
     known = ((f"{stream} speed", f"{stream} {ends}", stream) for stream, ends in STREAMS)
     return [one for one in known if set(one[:2]) <= set(hindcast.columns)]
 
 
 def _identity(table, hindcast, ready):
-    """Hash of what states depend on"""
+    """Hash of the inputs of states"""
     digest = hashlib.sha256(json.dumps([ready.raw, table.seeds, table.duration_hours], sort_keys=True).encode())
     for values in (*(part for one in hindcast.waves for part in one),
                    *(hindcast.columns.get(name) for name in ("wind speed", "wind from")),
@@ -190,7 +190,7 @@ def _weather(read, record, row):
 
 
 def _run(read, record, ready, path, executor, say, there, rows):
-    """Run the rows that are not there yet, and keep each"""
+    """Run the missing rows, and store each"""
     todo, seeds = [int(row) for row in rows if int(row) not in there], read.simulation.seeds
     calls = (
         (state, ready.task, ready.raw, _weather(read, record, row), [row * seeds + k for k in range(seeds)])
@@ -212,7 +212,7 @@ def _run(read, record, ready, path, executor, say, there, rows):
 
 
 def _used(limits, there, rows, seeds):
-    """(s, seeds, l) of simulated limits, nan of others and of states without an answer"""
+    """(s, seeds, l) of simulated limits, nan for others and for states without a result"""
     out = np.full((len(rows), seeds, len(limits)), np.nan)
     for s, row in enumerate(rows):
         for k, values in enumerate(there[row].get("seeds", ())):
@@ -263,7 +263,7 @@ def _fits(read, limits, x, height, at, used, exact):
 
 
 def _each(limits, x, height, at, used):
-    """{number of a simulated limit: (Interpolant of what it alone uses, μ (r,), s (r,))}"""
+    """{index of a simulated limit: (Interpolant of its own utilisation, μ (r,), s (r,))}"""
     found = {}
     for i, one in enumerate(limits):
         if one.kind == SIMULATED:
@@ -273,7 +273,7 @@ def _each(limits, x, height, at, used):
 
 
 def _verdicts(limits, hindcast, rows, exact, fits, each, read):
-    """Verdicts of all hours: sure ones by the weather, chances by the interpolants"""
+    """Verdicts of all hours: certain ones by the weather, probabilities by the interpolants"""
     count, by_name = len(hindcast.time), {one.name: one for one in fits}
     shown, beyond = exact.copy(), (exact > 1).astype(float)
     for i, (fit, mean, spread) in each.items():

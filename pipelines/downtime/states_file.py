@@ -1,7 +1,7 @@
 """The file of simulated states: a line for each, written when it is finished; a kill at any time keeps all whole lines.
 
-The first line describes the states; each further one is JSON with a CRC-32 of itself.  A line that a kill cut in two is
-removed; a damaged line is an error.
+The first line describes the states; each further one is JSON with its CRC-32.  A line cut by a kill is removed; a
+damaged line is an error.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def is_states(path):
 
 
 def read(path, identity):
-    """{number of the hour: results of its seeds} of a file, without a last line that was cut; {} without a file.
+    """{index of the hour: results of its seeds} in a file, without a last line that was cut; {} without a file.
 
     Raises StudyError for a file of other states, or a damaged one.
     """

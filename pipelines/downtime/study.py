@@ -1,4 +1,4 @@
-"""A downtime study from its file: tables that are checked, the hindcast in axes of the body, shapes of its spectra."""
+"""A downtime study from its file: checked tables, the hindcast in axes of the body, shapes of its spectra."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def _check_states(table):
 
 
 def files_of(table, folder):
-    """Paths of the files of a HindcastTable.  Raises StudyError where a pattern has none."""
+    """Paths of the files of a HindcastTable.  Raises StudyError for a pattern that matches none."""
     if not set(table.file) & set("*?["):
         return [Path(folder) / table.file]
     found = sorted(Path(folder).glob(table.file))
@@ -104,7 +104,7 @@ def files_of(table, folder):
 
 
 def record_of(table, folder, depth=None):
-    """The Record of a HindcastTable whose files lie in a folder; depth : m.  Raises StudyError or TableError."""
+    """The Record of a HindcastTable with files in `folder`; depth : m.  Raises StudyError or TableError."""
     systems = [_system(f"hindcast.waves[{i}]", one, depth) for i, one in enumerate(table.waves)]
     if "level" in table.columns and table.level_at_rest is None:
         raise StudyError(
@@ -141,14 +141,14 @@ def record_of(table, folder, depth=None):
 
 
 def known_columns(columns):
-    """Names of what limits may be on, of the columns of a HindcastTable"""
+    """Names that limits may refer to, from the columns of a HindcastTable"""
     made = [name for stream, ends in STREAMS if f"{stream} east" in columns
             for name in (f"{stream} speed", f"{stream} {ends}")]  # fmt: skip
     return [*columns, *made]
 
 
 def _streams(columns):
-    """Speed and direction, rad of the compass, of winds and currents that are given by components; in place"""
+    """Speed and direction, rad of the compass, of winds and currents given by components; in place"""
     for stream, ends in STREAMS:
         two = f"{stream} east", f"{stream} north"
         there = [name for name in two if name in columns]
@@ -161,7 +161,7 @@ def _streams(columns):
 
 
 def _check_direction(where, name, angle):
-    """Make codes of what is missing nan, in place.  Raises StudyError for other angles beyond a turn."""
+    """Replace codes of missing values by nan, in place.  Raises StudyError for other angles beyond a full circle."""
     degrees = np.degrees(angle)
     code = np.isclose(np.abs(degrees), 999, atol=0.5) | np.isclose(np.abs(degrees), 9999, atol=0.5) | (degrees == -99)
     angle[code] = np.nan
@@ -172,13 +172,13 @@ def _check_direction(where, name, angle):
 
 
 class _Peak:
-    """Of a spreading after Mitsuyasu, before the peak of each hour is known"""
+    """Spreading after Mitsuyasu, before the peak of each hour is known"""
 
     peak_omega = 1.0
 
 
 def _system(where, table, depth):
-    """Shape, kind of period, column of the direction and whether it says where waves come from"""
+    """Shape, kind of period, column of the direction and whether it is a direction that waves come from"""
     kinds = [kind for kind in KINDS if getattr(table, kind) is not None]
     if len(kinds) != 1:
         state = " and ".join(kinds) + " are given" if kinds else "no period is given"

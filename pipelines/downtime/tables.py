@@ -1,4 +1,4 @@
-"""A downtime study as typed TOML: a hindcast, a body, and what operations can bear.
+"""A downtime study as typed TOML: a hindcast, a body, and the limits of operations.
 
 [hindcast]
 file = "hindcast.csv"            # CSV or netCDF file beside the study

@@ -1,4 +1,4 @@
-"""An earthquake at dolphins as typed TOML: a body, its fenders, and what is known of the ground.
+"""An earthquake at dolphins as typed TOML: a body, its fenders, and the known data of the ground.
 
 motion = "sway"         [fender]            # keys of `hakobune fender`   [spectrum]
                         family = "cell"                                   periods = [0.1, 0.5, 1.0, 5.0]
@@ -127,7 +127,7 @@ def make_study(raw):
 
 
 def quake_of(study, folder=".", database=None):
-    """`Quake` of a study whose files lie in a folder, or have whole paths.  Raises StudyError or EarthquakeError."""
+    """`Quake` of a study with files in `folder`, or with full paths.  Raises StudyError or EarthquakeError."""
     fender = pair_of(study.fender, fender_of(_one(study.fender)))
     if not 0 <= study.fender.clearance <= WIDEST:
         raise StudyError(f"fender.clearance is {study.fender.clearance:g} m; allowed: 0 to {WIDEST:g}")
@@ -146,7 +146,7 @@ def quake_of(study, folder=".", database=None):
 
 
 def _one(table):
-    """The table of one of the fenders"""
+    """The table of one fender"""
     import msgspec
 
     if not 1 <= table.count <= 1000:

@@ -1,4 +1,4 @@
-"""Databases out to the files of other programs and in from them; what is left out is said."""
+"""Export of databases to files of other programs, and import; messages report omitted data."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from ..printing.verdict import tell
 class Format(NamedTuple):
     """module : of `bem.formats`; ending : of the default name; folder : whether it is one; several : of several bodies
 
-    hull : where its mesh lies, seen from the place that is read; silent : what its files do not say, or may not
+    hull : position of its mesh relative to the place that is read; silent : quantities that its files may not contain
     """
 
     module: str
@@ -53,7 +53,7 @@ FORMATS = {
 
 
 def export(database, to, output, fresh):
-    """Write the files and say which; 1 where frequencies of the database are not solved yet.  Raises ValueError."""
+    """Write the files and print their names; 1 if frequencies of the database are unsolved.  Raises ValueError."""
     kind, db = format_of("to", to), open_database(database)
     output = database.with_name(database.stem + kind.ending) if output is None else output
     _check_place(output, kind, fresh, database)
@@ -77,7 +77,7 @@ def export(database, to, output, fresh):
 
 
 def _hulls(values):
-    """("", PanelMesh) of a body, of each of several ("_barge", PanelMesh in its own coordinates)"""
+    """("", PanelMesh) of a body, or of each of several bodies ("_barge", PanelMesh in its own coordinates)"""
     for i, body in enumerate(values.bodies):
         mesh = values.mesh.of_body(i).whole().moved(dx=-body.place[0], dy=-body.place[1])
         yield f"_{body.name}", mesh.rotated(-body.heading)
@@ -86,7 +86,7 @@ def _hulls(values):
 
 
 def _pairs_written(db, values, output):
-    """[NAME.12d, NAME.12s] of what forces of pairs the database has"""
+    """[NAME.12d, NAME.12s] files written from the stored forces of wave pairs"""
     from hakobune.bem.formats.wamit_pairs import write_pairs
     from hakobune.bem.second_order.stored import GROUPS, read_forces
 

@@ -146,7 +146,7 @@ def body_(
 
 
 def _from_to(text):
-    """(low, high) in rad/s of "0.2:1.5", either left out for all.  Raises ValueError."""
+    """(low, high) in rad/s from a text such as "0.2:1.5"; an omitted bound is None.  Raises ValueError."""
     low, colon, high = (text or ":").partition(":")
     try:
         found = float(low or 0.0), float(high or "inf")

@@ -1,4 +1,4 @@
-"""Results of another program into a database; nothing of them is believed that the hull can contradict."""
+"""Import of another program's results into a database; data that contradict the hull are refused."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ from .command import format_of
 
 
 def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=False):
-    """Make the database and say what is in it; 1 where a frequency could not be stored.  Raises ValueError.
+    """Make the database and print its content; 1 if a frequency could not be stored.  Raises ValueError.
 
-    known : water_depth, density, gravity, length_unit, rotation_center, body, each None where it is not given, and
-        frequencies (from, to) in rad/s
-    weight : `bem.formats.afloat.Weight`; correct : whether a cause of what contradicts our own solution is corrected
+    known : water_depth, density, gravity, length_unit, rotation_center, body, each None if not given, and frequencies
+        (from, to) in rad/s
+    weight : `bem.formats.afloat.Weight`; correct : whether to correct the cause of a contradiction to our own solution
     """
     kind = format_of("from", kind_name)
     if not place.exists():
@@ -65,7 +65,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     values, agreed, doubts = believed(values, panels, correct)
     values, remarks = on_hull(with_headings_once(values), panels, weight)
     remarks = (*remarks, *agreed, *_remarks(place, said, values))
-    with made_beside(output) as partial:  # an existing file stays until the new one is complete
+    with made_beside(output) as partial:  # an existing file remains until the new one is complete
         store(values, panels, partial, f"{kind_name}: {place}")
         groups = store_pairs(partial, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
@@ -79,7 +79,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
 
 
 def read_set(module, place, known):
-    """The Values; raises FormatError, which names the depth that fits damping and excitation where none is given"""
+    """The Values; raises FormatError, which names the depth that fits damping and excitation if none is given"""
     try:
         return module.read(place, known)
     except FormatError as error:
@@ -92,7 +92,7 @@ def read_set(module, place, known):
 
 
 def check_import(kind, known, output, fresh, place):
-    """Raise ValueError for flags that are missing or impossible, and for an existing file"""
+    """Raise ValueError for missing or impossible flags, and for an existing file"""
     for name in kind.silent:
         if name in ("water_depth", "density", "gravity") and known[name] is not None and not known[name] > 0:
             raise ValueError(f"{name} is {known[name]:g}; allowed: above 0")
@@ -108,9 +108,9 @@ def check_import(kind, known, output, fresh, place):
 
 
 def hull_of(place, kind, module, mesh, known):
-    """The hull in its water, of --mesh, or of the file that lies with the results.  Raises ValueError.
+    """The hull in its water, from --mesh or from the file of the results.  Raises ValueError.
 
-    known["rotation_center"] : (3,) m, of the axes that the latter is in; None or not there for those of the water
+    known["rotation_center"] : (3,) m, origin of the axes of that file; None or missing for those of the water
     """
     origin = known.get("rotation_center")
     path = mesh or (place / kind.hull.format(stem=place.stem) if kind.hull else None)
@@ -120,7 +120,7 @@ def hull_of(place, kind, module, mesh, known):
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f' ({path} does not exist)' if path else ''}")
     panels = read_mesh(path.resolve())
     if mesh is None and origin is not None and np.any(origin):
-        panels = wetted(panels.moved(*origin))  # a lid that lay at the height of the axes
+        panels = wetted(panels.moved(*origin))  # a lid at the height of the axes
     for finding in findings(panels):
         if finding.severity != "error":
             print(f"{path}: {finding}", file=sys.stderr)
@@ -181,7 +181,7 @@ def store_pairs(output, pairs, values):
 
 
 def between(values, low, high):
-    """Values at the frequencies from low to high, rad/s.  Raises ValueError where there is none."""
+    """Values at the frequencies from low to high, rad/s.  Raises ValueError if there are none."""
     kept = (values.omega >= low) & (values.omega <= high)
     if not kept.any():
         raise ValueError(
@@ -197,7 +197,7 @@ def between(values, low, high):
 def _finite(values):
     """Values at the frequencies at which all of them are finite, and {name: frequencies, as text} of the others
 
-    Raises FormatError where none is left.
+    Raises FormatError if none remains.
     """
     names = [name for name in values.quantities if name not in LIMITS]
     whole = {name: np.isfinite(values.quantities[name].reshape(len(values.omega), -1)).all(axis=1) for name in names}
@@ -215,7 +215,7 @@ def _finite(values):
 
 
 def store(values, mesh, output, source):
-    """Make a database of Values on their hull; source : what they were imported from"""
+    """Make a database of Values on their hull; source : origin of the import"""
     angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
     header = Header(
         mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,

@@ -1,8 +1,8 @@
-"""Results of another program on several bodies into one database, all of them moving.
+"""Import of another program's results for several bodies into one database, all of them moving.
 
-Of the files each body is read as one that moves beside the others, held to the laws that such a one keeps, and the
-added mass and damping of all together.  A
-set of one heading on bodies of revolution about one vertical has every other heading by a turn.
+Each body is read from the files as one that moves beside the others, and checked against the laws for such a body; then
+added mass and damping of all together.  If bodies of revolution about one vertical have one heading, all other headings
+follow by rotation.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     """Make the database of the bodies called `names` and say what is in it; the exit status.  Raises ValueError.
 
     known : as of `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
-    uncoupled : whether added mass and damping of one by the motions of another are left out, as WEC-Sim does (b2b = 0)
+    uncoupled : whether to omit added mass and damping between different bodies, as WEC-Sim does (b2b = 0)
     """
     kind = format_of("from", kind_name)
     module = import_module(f"hakobune.bem.formats.{kind.module}")

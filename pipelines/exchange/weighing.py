@@ -1,7 +1,7 @@
-"""`hakobune body`: mass, centre of gravity and radii of gyration put into an imported database, or others.
+"""`hakobune body`: mass, centre of gravity and radii of gyration added to an imported database, or replaced.
 
-What follows from them, stiffness with the weight and motions of the free body, follows anew; drift of the free body and
-forces of pairs, which belong to the old motions, are left out.
+Stiffness by weight, and motions of the free body, are recomputed; drift of the free body and forces of wave pairs,
+which depend on the old motions, are removed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .importing import between, store
 def weigh(database, weight, frequencies, output):
     """Write the database with the weight of `weight` and the frequencies (from, to) in rad/s.  Raises ValueError.
 
-    weight : `bem.formats.afloat.Weight`, what is None in it as the database has it; output : path, or None for the same
+    weight : `bem.formats.afloat.Weight`, with None for values of the database; output : path, or None for the same
     """
     db = open_database(database)
     if "imported" not in db.attributes:

@@ -1,1 +1,1 @@
-"""Who does the work: this process, others of this computer, a dask cluster or jobs of Slurm."""
+"""Executors: this process, other processes of this computer, a dask cluster or jobs of Slurm."""

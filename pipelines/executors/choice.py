@@ -1,4 +1,4 @@
-"""Which executor a text asks for, the one that works in its caller's process, and results in order."""
+"""The executor named by a text, an executor that works in the calling process, and results in order."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import time
 from concurrent.futures import Future
 
 EXECUTORS = "local, processes:N, dask:N, dask://host:port or slurm:N"
-LOOK = 0.02  # s between looks at whether to go on waiting
+LOOK = 0.02  # s between checks whether to continue waiting
 MOST = {"processes": 256, "dask": 256, "slurm": 10_000}
 
 
@@ -16,7 +16,7 @@ class Here:
     count = 1
 
     def submit(self, function, *arguments):
-        """A future that is already done.  KeyboardInterrupt passes through."""
+        """A finished future.  KeyboardInterrupt passes through."""
         future = Future()
         try:
             future.set_result(function(*arguments))
@@ -35,13 +35,13 @@ def in_order(executor, calls):
 
 
 def in_order_until(stop, executor, calls):
-    """Yield (place, result) as of `in_order`, once stop.asked only those that are done, and begin nothing more.
+    """Yield (place, result) as in `in_order`; after stop.asked only finished results, without new work.
 
     stop : `common.interrupt.Stop`
     """
     for place, future in enumerate(_futures(executor, calls)):
         while not (future.done() or stop.asked):
-            time.sleep(LOOK)  # a result with a time limit, which dask cuts off, takes those of all others with it
+            time.sleep(LOOK)  # with a time limit, a result that dask cancels would also cancel all others
         if future.done():
             yield place, _outcome(future)
         if stop.asked and isinstance(executor, Here):
@@ -62,7 +62,7 @@ def _outcome(future):
 
 
 def executor_of(text):
-    """`local`, `processes:N`, each with its share of the cores, or what `cluster` has.  Raises ValueError."""
+    """`local`, `processes:N`, each with its share of the cores, or an executor of `cluster`.  Raises ValueError."""
     kind, _, rest = text.partition(":")
     if text == "local":
         return Here()

@@ -1,22 +1,22 @@
-"""Work through a scheduler: a dask cluster of this machine, one that runs elsewhere, or jobs of Slurm.
+"""Work through a scheduler: a dask cluster of this machine, an external one, or jobs of Slurm.
 
-A worker that is lost loses nothing but time: what it had is done again by another (dask, up to `LOST` times).  Workers
-elsewhere need the same hakobune and, for studies, the same folders.
+The loss of a worker costs only time: another one repeats its work (dask, up to `LOST` times).  Workers elsewhere need
+the same hakobune and, for studies, the same folders.
 """
 
 from __future__ import annotations
 
 import logging
 
-LOST = 3  # workers that one piece of work may take with it before it counts as failed
+LOST = 3  # workers lost by one piece of work before it counts as failed
 ONE_THREAD = {"OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "NUMBA_NUM_THREADS": 1}
 MISSING = "executor {text!r} needs {package}; install it with: pip install 'hakobune[cluster]'"
 
 
 class Dask:
-    """An executor on a dask client; cluster : what is closed with it, or None for one that others made.
+    """An executor on a dask client; cluster : closed with the executor, or None for an external one.
 
-    count : its workers when it was made
+    count : its initial number of workers
     """
 
     def __init__(self, client, cluster=None):
@@ -24,12 +24,12 @@ class Dask:
         self.count = max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
 
     def submit(self, function, *arguments):
-        """A future of one call; the same call twice is done twice"""
+        """A future of one call; an equal call is repeated"""
         return self._client.submit(function, *arguments, pure=False)
 
     def shutdown(self, wait=True, cancel_futures=False):
-        """Leave the scheduler, and end a cluster that was made here"""
-        logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it reports closing connections at length
+        """Leave the scheduler, and end a cluster that was started here"""
+        logging.getLogger("distributed").setLevel(logging.CRITICAL)  # dask reports closing connections at length
         for one in (self._client, self._cluster):
             if one is not None:
                 one.close()
@@ -44,7 +44,7 @@ def here(text, count):
 
 
 def there(text, address):
-    """The cluster of a scheduler at host:port.  Raises ValueError where none answers."""
+    """The cluster of a scheduler at host:port.  Raises ValueError without an answer."""
     _, distributed = _imported(text)
     try:
         client = distributed.Client(f"tcp://{address}", timeout=10)
@@ -60,7 +60,7 @@ def there(text, address):
 
 
 def slurm(text, count):
-    """`count` jobs of Slurm, each a worker with one thread, as ~/.config/dask/jobqueue.yaml says what a job is.
+    """`count` jobs of Slurm, each a worker with one thread, as configured in ~/.config/dask/jobqueue.yaml.
 
     Raises ValueError without dask-jobqueue or without Slurm.
     """

@@ -1,4 +1,4 @@
-"""An executor of processes of this computer, which a run of one process does not load."""
+"""An executor of processes of this computer, loaded only if it is used."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from multiprocessing.connection import wait
 
 
 class Processes(ProcessPoolExecutor):
-    """Spawned processes, because a fork has none of the threads that BLAS may wait for; they end with their parent."""
+    """Spawned processes, because a fork lacks the threads that BLAS may wait for; they end with their parent."""
 
     def __init__(self, count):
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
@@ -19,9 +19,9 @@ class Processes(ProcessPoolExecutor):
         super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
 
     def shutdown(self, wait=True, *, cancel_futures=False):
-        """Without waiting the processes are ended: nobody is left to take what they are at.
+        """Without waiting the processes are ended, since nobody will read their results.
 
-        Otherwise the interpreter waits for them at its end, and a Ctrl-C there leaves it waiting for ever.
+        Otherwise the interpreter would wait for them at its end, and after a Ctrl-C without limit.
         """
         for process in () if wait else list((self._processes or {}).values()):  # public from Python 3.14 on
             process.terminate()
@@ -29,13 +29,13 @@ class Processes(ProcessPoolExecutor):
 
 
 def _start(threads):
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides what Ctrl-C means
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C
     threading.Thread(target=_end_with_parent, daemon=True).start()
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"):
         os.environ[name] = str(threads)
 
 
 def _end_with_parent():
-    """A killed parent cannot end its processes, which would wait for work for ever."""
+    """A killed parent cannot end its processes, which would then wait for work without limit."""
     wait([multiprocessing.parent_process().sentinel])
     os._exit(1)

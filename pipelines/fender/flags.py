@@ -45,10 +45,9 @@ def fender(
 ):
     """Compute reaction and energy of a fender over its compression, its unloading, softest and stiffest; lengths in m.
 
-    Under a face inclined by --angle over --width, the deflection is that of the edge that is pressed most; factors on
-    the upright fender are shown beside it.
-    hakobune fender --family cell --height 2 --energy 900
-    hakobune fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --plot fender.png
+    Under a face inclined by --angle over --width, the deflection is that of the most compressed edge; factors on the
+    upright fender are shown beside it. hakobune fender --family cell --height 2 --energy 900 hakobune fender --family
+    cell --height 2 --angle 8 --width 2.4 --energy 900 --plot fender.png
     """
     from ..common.fender_tables import FenderTable
     from .command import fender

@@ -32,9 +32,9 @@ BANDS = ("catalogue", "softest", "stiffest")
 
 
 class Pressed(NamedTuple):
-    """pair : the fender and its support; bands : the softest and the stiffest; at : m asked for, or None
+    """pair : the fender and its support; bands : the softest and the stiffest; at : requested deflection, m, or None
 
-    straight : the pair under a face that is not inclined, None where it is not
+    straight : the pair under a face without inclination, None if the face has none
     """
 
     pair: Fender
@@ -50,10 +50,10 @@ def fender(
     deflection: float | None = None,
     energy: float | None = None,
 ) -> Result:
-    """Reaction and energy of a fender over its compression, what it returns, its softest and stiffest.
+    """Reaction and energy of a fender over its compression, its returned energy, its softest and stiffest variants.
 
     table : keys of the table [fender] of studies as a dictionary, or a `common.fender_tables.FenderTable`
-    strain, deflection (m), energy (J) : one of them asks for one compression
+    strain, deflection (m), energy (J) : one of them requests one compression
     returns : Result, in SI; its `detail` is a `Pressed`
     raises : ValueError, one line
     """
@@ -79,7 +79,7 @@ def fender(
 
 
 def _compression(pair, asked):
-    """m, or None where none is asked for"""
+    """m, or None if none is requested"""
     for key, value in asked.items():
         if not 0 < value < np.inf:
             raise StudyError(f"{key} is {value:g}; allowed: above 0, finite")
@@ -92,7 +92,7 @@ def _compression(pair, asked):
 
 
 def _curve(made):
-    """The characteristic; under an inclined face its shares of that of the upright fender"""
+    """The characteristic; under an inclined face also its ratio to that of the upright fender"""
     pair, x, axes = made.pair, np.linspace(0.0, made.pair.limit, ROWS), ("deflection",)
     own, energy = np.array([pair.own(one) for one in x]), pair.energy(x)
     found = quantities("characteristic", {
@@ -117,7 +117,7 @@ def _curve(made):
 
 
 def _rated(made, factors):
-    """Of the fender, the softest and the stiffest: rated values, and what each does with the energy asked for"""
+    """Rated values of the fender, the softest and the stiffest, and their compression by the requested energy"""
     three = (made.pair, *made.bands)
     rows = {
         "factor": ([1.0, *factors], "", "factor"),
@@ -163,7 +163,7 @@ def _notes(table, made):
 
 
 def _failures(table, alone, made, energy):
-    """What fails at the deflection asked for; energy : J, where it was asked for"""
+    """Failures at the requested deflection; energy : J, if requested"""
     pair = made.pair
     strain = pair.own(made.at) / pair.height
     if strain > pair.own_allowable * (1 + 1e-9):

@@ -1,4 +1,4 @@
-"""A film as a file, frame by frame, and what its pictures are made of."""
+"""A film as a file, frame by frame, and its common parts."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ SKY, BED, SEA, HULL = "white", "#d8c9a0", "#4f8fc0", "#b04030"
 
 
 def check_film(output, inputs):
-    """Raise ValueError unless a film can be written to `output` and no other file is lost."""
+    """Raise ValueError unless a film can be written to `output` without the loss of another file."""
     check_output(output, "a film", _is_film, ENDINGS, inputs)
 
 
 def check_count(frames):
-    """Raise ValueError for fewer frames than make a film, or too many."""
+    """Raise ValueError for too few or too many frames."""
     if not 2 <= frames <= MOST:
         raise ValueError(f"the film has {frames} frames; allowed: 2 to {MOST}; give another --length or --step")
 
@@ -39,7 +39,7 @@ def new_plotter():
 
 
 def write_film(output, frames, count):
-    """Write pictures (height, width, 3) as a film; their number is printed where they take long."""
+    """Write pictures (height, width, 3) as a film; the frame number is printed if they take long."""
     from PIL import Image
 
     pace = Pace(f"{count} frames take", count, "give a shorter --length or a longer --step")

@@ -1,4 +1,4 @@
-"""One period of regular waves as a film: the body as it moves, and the waves that it scatters and radiates."""
+"""One period of regular waves as a film: the moving body, and its scattered and radiated waves."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .gif import HULL, check_film, new_plotter, write_film
 
 FRAMES = 30  # frames per period
 POINTS = 81  # points along a side of the surface
-STEEPNESS = 1 / 30  # height over length, where no height is given
+STEEPNESS = 1 / 30  # height over length, by default
 FREEBOARD = 0.5  # freeboard over draft where it is unknown
 MOST = 0.5  # rad, of a turn of the body
 
@@ -62,7 +62,7 @@ def _amplitude(around, height):
 
 
 def _pressure(db, path, around):
-    """`Coloured` of the stored wave.  Raises ValueError where it is not stored."""
+    """`Coloured` of the stored wave.  Raises ValueError if it is not stored."""
     db.require("pressure")
     turned = (db.wave_direction - around.beta + np.pi) % (2 * np.pi) - np.pi
     i, j = int(np.argmin(np.abs(db.omega - around.omega))), int(np.argmin(np.abs(turned)))
@@ -129,7 +129,7 @@ def _frames(db, around, amplitude, coloured):
 
 
 def _topsides(around, draft):
-    """Sides and deck above the waterline of a hull of which nothing is known there"""
+    """Sides and deck above the waterline of a hull with unknown topsides"""
     import pyvista
 
     plan = around.sources.plan + around.middle

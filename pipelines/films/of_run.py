@@ -27,7 +27,7 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     """Write a film of `length` s from `start` s on, one frame every `step` s; returns the number of frames.
 
     seed : whose record is stored, by default the first
-    start : by default half a length before the largest tension, or deflection where there are no lines
+    start : by default half a length before the largest tension, or the largest deflection without lines
     raises : ValueError, one line
     """
     check_film(output, (path,))
@@ -62,7 +62,7 @@ def _height_of_it(file, row, time):
 
 
 def check_times(time, start, length, step):
-    """Raise ValueError unless there are frames enough, from a time of the record on."""
+    """Raise ValueError for too few frames, or a start outside the record."""
     if start is not None and not time[0] <= start <= time[-1]:
         raise ValueError(f"--start is {start:g} s; allowed: {time[0]:g} to {time[-1]:g} s")
     for flag, value in (("length", length), ("step", step)):
@@ -101,9 +101,9 @@ def _scene(file):
 
 
 def _waves(file, seed):
-    """Components of the undisturbed waves of a seed, wavenumbers and the s that their time runs ahead
+    """Components of the undisturbed waves of a seed, wavenumbers and the time offset of their phases, s
 
-    None where the database is no longer there, or there are no waves
+    None if the database no longer exists, or without waves
     """
     from hakobune.bem.database import open_database
     from hakobune.bem.waves import wavenumber
@@ -126,7 +126,7 @@ def _waves(file, seed):
 def surface(waves, x, y):
     """Function of t (s) → elevation (n,) m at x, y (n,) m:  Re Σ a exp{i(k·x + ε − ωt)}
 
-    waves : of `_waves`.  What does not change in time is made once, a hundred times cheaper than records of points.
+    waves : from `_waves`.  Constant factors are computed once, a hundred times faster than records of points.
     """
     parts, k, ahead = waves
     along = np.multiply.outer(x, np.cos(parts.direction)) + np.multiply.outer(y, np.sin(parts.direction))

@@ -1,7 +1,7 @@
-"""A run of a body at a single point as a film: the hull as it slews, hawsers, and the buoy on its lines.
+"""A run of a body at a single point as a film: the slewing hull, hawsers, and the buoy on its lines.
 
-Lines hang in their static shape under the buoy, which is drawn at its height of the study; the surface is still, since
-neither that height in time nor the waves are in the file.
+Lines have their static shape under the buoy, which is drawn at the height in the study; the surface is flat, since the
+file contains neither that height over time nor the waves.
 """
 
 from __future__ import annotations

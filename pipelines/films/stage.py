@@ -1,4 +1,4 @@
-"""What a film of a moored body shows: hull, lines, fenders, a buoy, the bed and the surface, frame by frame."""
+"""Scene of a film of a moored body: hull, lines, fenders, a buoy, the bed and the surface, frame by frame."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .gif import BED, HULL, SEA, new_plotter
 GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
 POINTS = 40  # points drawn on a line
 FENDER, BUOY = "#c07020", "#d0a000"
-OF_SPAN = 0.01  # radius of a buoy, so that it is seen
+OF_SPAN = 0.01  # radius of a drawn buoy, for visibility
 
 
 class Hull(NamedTuple):
@@ -63,8 +63,8 @@ def frames(stage, at, poses, threads=None, heights=None, buoys=None):
     """Pictures, (height, width, 3) each, at times (n,) s of poses (n, hulls, 6) m, rad: where the center of each hull
     is in space, and how it is turned.
 
-    threads : function of the frame's number that gives (lines × POINTS, 3) m; heights : function of x, y (g,) m that
-    gives one of t (s) → (g,) m; buoys : (n, 3) m
+    threads : function of the frame number that returns (lines × POINTS, 3) m; heights : function of x, y (g,) m that
+    returns a function of t (s) → (g,) m; buoys : (n, 3) m
     """
     import pyvista
 
@@ -118,7 +118,7 @@ def _polylines(points):
 
 
 def _fender(one):
-    """A fender as a cylinder from its face outwards, as long and as wide as it is high"""
+    """A fender as a cylinder outwards from its face, its length and diameter equal to its height"""
     import pyvista
 
     height = one.fender.height

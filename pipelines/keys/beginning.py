@@ -1,4 +1,4 @@
-"""A file to begin with: the shipped example of a kind, each key explained by the reference where it first occurs."""
+"""A file to begin with: the shipped example of a kind, with each key explained at its first use."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ LONGEST = 110  # characters of a line
 
 
 def write(name, file):
-    """Write the file of a kind and what it needs beside it, over nothing.
+    """Write the file of a kind and the files that it needs; existing files are not replaced.
 
-    returns : paths that were written, and the commands that run the file.  Raises ValueError.
+    returns : written paths, and the commands that run the file.  Raises ValueError.
     """
     kind = kind_named(name)
     file, example = Path(file), SCENES / kind.example
@@ -39,7 +39,7 @@ def write(name, file):
 
 
 def needed(example, beside=()):
-    """Files of `pipelines/scenes` that an example names, those that these name, and `beside`"""
+    """Files of `pipelines/scenes` named in an example, those named in these, and `beside`"""
     found, left = [], [SCENES / name for name in beside] + [example]
     while left:
         path = left.pop()
@@ -78,7 +78,7 @@ def _remark(key):
 
 
 def _place(head, told):
-    """The path of a heading as the reference has it, NAME for what the writer chose"""
+    """The path of a heading as in the reference, with NAME for names chosen by the user"""
     if any(path == head for path, _ in told):
         return head
     *before, _ = head.split(".")

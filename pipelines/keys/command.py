@@ -41,7 +41,7 @@ def keys(
 
 
 def _tables(kind, words):
-    """The tables of a kind that have the words, or the keys of all files that have them.  Raises ValueError."""
+    """The tables of a kind that contain the words, or the keys of all files that do.  Raises ValueError."""
     from . import shown
     from .kinds import kind_named
     from .reference import reference

@@ -15,7 +15,7 @@ SOLVED = "hakobune solve series_box_20m.toml --output box.h5"
 
 
 class Kind(NamedTuple):
-    """reader : "module:Struct" of what a file becomes; commands : that read it; example : file in `pipelines/scenes`
+    """reader : "module:Struct" that reads the file; commands : that read it; example : file in `pipelines/scenes`
 
     steps : commands that run the example, FILE for its name; beside : further files of `pipelines/scenes` they need
     """
@@ -214,7 +214,7 @@ def struct_of(name):
 
 
 def that_read(raw):
-    """["hakobune moor", …], commands that read a file of these nested dictionaries as it is"""
+    """["hakobune moor", …], commands that can read a file of these nested dictionaries"""
     found = {}
     for name, kind in KINDS.items():
         try:
@@ -243,7 +243,7 @@ def examples_of(name):
 def _collect(raw, struct, path, values):
     for key, value in raw.items():
         place = f"{path}.{key}"
-        # names that the writer chooses stand under the key that holds them
+        # names chosen by the user are listed under the key that contains them
         for inner in value if isinstance(value, list) else [value]:
             if isinstance(inner, dict):
                 _collect(inner, struct, place.lstrip("."), values)

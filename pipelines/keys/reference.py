@@ -1,8 +1,8 @@
 """Every key of a file, from the typed table that reads it: name, unit, type, default, meaning, example.
 
-The docstring of a table begins with what it is; after it each line `key, key : unit, meaning` tells of its keys.
-`pretension :` tells of pretension_tonf and pretension_kN; what is told nowhere in a table and its bases is in `words`,
-and a key that holds a table means what that table is.
+The docstring of a table begins with a description; then each line `key, key : unit, meaning` explains keys. `pretension
+:` explains pretension_tonf and pretension_kN; keys that a table and its bases do not explain are in `words`, and a key
+that contains a table has the meaning of that table.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ PLURAL = {"number": "numbers", "whole number": "whole numbers", "text": "texts",
 
 
 class Key(NamedTuple):
-    """One key; default : None where there is none, `needed` whether it has to be given; example : TOML, or empty"""
+    """One key; default : None without one, `needed` whether it is required; example : TOML, or empty"""
 
     table: str
     name: str
@@ -38,7 +38,7 @@ class Key(NamedTuple):
 
 
 class KeyTable(NamedTuple):
-    """A table of a file: places : its headings there, as "[waves]", "" for the keys before any; keys : of `Key`"""
+    """A table of a file: places : its headings there, such as "[waves]", "" for the keys before any; keys : of `Key`"""
 
     places: tuple[str, ...]
     meaning: str
@@ -47,7 +47,7 @@ class KeyTable(NamedTuple):
 
 @cache
 def reference(kind):
-    """(KeyTable, …) of a kind of file, in the order of its keys.  Raises ValueError for a kind there is not."""
+    """(KeyTable, …) of a kind of file, in the order of its keys.  Raises ValueError for an unknown kind."""
     found = {}
     _walk(struct_of(kind), "", "", found)
     values = examples_of(kind)
@@ -58,7 +58,7 @@ def reference(kind):
 
 
 def unit_of(kind, path):
-    """Unit of a key of a kind of file by its path, as "hawser.length"; empty where it has none or is not known"""
+    """Unit of a key of a kind of file by its path, such as "hawser.length"; empty without or with an unknown unit"""
     head, _, name = path.rpartition(".")
     found = (key.unit for table in reference(kind) if f"[{head}]" in table.places for key in table.keys
              if key.name == name)  # fmt: skip
@@ -66,20 +66,20 @@ def unit_of(kind, path):
 
 
 def tables_of(kind):
-    """Every msgspec.Struct that a kind of file is read by"""
+    """Every msgspec.Struct that reads part of a kind of file"""
     found = {}
     _walk(struct_of(kind), "", "", found)
     return tuple(found)
 
 
 def summary(table):
-    """What a table is: the first paragraph of its docstring"""
+    """Description of a table: the first paragraph of its docstring"""
     text = inspect.cleandoc(table.__doc__ or "").split("\n\n")[0]
     return "" if ENTRY.match(text) else " ".join(text.split())
 
 
 def entries(table):
-    """{key: text} of the docstring of a table itself, its bases left out"""
+    """{key: text} of the docstring of a table itself, without its bases"""
     found, open_keys = {}, ()
     for line in inspect.cleandoc(table.__dict__.get("__doc__") or "").splitlines():
         marks = list(ENTRY.finditer(line))
@@ -96,7 +96,7 @@ def entries(table):
 
 
 def text_of(table, name):
-    """What the docstrings and the common words say of a key; None where nothing does"""
+    """Explanation of a key in docstrings and common words; None without one"""
     ending = next((end for end in ENDINGS if name.endswith(end)), None)
     found = _own_text(table, name) or COMMON.get(name)
     return found if found or ending is None else _own_text(table, name.removesuffix(ending))
@@ -107,7 +107,7 @@ def _own_text(table, name):
 
 
 def _walk(table, head, path, found):
-    """Collect {Struct: [(heading, path)]} depth first; a path has NAME for a name that the writer chooses"""
+    """Collect {Struct: [(heading, path)]} depth first; a path has NAME for a name chosen by the user"""
     found.setdefault(table, []).append((head, path))
     hints = typing.get_type_hints(table)
     for field in msgspec.structs.fields(table):

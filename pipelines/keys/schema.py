@@ -23,7 +23,7 @@ def schema(kind):
     """JSON Schema of a kind of file as nested dictionaries.  Raises ValueError for a kind that does not exist."""
     made = msgspec.json.schema(struct_of(kind))
     for table, told in zip(tables_of(kind), reference(kind), strict=True):
-        long = f"{table.__module__}.{table.__qualname__}"  # msgspec's name where two tables have the same name
+        long = f"{table.__module__}.{table.__qualname__}"  # msgspec's name for two tables with the same name
         body = made["$defs"][table.__name__ if table.__name__ in made["$defs"] else long]
         body["description"] = told.meaning
         for key in told.keys:

@@ -1,4 +1,4 @@
-"""Search of the keys of all files by words: in their names first, then in what they mean."""
+"""Search of the keys of all files by words: first in their names, then in their meanings."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .words import OTHER_NAMES
 
 
 class Found(NamedTuple):
-    """A key; places : headings of the tables that have it; kinds : of files in which they stand"""
+    """A key; places : headings of the tables that have it; kinds : of files that contain them"""
 
     key: Key
     places: tuple[str, ...]
@@ -20,7 +20,7 @@ class Found(NamedTuple):
 def search(words):
     """[Found, …] of the keys that have every word in name, table or meaning, the best first.
 
-    words : texts in any case; names of other programs and books (Hs, Tp, MBL, KG) find the keys that stand for them
+    words : texts in any case; names of other programs and books (Hs, Tp, MBL, KG) find the corresponding keys
     """
     words, found = [word.strip("[]").lower() for word in words], {}
     for kind in KINDS:

@@ -1,4 +1,4 @@
-"""The reference of keys as text of the terminal's width, as JSON and as Markdown."""
+"""The reference of keys as text in the terminal's width, as JSON and as Markdown."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ hakobune new KIND  writes an example with every key explained"""
 
 
 def kinds_text(as_json, as_markdown):
-    """All kinds of files, what they are and which commands read them"""
+    """All kinds of files, their content and the commands that read them"""
     if as_json:
         return json.dumps({name: {"meaning": k.meaning, "commands": k.commands} for name, k in KINDS.items()}, indent=1)
     if as_markdown:
@@ -27,8 +27,8 @@ def kinds_text(as_json, as_markdown):
 
 
 def having(tables, word):
-    """The tables whose heading has a word, and of the others the keys whose name has it; where none has it, the keys
-    whose meaning has it"""
+    """The tables with a word in their heading, and of the others the keys with the word in their name; if there are
+    none, the keys with the word in their meaning"""
     word, kept = word.strip("[]").lower(), []
     for table in tables:
         if any(word in place.lower().strip("[]").split(".") for place in table.places):
@@ -44,7 +44,7 @@ def _only(table, wanted):
 
 
 def tables_found(found):
-    """`KeyTable` of what a search has found: those of one place and one set of files together"""
+    """`KeyTable`s of the results of a search: those of one place and one set of files together"""
     together = {}
     for one in found:
         together.setdefault((one.places, one.kinds), []).append(one.key)
@@ -59,7 +59,7 @@ def default_of(key):
 
 
 def explained(key):
-    """Meaning of a key, its type where that is no single number, and an example"""
+    """Meaning of a key, its type unless it is a single number, and an example"""
     kind = f" ({key.type})" if key.type not in ("number", "table", "tables", "text", "table by name") else ""
     example = f"; e.g. {key.example}" if key.example and key.example != default_of(key) else ""
     return f"{key.meaning or key.name.replace('_', ' ')}{kind}{example}"

@@ -1,4 +1,4 @@
-"""Keys that mean the same wherever they stand, their names in other programs, and the units in names of keys."""
+"""Keys with the same meaning in all files, their names in other programs, and the units in names of keys."""
 
 from __future__ import annotations
 

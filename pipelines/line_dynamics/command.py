@@ -43,7 +43,7 @@ def line_dynamics_command(file, duration, tolerance, output, picture):
 
 
 class Progress:
-    """Prints how far a run is, every two seconds of waiting; runs over the same time after it are its checks."""
+    """Prints the progress of a run, every two seconds; later runs over the same time are its checks."""
 
     CHECKS = "", "with fewer elements: ", "with longer steps: "
 
@@ -54,7 +54,7 @@ class Progress:
 
     def __call__(self, reached):
         now = time.perf_counter()
-        if reached < self.reached:  # the clock starts here, when kernels are compiled
+        if reached < self.reached:  # the clock starts here, after the compilation of kernels
             self.run += 1
             self.begin, self.started = reached, now
         elif now - self.printed >= EVERY and reached < self.until:

@@ -1,4 +1,4 @@
-"""What a run of a dynamic line will take, and whether its line reaches as far as its fairlead goes."""
+"""Cost of a run of a dynamic line, and whether its line reaches all positions of its fairlead."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from ..common.units import KN
 from ..printing.number import significant
 
 FINEST = 1e-8  # smallest tolerance; rounding of tensions is about 1e-10
-STEPS = 2.0  # steps per longest step that the motion allows, at a tolerance of 1e-3; 1 to 4 were counted
+STEPS = 2.0  # steps per longest step allowed by the motion, at a tolerance of 1e-3; 1 to 4 were counted
 OF_ELEMENT, OF_STEP = 2e3, 600.0  # bytes
-# s of a step, of each element in it, and of each wave at each element, with the checks of both
+# s for a step, for each element in it, and for each wave at each element, including the checks of both
 OF_CALL, OF_ELEMENT_STEP, OF_WAVE = 2.7e-5, 5.3e-6, 2e-7
 FRAMES = 20  # frames per cycle; a run without cycles has at least 200
 
@@ -32,7 +32,7 @@ def frames_of(study, course):
 
 
 def check_finest(study):
-    """Raise a ValueError for a tolerance below rounding, or more elements than fit; before there is an array."""
+    """Raise a ValueError for a tolerance below rounding, or too many elements; before arrays are allocated."""
     if not FINEST <= study.tolerance <= 0.1:
         raise StudyError(f"tolerance is {study.tolerance:g}; allowed: {FINEST:g} to 0.1")
     elements = sum(part.elements or 0 for part in study.segments)
@@ -61,7 +61,7 @@ def check_effort(study, line, course, wave, frames, stations=0):
 
 
 def check_reach(line, breaking, course):
-    """Raise StudyError where the fairlead goes farther from the anchor than the line at its breaking load reaches."""
+    """Raise StudyError if the fairlead moves beyond the reach of the line at its breaking load."""
     from scipy.optimize import brentq
 
     times = np.linspace(0.0, min(course.duration, course.motion.end), 1001)

@@ -1,9 +1,9 @@
 """One line of a MoorDyn file as the study of a moving line: water, segments, bodies, anchor, and place of its fairlead.
 
 The line includes the free points that join two lines, which become the bodies between its segments.  It ends at an
-anchor and at the moving point, whatever that is attached to in the file.  Damping BA keeps its value or, where
-negative, its meaning in MoorDyn, a fraction of critical damping.  Parts out of the water have their weight in air and
-no water loads, as in MoorDyn.
+anchor and at the moving point, whatever its attachment in the file.  Damping BA keeps its value or, if negative, its
+meaning in MoorDyn, a fraction of critical damping.  Parts out of the water have their weight in air and no water loads,
+as in MoorDyn.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def with_moordyn(study, folder):
 
 
 def _way(system, name):
-    """Lines from the anchor to the end that moves, the free points between them, and the names of both ends"""
+    """Lines from the anchor to the moving end, the free points between them, and the names of both ends"""
     from hakobune.mooring.lines.system.parts import Anchor, CompositeLine, FreePoint
 
     lines = {line.name: line for line in system.lines}

@@ -1,4 +1,4 @@
-"""How the fairlead of a dynamic line moves, in which cycle, and for how long: from a study or a table of positions."""
+"""Motion, cycle and duration of the fairlead of a dynamic line: from a study or a table of positions."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def _harmonic(study, kind):
 
 
 def read_positions(path):
-    """(k,) s and (k, 3) m of a CSV of t,x,y,z; lines with `#`, and one line of names, are passed over.
+    """(k,) s and (k, 3) m of a CSV of t,x,y,z; lines with `#`, and one line of names, are skipped.
 
     raises : StudyError
     """

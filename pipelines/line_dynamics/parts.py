@@ -1,4 +1,4 @@
-"""A study of a moving line made into the values of `mooring.lines.dynamics.simulation`: line, bed, bodies, current
+"""Conversion of a study of a moving line to values of `mooring.lines.dynamics.simulation`: line, bed, bodies, current
 and wave.
 """
 
@@ -16,7 +16,7 @@ from ..common.units import TONF
 from ..common.weather.seas import mean_period
 from .study import BedTable
 
-ELEMENTS = 40  # elements of a line whose segments give no number; at least 4 each
+ELEMENTS = 40  # elements of a line without given numbers; at least 4 per segment
 LEVELS = 41  # heights at which a current over the depth is sampled
 FEWEST, MOST = 10, 1000  # components of a sea
 
@@ -133,7 +133,7 @@ def _bed(study):
 
 
 def _uphill(study, table):
-    """rad, where the bed rises to, or the course that its points are along"""
+    """rad, direction in which the bed rises, or along which its points lie"""
     if table.uphill_deg is not None or not table.points:
         return math.radians(table.uphill_deg or 0.0)
     if study.fairlead.position is None:

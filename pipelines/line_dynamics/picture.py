@@ -76,14 +76,14 @@ def _strip(figure, grid, line, course, result):
 
 
 def frames_of_last_cycle(time, cycle):
-    """Numbers of eight frames, evenly over the last cycle, or over everything where nothing repeats."""
+    """Indices of eight frames, evenly over the last cycle, or over everything if the motion is not periodic."""
     begin = time[0] if cycle is None else max(time[0], time[-1] - cycle)
     wanted = np.linspace(begin, time[-1], SHAPES, endpoint=cycle is None)
     return np.unique(np.abs(time[:, None] - wanted).argmin(axis=0))
 
 
 def moving_part(plane):
-    """From where to where (m) the line moves, with a margin; plane : (f, k, 2) m"""
+    """Range (m) in which the line moves, with a margin; plane : (f, k, 2) m"""
     away = np.linalg.norm(plane - plane[0], axis=2).max(axis=0)
     moving = plane[:, away >= 0.05 * away.max(), 0]
     left, right = moving.min(), moving.max()
@@ -92,7 +92,7 @@ def moving_part(plane):
 
 
 def _bed(axes, line, start, left, right):
-    """The bed where it cuts the plane of the picture."""
+    """The intersection of the bed with the plane of the picture."""
     if line.bed is None:
         return
     away = start[-1, :2] - start[0, :2]
@@ -102,6 +102,6 @@ def _bed(axes, line, start, left, right):
 
     x = np.linspace(left, right, 401)
     under = np.column_stack([line.anchor[:2] + x[:, None] * heading, np.zeros_like(x)])
-    for _ in range(10):  # along the normal, which is upright but for the slope
+    for _ in range(10):  # along the normal, which is vertical except for the slope
         under[:, 2] -= above_bed(line.system, under)
     axes.plot(x, under[:, 2], color="0.5", lw=3, zorder=0)

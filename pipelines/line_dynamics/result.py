@@ -64,7 +64,7 @@ def line_dynamics(
 
     study : path of a study, its tables as a dictionary, or a `pipelines.line_dynamics.study.LineDynamicsStudy`
     duration : s, tolerance : in place of the study's
-    progress : function of the duration, s, that gives one which is called with the time reached
+    progress : function of the duration, s, that returns a function called with the time reached
     returns : Result, in SI; its `detail` is a Run
     raises : ValueError, one line
     """
@@ -86,7 +86,7 @@ def line_dynamics(
 
 
 def _run(study, folder, progress):
-    """Run of a study, and what was warned of in it"""
+    """Run of a study, and its warnings"""
     from hakobune.mooring.lines.dynamics.simulation import simulate
 
     check_finest(study)
@@ -183,7 +183,7 @@ def _notes(found):
 
 
 def _nearest(run):
-    """Where the line is nearest to parting"""
+    """Place where the line is closest to parting"""
     used = run.strength.most_used(run.line, run.result)
     if used is None:
         return {}

@@ -1,8 +1,8 @@
 """One mooring line and the motion of its fairlead, as typed TOML.
 
-In m, s, kg and degrees, other units in the key.  Segments, and the bodies between them, count from the anchor up;
-z is measured from still water, and the bed lies `water.depth` below it under the anchor.  Every fault is one line
-that names key, value and what is allowed.
+In m, s, kg and degrees, other units in the key.  Segments, and the bodies between them, count from the anchor up; z is
+measured from still water, and the bed lies `water.depth` below it under the anchor.  Every fault is one line that names
+key, value and allowed values.
 """
 
 from __future__ import annotations
@@ -193,7 +193,7 @@ def read_line_dynamics(path):
 
 
 def make_line_dynamics(raw):
-    """The LineDynamicsStudy of nested dictionaries as TOML gives them.  Raises StudyError."""
+    """The LineDynamicsStudy of nested dictionaries read from TOML.  Raises StudyError."""
     study = typed(raw, LineDynamicsStudy, StudyError)
     if study.wave is not None and study.sea is not None:
         raise StudyError("wave and sea are both given; give one of them")

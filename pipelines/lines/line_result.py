@@ -1,4 +1,4 @@
-"""`hakobune.line`: one uniform line at a span, or at the span where it has a horizontal tension."""
+"""`hakobune.line`: one uniform line at a span, or at the span with a given horizontal tension."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..results.quantity import Quantity, quantities
 from ..results.result import Result, labels
 
 STEEPEST = 1.5  # rad, steepest bed in `mooring.catenary`
-FLAGS = {  # unit, its size, whether a value is good, what is allowed
+FLAGS = {  # unit, its size, whether a value is valid, allowed values
     "weight": (" N/m", 1.0, lambda value: 0 < value <= HEAVIEST, f"above 0, at most {HEAVIEST:g}"),
     "stiffness": (" kN", KN, lambda value: value > 0, "above 0"),
     "length": (" m", 1.0, lambda value: 0 < value <= LONGEST, f"above 0, at most {LONGEST:g}"),
@@ -54,7 +54,7 @@ def line(
     type : name in the catalogue; or weight : N/m in water, with stiffness : N, by default infinite
     span : m, between both ends; or tension : N, horizontal at the fairlead; slope : rad, and friction coefficient, of
         the bed
-    characteristic : whether it has the curves from slack to taut
+    characteristic : whether to include the curves from slack to taut
     returns : Result, in SI; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
     raises : ValueError, one line
     """
@@ -107,7 +107,7 @@ def _kind(name, weight, stiffness):
 
 
 def _check_floating(one, fairlead_z, friction, slope):
-    """Raise StudyError for what a line lighter than water cannot have."""
+    """Raise StudyError for options that a line lighter than water does not support."""
     given = (("fairlead_z", fairlead_z, fairlead_z <= 0), ("friction", friction, friction == 0))
     for name, value, good in (*given, ("slope", slope, slope == 0)):
         unit, size, *_ = FLAGS[name]
@@ -180,7 +180,7 @@ def _forces(one, span, found):
 
 
 def largest_in(found):
-    """N: the larger tension of both ends, which is that at the anchor where the line floats or the anchor is higher"""
+    """N: the larger tension of both ends; at the anchor for a floating line or a higher anchor"""
     return np.maximum(found.tension_fairlead, found.tension_anchor)
 
 

@@ -40,7 +40,7 @@ def lines_command(file, depth, output, picture, moordyn, **asked):
 
 
 def _moordyn_file(given, path):
-    """The MoorDynFile of a system, before anything is solved for it; what is said of it goes to what was read"""
+    """The MoorDynFile of a system, before the solution; its messages are added to those of reading"""
     from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
 
     from ..results.heard import heard

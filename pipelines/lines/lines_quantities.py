@@ -10,9 +10,9 @@ from ..results.result import labels, records
 REST, BODIES, POINTS = "lines at rest", "bodies at rest", "free points at rest"
 MOTION = dict(zip(("x", "y", "z", "roll", "pitch", "yaw"), 3 * ["m"] + 3 * ["rad"], strict=True))
 FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
-SHOWN = 1e-9  # stiffness that is rounding, over the largest term
+SHOWN = 1e-9  # stiffness that counts as rounding, over the largest term
 OFFSETS = ("offset", "direction")
-LEAST_ARM = 1e-3  # m, that turns a stiffness of shifts into one of rotations where all of these are rounding
+LEAST_ARM = 1e-3  # m, arm that converts a stiffness of shifts to one of rotations if all rotations are rounding
 LINE = {  # name: (unit, description, table, of LineForces)
     "tension.a": ("N", "tension a", REST, lambda at: at.tension_a),
     "tension.b": ("N", "tension b", REST, lambda at: at.tension_b),
@@ -26,7 +26,7 @@ LINE = {  # name: (unit, description, table, of LineForces)
 
 
 def axes_of(state, curves, losses):
-    """{axis: its labels} of all that a SystemEquilibrium may have"""
+    """{axis: its labels} of all possible results of a SystemEquilibrium"""
     system = state.system
     made = labels("line", system.line_names) | labels("lost", list(losses) or [""])
     made |= labels("body", [body.name for body in system.bodies] or [""])
@@ -80,7 +80,7 @@ def stiffness_on(state, name):
 
 
 def curves_at(curves):
-    """Restoring force and tensions at offsets along each direction; nan where there is no equilibrium"""
+    """Restoring force and tensions at offsets along each direction; nan without an equilibrium"""
     if not curves:
         return {}
     title = f"{curves[0].body} held at offsets from rest"
@@ -141,7 +141,7 @@ def line_alone(state, name):
 
 
 def periods_of(state, name, db):
-    """Natural periods of a body on its lines, nan where it is unstable, and the labels of its modes"""
+    """Natural periods of a body on its lines, nan for an unstable one, and the labels of its modes"""
     from hakobune.mooring.studies.natural_periods import moored_periods
 
     found = moored_periods(state, name, db)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 FARTHEST = 1e5  # m
 MOST_DIRECTIONS = 360
-OF_POINTS = 2e-3  # s for the square of the number of free points, where they are hard to bring to rest
+OF_POINTS = 2e-3  # s per square of the number of free points, for systems that converge slowly
 
 
 def lines(
@@ -61,7 +61,7 @@ def lines(
 
 
 def check_asked(offset, directions):
-    """Raise ValueError for offsets that cannot be"""
+    """Raise ValueError for impossible offsets"""
     if offset is not None and not 0 < offset <= FARTHEST:
         raise StudyError(f"--offset is {offset:g} m; allowed: above 0, at most {FARTHEST:g}")
     check_count("--direction", len(directions), most=MOST_DIRECTIONS)
@@ -96,13 +96,13 @@ def _asked_for(state, name, characteristic, db):
 
 
 def _solved(system, name, offset, directions, broken):
-    """SystemEquilibrium, [OffsetCurve], {line lost: equilibrium}, what was warned of at rest"""
+    """SystemEquilibrium, [OffsetCurve], {lost line: equilibrium}, warnings on the state at rest"""
     from hakobune.mooring.lines.system.equilibrium import rest
 
     with heard() as said:
         state = rest(system)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # said already of the intact system
+        warnings.simplefilter("ignore")  # reported already for the intact system
         losses = _losses(state) if broken else {}
         return state, [] if offset is None else _curves(state, name, offset, directions), losses, said
 
@@ -125,7 +125,7 @@ def _unstable(quantities, axes):
 
 
 def _check_effort(system, characteristic):
-    """Raise ValueError for more lines or free points than can be brought to rest, and say what many may take."""
+    """Raise ValueError for too many lines or free points, and report the expected time for many."""
     points, way_out = len(system.free_points), "give fewer lines and points"
     if len(system.lines) > MOST:
         raise StudyError(f"the system has {len(system.lines)} lines; allowed: up to {MOST}")
@@ -137,7 +137,7 @@ def _check_effort(system, characteristic):
 
 
 def _body(system, name, needed):
-    """The body meant: the one named, or the only or first one."""
+    """The requested body: by name, or the only or first one."""
     names = [body.name for body in system.bodies]
     if name is not None and name not in names:
         raise StudyError(f"--body is {name!r}; allowed: {', '.join(names) or 'none, the system has no body'}")

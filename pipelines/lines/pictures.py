@@ -59,7 +59,7 @@ def _widen(axes):
 
 
 def _draw_beds(axes, state):
-    """The bed of the system where a line has no other, and that of each line that has its own"""
+    """The bed of the system for lines without their own, and each line's own bed"""
     own = beds_of_lines(state)
     if len(own) < len(state.system.lines):
         axes.axhline(-state.system.depth, color="0.5", lw=4, zorder=0)

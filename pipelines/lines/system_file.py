@@ -1,5 +1,5 @@
-"""A system of mooring lines from a file: TOML of this house, MoorDyn input, FAST.Farm's .fstf, or YAML of MoorPy, RAFT
-or OrcaFlex.
+"""A system of mooring lines from a file: hakobune's TOML, MoorDyn input, FAST.Farm's .fstf, or YAML of MoorPy, RAFT or
+OrcaFlex.
 
 TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, and the lists [[bodies]], [[anchors]],
 [[fairleads]], [[points]] (free: buoys, sinkers, joints) and [[lines]].
@@ -28,7 +28,7 @@ YAML, TOML = (".yaml", ".yml"), (".toml",)
 
 
 class BodyTable(Table):
-    """A body that lines hold
+    """A body held by lines
 
     name : name of the body, for the key body of fairleads
     position : m, x, y, z at rest
@@ -114,9 +114,9 @@ class SystemTable(Table):
 
 @dataclass(frozen=True)
 class Given:
-    """A system as it is read from a file.
+    """A system read from a file.
 
-    text : of the file; said : warnings about it; moordyn : MoorDynFile where it is one
+    text : of the file; said : warnings about it; moordyn : MoorDynFile, if it is one
     """
 
     system: System
@@ -138,7 +138,7 @@ def read_system(path, depth=None) -> System:
 
 
 def read_given(system, depth=None) -> Given:
-    """What a path, a dictionary or a System gives; depth as of `read_system`.  Raises ValueError, one line."""
+    """The system of a path, a dictionary or a System; depth as in `read_system`.  Raises ValueError, one line."""
     if isinstance(system, System):
         return Given(system)
     if depth is not None and not 0 < depth < math.inf:
@@ -156,7 +156,7 @@ def read_given(system, depth=None) -> Given:
 
 
 def _read(path, depth):
-    """System, text and MoorDynFile of a path, or None for each that there is not"""
+    """System, text and MoorDynFile of a path, or None for missing ones"""
     if path.suffix.lower() in TOML:
         if depth is not None:
             raise StudyError(f"--depth is {depth:g} m and {path} has its own; allowed: without it, or [water] depth")
@@ -181,7 +181,7 @@ def _read(path, depth):
 
 
 def make_system(raw) -> System:
-    """The System of nested dictionaries as TOML gives them.  Raises ValueError, one line."""
+    """The System of nested dictionaries read from TOML.  Raises ValueError, one line."""
     table = typed(raw, SystemTable, StudyError)
     bodies = [
         MooredBody(
@@ -218,10 +218,10 @@ def make_system(raw) -> System:
 
 
 def _warn_of_no_water(bodies):
-    """Warn of bodies that would sink or turn over: a system in TOML gives them neither weight nor water"""
+    """Warn of bodies that would sink or turn over: a system in TOML has neither their weight nor buoyancy"""
     for body in bodies:
         loose = [name for name in ("Heave", "Roll", "Pitch") if name in body.freedom]
-        if body.force_kN[2] != 0 and "Heave" in loose:  # its lift less its weight is given
+        if body.force_kN[2] != 0 and "Heave" in loose:  # its buoyancy minus its weight is given
             loose.remove("Heave")
         if loose:
             warnings.warn(

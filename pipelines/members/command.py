@@ -36,7 +36,7 @@ def _draw(result, path):
         if name in COLOUR:
             axis.plot(degrees, size[:, k], COLOUR[name], linewidth=2, label=name)
         elif not name.endswith(", wind"):
-            style = ("-", (0, (4, 4)))[k % 2]  # piles side by side have the same force: both are to be seen
+            style = ("-", (0, (4, 4)))[k % 2]  # piles side by side have the same force: dashes show both
             axis.plot(degrees, size[:, k], linestyle=style, label=name)
     axis.set(xlabel="phase, °; 0: crest at the origin", ylabel="force, kN", xlim=(0, 360), ylim=(0, None))
     axis.set_xticks(range(0, 361, 45))

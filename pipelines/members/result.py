@@ -1,4 +1,4 @@
-"""`hakobune.members`: forces on slender members over one wave, the largest of each and of all, and when."""
+"""`hakobune.members`: forces on slender members over one wave, the largest of each and of all, and their phases."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..results.result import Result, labels
 from .study import MembersStudy, make_study, placed, read_study, wave_of, wind_on
 
 PHASES = 360  # phases of a wave
-SLENDER = 0.2  # D/λ, above which a member scatters the wave
+SLENDER = 0.2  # D/λ above which a member scatters the wave
 IN_WATER, ALL = "all in the water", "all"
 A_MEMBER = 0.1  # s, over a wave
 
@@ -57,7 +57,7 @@ def _rows(standing, wind, wave, phases, density):
 
 
 def _largest(force, phases, waves):
-    """Of forces (p, m, 6): the largest force and the largest moment of each, and their phases, nan of what is steady"""
+    """For forces (p, m, 6): the largest force and the largest moment of each, and their phases, nan for steady ones"""
     size, turning = (np.linalg.norm(part, axis=2) for part in (force[..., :3], force[..., 3:]))
     i, j, each = size.argmax(axis=0), turning.argmax(axis=0), np.arange(force.shape[1])
     steady = np.all(force == force[0], axis=(0, 2))

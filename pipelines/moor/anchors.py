@@ -6,7 +6,7 @@ type = "stockless"         friction = 0.5              holding_kN = 1500.0
 soil = "sand"              weight_kN = 400.0           uplift_kN = 600.0
 mass = 9000.0              lines = ["fore 1"]          safety = 2.0
 
-Without mass or weight_kN an anchor is sized: the result has the size that its pull needs.
+Without mass or weight_kN an anchor is sized: the result has the size required by its pull.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class AnchorTable(Table):
 
 
 def anchors_of(tables, names, bollards=()):
-    """[Anchor or None] of each of the lines by name; bollards : names of those that end at none.  Raises StudyError."""
+    """[Anchor or None] of each line by name; bollards : names of lines that end at none.  Raises StudyError."""
     made = [_anchor(f"anchors[{i}]", table) for i, table in enumerate(tables)]
     found = {}
     for i, (table, one) in enumerate(zip(tables, made, strict=True)):
@@ -135,11 +135,11 @@ def _pile(where, table, safety):
 
 
 def quantities_of_anchors(anchors, along, up):
-    """{name: Quantity} over the lines of what anchors hold, use and need at pulls (n,) N; {} where there are none"""
+    """{name: Quantity} over the lines: capacity, use and required size of anchors at pulls (n,) N; {} without any"""
     if all(one is None for one in anchors):
         return {}
     rows = list(zip(anchors, along, up, strict=True))
-    of_kind = {  # size or capacity that is needed, NaN for other kinds
+    of_kind = {  # required size or capacity, NaN for other kinds
         kind: np.array([np.nan if one is None or one.kind != kind else one.needed(h, v) for one, h, v in rows], float)
         for kind in KINDS
     }
@@ -157,5 +157,5 @@ def quantities_of_anchors(anchors, along, up):
 
 
 def _of(rows, of):
-    """(n,) of (Anchor, along, up) rows, nan where there is no anchor"""
+    """(n,) of (Anchor, along, up) rows, nan without an anchor"""
     return np.array([np.nan if row[0] is None else of(*row) for row in rows], float)

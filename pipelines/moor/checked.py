@@ -22,8 +22,8 @@ class Body(NamedTuple):
     name : of its database or scene, for messages; dimensions : {name: m}, empty for a mesh file
     rotation_center : (3,) m; density : kg/m³; gravity : m/s²; water_depth : m
     omega : (n,) rad/s, the first and last are its band; wall : m, y, or None
-    ring : `Ring` of the waves that are solved, None where symmetry is not known, for a mesh file
-    stored : names of the quantities that are solved; has_inertia : whether its radii of gyration are known
+    ring : `Ring` of the solved waves, None for a mesh file of unknown symmetry
+    stored : names of the solved quantities; has_inertia : whether its radii of gyration are known
     """
 
     name: str
@@ -40,7 +40,7 @@ class Body(NamedTuple):
 
     @property
     def sizes(self):
-        """Dimensions known before the hull is meshed, in place of `sizes` of a database"""
+        """Dimensions known before the hull is meshed, instead of `sizes` of a database"""
         return self.dimensions
 
 
@@ -64,7 +64,7 @@ def body_of_scene(name, scene):
 
 
 def check_stored(body, in_waves):
-    """Raises StudyError where the solved quantities do not give the motions of a Body, or the drift of waves"""
+    """Raises StudyError if the solved quantities do not give the motions of a Body, or the drift of waves"""
     if not body.has_inertia:
         raise StudyError(f"{body.name}: the radii of gyration are missing; give gyration (m) and solve the body again")
     lacking = [name for name in (*RADIATION, "excitation_force") if name not in body.stored]
@@ -78,7 +78,7 @@ def check_stored(body, in_waves):
 
 
 def check_headings(body, seas):
-    """Raises StudyError for waves, each with a direction, that the body is not solved for"""
+    """Raises StudyError for waves, each with a direction, for which the body is not solved"""
     if body.ring is None:
         return
     try:
@@ -88,7 +88,7 @@ def check_headings(body, seas):
 
 
 def check_waves(body, conditions):
-    """Raises ValueError for waves of `Conditions` in which a Body is not solved for"""
+    """Raises ValueError for waves of `Conditions` for which a Body is not solved"""
     if conditions.waves is None:
         return
     if conditions.method == "regular_wave":
@@ -109,7 +109,7 @@ def check_period(waves, omega):
 
 
 def check_weather(study, body):
-    """ExposedBox of a `Study` on a Body.  Raises ValueError for a hull, weather or quay that does not fit."""
+    """ExposedBox of a `Study` on a Body.  Raises ValueError for a hull, weather or quay that does not match."""
     study.check_depth(body.water_depth, body.name)
     hull = study.hull_of(body.dimensions)
     study.check_streams(hull, body.density)

@@ -2,7 +2,7 @@
 
     lines_file = "moorings.dat"      # MoorDyn, MoorPy, RAFT or OrcaFlex, beside the study
 
-Each line runs from an anchor to the only body of the file, the hull of the study; where the file has several bodies,
+Each line runs from an anchor to the only body of the file, the hull of the study; for a file with several bodies,
 `lines_body` names it.  The tables become part of the study, of a state of a design and of a result.
 """
 
@@ -72,7 +72,7 @@ def _tell_displaced(body, file):
 
 
 def _chains(system):
-    """[(line, whether it runs from a to b), …] of each way from an anchor over joints of two lines to the body"""
+    """[(line, whether it runs from a to b), …] of each path from an anchor over joints of two lines to the body"""
     from hakobune.mooring.lines.system.parts import Anchor, Fairlead
 
     points, at = {point.name: point for point in system.points}, {}
@@ -98,9 +98,9 @@ def _chains(system):
 
 
 def _table(chain, points, bodies, depth, water, types):
-    """A table of [[lines]] of one of the `_chains`; its types are added to `types`
+    """A table of [[lines]] for one of the `_chains`; its types are added to `types`
 
-    water : its density and gravity in the file, by which lines weigh there and what hangs in them too
+    water : its density and gravity in the file, for the submerged weight of lines and attached bodies
     """
     ends = [(line.a, line.b) if along else (line.b, line.a) for line, along in chain]
     anchor, fairlead = points[ends[0][0]], points[ends[-1][1]]
@@ -154,7 +154,7 @@ def _parts(line, along, types):
 
 
 def _type(types, name, weight, stiffness, load, friction):
-    """Name of the type in `types` that has these, N and N/m; it is added where there is none"""
+    """Name of the type in `types` with these values, N and N/m; a new one is added if none matches"""
     made = {"weight_N_per_m": float(weight), "bed_friction": float(friction)}
     if math.isfinite(stiffness):
         made["axial_stiffness_kN"] = float(stiffness) / 1e3

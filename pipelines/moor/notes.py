@@ -1,4 +1,4 @@
-"""Findings and notes on a mooring study in addition to its tables."""
+"""Findings and notes on a mooring study, in addition to its tables."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from ..common.resonances import resonance_lines
 from ..common.units import KN
 from ..printing.number import significant
 
-ROUNDING = 1e-6  # force over the largest force, with moments per metre, that counts as zero
+ROUNDING = 1e-6  # force over the largest force, with moments per metre, below which it counts as zero
 SAME = 0.01  # relative difference of forces and motions within which two methods agree
 
 
 def notes(made):
-    """Lines on a MultiPoint: its waves, and the line that pulls most"""
+    """Notes on a MultiPoint: its waves, and the most loaded line"""
     worst = int(np.argmax(made.tension))
     largest = (
         f"largest tension: {significant(made.tension[worst] / KN)} kN in {made.system.line_names[worst]}, "
@@ -28,7 +28,7 @@ def notes(made):
 
 
 def resonant(made, db):
-    """Findings on resonances of the free body outside the stored frequencies, where there are waves"""
+    """Findings on resonances of the free body outside the stored frequencies, for studies with waves"""
     return tuple(resonance_lines(resonances(db.bodies_reader))) if made.conditions.waves else ()
 
 
@@ -39,7 +39,7 @@ def _used(result, line):
 
 
 def _waves(made):
-    """What the current changes in the drift, and by what the motions are multiplied"""
+    """Effect of the current on the drift, and factor on the motions"""
     if not made.waves:
         return
     w, chosen = made.conditions, made.waves[made.conditions.method]
@@ -50,7 +50,7 @@ def _waves(made):
 
 
 def _by_current(current, effects):
-    """What a current that carries the waves changes in their drift"""
+    """Effect of a current that carries the waves on their drift"""
     still, names = effects.drift - effects.by_current, ("Fx", "Fy", "Mz")
     size = np.array([*2 * [np.abs(still[:2]).max()], np.abs(still[2])])
     rounding = ROUNDING * np.abs(effects.drift[:2]).max()

@@ -10,16 +10,16 @@ from hakobune.mooring.studies.multi_point import line_ends
 
 from ..common.picture import draw_streams, save
 
-LABEL = 0.3  # place of a label on a line from its anchor, where lines are apart
+LABEL = 0.3  # place of a label on a line from its anchor, where lines are far apart
 SHORT = 0.1  # length of a short line over the plan
 AT_SURFACE = 1e-3  # fraction of the draft
-UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
+UNKNOWN = "0.45"  # grey: a line without a given breaking load
 
 
 def draw_plan(result, db, path, used=None):
     """Write the plan of a MultiPoint result on a database as a picture.
 
-    used : (n,) largest tension over breaking load of the lines, nan where it is unknown; by default of the result
+    used : (n,) largest tension over breaking load of the lines, nan if unknown; by default of the result
     """
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -75,8 +75,8 @@ def _outlines(result, db):
 
 
 def _outline(one, db):
-    """(k, 3) m, closed, of an `Afloat` in its own coordinates: around its waterline, of a database without panels or of
-    a hull under water its box
+    """(k, 3) m, closed, of an `Afloat` in its own coordinates: around its waterline; without panels, or for a submerged
+    hull, its box
     """
     if db.mesh is not None and len(db.mesh):
         from scipy.spatial import ConvexHull
@@ -92,7 +92,7 @@ def _outline(one, db):
 
 
 def _colour(colours, share):
-    """Of a share of the breaking load; grey, which is in no scale, where there is none"""
+    """Colour for a share of the breaking load; grey, which is outside the scale, without one"""
     return UNKNOWN if np.isnan(share) else colours.to_rgba(min(share, colours.norm.vmax))
 
 

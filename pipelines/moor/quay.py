@@ -1,20 +1,20 @@
-"""The body of a study before its quay: by the far field of open water, or of a database solved with the wall."""
+"""The body of a study before its quay: by the far field of open water, or from a database solved with the wall."""
 
 from __future__ import annotations
 
 from ..common.quantities import StudyError
 
 METHODS = ("far-field", "panels")
-# part of local waves that remains over the way to the quay and back: reported from the first, refused from the second
+# remaining part of local waves over the way to the quay and back: reported above the first, refused above the second
 SAID, REFUSED = 0.05, 0.3
-GIVEN_BACK = 0.01  # negative damping over the largest damping that is reported
+GIVEN_BACK = 0.01  # negative damping over the largest damping, above which it is reported
 SAME = 1e-6  # m, of the wall of a database and the quay of a study
 NO_DRIFT = "wave drift in front of the quay is unknown and not included"
 _made = {}
 
 
 def body_of(study, db):
-    """`Reader` of a database's body before the quay of a `Study`, or as it is without one, and lines for the reader
+    """`Reader` of a database's body before the quay of a `Study`, or unchanged without one, and messages
 
     raises : StudyError where quay and database do not fit
     """
@@ -27,9 +27,9 @@ def body_of(study, db):
 
 
 def method_of(quay, wall, name):
-    """far-field or panels, of a QuayTable.  Raises StudyError where quay and body do not fit.
+    """far-field or panels, for a QuayTable.  Raises StudyError if quay and body do not match.
 
-    wall : m, y of that which the body is solved with, None for open water; name : of its database or scene
+    wall : m, y of the wall in the body's solution, None for open water; name : of its database or scene
     """
     method = quay.method or ("far-field" if wall is None else "panels")
     if method not in METHODS:

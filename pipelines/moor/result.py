@@ -55,7 +55,7 @@ LINE = {  # name: (unit, description, table, of a MultiPoint)
 
 
 def moor(study: File | Tables | Study, database: File | Database) -> Result:
-    """Equilibrium, natural periods and line tensions of a moored body, or of several moored to each other too.
+    """Equilibrium, natural periods and line tensions of a moored body, or of several bodies moored to each other.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
@@ -118,12 +118,12 @@ def result_of(made, hull, text, db, first=(), anchors=()):
 
 
 def _of_each(bodies, words):
-    """Words, of several bodies those of each after its name"""
+    """Words; with several bodies those of each after its name"""
     return [f"{body} {word}" for body in bodies for word in words] or list(words)
 
 
 def _steady(made):
-    """Rows of loads, of several bodies all of one before those of the next"""
+    """Rows of loads; with several bodies one body after another"""
     loads = np.array([*made.loads.values(), made.steady_force])
     loads = loads.reshape(len(loads), -1, 6).swapaxes(0, 1).reshape(-1, 6)
     return {

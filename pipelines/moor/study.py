@@ -2,7 +2,7 @@
 
 `[simulation]`, gusts and the spectrum of the waves are for `simulate` alone (`pipelines.simulate.study`).
 
-A key contains the unit where it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and waves have either
+A key contains its unit if it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and waves have either
 `direction_deg`, the direction of travel, 0 → +x, or `incidence_deg`, the angle χ of the SR179 report, 0 from ahead:
 direction = incidence + 180°.  Every fault is one line with the key, the value and the allowed values.
 """
@@ -92,7 +92,7 @@ class Study(Table):
         return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
     def hulls_of(self, db):
-        """ExposedBox as `hull_of` of a database of one body; of several {name: ExposedBox} of those that move"""
+        """ExposedBox as by `hull_of` for a database of one body; for several {name: ExposedBox} of the moving ones"""
         if not db.bodies:
             if self.hulls:
                 raise StudyError(f"hulls.{min(self.hulls)} is given, and the database contains one body; give [hull]")
@@ -130,7 +130,7 @@ class Study(Table):
         return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
 
     def remarks(self, hull, db):
-        """The first findings on an `ExposedBox` and the database of its hull, a line each
+        """Initial findings on an `ExposedBox` and the database of its hull, one line each
 
         raises : StudyError as `check_streams`
         """
@@ -145,12 +145,12 @@ class Study(Table):
         return said
 
     def check_depth(self, solved, name):
-        """Raises StudyError as `common.weather.water.check_solved_depth`"""
+        """Raises StudyError as `common.weather.water.check_solved_depth` does"""
         waves = self.conditions().waves
         check_solved_depth(self.water.depth, solved, name, None if waves is None else waves.period)
 
     def check_streams(self, hull, density):
-        """Raises StudyError for weather that cannot be, or that has no coefficients for an `ExposedBox`; kg/m³"""
+        """Raises StudyError for impossible weather, or weather without coefficients for an `ExposedBox`; kg/m³"""
         given = self.conditions()
         try:
             if given.wind:
@@ -170,7 +170,7 @@ class Study(Table):
         return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
 
     def berth_of(self, db, hulls):
-        """The same of the bodies of a database, `hulls_of` it.  Raises StudyError for what it is not known of."""
+        """The same for the bodies of a database, `hulls_of` it.  Raises StudyError for unsupported cases."""
         if not db.bodies:
             return self.berth(hulls, db.rotation_center)
         if self.quay is not None or self.harbour is not None:
@@ -197,7 +197,7 @@ class Study(Table):
         return anchors_of(self.anchors, names, [line.name for line in self.lines if line.bollard is not None])
 
     def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
-        """System of one hull on all spreads and lines, None where a berth alone holds it, or nothing in time
+        """System of one hull on all spreads and lines, None if a berth alone holds it, or nothing in a simulation
 
         its axes at `center` (3,) m; density : kg/m³; gravity : m/s²
         """
@@ -218,9 +218,9 @@ class Study(Table):
         return moored_bodies(legs, moving, self.water.depth, db.density, db.gravity)
 
     def _legs(self, hulls, density, gravity, in_time, bodies=None):
-        """[Leg] of all spreads and lines on hulls {name: ExposedBox}, None where there are none and may be none
+        """[Leg] of all spreads and lines on hulls {name: ExposedBox}, None if there are none and none is required
 
-        bodies : {name: `bem.modes.Body`} of several, in whose coordinates their ends are given
+        bodies : {name: `bem.modes.Body`} of several bodies, in whose coordinates their ends are given
         """
         check_types(self.types, density, gravity)
         if not self.spreads and not self.lines:
@@ -284,14 +284,14 @@ class Study(Table):
 
 
 def box_of(db, body):
-    """{"length", "beam", "draft"} m of the box about the origin that holds one of several bodies, a `bem.modes.Body`"""
+    """{"length", "beam", "draft"} m of the box about the origin around one of several bodies, a `bem.modes.Body`"""
     points = body_named(db, body.name).mesh.whole().points - (*body.place, 0.0)
     length, beam = 2 * np.abs(points @ body.axes)[:, :2].max(axis=0)
     return {"length": float(length), "beam": float(beam), "draft": float(-points[:, 2].min())}
 
 
 def sides_of(db):
-    """`mooring.fenders.gaps.Side` of every body of a database, () for one"""
+    """`mooring.fenders.gaps.Side` of every body of a database, () for one body"""
     from hakobune.mooring.fenders.gaps import Side
 
     found, count = [], 0
@@ -304,7 +304,7 @@ def sides_of(db):
 
 
 def _of_several(where, name, bodies, hulls):
-    """`bem.modes.Body` of a name, None of one body.  Raises StudyError for one that does not move."""
+    """`bem.modes.Body` of a name, None for a single body.  Raises StudyError for a fixed body."""
     if bodies is None:
         return None
     if name not in hulls:
@@ -313,7 +313,7 @@ def _of_several(where, name, bodies, hulls):
 
 
 def _placed(leg, body):
-    """A Leg of a body in its own coordinates, in space"""
+    """A Leg of a body in its own coordinates, converted to space"""
     if body is None:
         return leg
     ends = (tuple(map(float, body.in_scene(end))) for end in (leg.anchor, leg.fairlead))
@@ -321,7 +321,7 @@ def _placed(leg, body):
 
 
 def _in_space(where, line, body, bodies):
-    """A OneLine whose fairlead and bollard are in coordinates of bodies, with both in space"""
+    """A OneLine with fairlead and bollard in coordinates of bodies, both converted to space"""
     if body is None:
         return line
     changed = {"fairlead": tuple(map(float, body.in_scene(line.fairlead)))}
@@ -347,7 +347,7 @@ def read_raw(path):
 
 
 def make_study(raw):
-    """The Study of nested dictionaries as TOML gives them.  Raises StudyError."""
+    """The Study of nested dictionaries read from TOML.  Raises StudyError."""
     study = typed(raw, Study, StudyError)
     if study.site is not None:
         raise StudyError("site is given without a file; it needs a study file, read by read_study")

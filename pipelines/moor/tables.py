@@ -1,4 +1,4 @@
-"""Tables of a mooring study as TOML has them, with their keys, units and defaults (`study.Study` joins them)."""
+"""Tables of a mooring study in TOML, with their keys, units and defaults (`study.Study` joins them)."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ from ..results.result import Result, labels
 from ..solve.panel_counts import meshed
 from .study import SHIPS, PassingStudy, check_apart, make_study, read_study, size, track_of
 
-BROKEN = 1.5  # 1/√(1 − Fₕ²) from which no linear theory is an estimate
+BROKEN = 1.5  # 1/√(1 − Fₕ²) above which linear theory gives no estimate
 LARGEST = {"surge": 0, "sway": 1, "yaw": 5}
 UNITS = ("N", "N", "N", "N m", "N m", "N m")
 MOST = 4  # largest number of panels of a mesh file over the requested one
@@ -67,7 +67,7 @@ def passing(study: File | Tables | PassingStudy) -> Result:
             moored, passer, track, places, factors, quay=study.quay, peaks=study.peaks, density=water.density
         )
     center = np.array(study.moored.rotation_center or (0.0, 0.0, 0.0))
-    found = found.about((center - middles[0]) * (1, 1, study.method == "panels"))  # the others know no height
+    found = found.about((center - middles[0]) * (1, 1, study.method == "panels"))  # the other methods have no height
     axes = labels("motion", list(LARGEST)) | labels("time", found.in_time.times, "s")
     axes |= labels("of_force", list(words_of(())))
     return Result(
@@ -82,7 +82,7 @@ def passing(study: File | Tables | PassingStudy) -> Result:
 
 
 def _hull(study, name):
-    """A whole hull with the middle of its waterline at the origin, and that middle (3,) m in coordinates of its own"""
+    """A whole hull with the middle of its waterline at the origin, and that middle (3,) m in its own coordinates"""
     body = getattr(study, name)
     if body.shape != "mesh":
         return meshed(body, None, panels=study.panels).whole(), np.zeros(3)

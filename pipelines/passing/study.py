@@ -1,6 +1,6 @@
 """A ship that passes a moored one, as typed TOML.
 
-Bodies are as in a scene; of a mesh file the middle of its length and beam is taken for the middle of the ship.
+Bodies are as in a scene; for a mesh file the middle of its length and beam is the middle of the ship.
 
 [water]                [moored]               [passing]              [track]
 depth = 20.0           shape = "ship"         shape = "ship"         distance = 110.0
@@ -118,7 +118,7 @@ def _check_fits(study):
 
 
 def _check_ship(name, body, depth):
-    """Raise StudyError for a body that is none, or has what a passage does not ask for"""
+    """Raise StudyError for a missing body, or keys that a passage does not use"""
     check_body(name, body, depth)
     if body.rotation_center is not None and name != "moored":
         raise StudyError(f"{name}.rotation_center is given; only the moored ship has one")
@@ -151,7 +151,7 @@ def size(body, hull):
 
 
 def check_apart(study, beams):
-    """m between the sides.  Raises StudyError where the ships touch, or one lies in the wall; beams : (2,) m"""
+    """m between the sides.  Raises StudyError for ships that touch, or one inside the wall; beams : (2,) m"""
     half = 0.5 * np.asarray(beams)
     distance, wall = study.track.distance, study.wall
     gap = abs(distance) - half.sum()

@@ -1,8 +1,8 @@
-"""The one way to print: a console whose tables are never cut, or come as CSV or JSON where the command line asks.
+"""The single way to print: a console whose tables are never cut, or are printed as CSV or JSON on request.
 
 A table wider than its terminal is printed at its own width.  With --csv or --json (`tables_as`) each table is a block
 of lines, its names first, or one line {"title", "rows": [{name: text or number}]}; everything else goes to stderr.
-Cells made by `number` come with all their digits; a number that is not finite is empty in CSV and null in JSON.
+Cells made by `number` have all their digits; a number that is not finite is empty in CSV and null in JSON.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from functools import cache
 
 FORMS = ("csv", "json")
 WIDEST = 1000  # characters
-_asked = None  # (form, file of tables) while they are asked for in another form than boxes
+_asked = None  # (form, file of tables) while another form than boxes is requested
 
 
 @contextlib.contextmanager
 def tables_as(form):
-    """Context in which tables are printed as "csv" or "json", or with None as boxes; says where there was none"""
+    """Context in which tables are printed as "csv" or "json", or with None as boxes; reports if there was none"""
     global _asked
     if form is None:
         yield
@@ -40,7 +40,7 @@ def tables_as(form):
 
 
 def document(result):
-    """Whether a `results.Result` was written as CSV or JSON because the command line asks for one of them"""
+    """Whether a `results.Result` was written as CSV or JSON, as requested on the command line"""
     if _asked is None:
         return False
     form, file = _asked
@@ -49,7 +49,7 @@ def document(result):
 
 
 def taken(arguments):
-    """Arguments without --csv and --json, and which of them was asked for.  Raises ValueError for both."""
+    """Arguments without --csv and --json, and the requested one.  Raises ValueError for both."""
     given = [form for form in FORMS if f"--{form}" in arguments]
     if len(given) > 1:
         raise ValueError("--csv and --json are both given; give one of them")

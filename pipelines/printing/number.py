@@ -1,4 +1,4 @@
-"""A number in a table: printed with significant digits, kept whole for --csv, --json and a sweep."""
+"""A number in a table: printed with significant digits, with full precision for --csv, --json and a sweep."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ NOTHING = "–"
 def number(value, factor=1.0, digits=DIGITS):
     """A cell of a table with `digits` significant digits of value / factor; its `value`, a float, is not rounded.
 
-    factor : of the unit that the column names, as 1e3 for kN; a value that is not finite is a dash, and null in JSON
+    factor : of the unit named in the column, such as 1e3 for kN; a value that is not finite is a dash, and null in JSON
     """
     kept = float(value) / factor
     made = _cell()(significant(kept, digits))

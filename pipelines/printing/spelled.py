@@ -1,4 +1,4 @@
-"""A terminal that cannot write ω (cp1252, cp932) has a word in its place: no message is lost for a letter."""
+"""Words for letters that a terminal cannot write, such as ω (cp1252, cp932), so that no message is lost."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SET_UP = {**dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789", strict=True)),
 
 
 def spelled(error):
-    """What is written for the characters of a UnicodeEncodeError, and where to go on"""
+    """Replacement for the characters of a UnicodeEncodeError, and the place where writing continues"""
     text, end = "", error.end
     for i in range(error.start, end):
         letter = error.object[i]
@@ -34,7 +34,7 @@ def _word(letter):
 
 
 def spell_out(*streams):
-    """Let text streams write words for what their encoding lacks"""
+    """Let text streams write words for characters outside their encoding"""
     codecs.register_error("spelled", spelled)
     for stream in streams:
         if hasattr(stream, "reconfigure"):

@@ -1,7 +1,7 @@
-"""Where the time of a command goes: its phases one by one, which --timing asks for.
+"""Time of a command by phase, requested by --timing.
 
-The time of a phase leaves out that of phases within it, so that all add up to the whole.  Kernels that are compiled are
-a phase wherever that happens (`pipelines.common.first_use`).
+The time of a phase excludes that of phases within it, so that all add up to the whole.  Compilation of kernels is a
+separate phase wherever it happens (`pipelines.common.first_use`).
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from contextlib import contextmanager, nullcontext
 
 FLAG = "--timing"
 KERNELS, REST = "kernels compiled", "everything else"
-_asked = None  # the `Timeline` of a command while one is asked for
+_asked = None  # the `Timeline` of a command while one is requested
 
 
 class Timeline:
     """Seconds of phases, by the wall and of the processor.
 
-    clock : gives both, from any zero
+    clock : returns both, from any zero
     """
 
     def __init__(self, clock=lambda: (time.perf_counter(), time.process_time())):
@@ -25,7 +25,7 @@ class Timeline:
 
     @contextmanager
     def phase(self, name):
-        """Context whose time is that of the phase `name`, but for phases within it"""
+        """Context whose time counts as the phase `name`, except for phases within it"""
         self._turn()
         self.open.append(name)
         try:
@@ -35,7 +35,7 @@ class Timeline:
             self.open.pop()
 
     def share(self, phase, name, wall):
-        """Give `wall` seconds of a phase that has ended to another, and their part of its processor time"""
+        """Move `wall` seconds of a finished phase to another, with their share of its processor time"""
         whole = self.seconds.get(phase, (0.0, 0.0))
         part = min(1.0, wall / whole[0]) if whole[0] > 0 else 0.0
         moved = [part * value for value in whole]
@@ -49,7 +49,7 @@ class Timeline:
         self.last = now
 
     def lines(self):
-        """Of text, the phases in the order in which they ended first, and the whole"""
+        """Lines of text: the phases in the order of their first end, and the whole"""
         self._turn()
         whole = tuple(map(sum, zip(*self.seconds.values(), strict=True)))
         rows = [*((name, *self.seconds[name]) for name in self.seconds if name != REST), (REST, *self.seconds[REST])]
@@ -60,18 +60,18 @@ class Timeline:
 
 
 def phase(name):
-    """`Timeline.phase` of the command, if its time is asked for"""
+    """`Timeline.phase` of the command, if its time is requested"""
     return nullcontext() if _asked is None else _asked.phase(name)
 
 
 def share(phase, name, wall):
-    """`Timeline.share` of the command, if its time is asked for"""
+    """`Timeline.share` of the command, if its time is requested"""
     if _asked is not None and wall:
         _asked.share(phase, name, wall)
 
 
 def spent(name):
-    """Seconds by the wall in a phase of the command so far; 0 if its time is not asked for"""
+    """Wall seconds in a phase of the command so far; 0 if its time is not requested"""
     return 0.0 if _asked is None else _asked.seconds.get(name, (0.0, 0.0))[0]
 
 
@@ -83,7 +83,7 @@ def begin():
 
 
 def told():
-    """End the timing; returns its lines, none where there was none."""
+    """End the timing; returns its lines, none if there was no timing."""
     global _asked
     timeline, _asked = _asked, None
     return [] if timeline is None else timeline.lines()

@@ -1,12 +1,12 @@
-"""The exit status of a command, and the lines that say why.
+"""The exit status of a command, and the lines with its reason.
 
-    0    done, and nothing fails what was asked
+    0    done, without failures
     1    done, and something breaks, or fails a limit, check or tolerance: each with a line that begins with FAILS
-    2    refused or not done, with one line that says why
+    2    refused or not done, with one line that gives the reason
     130  interrupted
-    141  whoever read the output has gone
+    141  the reader of the output has closed
 
-docs/commands.md has what fails of each command.
+docs/commands.md lists the failures of each command.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from hakobune.mooring.criteria.failing import FAILS, failing
 
 
 def tell(findings, console=None, remark="warning: "):
-    """Print findings, what fails last; returns the exit status: 1 where one fails, else 0
+    """Print findings, failures last; returns the exit status: 1 if there is a failure, else 0
 
-    findings : lines, those of `mooring.criteria.failing.fails` among them; remark : what stands before the others
+    findings : lines, including those of `mooring.criteria.failing.fails`; remark : prefix of the others
     """
     from .console import new_console
 
@@ -31,5 +31,5 @@ def tell(findings, console=None, remark="warning: "):
 
 
 def status_of(findings):
-    """Exit status of a command with these findings: 1 where one fails, else 0"""
+    """Exit status of a command with these findings: 1 if one fails, else 0"""
     return int(bool(failing(findings)))

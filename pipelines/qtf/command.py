@@ -1,4 +1,4 @@
-"""`hakobune qtf`: forces of pairs of waves of a database's body at the difference or the sum of their frequencies."""
+"""`hakobune qtf`: forces of wave pairs on a database's body at the difference or the sum of their frequencies."""
 
 from __future__ import annotations
 

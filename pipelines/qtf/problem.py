@@ -1,4 +1,4 @@
-"""The body whose pairs are solved, at two resolutions that tell the error: on its panels or by the contour method."""
+"""The body for wave pairs, at two resolutions for the error estimate: on its panels or by the contour method."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-FEWEST = 1  # panels in a direction of the coarser mesh: what both have alike shows no error
+FEWEST = 1  # panels in a direction of the coarser mesh: errors common to both meshes do not show
 METHODS = ("auto", "contour", "panel")
 # tolerances of the contour method: of stored results, and of the run that estimates their error
 TOLERANCES = 1e-5, 1e-4
@@ -15,10 +15,10 @@ TOLERANCES = 1e-5, 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
-    """method : name; fine, rough : problems of `quadratic_forces`, rough None where there is no second resolution
+    """method : name; fine, rough : problems of `quadratic_forces`, rough None without a second resolution
 
-    errors : function of the forces at `fine`, the whole at `rough` and what the squares at `rough` are more in the
-        motions at `fine`, None of a body held
+    errors : function of the forces at `fine`, the whole at `rough` and the change of the squares at `rough` by the
+        motions at `fine`, None for a fixed body
     """
 
     method: str
@@ -28,7 +28,7 @@ class Bodies:
 
 
 def bodies(db, method, highest, of_force):
-    """`Bodies` of an opened database for waves up to `highest` rad/s; `auto` takes contour for vertical cylinders
+    """`Bodies` of an opened database for waves up to `highest` rad/s; `auto` selects contour for vertical cylinders
 
     of_force : rad/s, highest frequency of the force, at which the body radiates
 
@@ -71,7 +71,7 @@ def _damping_lids(db):
 
 
 def _with_lid(problem, highest):
-    """The problem with a lid, where waves up to `highest` rad/s need one that the database has not"""
+    """The problem with a lid, if waves up to `highest` rad/s need one that the database lacks"""
     from hakobune.bem.panels.irregular_frequencies import lid_needed_from
     from hakobune.meshing.lid import lid
 

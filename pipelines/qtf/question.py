@@ -1,4 +1,4 @@
-"""What is asked of pairs of waves: which waves, how far apart, of what body, with which parts."""
+"""A request for forces of wave pairs: which waves, largest difference, body and parts."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from ..scene.scene import numbers
 FREQUENCIES = 41, 48  # default numbers of frequencies over the stored band
 SHARE = 0.4  # default largest difference over the mean frequency of the band
 EVEN = 1e-6  # largest deviation of a frequency step, over the step
-SAME = 1e-9  # rad/s, rad: between frequencies and headings that are one
-ENOUGH = 0.05  # largest part of the force that the level "auto" leaves out
+SAME = 1e-9  # rad/s, rad: tolerance for equal frequencies and headings
+ENOUGH = 0.05  # largest part of the force that the level "auto" neglects
 A_WAVE = 3.0  # panels along the wave of a sum, which is up to four times as short as those of the pair
-MOST_WAVES = 1500  # frequencies times headings: their flow on the hull of a thousand panels takes 2 GB
+MOST_WAVES = 1500  # frequencies times headings: their flow on a hull of a thousand panels takes 2 GB
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +26,7 @@ class Question:
     """omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest difference or sum; held : `Held`
 
     level : body, full or auto; method : panel, contour or auto
-    waves_given : whether a person chose the waves, instead of leaving them to the database
+    waves_given : whether the user chose the waves; by default the database does
     """
 
     omega: np.ndarray
@@ -40,11 +40,11 @@ class Question:
 
     @property
     def waves(self):
-        """As `quadratic_forces` takes them"""
+        """The waves as arguments of `quadratic_forces`"""
         return self.omega, self.headings, self.highest
 
     def continued(self, stored):
-        """The question of the `StoredForces` of a run that was ended, where it is what is asked for"""
+        """The question of the `StoredForces` of an interrupted run, if it matches this one"""
         if stored.asked is None or self.waves_given or stored.held.floats != self.held.floats:
             return self
         forces = stored.forces
@@ -59,7 +59,7 @@ class Question:
         )
 
     def answered_by(self, stored):
-        """Whether `StoredForces` are what is asked for"""
+        """Whether `StoredForces` answer the question"""
         forces = stored.forces
         lacks = (
             stored.asked is not None
@@ -80,12 +80,12 @@ class Question:
         )
 
     def adds_surface(self, share):
-        """Whether it takes the forcing of the surface, which is that share of the force or unknown"""
+        """Whether it includes the forcing of the surface, whose share of the force is `share` or unknown"""
         return self.level == "full" or (self.level == "auto" and share is not None and share > ENOUGH)
 
 
 def waves_and_sums_of(db, omega, heading, highest):
-    """As `waves_of` with the largest sum, by default the highest that panels and depth carry.  Raises ValueError."""
+    """As `waves_of` with the largest sum, by default the highest that panels and depth resolve.  Raises ValueError."""
     frequencies, headings, _ = waves_of(db, omega, heading, None)
     lowest, all_of_them = 2 * frequencies[0], 2 * frequencies[-1]
     if highest is None:
@@ -102,7 +102,7 @@ def carried_by(mesh, depth, gravity):
 
 
 def waves_of(db, omega, heading, difference):
-    """Frequencies (n,) rad/s, headings (m,) rad and the largest difference that are asked for.  Raises ValueError.
+    """Requested frequencies (n,) rad/s, headings (m,) rad and largest difference.  Raises ValueError.
 
     omega : (n,) rad/s, heading : (m,) rad, difference : rad/s; None for what the database suggests
     """
@@ -161,7 +161,7 @@ def _said(values):
 
 
 def multiples(low, high):
-    """(n,) multiples of a step, which their differences are too, that end at `high` and begin closest to `low`, rad/s
+    """(n,) multiples of a step that end at `high` and begin closest to `low`, rad/s; differences are multiples too
 
     A frequency that is also a difference is solved once.
     """

@@ -1,4 +1,4 @@
-"""What a person wants to know of forces of pairs: how large each part is, how far Newman's rule is off, errors."""
+"""Report on forces of wave pairs: size of each part, deviation of Newman's approximation, errors."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MODES = [0, 1, 5]
 
 
 def newman(forces, mode, heading):
-    """(d, n) signed √(DᵢDⱼ) of the diagonal of the squares, NaN where there is no pair"""
+    """(d, n) signed √(DᵢDⱼ) of the diagonal of the squares, NaN without a pair"""
     D = forces.squares[0, :, heading, heading, mode].real
     out = np.full((len(forces.frequency), len(D)), np.nan)
     for m in range(len(forces.frequency)):
@@ -25,8 +25,8 @@ def newman(forces, mode, heading):
 
 
 def diagonal_gap(forces):
-    """Largest difference of the pressure's mean drift from that of the far field in surge and sway, of the largest
-    mean drift; None where it is not known"""
+    """Largest difference of the pressure's mean drift from that of the far field in surge and sway, over the largest
+    mean drift; None if unknown"""
     if forces.added is None:
         return None
     h = np.arange(len(forces.headings))
@@ -35,9 +35,9 @@ def diagonal_gap(forces):
 
 
 def failures(stored, db=None):
-    """What fails of `StoredForces`: mean drift by pressure that is not that of the far field
+    """Failures of `StoredForces`: mean drift by pressure that differs from that of the far field
 
-    db : its open database, whose panels may be too large for the waves; None to say nothing of them
+    db : its open database, whose panels may be too large for the waves; None for no message on them
     """
     gap = None if stored.forces.kind is SUM else diagonal_gap(stored.forces)
     if gap is not None and gap > APART:
@@ -48,7 +48,7 @@ def failures(stored, db=None):
 
 
 def _smaller_panels(forces, db):
-    """The way out: panels that carry the waves, or waves that the panels carry"""
+    """The remedy: panels that resolve the waves, or longer waves"""
     size, most = (np.inf, np.inf) if db is None else (float(db.mesh.sizes.max()), _carried(db))
     if most >= forces.omega[-1]:
         return "the difference falls with more panels"
@@ -65,7 +65,7 @@ def _carried(db):
 
 
 def notes(stored):
-    """Lines of text about `StoredForces` beside their table"""
+    """Lines of text about `StoredForces`, in addition to their table"""
     forces, share = stored.forces, stored.share
     bodies = "body" if len(stored.names) == 6 else "bodies"
     yield (
@@ -129,7 +129,7 @@ def _of_sums(stored):
 
 
 def parts_of_sums(forces, mode, heading):
-    """{name: (d, n)} T at sums of frequencies with each next part, of one heading"""
+    """{name: (d, n)} T at sum frequencies with each additional part, for one heading"""
     names = [("squares", "squares"), ("+ bound wave", "bound_wave"), ("+ body", "body"), ("+ surface", "surface")]
     found = {name: getattr(forces, part) for name, part in names if getattr(forces, part) is not None}
     sums = np.cumsum([value[:, :, heading, heading, mode] for value in found.values()], axis=0)
@@ -161,7 +161,7 @@ def _held(held):
 
 
 def levels(forces, mode, heading):
-    """{name: (d, n)} T by each level, of one heading"""
+    """{name: (d, n)} T by each level, for one heading"""
     rule = newman(forces, mode, heading)
     bound, squares, body = (
         getattr(forces, part)[:, :, heading, heading, mode] for part in ("bound_wave", "squares", "body")

@@ -1,4 +1,4 @@
-"""`hakobune.qtf`: forces of pairs of waves, in the database of their body, and how large each part of them is."""
+"""`hakobune.qtf`: forces of wave pairs, in the database of their body, and the size of each part."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 LEVELS = ("body", "full", "auto")
-SMALL = 1e-6  # forces below this fraction of the largest (moments per metre) vanish by symmetry
-ARM = 100.0  # m, by which a moment is divided to stand beside forces
+SMALL = 1e-6  # forces below this fraction of the largest (moments per metre) count as zero by symmetry
+ARM = 100.0  # m, divisor of moments for the comparison with forces
 
 
 def qtf(
@@ -42,13 +42,13 @@ def qtf(
     method: str = "auto",
     fresh: bool = False,
 ) -> Result:
-    """Forces of pairs of waves at the difference of their frequencies, or at the sum, on the body of a database.
+    """Forces of wave pairs at the difference or the sum of their frequencies, on the body of a database.
 
-    database : path or an open one; the forces are stored there, and what it has already is not solved again
+    database : path or an open one; the forces are stored there, and stored ones are not solved again
     omega : (n,) rad/s at even steps in the stored band; headings : (m,) rad; highest : rad/s, difference or sum
-    fixed : of the body held; moored : path of a mooring study whose lines hold the floating body
+    fixed : for the fixed body; moored : path of a mooring study whose lines hold the floating body
     level : body, full (with the surface's forcing) or, of differences, auto; by default body, of sums full
-    method : panel, contour or auto; fresh : whether it is solved again
+    method : panel, contour or auto; fresh : whether to solve again
     returns : Result, in SI; its `detail` is the `bem.second_order.stored.StoredForces`
     raises : ValueError, one line
     """
@@ -71,7 +71,7 @@ def qtf(
 
 
 def _answer(db, question, moored, fresh):
-    """`StoredForces` of a question, solved where they are not stored; moored : its mooring study, or None"""
+    """`StoredForces` of a question, solved if not stored; moored : its mooring study, or None"""
     from .running import solve
 
     try:
@@ -102,7 +102,7 @@ def _stiffness(study, db):
 
 
 def result_of(stored, db):
-    """Result of `StoredForces` of an open database: root mean square of the force with each next part"""
+    """Result of `StoredForces` of an open database: root mean square of the force with each additional part"""
     forces, sums = stored.forces, stored.forces.kind is SUM
     rows = list(_rows(stored, sums))
     parts = list(rows[0][3]) if rows else []

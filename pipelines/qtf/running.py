@@ -1,4 +1,4 @@
-"""Pairs of waves solved and stored some frequencies of the force at a time: the next run continues from them."""
+"""Wave pairs solved and stored for some force frequencies at a time: the next run continues from them."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ EVERY = 5.0  # s, between writings
 
 
 def solve(db, question, fresh):
-    """Put the forces that a `Question` asks for into the file of an opened database; unless `fresh`, what is stored of
-    the same waves is kept.
+    """Store the forces of a `Question` in the file of an opened database; unless `fresh`, stored forces of the same
+    waves are kept.
 
-    raises : ValueError for what `quadratic_forces` and `bodies` refuse and for a floating body without inertia;
-        DatabaseError and OSError, before anything is solved, where the file cannot be written
+    raises : ValueError for inputs that `quadratic_forces` and `bodies` refuse and for a floating body without inertia;
+        DatabaseError and OSError, before the computation, if the file cannot be written
     """
     if question.held.floats and db.inertia_matrix is None:
         raise ValueError(
@@ -82,8 +82,8 @@ def _solve(db, question, fresh):
 
 
 def _share(problem, question, stored):
-    """`surface_share`, that of a run that was ended where it is known, None with a warning where the surface cannot be
-    gone around"""
+    """`surface_share`, from an interrupted run if known, None with a warning if the surface around the body is not
+    supported"""
     if stored is not None and stored.asked == question.highest and stored.forces.surface is None:
         return stored.share
     try:
@@ -128,13 +128,13 @@ def _begun(stored, question, full):
 
 
 class _Told:
-    """Progress of several runs over the same frequencies and pairs, one line of a terminal for each part"""
+    """Progress of several runs over the same frequencies and pairs, one terminal line for each part"""
 
     def __init__(self, runs):
         self.runs, self.part, self.done, self.before, self.since = runs, None, {}, 0, 0.0
 
     def of(self, run):
-        """Callback of one of them"""
+        """Callback of one run"""
 
         def report(part, done, of):
             self.done[part, run] = done
@@ -144,7 +144,7 @@ class _Told:
         return report
 
     def _print(self, part, done, of):
-        if part != self.part:  # the pace is that of what this run does of the part
+        if part != self.part:  # the pace is measured for this run's part
             self.part, self.before, self.since = part, done, time.monotonic()
         left = f", {duration(self._left(done, of))} left" if self.before < done < of else ""
         print(f"\r\033[K{done}/{of} {part}{left}", end="\n" if done == of else "", file=sys.stderr, flush=True)

@@ -1,4 +1,4 @@
-"""What a study of responses takes: memory and seconds, counted from its points, directions and sea states."""
+"""Cost of a study of responses: memory and seconds, from its points, directions and sea states."""
 
 from __future__ import annotations
 

@@ -18,14 +18,14 @@ WORTH_NAMING = 1e-3  # estimated error of a result
 
 
 def turned(quantities, axes):
-    """Lines on rotations that are too large for linear theory, by the largest expected or once in all years"""
+    """Messages on rotations too large for linear theory, by the largest expected or the return value"""
     largest = quantities.get("response.expected_maximum") or quantities["response.once_in_return_period"]
     rows = zip(axes["response"].values.tolist(), largest.units(), largest.values, strict=True)
     return large_rotations({n: np.degrees(v) for n, unit, v in rows if unit == "rad"})
 
 
 def failures(result, stiffness, years=None, words=ONE_BODY):
-    """What fails of a SeaState, or of a Climate in `years`: a body that capsizes, water at a deck, a keel on the bed
+    """Failures of a SeaState, or of a Climate in `years`: a body that capsizes, water on deck, contact with the bed
 
     stiffness : (n, n) restoring of the body, N m/rad, with its mooring, or None; words : (n,) names of its motions
     """
@@ -56,7 +56,7 @@ def air_gaps(result, years=None):
 
 
 def keel_gaps(result, years=None):
-    """The same of the water under points of the bottom and the largest drop"""
+    """The same for the water under points of the bottom and the largest drop"""
     if years is None:
         return result.under_keel()
     points = [p for p in result.points if isinstance(p, KeelPoint)]
@@ -124,7 +124,7 @@ def _gaps_in_years(result, years):
 
 
 def _keel_lines(result):
-    """The point of the bottom with the least water left in a SeaState"""
+    """The point of the bottom with the smallest clearance in a SeaState"""
     found = result.under_keel()
     if found:
         name = min(found, key=lambda name: found[name][1])
@@ -154,7 +154,7 @@ def _often(term, level):
 
 
 def _whose_waves(result):
-    """Which waves are in the elevation at points of a SeaState or Climate"""
+    """Which waves are included in the elevation at points of a SeaState or Climate"""
     if result.missed is None:
         return "waves scattered and radiated by the body are not included: the database has no Kochin functions"
     return (

@@ -1,4 +1,4 @@
-"""`hakobune response --moored`: the body of a response study on the lines of a mooring study, its slow motion too."""
+"""`hakobune response --moored`: the body of a response study on the lines of a mooring study, with its slow motion."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def moored(path, read, db, sea, duration, points):
 
 
 def _of_bound_waves(spectrum, db):
-    """The force of the bound long waves is not in Newman's rule; where kh at the peak is below 1 it may lead"""
+    """Newman's approximation lacks the force of bound long waves; if kh at the peak is below 1 it may dominate"""
     from hakobune.bem.waves import wavenumber
 
     kh = float(wavenumber(spectrum.peak_omega, db.water_depth, db.gravity)) * db.water_depth

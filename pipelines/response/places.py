@@ -1,4 +1,4 @@
-"""Points of a response study: those that it names, pairs of them on two bodies, and the bottom over the bed."""
+"""Points of a response study: named points, pairs of them on two bodies, and points of the bottom."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..common.quantities import StudyError, positive
 
 
 def places_of(study, db):
-    """Points and pairs of a ResponseStudy, those of the bottom after the others; db : database"""
+    """Points and pairs of a ResponseStudy, followed by those of the bottom; db : database"""
     named = [point.name for point in (*study.points, *study.relative, *study.hinges)]
     twice = [name for name, count in Counter(named).items() if count > 1]
     if twice:
@@ -30,7 +30,7 @@ def places_of(study, db):
 
 
 def keel_points(table, db):
-    """`KeelPoint`s of a KeelTable.  Raises StudyError where there is no water under one at rest."""
+    """`KeelPoint`s of a KeelTable.  Raises StudyError if one has no water under it at rest."""
     if not math.isfinite(db.water_depth):
         raise StudyError("[keel] is given, but the water of the database has no bed; solve it in finite depth")
     for key in ("tide", "extra_draft"):
@@ -55,7 +55,7 @@ def keel_points(table, db):
 
 
 def _bottoms(db):
-    """(name, corners (n, 3) m of the bottom in its own coordinates) of every body that moves"""
+    """(name, corners (n, 3) m of the bottom in its own coordinates) of every moving body"""
     if not db.bodies:
         yield "", corners_of_bottom(db.mesh.whole().points)
     for body, one in zip(db.bodies, each_body(db), strict=False):
@@ -64,7 +64,7 @@ def _bottoms(db):
 
 
 def _check_body_of(where, point, bodies):
-    """Raise StudyError for a point of no body, or of none there is, and for a clearance beside other hulls"""
+    """Raise StudyError for a point of no or an unknown body, and for a clearance beside other hulls"""
     known = [body.name for body in bodies]
     if point.body not in (known or [""]):
         allowed = f"one of {', '.join(known)}" if known else "left out, since the database has one body"

@@ -38,7 +38,7 @@ def draw(result, path):
 
 
 def _panels(result):
-    """Names and indices of responses that share a panel: motions each alone, a point's by kind"""
+    """Names and indices of responses that share a panel: each motion separately, a point's by kind"""
     excited = result.excited if hasattr(result, "excited") else result.sigma > 0
     panels = {}
     for i in np.flatnonzero(excited):

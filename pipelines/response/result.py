@@ -34,7 +34,7 @@ MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air 
 DAMPING, EACH = "wave drift damping", "drift of each body, about its own point in its own axes"
 MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
 FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
-FAR_FROM_DEPTH = 0.2  # change of the gap under the keel above which a line is printed, over that of the database
+FAR_FROM_DEPTH = 0.2  # change of the gap under the keel, over that of the database, above which a message is printed
 
 
 def response(study: File | Tables | ResponseStudy, database: File | Database, moored: File | None = None) -> Result:
@@ -42,7 +42,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
 
     study : path of a response study, its tables as a dictionary, or a `ResponseStudy`
     database : path of the body's database, or an open one
-    moored : path of a mooring study whose lines, wind and current hold the body, None for a body that floats freely
+    moored : path of a mooring study whose lines, wind and current hold the body, None for a freely floating body
     returns : Result, in SI; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
     raises : ValueError, one line
     """
@@ -98,7 +98,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
 
 
 def _of_depth(read, db):
-    """A line where water level and draft are far from those of the database"""
+    """A message if water level and draft differ much from those of the database"""
     if read.keel is None:
         return []
     gap = db.water_depth + float(db.mesh.whole().points[:, 2].min())
@@ -178,7 +178,7 @@ def of_climate(found, years, radius):
 def without_rounding(force, radius, among=None):
     """Fx, Fy and Mz (3,), zero where they are rounding beside the largest known force of `among` (n, 3), or their own
 
-    A moment is small beside a force times the radius in m.
+    A moment is compared with a force times the radius in m.
     """
     largest = np.fmax.reduce(np.abs(force if among is None else among)[..., :2], axis=None, initial=0.0)
     return np.where(np.abs(force) <= TINY * largest * np.array([1.0, 1.0, radius]), 0.0, force)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 
-FRACTILE = 0.9  # probability of a value that is not exceeded
+FRACTILE = 0.9  # probability that the value is not exceeded
 
 
 def solved_in_sea(read, body, db, points, _):

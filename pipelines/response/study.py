@@ -206,7 +206,7 @@ class ResponseStudy(Table):
 
 
 def viscous_laws(study, db):
-    """{degree of freedom: law} of a ResponseStudy, those of the database's scene where it gives none"""
+    """{degree of freedom: law} of a ResponseStudy, by default those of the database's scene"""
     from hakobune.bem.viscous_table import laws_of
     from hakobune.mooring.response import viscous
 
@@ -221,7 +221,7 @@ def viscous_laws(study, db):
 
 
 def viscous_words(body, laws, damping):
-    """A line on the viscous damping (6, 6) that each of the laws has in a sea"""
+    """A message on the viscous damping (6, 6) of each law in a sea"""
     for dof in laws:
         i = body.names.index(dof)
         share = damping[i, i] / body.critical_damping(i)
@@ -251,7 +251,7 @@ def files_of(study, folder):
 
 
 def damping_of(where, ratios, body):
-    """(n, n) SI of ratios {motion: of critical} of a Body.  Raises StudyError."""
+    """(n, n) SI of ratios {motion: share of critical} of a Body.  Raises StudyError."""
     extra = np.zeros_like(body.damping)
     for mode, ratio in checked_ratios(where, ratios, body.words).items():
         extra[mode, mode] = ratio * body.critical_damping(mode)
@@ -259,7 +259,7 @@ def damping_of(where, ratios, body):
 
 
 def checked_ratios(where, ratios, names=ONE_BODY):
-    """{number of a motion: of critical} of ratios by its name.  Raises StudyError."""
+    """{index of a motion: share of critical} from ratios by name.  Raises StudyError."""
     for name, ratio in ratios.items():
         if name not in names:
             raise StudyError(f"{where}.damping_ratio.{name} is unknown; allowed: {', '.join(names)}")
@@ -295,7 +295,7 @@ def _matrix(name, rows, count):
 
 
 def _check_damping(matrix, words):
-    """Raise StudyError for damping that gives a motion energy: a negative eigenvalue of its symmetric part"""
+    """Raise StudyError for damping that adds energy to a motion: a negative eigenvalue of its symmetric part"""
     least, worst = _least(matrix)
     if not least >= -1e-9:
         value = matrix[worst, worst]
@@ -315,7 +315,7 @@ def _check_stable(stiffness, words, rigid):
 
 
 def _least(matrix):
-    """Least eigenvalue of the symmetric part with each diagonal scaled to one, and the motion most in it"""
+    """Least eigenvalue of the symmetric part with each diagonal scaled to one, and the dominant motion of its vector"""
     even = 0.5 * (matrix + matrix.T)
     size = np.sqrt(np.where(np.diag(even) == 0, np.abs(even).max() + 1e-300, np.abs(np.diag(even))))
     values, vectors = np.linalg.eigh(even / np.outer(size, size))

@@ -1,1 +1,1 @@
-"""What a study found, as data: quantities with name, unit, axes and full precision, from which every view follows."""
+"""Results of studies as data: quantities with name, unit, axes and full precision, from which every view is made."""

@@ -17,7 +17,7 @@ from .tables import tables
 
 
 def as_csv(result):
-    """Text: of each table its names with their units, then its rows; a blank line behind each"""
+    """Text: for each table its names with units, then its rows, then a blank line"""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     for shown in tables(result, True):

@@ -15,7 +15,7 @@ from .writing import LINES, kind_of, schema
 
 
 def read(path, kind=None):
-    """The Result of a file; kind : that it has to be of, None for any.  Raises DatabaseError."""
+    """The Result of a file; kind : required kind, None for any.  Raises DatabaseError."""
     kind = kind or kind_of(path)
     if not kind:
         raise DatabaseError(f"{path} is not a result file")

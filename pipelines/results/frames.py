@@ -23,9 +23,9 @@ def as_xarray(result):
 
 
 def as_dataframe(result, *names):
-    """pandas.DataFrame of quantities on one axis, or of all that have none; by default of the first table.
+    """pandas.DataFrame of quantities on one axis, or of all without axes; by default of the first table.
 
-    raises : ValueError where their axes differ, KeyError for a name that is none, ImportError without pandas
+    raises : ValueError for different axes, KeyError for an unknown name, ImportError without pandas
     """
     try:
         import pandas
@@ -44,7 +44,7 @@ def as_dataframe(result, *names):
 
 
 def as_html(result):
-    """Tables of a result as HTML, in the units that people read them in, and its findings"""
+    """Tables of a result as HTML, in print units, and its findings"""
     parts = [f"<h4>{html.escape(result.kind)}</h4>"]
     for shown in tables(result):
         table = rich_table(shown, result.labels)

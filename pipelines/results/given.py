@@ -1,4 +1,4 @@
-"""What a study function is given: the path of a file, its tables as a dictionary, or the typed study itself."""
+"""The argument of a study function: the path of a file, its tables as a dictionary, or the typed study itself."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 File = str | os.PathLike[str]
-Tables = dict[str, Any]  # nested, as TOML gives them
+Tables = dict[str, Any]  # nested, as read from TOML
 Typed = TypeVar("Typed")
 
 
@@ -22,9 +22,9 @@ def given(
 ) -> tuple[Typed, str]:
     """(typed study, its text) of any of the three.
 
-    kind : class of the typed study; read : of a path, gives both, None where there are no such files
-    make : of nested dictionaries, gives the study
-    raises : ValueError, one line, as these do; TypeError for something else
+    kind : class of the typed study; read : path → both, None if there are no such files
+    make : nested dictionaries → study
+    raises : ValueError, one line, as these do; TypeError for other arguments
     """
     if isinstance(study, kind):
         return study, _text(study)
@@ -39,7 +39,7 @@ def given(
 
 
 def _text(study):
-    """TOML of a typed study, without what is not given"""
+    """TOML of a typed study, without default values"""
     import msgspec
     import tomli_w
 
@@ -47,7 +47,7 @@ def _text(study):
 
 
 def words_of(**words) -> str:
-    """TOML of the arguments of a study function that has no file, without what is not given"""
+    """TOML of the arguments of a study function that has no file, without default values"""
     import tomli_w
 
     return tomli_w.dumps(_without_none(words))
@@ -60,7 +60,7 @@ def _without_none(value) -> Any:
 
 
 def database_of(database: File | Database) -> Database:
-    """An open database of a path, or the one that is given"""
+    """An open database from a path, or the given open one"""
     from hakobune.bem.database import open_database
 
     return open_database(database) if isinstance(database, str | os.PathLike) else database

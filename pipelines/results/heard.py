@@ -1,4 +1,4 @@
-"""Warnings that are heard while a study is read or run, as findings of its result."""
+"""Warnings during the reading or the run of a study, collected as findings of its result."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def heard():
-    """Context of a list, which gets at its end what was warned of within, a line each, each once"""
+    """Context with a list that receives at its end the warnings given within, one line each, without repetition"""
     lines = []
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")

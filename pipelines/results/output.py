@@ -1,4 +1,4 @@
-"""The place that a result is written to."""
+"""The output file of a result."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ MARK = "# result of hakobune "
 def check_result(path, kind, inputs=()):
     """Raise ValueError unless a result of a `kind` can be written to a path.
 
-    inputs : paths of what the study reads, none of which is overwritten
+    inputs : paths of the study's input files, none of which is overwritten
     """
     check_output(path, f"a result of hakobune {kind}", lambda place: _is_one(place, kind), FORMS, inputs)
 
 
 def write_result(result, path):
-    """Write a result to a path that `check_result` allowed: .h5, or .csv with a checksum in its head"""
+    """Write a result to a path that passed `check_result`: .h5, or .csv with a checksum in its header"""
     if path.suffix.lower() == CSV:
         told = "".join(f"# {line}\n" for line in (*result.told, *result.notes))
         write_sealed(path, f"{MARK}{result.kind}\n{told}{result.to_csv()}")

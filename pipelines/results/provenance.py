@@ -1,4 +1,4 @@
-"""Where a result comes from: its input, the seal of its database, the version of the program."""
+"""Origin of a result: its input, the seal of its database, the version of the program."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from hakobune.bem import __version__
 
 
 def provenance(text="", database=None, **more):
-    """{name: text}; text : of the study; database : an open one or its path, None without one"""
+    """{name: text}; text : of the study; database : an open one or its path, or None"""
     made = {"software_version": __version__, "study": text, **more}
     if database is not None:
         path = Path(getattr(database, "path", database))

@@ -1,4 +1,4 @@
-"""A named array of a result: its axes, its unit, and the unit that people read it in."""
+"""A named array of a result: its axes, its unit, and its print unit."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 KILO, TURN = 1e3, np.pi / 180
-READ_IN = {  # unit of SI: (unit in print, its size); a thousand times larger ones only where numbers reach them
+READ_IN = {  # SI unit: (print unit, its size); units a thousand times larger only for numbers that reach them
     "N": ("kN", KILO), "N m": ("kN m", KILO), "N/m": ("kN/m", KILO), "N m/rad": ("kN m/rad", KILO), "J": ("kJ", KILO),
     "N/rad": ("kN/rad", KILO), "N m/m": ("kN m/m", KILO), "N/m2": ("kN/m²", KILO),
     "Pa": ("kPa", KILO), "kg": ("t", KILO), "N s/m": ("kN s/m", KILO), "N s2/m2": ("kN s²/m²", KILO),
@@ -24,10 +24,10 @@ READ_IN = {  # unit of SI: (unit in print, its size); a thousand times larger on
 class Quantity:
     """values : array of numbers, texts or truths, of any rank; numbers in SI
     axes : name of each of its axes
-    unit : "" of what has none; a tuple of one for each label of the first axis where these differ, as of surge and roll
-    description : a noun with what distinguishes it
-    table : title of the table that it is printed in; "" for none: it is in CSV, JSON and files alone
-    share : whether it is read in per cent; record : whether it is long, as a time series, and in files alone
+    unit : "" for none; a tuple with one for each label of the first axis if they differ, as for surge and roll
+    description : a noun with its attributes
+    table : title of the table in which it is printed; "" for CSV, JSON and files only
+    share : whether it is printed in per cent; record : whether it is long, such as a time series, and only in files
     """
 
     values: np.ndarray
@@ -64,7 +64,7 @@ class Quantity:
         return self.values.dtype.kind in "fiuc"
 
     def units(self) -> tuple[str, ...]:
-        """One unit for each label of the first axis, or one of all"""
+        """One unit for each label of the first axis, or one for all"""
         return self.unit if isinstance(self.unit, tuple) else (self.unit,)
 
     def __eq__(self, other: object) -> bool:
@@ -80,7 +80,7 @@ class Quantity:
 def quantities(table, given, *axes, record=False) -> dict[str, Quantity]:
     """{name: Quantity} of {name: (values, unit, description)} on the same axes, printed in one table
 
-    the unit "%" is that of shares, which are kept as they are and read in per cent
+    the unit "%" marks shares, which are stored unchanged and printed in per cent
     """
     return {
         name: Quantity(values, axes, "" if unit == "%" else unit, words, table, unit == "%", record)
@@ -89,7 +89,7 @@ def quantities(table, given, *axes, record=False) -> dict[str, Quantity]:
 
 
 def read_in(unit: str, values, share=False) -> tuple[str, float]:
-    """(unit in print, its size) for values of a unit of SI: kN from 1 kN on, N below"""
+    """(print unit, its size) for values in an SI unit: kN from 1 kN on, N below"""
     name, size = READ_IN.get("%" if share else unit, (unit, 1.0))
     if size == KILO:
         finite = np.abs(values)[np.isfinite(values)]

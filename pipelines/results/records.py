@@ -18,7 +18,7 @@ from .writing import schema
 def check_records(path, kind, inputs=()):
     """Raise ValueError unless records of a `kind` of result can be written to a path.
 
-    inputs : paths of what the study reads, none of which is overwritten
+    inputs : paths of the study's input files, none of which is overwritten
     """
 
     def is_one(place):
@@ -28,12 +28,12 @@ def check_records(path, kind, inputs=()):
 
 
 def is_hdf5(path):
-    """Whether its name says that a file has the whole result"""
+    """Whether the name of a file means that it has the whole result"""
     return path.suffix.lower() in DATABASE
 
 
 def write_records(result, path, axis="time"):
-    """Write the records on an axis, in SI, or the whole result where the name says HDF5."""
+    """Write the records on an axis, in SI, or the whole result for an HDF5 name."""
     if is_hdf5(path):
         result.write(path)
         return

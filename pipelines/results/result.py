@@ -1,6 +1,6 @@
 """The result of a study: quantities, labels of their axes, findings, provenance.
 
-From it follow the print and CSV (`tables`), JSON (`documents`), HDF5 (`writing`, `file`), xarray and pandas (`frames`).
+Its views are print and CSV (`tables`), JSON (`documents`), HDF5 (`writing`, `file`), xarray and pandas (`frames`).
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ PLACE = re.compile(r"(?P<head>[^\[\]]+)\[(?P<label>[^\]]+)\](?:\.(?P<tail>.+))?"
 @dataclass(frozen=True, eq=False)
 class Result(Mapping[str, Any]):
     """kind : of study, as "moor"
-    quantities : {name: Quantity}; the parts of a name are parted by dots, the first part names what it is of
+    quantities : {name: Quantity}; dots separate the parts of a name, the first of which names the object
     labels : {axis: Quantity of its labels, or of its values}
-    findings : lines, those that fail what was asked begin with FAILS (`mooring.criteria.failing`)
-    notes : lines in print, of what tables do not show; first : findings that are said before the tables
+    findings : lines; failures begin with FAILS (`mooring.criteria.failing`)
+    notes : printed lines with information that tables lack; first : findings printed before the tables
     provenance : {name: text} of the input, the database and the version of the program
-    detail : what the study's own function returned, of a result that was not read from a file
+    detail : the return value of the study's own function, for a result that was not read from a file
     """
 
     kind: str
@@ -58,7 +58,7 @@ class Result(Mapping[str, Any]):
                     )
 
     def __getitem__(self, name: str) -> Any:
-        """Values by name: "tension.largest", of one line "tension[bow].largest" or "bow.largest".  Raises KeyError."""
+        """Values by name: "tension.largest", for one line "tension[bow].largest" or "bow.largest".  Raises KeyError."""
         return self.quantity(name).values[()]
 
     def __iter__(self) -> Iterator[str]:
@@ -75,21 +75,21 @@ class Result(Mapping[str, Any]):
 
     @property
     def told(self) -> tuple[str, ...]:
-        """All findings, those that are said first before the others"""
+        """All findings, first those printed before the tables"""
         return (*self.first, *self.findings)
 
     @property
     def fails(self) -> tuple[str, ...]:
-        """Findings that fail what was asked"""
+        """Findings that report a failure"""
         return tuple(line.removeprefix(FAILS) for line in failing(self.told))
 
     @property
     def status(self) -> int:
-        """Exit status of the command: 1 where something fails, else 0"""
+        """Exit status of the command: 1 if something fails, else 0"""
         return int(bool(failing(self.told)))
 
     def quantity(self, name: str) -> Quantity:
-        """The Quantity of a name; at one label of its first axis where the name has one.  Raises KeyError."""
+        """The Quantity of a name; at one label of its first axis if the name has one.  Raises KeyError."""
         if name in self.quantities:
             return self.quantities[name]
         found = PLACE.fullmatch(name)
@@ -149,7 +149,7 @@ class Result(Mapping[str, Any]):
         return as_csv(self)
 
     def write(self, path: File) -> None:
-        """Write it into an HDF5 file (`read` reads it back)"""
+        """Write it to an HDF5 file (`read` reads it back)"""
         from .writing import write
 
         write(self, path)
@@ -167,7 +167,7 @@ def labels(axis: str, values: Any, unit: str | tuple[str, ...] = "", description
 
 
 def records(given):
-    """{name: Quantity} of {name: (values, axes, unit, description)} that are long, and in files alone"""
+    """{name: Quantity} of {name: (values, axes, unit, description)} that are long, and only in files"""
     return {
         name: Quantity(values, axes, unit, words, record=True) for name, (values, axes, unit, words) in given.items()
     }

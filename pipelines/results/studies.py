@@ -1,4 +1,4 @@
-"""The study functions of the house: the module of each, imported when it is called for."""
+"""The study functions of the program: the module of each, imported on its first call."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""A result as tables: which quantities stand side by side, and how they are printed.
+"""A result as tables: which quantities form a table, and how they are printed.
 
-Quantities of one `table` and the same first axis are columns, its labels the rows; further axes are spread over
+Quantities with one `table` and the same first axis are columns, its labels the rows; further axes are spread over
 columns.  Quantities without axes are rows of a table of names, values and units.  Numbers are printed with significant
-digits, in the unit that people read them in; --csv and --json give all digits, in SI.
+digits, in print units; --csv and --json give all digits, in SI.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ LINE = 80  # characters of a table
 # reductions of heading width and cell padding, tried in order until a table fits
 WIDTHS = (14, 1), (10, 1), (6, 1), (6, 0)
 TEXT = 36  # characters of a line of text in a cell
-LONG, PRINTED = 40, 12  # rows of a table over numbers, and how many of them are printed where there are more
-FEW = 3  # rows, that are printed as columns where these are more than twice as many
+LONG, PRINTED = 40, 12  # rows of a table over numbers above which only some are printed, and their number
+FEW = 3  # rows that are printed as columns if there are more than twice as many columns
 ROUNDING = 1e-10  # numbers below this fraction of the largest with the same unit in a table are printed as 0
 
 
 class Column(NamedTuple):
     """name : of the quantity, with the label of its second axis; heading : in print; values : (rows,)
 
-    units : one for each row, or one of all; read_in : (unit in print, its size) where it is one of all
+    units : one for each row, or one for all; read_in : (print unit, its size) if it is one for all
     """
 
     name: str
@@ -39,7 +39,7 @@ class Column(NamedTuple):
 
 
 class Shown(NamedTuple):
-    """title; axis : of the rows, "" where each row is a quantity of its own; labels : (rows,); columns"""
+    """title; axis : of the rows, "" if each row is a separate quantity; labels : (rows,); columns"""
 
     title: str
     axis: str
@@ -48,7 +48,7 @@ class Shown(NamedTuple):
 
 
 def tables(result, all_of_them=False):
-    """[Shown, …] of a result, in the order of its quantities; with those that are not printed if all_of_them"""
+    """[Shown, …] of a result, in the order of its quantities; including those that are not printed if all_of_them"""
     groups = {}
     for name, one in result.quantities.items():
         if not one.record and (all_of_them or (one.table and not _unknown(one))):
@@ -57,7 +57,7 @@ def tables(result, all_of_them=False):
 
 
 def _unknown(one):
-    """Whether a share, as of a breaking load that is not given, is known of nothing"""
+    """Whether a share, such as one of an unknown breaking load, has no known value"""
     return one.share and one.values.dtype.kind == "f" and bool(np.isnan(one.values).all())
 
 
@@ -77,7 +77,7 @@ def _shown(result, title, axes, members):
 def columns_of(result, name, one, common=None):
     """[Column, …] of a quantity with a first axis, one for each label of its further ones
 
-    common : sizes by unit of those that it is read beside
+    common : sizes by unit of the quantities printed beside it
     """
     words, units = one.description or name, _read_in(one, common or _common([one]))
     if one.values.ndim == 1:
@@ -92,7 +92,7 @@ def columns_of(result, name, one, common=None):
 
 
 def _label(value, unit):
-    """As it is read in a heading: 90°, 0.5 rad/s, fore port"""
+    """The text of a label in a heading: 90°, 0.5 rad/s, fore port"""
     if isinstance(value, str):
         return value
     name, size = READ_IN[unit] if unit == "rad" else (unit, 1.0)
@@ -100,7 +100,7 @@ def _label(value, unit):
 
 
 def _common(quantities):
-    """{unit: sizes of all values that have it}, which are read in one unit where they stand beside each other"""
+    """{unit: sizes of all values in it}, which have one print unit if they are in one table"""
     found = {}
     for one in quantities:
         if not isinstance(one.unit, tuple):
@@ -130,7 +130,7 @@ def printed(result, console=None):
 
 
 def rich_table(shown, labels):
-    """A table of rich, within LINE characters where narrow headings or rows for columns bring it there"""
+    """A rich table, within LINE characters if narrow headings or exchanged rows and columns achieve it"""
     from rich.console import Console
 
     measured = Console(width=10 * LINE).measure
@@ -143,7 +143,7 @@ def rich_table(shown, labels):
 
 
 def _table(shown, labels, width, beside, turned=False):
-    """width, beside : of headings, and beside cells; turned : rows for columns where these are more"""
+    """width, beside : of headings, and beside cells; turned : rows for columns if there are more columns"""
     from rich.table import Table
 
     rows, title = _printed_rows(shown, labels), shown.title
@@ -182,7 +182,7 @@ def _table(shown, labels, width, beside, turned=False):
 
 
 def _printed_rows(shown, labels):
-    """Numbers of the rows that are printed: all, or some evenly of a long table over numbers"""
+    """Indices of the printed rows: all, or an even selection of a long table over numbers"""
     count = len(shown.labels)
     if not shown.axis or count <= LONG or not labels[shown.axis].numeric:
         return list(range(count))
@@ -215,9 +215,9 @@ def _largest(shown):
 
 
 def _filled(column, largest):
-    """(units in print, cells) of a column; where units differ by row each row has its own, the same in all columns
+    """(print units, cells) of a column; if units differ by row each row has its own, the same in all columns
 
-    largest : {unit: largest size in the table}, which the unit suits, and beside which rounding is printed as 0
+    largest : {unit: largest size in the table}, which determines the print unit, and the limit of rounding printed as 0
     """
     column = column._replace(values=_without_rounding(column, largest))
     if len(column.units) == 1:

@@ -34,7 +34,7 @@ def kind_of(path):
 
 
 def write(result, path):
-    """Write a result whole.  Raises `meshing.whole_files.NotWritten` where it does not arrive on the disk."""
+    """Write a result whole.  Raises `meshing.whole_files.NotWritten` if it cannot be written to the disk."""
     with beside(path) as file:
         file.attrs.update(schema=schema(result.kind), provenance=json.dumps(result.provenance))
         file.attrs.update({part: "\n".join(getattr(result, part)) for part in LINES})

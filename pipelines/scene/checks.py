@@ -1,4 +1,4 @@
-"""What a scene may say: every fault is one line that names key, value and what is allowed."""
+"""Checks of a scene: every fault is one line that names key, value and the allowed values."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .modes import check_modes
 from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, listed
 from .viscous_table import viscous_of
 
-CLOSEST = 2e-9  # relative in omega, rad in heading: twice of what is one and the same in a database
+CLOSEST = 2e-9  # relative in omega, rad in heading: twice the tolerance for equal values in a database
 EXTENT = 1e-3, 1e6  # m, sizes and places
 MOST_BODIES = 100
 DAMPING = 1e-6, 10.0  # epsilon of a damping lid
@@ -23,7 +23,7 @@ RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "b
 
 
 def check(scene):
-    """Raise SceneError for what a `scene.Scene` must not say"""
+    """Raise SceneError for a fault of a `scene.Scene`"""
     _check_water(scene.water)
     _check_bodies(scene)
     _check_waves(scene)
@@ -33,7 +33,7 @@ def check(scene):
 
 
 def check_depth_given(raw):
-    """The one number without a default that every body needs: how it is given, to one who gave nothing."""
+    """Depth, the only number without a default that every body needs: the message shows how to give it."""
     water = raw.get("water", {})
     if isinstance(water, dict) and set(water) <= {"density", "gravity"}:
         raise SceneError(
@@ -48,7 +48,7 @@ def _positive(key, value, infinite=False):
 
 
 def _within(key, value, limits):
-    """Positive, and of a size that leaves room for products and powers of it"""
+    """Positive, and of a size whose products and powers do not overflow"""
     _positive(key, value)
     if not limits[0] <= value <= limits[1]:
         raise SceneError(f"{key} is {value}; allowed: {limits[0]:g} to {limits[1]:g}")
@@ -76,7 +76,7 @@ def _check_bodies(scene):
 
 
 def check_body(key, body, depth):
-    """Raise SceneError for a `tables.BodyTable` that is no body in water of a depth, m"""
+    """Raise SceneError for a `tables.BodyTable` that is impossible in water of a depth, m"""
     if body.shape not in SHAPES:
         raise SceneError(f"{key}.shape is {body.shape!r}; allowed: {', '.join(SHAPES)}")
     own = SHAPES[body.shape]
@@ -108,7 +108,7 @@ def check_body(key, body, depth):
 
 
 def _check_one(body):
-    """What only one of several bodies has"""
+    """Checks of keys for one of several bodies"""
     for name in ("place", "rotation_center"):
         if getattr(body, name) is not None:
             way = "give it at the top of the scene" if name == "rotation_center" else "leave it out"
@@ -136,7 +136,7 @@ def _check_among_others(key, body):
 
 
 def _check_arrangement(scene):
-    """Names, what moves, and what is of one body alone"""
+    """Names, moving bodies, and keys for single bodies only"""
     names = [body.name for body in scene.bodies]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
@@ -218,9 +218,9 @@ def _check_list(key, value, check_one):
 
 
 def _check_apart(key, given, values, turn=None):
-    """Raise SceneError for two that a database would take for one.
+    """Raise SceneError for two values that a database would treat as equal.
 
-    given : as the scene has them; values : the same, rising, as a database has them; turn : of angles
+    given : as in the scene; values : the same, rising, as in a database; turn : of angles
     """
     given, values = np.sort(given) if turn else np.array(given), np.asarray(values)
     if turn:

@@ -1,4 +1,4 @@
-"""Flags of the commands: the scene's own words, laid over a scene file or standing for one."""
+"""Flags of the commands: the same keys as in a scene file, which they replace."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def _flag(text, converter=None, name=None):
 
 
 def _file(kind, tokens):
-    """A path; an empty one would be read as the folder one is in."""
+    """A path; an empty one would be read as the current folder."""
     token = tokens[0]
     if not token.value.strip():
         raise ValueError(f"{token.value!r} is empty; allowed: the name of a file, or leave it out")
@@ -24,7 +24,7 @@ def _file(kind, tokens):
 @Parameter(name="*")
 @dataclass(frozen=True, kw_only=True)
 class SceneFlags:
-    """What every body has in common."""
+    """Flags for all kinds of bodies."""
 
     depth: Annotated[float | None, _flag("water depth, m; inf for deep water")] = None
     omega: Annotated[str | None, _flag("frequencies, rad/s: a,b,c, start:stop:count or auto:from:to")] = None
@@ -48,7 +48,7 @@ class SceneFlags:
 @Parameter(name="*")
 @dataclass(frozen=True, kw_only=True)
 class RunFlags:
-    """Where the result goes and how it is made."""
+    """Output file and execution of a run."""
 
     output: Annotated[Path | None, _flag("the database, or the mesh file with --mesh-only", _file)] = None
     mesh_only: Annotated[bool, Parameter(help="write the mesh and stop", negative="")] = False
@@ -57,10 +57,10 @@ class RunFlags:
 
 
 def overlaid(raw, flags, body):
-    """The raw tables of a scene with flags in the place of what they stand for.
+    """The raw tables of a scene, with values replaced by those of flags.
 
-    raw : nested dictionaries, as `read_scene` gives them; body : {key: value} of the body, without None
-    Raises SceneError for lists that cannot be read.
+    raw : nested dictionaries, from `read_scene`; body : {key: value} of the body, without None
+    Raises SceneError for unreadable lists.
     """
     from .scene import SceneError, band, numbers
 
@@ -96,7 +96,7 @@ def overlaid(raw, flags, body):
 
 
 def tables_of_bodies(raw):
-    """Copies of the tables [[bodies]], one empty table where there is none.  Raises SceneError."""
+    """Copies of the tables [[bodies]], one empty table without any.  Raises SceneError."""
     from .scene import SceneError
 
     bodies = raw.get("bodies", [{}])
@@ -118,7 +118,7 @@ def _put(table, **values):
 
 
 def _whole_number(key, text):
-    """The command line's own conversion would cut 2.5 down to 2."""
+    """The command line's own conversion would truncate 2.5 to 2."""
     from .scene import SceneError
 
     try:

@@ -1,8 +1,7 @@
 """What a database is of: all of a scene that may not change while the file grows, and how two of them differ.
 
-Compared is what the texts of scenes mean to the reader of today: a key that came after a file was made has its default
-there.  A mesh file counts by its content, wherever it lies: by a hash that is stored, or, in files from before it was,
-by its panels.
+The parsed scenes are compared, not their texts: a key added after a file was made has its default there.  A mesh file
+counts by its content, in any place: by a stored hash, or in older files by its panels.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ SAME = 1e-6  # rounding of points in mesh files, over the size of the hull
 
 
 def contents(scene):
-    """`content` of the mesh files of a scene, then of those of its shapes, joined by "; ", None where there is none"""
+    """`content` of the mesh files of a scene, then of those of its shapes, joined by "; ", None without any"""
     tables = (*scene.bodies, *(scene.modes or ()))
     return "; ".join(content(table.file) for table in tables if table.file is not None) or None
 
@@ -39,9 +38,9 @@ def content(path):
 
 
 def fixed_part(scene, mesh_file=None):
-    """{key: value} of all that may not change while a database grows.
+    """{key: value} of everything that must not change while a database grows.
 
-    mesh_file : what counts for the mesh file, of several joined by "; ", None: their content now
+    mesh_file : `content` of the mesh file, of several joined by "; ", None for their present content
     """
     raw = msgspec.to_builtins(scene)
     raw = {key: value for key, value in raw.items() if key not in ("waves", "want")}
@@ -66,17 +65,17 @@ def scene_hash(fixed):
 
 
 def difference(old, new):
-    """One phrase on the first keys in which two fixed parts differ, "" where they are the same."""
+    """One phrase on the first keys in which two fixed parts differ, "" if they are equal."""
     keys = [key for key in {**old, **new} if old.get(key) != new.get(key)]
     shown = [_phrase(key, old.get(key, "not given"), new.get(key, "not given")) for key in keys[:2]]
     return "; ".join(shown) + (f" and {len(keys) - 2} more" if len(keys) > 2 else "")
 
 
 def check_same(scene, header, output):
-    """What differs in mass, gyration, centre of gravity and viscous damping alone, in a phrase; "" where nothing does.
+    """Differences only in mass, gyration, centre of gravity and viscous damping, in a phrase; "" without any.
 
-    Raises SceneError if the database `output` with this header is of another scene, or would lose its motions, naming
-    what differs.
+    Raises SceneError, which names the difference, if the database `output` with this header is of another scene, or
+    would lose its motions.
     """
     fixed = fixed_part(scene)
     if scene_hash(fixed) == header.scene_hash:
@@ -95,12 +94,12 @@ def check_same(scene, header, output):
 
 
 def _flow(fixed):
-    """Of a fixed part, what the flow about the body depends on"""
+    """Part of a fixed part that the flow about the body depends on"""
     return {key: value for key, value in fixed.items() if not FREE.match(key)}
 
 
 def _stored_content(scene, header):
-    """`content` of the mesh file a database was made from; "unknown" if it is not stored and panels are others now"""
+    """`content` of the mesh file of a database; "unknown" if it is not stored and the panels have changed"""
     from hakobune.meshing.files import read_mesh
 
     if MESH_FILE in header.attributes or scene.several or scene.body.file is None:
@@ -109,7 +108,7 @@ def _stored_content(scene, header):
 
 
 def _same_hull(one, other):
-    """Whether two meshes have the same panels, in whatever order, and written out or mirrored"""
+    """Whether two meshes have the same panels, in any order, and written out or mirrored"""
     from scipy.spatial import KDTree
 
     (one, other), reach = (one.whole(), other.whole()), SAME * np.ptp(one.points, axis=0).max()

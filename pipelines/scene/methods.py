@@ -1,4 +1,4 @@
-"""Which method solves a scene: what each can represent, what it gives, and how `auto` chooses."""
+"""Choice of the method for a scene: capabilities of each method, and the choice by `auto`."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ METHODS = {
 
 
 def chosen_method(scene):
-    """Name of METHODS; `auto` takes contour where it can represent the scene of one body and no panels are asked for.
+    """Name of METHODS; `auto` selects contour if it can represent the scene of one body and no panels are requested.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
     a bed far below the keel it loses digits.  Of several it does not know the drift of each, which mooring needs: many
@@ -58,9 +58,9 @@ def chosen_method(scene):
 
 
 def names_given(scene, names, named):
-    """`names` of the database without those that the scene's method or wall does not give.
+    """`names` of the database without those that the scene's method or wall does not support.
 
-    named : words asked for one by one
+    named : individually requested names
     raises : ValueError if one of these is among them
     """
     method = scene.solved_by
@@ -85,7 +85,7 @@ def names_given(scene, names, named):
 
 
 def check_method(scene):
-    """Raises ValueError, one line, if the scene's method does not exist or cannot represent it."""
+    """Raises ValueError, one line, if the scene's method does not exist or does not support the scene."""
     for body in scene.bodies:
         if body.shape != "mesh":
             check_gap(body.draft, scene.water.depth)
@@ -102,7 +102,7 @@ def check_method(scene):
 
 
 def _lacking(scene, method):
-    """Names of the database that a method does not give for a scene"""
+    """Names of the database that a method does not compute for a scene"""
     beside_wall = (*FAR_FIELD, *OF_EACH) if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
     knows_each = method in (METHODS["panel"], METHODS["transfer"])
@@ -141,11 +141,11 @@ def _obstacles(scene, method):
     if method is METHODS["transfer"] and not out:
         out += _circles(scene)
     if scene.damping_lids and method is not METHODS["panel"]:
-        out.append("knows no damping lids")
+        out.append("does not support damping lids")
     if scene.modes and not method.panels:
         out.append("has the six rigid motions only, not [[modes]]")
     if scene.wall is not None and not method.wall:
-        out.append("knows no wall")
+        out.append("does not support a wall")
     return out
 
 

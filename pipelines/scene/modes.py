@@ -1,4 +1,4 @@
-"""What a scene's tables [[modes]] may say, and the file of a shape."""
+"""Checks of a scene's tables [[modes]], and the file of a shape."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ OPTIONAL = tuple(dict.fromkeys(key for keys in OF_KIND.values() for key in keys)
 
 
 def check_modes(scene):
-    """Raise SceneError for what [[modes]] of a `scene.Scene` must not say"""
+    """Raise SceneError for a fault in [[modes]] of a `scene.Scene`"""
     if not scene.modes:
         return
     if scene.wall is not None:
@@ -46,19 +46,19 @@ def check_modes(scene):
 
 
 def names_of(mode):
-    """Names of the shapes of a `tables.ModeTable`, without that of the body"""
+    """Names of the shapes of a `tables.ModeTable`, without the body's name"""
     if mode.kind == "file":
         return [mode.name]
     return [f"{mode.kind.replace(' ', '_')}_{n}" for n in range(1, mode.count + 1)]
 
 
 def owner(scene, mode):
-    """Number of the body of a `tables.ModeTable`, the first that moves of one between several"""
+    """Number of the body of a `tables.ModeTable`; for a shape of several bodies the first moving one"""
     return owners(scene, mode)[0]
 
 
 def owners(scene, mode):
-    """Numbers of the bodies of a `tables.ModeTable`: all that move where it names none of several"""
+    """Numbers of the bodies of a `tables.ModeTable`: by default all moving ones"""
     if not scene.several:
         return [0]
     if mode.body is None:
@@ -67,7 +67,7 @@ def owners(scene, mode):
 
 
 def between(scene, mode):
-    """Whether a `tables.ModeTable` is of several bodies at once"""
+    """Whether a `tables.ModeTable` applies to several bodies together"""
     return scene.several and mode.body is None
 
 
@@ -112,7 +112,7 @@ def _check_body(key, mode, scene):
 
 
 def points_of(key, file):
-    """(n, 6 or 7) numbers of the file of a shape: x, y, z, ux, uy, uz and mass; lines of words are left out"""
+    """(n, 6 or 7) numbers in the file of a shape: x, y, z, ux, uy, uz and mass; lines of words are skipped"""
     if not Path(file).is_file():
         raise SceneError(f"{key}.file is {file!r}; there is no such file")
     rows = []

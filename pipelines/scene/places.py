@@ -1,4 +1,4 @@
-"""Where the bodies of a scene lie: its own coordinates and those of each."""
+"""Places of the bodies of a scene: coordinates of the scene and of each body."""
 
 from __future__ import annotations
 

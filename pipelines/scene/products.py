@@ -1,4 +1,4 @@
-"""What can be asked for: names of the database, and words for groups of them."""
+"""Names of results: names of the database, and words for groups of them."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ def expand(want, motions_known):
     """Names of the database for a list of names and group words, in the order of its table.
 
     want : list of str, or None for everything but `bem.database.schema.ONLY_BY_NAME`
-    motions_known : whether the body's inertia is known; without it nothing is asked of its motions
-    Raises ValueError for a word that nothing makes, and for motions asked for by name without inertia.
+    motions_known : whether the body's inertia is known; otherwise motions are excluded
+    Raises ValueError for an unknown word, and for motions requested by name without inertia.
     """
     if want is None:
         asked = set(QUANTITIES) - set(ONLY_BY_NAME)

@@ -1,7 +1,7 @@
 """A scene: water, one floating body, waves and what is wanted, as typed TOML.
 
-Flags of the commands and scene files end in the same `Scene`; every fault is one line that names key, value
-and what is allowed.  Angles are degrees here, as everywhere in this package and nowhere below it.
+Flags of the commands and scene files give the same `Scene`; every fault is one line that names key, value and allowed
+values.  Angles are in degrees here, as everywhere in this package and nowhere below it.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
         return len(self.bodies) > 1
 
     def alone(self, number):
-        """The scene of one of several bodies in coordinates of its own"""
+        """The scene of one of several bodies in its own coordinates"""
         body = self.bodies[number]
         own = replace(body, name=None, place=None, rotation_center=None, fixed=False, viscous=None)
         center = body.rotation_center or (0.0, 0.0, 0.0)
@@ -81,12 +81,12 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
 
     @property
     def accuracy(self):
-        """Relative error asked for, by `tolerance` or its default."""
+        """Requested relative error, `tolerance` or its default."""
         return 0.01 if self.tolerance is None else self.tolerance
 
     @property
     def dimensions(self):
-        """{name: m} as the shape has them; of several bodies none"""
+        """{name: m} by the shape; empty for several bodies"""
         if self.several:
             return {}
         keys = [key for key in SHAPES[self.body.shape] if key not in ("file", "block")]
@@ -94,11 +94,11 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
 
     @property
     def motions_known(self):
-        """Whether the inertia is given of all bodies that move."""
+        """Whether the inertia is given for all moving bodies."""
         return all(body.gyration is not None for body in self.bodies if not body.fixed)
 
     def omegas(self):
-        """(n,) rad/s ascending; of a band its ends"""
+        """(n,) rad/s ascending; for a band its ends"""
         return self._omegas
 
     def headings(self):
@@ -106,7 +106,7 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
         return np.radians(np.sort(listed("waves.headings_deg", self.waves.headings_deg)))
 
     def names(self):
-        """Names of the database that are wanted."""
+        """Wanted names of the database."""
         return names_given(self, products.expand(self.want, self.motions_known), self.want or ())
 
     @cached_property
@@ -136,10 +136,10 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
 
 
 def read_scene(path):
-    """The raw tables of a scene file, mesh file names made relative to here.
+    """The raw tables of a scene file, with mesh file names relative to the current folder.
 
-    Raises SceneError if the file is not there, not TOML, or a file of another command, which is seen before the tables
-    of the command line stand beside it.
+    Raises SceneError if the file is missing, not TOML, or a file of another command, which is checked before tables
+    from the command line are added.
     """
     path = Path(path)
     raw, _ = read_toml(path, "a scene", SceneError)
@@ -154,7 +154,7 @@ def read_scene(path):
 
 
 def make_scene(raw):
-    """A checked Scene of nested dictionaries as TOML gives them.  Raises SceneError."""
+    """A checked Scene of nested dictionaries read from TOML.  Raises SceneError."""
     check_depth_given(raw)
     scene = typed(raw, Scene, SceneError)
     check(scene)

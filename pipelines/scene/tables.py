@@ -16,15 +16,15 @@ SHAPES = {
     "mesh": ("file",),
 }
 FREQUENCY_KEYS = ("omegas", "periods", "xi_B", "band")
-MOST = 10_000  # frequencies or headings in one list
+MOST = 10_000  # largest number of frequencies or headings in one list
 
 
 class SceneError(ValueError):
-    """A scene cannot be used; one line names the key, its value and what is allowed."""
+    """A scene cannot be used; the message names the key, its value and the allowed values."""
 
 
 class SceneTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """Of keys that are all known, each given by name"""
+    """Table without unknown keys, each given by name"""
 
 
 class Span(SceneTable):
@@ -170,7 +170,7 @@ class Waves(SceneTable):
 
 
 def listed(key, value):
-    """The numbers of a list, a Span or, of a Band, its ends.  Raises SceneError."""
+    """The numbers of a list, a Span or, for a Band, its ends.  Raises SceneError."""
     if isinstance(value, Band):
         if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
             raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from less than to")

@@ -1,4 +1,4 @@
-"""What a scene's table [viscous] means for its body, once the scene is seen to have what it needs."""
+"""Meaning of a scene's table [viscous] for its body, after a check of the needed data."""
 
 from __future__ import annotations
 

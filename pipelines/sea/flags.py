@@ -1,4 +1,4 @@
-"""Flags of `hakobune sea`: the spectrum, the record made of it, the reading of a given one."""
+"""Flags of `hakobune sea`: the spectrum, the record generated from it, and the reading of a given record."""
 
 from __future__ import annotations
 

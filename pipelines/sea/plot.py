@@ -1,4 +1,4 @@
-"""Picture of a sea: its spectrum, with what a record gives beside it, and the record."""
+"""Picture of a sea: its spectrum, with the estimate from a record, and the record."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The spectrum of a sea as CSV, and what is known again as written here."""
+"""The spectrum of a sea as CSV, and the recognition of files written here."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .result import curve
 
 
 def write_spectrum(path, found):
-    """Write the spectrum, with its 95 % confidence band where it is an estimate, as CSV that --table reads."""
+    """Write the spectrum, with its 95 % confidence band for an estimate, as CSV that --table reads."""
     spectrum = found.spectrum
     comment = f"# {found.title}; 4 sqrt(m0) {spectrum.significant_height:.6g} m, Tp {spectrum.Tp:.6g} s\n"
     names, columns = "omega_rad_s,density_m2_s_rad", list(curve(spectrum))
@@ -22,12 +22,12 @@ def write_spectrum(path, found):
 
 
 def is_spectrum(path):
-    """Whether a file was made by `write_spectrum`; the user's own table for --table was not"""
+    """Whether a file was made by `write_spectrum`, unlike the user's own table for --table"""
     first, names = opening(path)
     return "; 4 sqrt(m0) " in first and names.startswith("omega_rad_s,density_m2_s_rad")
 
 
 def is_record(path):
-    """Whether a file is a record that was made of a spectrum, and no measured one"""
+    """Whether a file is a record generated from a spectrum, not a measured one"""
     first, names = opening(path)
     return " spectrum, 4 sqrt(m0) " in first and names == "time_s,elevation_m"

@@ -61,13 +61,13 @@ def sea(
     reading: Tables | None = None,
     depth: float | None = None,
 ) -> Result:
-    """Moments, periods and heights of a wave spectrum, or of a record of waves; a record made of a spectrum.
+    """Moments, periods and heights of a wave spectrum, or of a record of waves; a record generated from a spectrum.
 
-    spectrum : path of a record that is analysed (CSV), a `mooring.environment.spectrum.Spectrum`, or what the command's
-        flags give it, as {"height": 3.0, "mean_period": 8.0}
-    record : likewise of a record that is made, as {"duration": 3600.0, "seed": 2}, {} of the default one; its direction
+    spectrum : path of a record that is analysed (CSV), a `mooring.environment.spectrum.Spectrum`, or the command's
+        flags, such as {"height": 3.0, "mean_period": 8.0}
+    record : likewise of a generated record, such as {"duration": 3600.0, "seed": 2}, {} for the default; its direction
         in degrees
-    reading : likewise of a record that is read: column, segment, and step (s) where it has no times
+    reading : likewise of a record that is read: column, segment, and step (s) if it has no times
     depth : m, of the water, deep without
     returns : Result, in SI; its `detail` is a Findings
     raises : ValueError, one line
@@ -90,7 +90,7 @@ def sea(
 
 
 def _flags(kind, given, depth=None):
-    """Flags of a kind by their names.  Raises ValueError for a name that none of them has."""
+    """Flags of a kind by their names.  Raises ValueError for an unknown name."""
     known = [name for name in kind.__dataclass_fields__ if name not in ("record", "depth")]
     wrong = [name for name in given or {} if name not in known]
     if wrong:
@@ -137,7 +137,7 @@ def _made(spectrum, words, depth):
 
 
 def _of_band(spectrum):
-    """What the components of a record leave of T02, which a tail ω⁻⁵ gives to waves that have hardly any energy"""
+    """Share of T02 in the components of a record: a tail ω⁻⁵ gives part of it to waves with hardly any energy"""
     from hakobune.mooring.environment.sea import BAND
 
     low, high = spectrum.quantile(BAND)
@@ -225,13 +225,13 @@ def _record(spectrum, flags):
 
 
 def _number_of_components(spectrum, flags, duration):
-    """Random amplitudes need components as close as the record resolves, else its energy is that of a few of them."""
+    """Random amplitudes need components as close as the record resolves; else a few of them determine its energy."""
     resolved = math.ceil(spectrum.quantile(0.999) * duration / (2 * math.pi))
     return max(500, resolved) if flags.amplitudes == "random" else 500
 
 
 def _check_effort(components, count, spreading):
-    """Raise TooMuchError for a record that does not fit, and say what a long one takes."""
+    """Raise TooMuchError for a record that is too large, and report the time of a long one."""
     way_out = "give fewer with --components, or a shorter --duration"
     sizes = components * count**0.5, count, components
     what = f"{components} components at {count} times"
@@ -292,7 +292,7 @@ def curve(spectrum):
 
 
 def result_of(found, said, given):
-    """Result of Findings; said : warnings; given : where the spectrum is from"""
+    """Result of Findings; said : warnings; given : origin of the spectrum"""
     spectrum, waves = found.spectrum, found.waves
     heights = _heights(found)
     omega, density = curve(spectrum)
@@ -330,7 +330,7 @@ def result_of(found, said, given):
 
 
 def _moment(spectrum, order):
-    """nan where a tail ω⁻⁴ gives it no end"""
+    """nan if a tail ω⁻⁴ makes it infinite"""
     try:
         return spectrum.moment(order)
     except ValueError:

@@ -1,4 +1,4 @@
-"""`hakobune sections`: the result as a table of one section a line, .csv or .h5."""
+"""`hakobune sections`: the result as a table with one line per section, .csv or .h5."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def is_table(path):
 
 
 def csv_text(rows, tolerance):
-    """The table as text: what it is in # lines, then one line per section."""
+    """The table as text: a description in # lines, then one line per section."""
     from hakobune.bem.sections.tables import COLUMNS, table_name
 
     from .result import NOTES

@@ -57,7 +57,7 @@ def sections(
     study : path of a study of sections side by side, its tables as a dictionary, or a `study.SectionsStudy`; without it
     a table of rectangles:
     beam_draft : B/d; depth_draft : H/d, above 1, or inf; xi : ξ_B = ω²B/2g; tolerance : relative error
-    returns : Result, without units as the report has them; its `detail` has the rows of `bem.sections.tables.tables`
+    returns : Result, without units as in the report; its `detail` has the rows of `bem.sections.tables.tables`
     raises : ValueError, one line
     """
     if study is not None:

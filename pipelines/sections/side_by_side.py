@@ -1,4 +1,4 @@
-"""The result of `pipelines.sections.study`: waves, motions and what hinges hold, over the frequency."""
+"""The result of `pipelines.sections.study`: waves, motions and hinge forces, over the frequency."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ NEAR = 0.2  # relative distance within which a natural period is near that of a 
 
 
 def findings_on_periods(file):
-    """What resonates: natural periods at the berth near those of the harbour"""
+    """Resonances: natural periods at the berth near those of the harbour"""
     harbour = np.asarray(file.attrs.get("harbour_period", []), float)
     for name, T in zip(PLANE, file.attrs.get("natural_period", ()), strict=False):
         for own in harbour:
@@ -53,11 +53,11 @@ def findings_on_fenders(file):
 
 
 def by_design_spectrum(study, db, body, hull, fenders):
-    """A line of the design spectrum method on fenders that alone hold a body; "" where it has no answer or there are
-    ropes or lines.
+    """A line by the design spectrum method for fenders that alone hold a body; "" without a result, or with ropes or
+    lines.
 
     study : `Study`; body : `Reader`, in front of a quay where there is one
-    fenders : sequence of `QuayFender`; those count that the steady lateral loads push the body against
+    fenders : sequence of `QuayFender`; only those that the steady lateral loads press count
     """
     from hakobune.mooring.dolphins.at_quay import at_quay
     from hakobune.mooring.dolphins.design_spectrum import STATIC, TOTAL, DolphinError
@@ -95,7 +95,7 @@ def check_harbour(periods):
 
 
 def check_windows(length, plan, bodies=()):
-    """Raise StudyError for windows of `length` s that the records of a `study.Plan` do not have"""
+    """Raise StudyError for windows of `length` s that are longer than the records of a `study.Plan`"""
     from ..common.quantities import StudyError
 
     if bodies:

@@ -1,6 +1,6 @@
 """Results stored next to the runs: the simplified method, slow motion by spectra, a berth and its fenders.
 
-All of them are known before the first run and stored with it.
+All of them are computed before the first run and stored with it.
 """
 
 from __future__ import annotations
@@ -100,11 +100,11 @@ def of_berth(study, db, body):
 
 
 def _strains(fender):
-    """Knots of deflection and of the fender's own part of it, over its height: a dolphin behind it yields the rest"""
+    """Knots of deflection and of the fender's own part of it, over its height: a dolphin behind it takes the rest"""
     return [np.asarray(knots, float).tolist() for knots in getattr(fender, "strains", ((0.0, 1.0), (0.0, 1.0)))]
 
 
 def differ(study):
-    """Whether seeds make runs differ: by irregular waves or gusts"""
+    """Whether runs differ between seeds: by irregular waves or gusts"""
     conditions, gusts = study.conditions(), study.wind is not None and study.wind.gusts is not None
     return gusts or (conditions.sea is not None and conditions.method != "regular_wave")

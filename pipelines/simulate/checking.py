@@ -1,4 +1,4 @@
-"""Whether the file of a simulation is what was written, row by row."""
+"""Whether the file of a simulation is unchanged, row by row."""
 
 from __future__ import annotations
 

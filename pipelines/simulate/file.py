@@ -1,8 +1,8 @@
 """The file of a simulation: one row for each seed, marked by its checksum once it is whole.
 
 Data first, then the mark, as in a database (`bem.database.integrity`): killed at any instant the file opens, and the
-same command makes the seeds that have no mark.  Its seal covers all else (`bem.database.results`).  More seeds make a
-wider file, which takes over the rows of the old one.  Records are kept of the first seeds only, statistics of all.
+same command runs the seeds without a mark.  A checksum of the file covers all other data (`bem.database.results`).  For
+more seeds a wider file takes over the rows of the old one.  Statistics of all seeds are stored, records of the first.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SCHEMA = "hakobune simulation 2"
 STATISTICS = RecordStatistics._fields
 SUMMARY = (*STATISTICS, *(f"{end}_{part}" for end in ("upper", "lower") for part in Extreme._fields))
 SLOW = ("Surge", "Sway", "Yaw")
-LEFT_OUT = "left out"  # first words of a finding on what is left out
+LEFT_OUT = "left out"  # first words of a finding on a neglected effect
 DECIMAL = re.compile(r"\d+\.\d+")
 LONGEST = 1000  # largest size of the findings of a seed, bytes
 SERIES = {  # name: (axes, unit, long name)
@@ -123,7 +123,7 @@ def create(path, header, seeds, kept, old=None):
 
 
 def _take_over(old, new, row):
-    """Copy a row, unless the new file keeps a record of it that the old one has not."""
+    """Copy a row, unless the new file keeps a record of it that the old one lacks."""
     seed = int(old["seed"][row])
     place = np.flatnonzero(new["seed"][()] == seed)
     if not len(place):
@@ -198,7 +198,7 @@ def opened(path, mode="r"):
 
 
 def is_run(path):
-    """Whether a file is that of a simulation, of whatever version, damaged or not; devices and pipes are not opened"""
+    """Whether a file is that of a simulation, of any version, damaged or not; devices and pipes are not opened"""
     return Path(path).is_file() and named(kind_filled_in(path)) == named(SCHEMA)
 
 
@@ -208,7 +208,7 @@ def row_values(file, row):
 
 
 def _stored_names(file, row):
-    """Names of what is stored of a row; deflections only where there are fenders, and so with hinges and anchors"""
+    """Names of the stored quantities of a row; deflections only with fenders, and likewise for hinges and anchors"""
     series = [name for name in SERIES if name in file] if row < len(file["kept_seed"]) else []
     return [*(name for name in ROWS if name in file), "findings", *series]
 
@@ -228,18 +228,18 @@ def _row_crc(file, row):
 
 
 def whole_rows(file):
-    """(seeds,) whether a row is there and is what was stored"""
+    """(seeds,) whether a row is stored and unchanged"""
     marks = file["stored"][()]
     return np.array([bool(mark) and mark == _row_crc(file, row) for row, mark in enumerate(marks)], bool)
 
 
 def told(file):
-    """Lines of text on the methods chosen for the runs of an open file, and on effects that are not included"""
+    """Lines of text on the methods chosen for the runs of an open file, and on neglected effects"""
     return tuple(filter(None, str(file.attrs.get("told", "")).split("\n")))
 
 
 def stored_findings(file):
-    """Lines of text on what holds of all runs, and what single runs found
+    """Lines of text: findings that hold for all runs, and findings of single runs
 
     Of those that differ in their decimals alone, as the mean frequency of each seed's waves, that with the largest.
     """
@@ -276,13 +276,13 @@ def fender_names(file):
 
 
 def summary_of(file, quantity):
-    """{statistic: value in SI} of a quantity over all runs, as "tension fore port 1" """
+    """{statistic: value in SI} of a quantity over all runs, such as "tension fore port 1" in the file"""
     place = list(file["quantity"].asstr()[()]).index(quantity)
     return dict(zip(SUMMARY, file["summary"][place], strict=True))
 
 
 def first_what_is_left_out(findings):
-    """Findings, each once, with those on effects that are not included first: they limit the value of the others"""
+    """Findings, each once, those on neglected effects first: they limit the accuracy of the others"""
     return tuple(sorted(dict.fromkeys(findings), key=lambda line: not line.startswith(LEFT_OUT)))
 
 
@@ -294,7 +294,7 @@ def put_summary(file, summary):
 
 
 def summary_is_whole(file):
-    """Whether the summary is there and what was stored"""
+    """Whether the summary is stored and unchanged"""
     return file["summary_checksum"][()] == crc(file["summary"][()])
 
 

@@ -44,7 +44,7 @@ def tilt_findings(file):
 
 
 def findings(file):
-    """What holds of all runs: their length, slow motion, and which method applies"""
+    """Findings that hold for all runs: their length, slow motion, and which method applies"""
     periods = np.asarray(file.attrs.get("moored_period", [np.nan] * 3), float)
     moored_periods = {name: T for name, T in zip(PLANE, periods, strict=True) if not np.isnan(T)}
     wave_period = float(file.attrs["mean_period"])

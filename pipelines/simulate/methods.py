@@ -2,12 +2,12 @@
 
 1  memory, domain division in three dimensions: here the contour method, which divides the water at the plan and under
    the keel, for a box of the ship's main dimensions, from a database of its own; mass and restoring are the ship's
-2  memory, singularities on the hull: the panel method, or the method of the database
-3  constant added mass and damping at the significant period of the waves
-4  the same at the natural period of the berth, in surge, or in sway or yaw where nothing restores surge
+2  memory, singularities on the hull: the panel method, or the method of the database 3  constant added mass and damping
+at the significant period of the waves 4  the same at the natural period of the berth, in surge, or in sway or yaw
+without restoring in surge
 
-The paper computes 3 and 4 from strips by multipole expansion; here they are from the database, so that the methods
-differ in the memory alone.
+The paper computes 3 and 4 from strips by multipole expansion; here they come from the database, so that the methods
+differ only in the memory.
 """
 
 from __future__ import annotations

@@ -33,14 +33,14 @@ def largest_in_runs(file, kind):
 
 
 def used_in_runs(file):
-    """(runs, lines) largest share of the breaking load in each run, nan where none is known"""
+    """(runs, lines) largest utilisation of the breaking load in each run, nan if unknown"""
     return file["used"][()][whole_rows(file)]
 
 
 def overloads(file, allowable=None):
     """Failures of lines and ropes: those that part, or exceed the allowable tension, in any run, and in how many
 
-    allowable : share of the breaking load in place of the study's, 1 where the utilisation is judged elsewhere
+    allowable : share of the breaking load instead of the study's, 1 if the utilisation is judged elsewhere
     """
     used, allowable = used_in_runs(file), float(file.attrs["allowable"] if allowable is None else allowable)
     names, most = file["line"].asstr()[()], used.max(axis=0)
@@ -73,7 +73,7 @@ def on_anchors(file):
 
 
 def notes(file):
-    """How the largest values are to be read"""
+    """Notes on the meaning of the largest values"""
     runs = int(whole_rows(file).sum())
     further = f"up to {100 * share_beyond(runs):.2g} % of such runs exceed it (confidence {100 * CONFIDENCE:.0f} %)"
     if not differ(file):
@@ -94,13 +94,13 @@ def notes(file):
 
 
 def differ(file):
-    """Whether seeds make runs differ: by irregular waves or gusts"""
+    """Whether runs differ between seeds: by irregular waves or gusts"""
     known = file.attrs.get("seeds_differ")
     return differ_by(make_study(tomllib.loads(file.attrs["study"]))) if known is None else bool(known)
 
 
 def rare_findings(file):
-    """Lines that snap, and fenders that are met, in few of the runs"""
+    """Lines that snap, and fenders that are touched, in few of the runs"""
     for kind, what, way_out in (
         ("tension", "lines that snap taut", "use longer lines or more pretension"),
         ("deflection", "fenders that are hit", "run more seeds to see how often"),

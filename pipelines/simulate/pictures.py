@@ -15,14 +15,14 @@ from .file import STATISTICS, bodies_of, whole_rows
 SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
            ("pitch", 180 / np.pi, "°"), ("yaw", 180 / np.pi, "°"))  # fmt: skip
-SMOOTH = 20  # neighbouring frequencies in one value of a spectrum
+SMOOTH = 20  # number of neighbouring frequencies averaged in one value of a spectrum
 FINE, BEYOND, LAST = 0.15, 10.0, 2.0  # a value's width and the end of spectra over the split frequency; rad/s, at most
-PLANE = (0, 1, 5)  # motions that no restoring of the water holds
+PLANE = (0, 1, 5)  # motions without hydrostatic restoring
 MOST_POINTS = 20_000
 
 
 def draw(file, output):
-    """Write the pictures next to the file of a run; returns their names.  None where no record is whole."""
+    """Write the pictures next to the file of a run; returns their names.  None without a complete record."""
     kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
     if not len(kept):
         return []
@@ -54,7 +54,7 @@ class Motions(NamedTuple):
 
 
 def draw_one(file, name, path):
-    """Draw "records" or "offsets" of a file to `path`.  Raises ValueError where no record is whole."""
+    """Draw "records" or "offsets" of a file to `path`.  Raises ValueError without a complete record."""
     kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
     if not len(kept):
         raise ValueError("no record of a run is kept")
@@ -62,11 +62,11 @@ def draw_one(file, name, path):
 
 
 def _figure(rows, columns, size, between=0.12, title=0.6, **more):
-    """Figure and axes of a size in inches, with room for their words; `between` : of its height, rows beside each other
+    """Figure and axes of a size in inches, with room for their labels; `between` : share of its height between rows
 
     title : inches above them
 
-    Layouts that matplotlib finds by itself draw everything four times.
+    Automatic layouts of matplotlib draw everything four times.
     """
     from matplotlib.figure import Figure
 
@@ -90,7 +90,7 @@ class Worst(NamedTuple):
 
     @property
     def quantity(self):
-        """As the file names it"""
+        """The name of the quantity in the file"""
         return self.name if self.kind == "motion" else f"{self.kind} {self.name}"
 
 
@@ -110,7 +110,7 @@ def _worst(file):
 
 
 def _records(file, kept, path, motions):
-    """The minutes around the largest tension, of the run that has it"""
+    """The minutes around the largest tension, in its run"""
     worst, time = _worst(file), file["time"][()]
     row = max(kept, key=lambda i: file[worst.kind][i, :, worst.at].max())
     record = file[worst.kind][row, :, worst.at]
@@ -166,13 +166,13 @@ def spectrum(records, step, widest=np.inf):
 
 
 def _still(file, name):
-    """Whether a quantity does not vary in any run"""
+    """Whether a quantity is constant in all runs"""
     at = list(file["quantity"].asstr()[()]).index(name)
     return not file["statistics"][()][whole_rows(file)][:, at, STATISTICS.index("sigma")].any()
 
 
 def _has_spectrum(file, name, records):
-    """Whether a quantity varies, with so many frequencies that its spectrum and its maxima mean something"""
+    """Whether a quantity varies, with enough frequencies for a meaningful spectrum and maxima"""
     return not _still(file, name) and max(map(frequencies_in, records.astype(float))) > FEW
 
 
@@ -257,7 +257,7 @@ def _extremes(file, kept, path, motions):
         records = motions.of(file, kept)[..., j].astype(float)
         if _has_spectrum(file, name, records):
             tops = _maxima(records, local_maxima) / records.std(axis=1).mean()
-            if not len(tops):  # pushed one way by a given force, or too short a run
+            if not len(tops):  # pushed to one side by a given force, or too short a run
                 continue
             least = min(least, 0.3 / len(tops))
             left.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), lw=1.2, label=name)

@@ -65,7 +65,7 @@ END = {
 
 
 class NoWholeRun(DatabaseError):
-    """Every seed failed; `args[1]` has what fails, a line each"""
+    """Every seed failed; `args[1]` has the failures, one line each"""
 
     def __str__(self):
         return self.args[0]
@@ -88,10 +88,10 @@ def simulate(
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
     output : path of the file of all runs, continued where it stopped; None to keep no file
-    seeds : number of seeds; duration : s of a run; both in place of the study's; fresh : replace an existing file
-    executor : as of the command; window : s, of the windows reported for the first record; console : for the progress
+    seeds : number of seeds; duration : s of a run; both replace the study's; fresh : replace an existing file
+    executor : as in the command; window : s, of the windows reported for the first record; console : for the progress
     returns : Result, in SI; records are in the file
-    raises : ValueError, one line, before anything is written; KeyboardInterrupt, whole seeds are kept
+    raises : ValueError, one line, before anything is written; KeyboardInterrupt, complete seeds are kept
     """
     if output is None:
         with tempfile.TemporaryDirectory() as folder:
@@ -109,7 +109,7 @@ def simulate(
 
 
 def read_run(path, window=None, more=()):
-    """Result of the file of a simulation; window : as of `simulate`; more : further findings.  Raises DatabaseError."""
+    """Result of the file of a simulation; window : as in `simulate`; more : further findings.  Raises DatabaseError."""
     with opened(path) as file:
         if not whole_rows(file).any():
             if more:
@@ -210,7 +210,7 @@ def _of_lines(file, rows):
 
 
 def _of_gaps(names, values):
-    """Of the water between several hulls, {} for one"""
+    """Clear water between several hulls, {} for one"""
     found = [values[name] for name in names if name.startswith("gap ")]
     return {
         f"gap.{key}": Quantity([row[key] for row in found], ("gap",), "m", words, GAPS)

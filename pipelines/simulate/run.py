@@ -1,4 +1,4 @@
-"""A simulation into its file: missing seeds are run, one by one, and each is stored when it is finished."""
+"""A simulation into its file: missing seeds are run one by one, and each is stored when it is finished."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ from .stations import told_of_stations, units_of_shapes
 from .study import force_files, moving_lines, plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
 
-IDENTITY = "2"  # first word of an identity; another one where a default of a study changes what runs are
-# keys of [simulation] that set how many of the same runs are wanted
+IDENTITY = "2"  # first word of an identity; it changes when a default of a study changes the results of runs
+# keys of [simulation] that set the number of runs only
 ASKED = ("seeds", "keep_series", "duration", "duration_hours")
 OF_MOVING_LINES = ("dynamic_lines", "dynamic_elements")
 SPREADS = ("sigma", "slow", "wave")
@@ -54,7 +54,7 @@ AFTER = 10.0  # s between lines of a long run
 
 
 class Input(NamedTuple):
-    """study : `moor.study.Study`; text : its TOML; folder : of files that it names; path : of its file, or None"""
+    """study : `moor.study.Study`; text : its TOML; folder : of the files it names; path : of its file, or None"""
 
     study: Study
     text: str
@@ -72,7 +72,7 @@ def input_of(study):
 
 @dataclass(frozen=True)
 class Outcome:
-    """made : seeds of this run; there : whole rows; total : seeds of the study; failures : (seed, reason)
+    """made : seeds of this run; there : complete rows; total : seeds of the study; failures : (seed, reason)
 
     interrupted : by Ctrl-C, even in the last seed: later steps are not wanted either
     """
@@ -88,8 +88,8 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     """Complete the file of a simulation; returns its Outcome.
 
     asked : Input of the study; database : open; console : for the progress, None for none
-    seeds : number of seeds in place of the study's; duration : s, likewise; fresh : replace existing runs
-    windows : s, length of windows of a record, which then has to be stored
+    seeds : number of seeds instead of the study's; duration : s, likewise; fresh : replace existing runs
+    windows : s, length of windows of a record, which must then be stored
     raises : ValueError, one line, before anything is written
     """
     output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]
@@ -146,9 +146,9 @@ def summary(file):
 
 
 def _identity(study, files, duration):
-    """Hash of what results depend on beside the seeds, after the mark of how it is made"""
+    """Hash of all inputs of the results except the seeds, preceded by the mark of its version"""
     words = differing(study)
-    words.pop("harbour", None)  # the harbour only affects how results are read
+    words.pop("harbour", None)  # the harbour only affects the evaluation of results
     simulation = words.get("simulation", {})
     for name in (*ASKED, *OF_MOVING_LINES):
         simulation.pop(name, None)
@@ -161,7 +161,7 @@ def _identity(study, files, duration):
 
 
 def _missing(output, identity, plan, fresh):
-    """Seeds asked for that have no whole row.  Raises DatabaseError for the file of another study."""
+    """Requested seeds without a complete row.  Raises DatabaseError for the file of another study."""
     if fresh or not output.exists():
         return list(plan.seeds)
     with opened(output) as file:
@@ -181,7 +181,7 @@ def _missing(output, identity, plan, fresh):
 
 
 def _shorter(output, study, files, plan, identity):
-    """s of the runs of a file of the same study and database that are shorter than those asked for; else None"""
+    """s, duration of the runs in a file of the same study and database if shorter than requested; else None"""
     if not output.exists():
         return None
     with opened(output) as file:
@@ -215,14 +215,14 @@ def _of_lines(output):
 
 
 def _made_once(task, moving, db):
-    """The Task with its memory and lines that move, for all processes, the Plan as prepared, and findings of that"""
+    """The Task with its memory and dynamic lines, for all processes, the prepared Plan, and findings on them"""
     body, plan, warned = prepared(replace(task, moving=moving), db)
     task = replace(task, memory=body.memory, moving=plan.settings.dynamic_lines)
     return task, plan, (*warned, *body.findings)
 
 
 def _say_before(console, plan, seeds, executor):
-    """What was chosen, what is left out, and what the seeds will take by a trial"""
+    """Print the chosen methods, the neglected effects, and the expected time of the seeds by a trial"""
     if console is None:
         return
     length, lines, moves = plan.settings.ramp + plan.settings.duration, list(plan.told), plan.settings.dynamic_lines
@@ -290,7 +290,7 @@ def _header(task, text, db, plan, identity, ready, beside, findings):
 
 
 def _make_room(output, header, plan, fresh):
-    """A new file, or a wider one where it lacks a seed"""
+    """A new file, or a wider one for additional seeds"""
     if fresh or not output.exists():
         create(output, header, plan.seeds, plan.keep_series)
         return
@@ -317,7 +317,7 @@ def _fill(file, task, plan, console, executor):
                     put(file, rows[place], result)
                     made += 1
                 progress.step(seed, result)
-        except KeyboardInterrupt:  # out of a seed that is left
+        except KeyboardInterrupt:  # from an interrupted seed
             stop.asked = True
     if stop.asked:
         executor.shutdown(wait=False, cancel_futures=True)
@@ -332,7 +332,7 @@ def _calls(executor, task, file, rows, progress):
 
 
 class _Progress:
-    """One line per seed, and now and then within one: simulated seconds a second, time left"""
+    """One line per seed, and progress within one: simulated seconds per second, remaining time"""
 
     def __init__(self, console, total, plan, stop):
         self.console, self.total, self.stop, self.done = console, total, stop, 0

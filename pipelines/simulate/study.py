@@ -69,7 +69,7 @@ class Plan:
 def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY, shapes=()):
     """The Plan of a `Study` on a database with frequencies omega (n,) rad/s and motions called `words`.
 
-    seeds : number of seeds, in place of those of the study; duration : s, in place of that of the study
+    seeds : number of seeds, instead of the study's; duration : s, instead of the study's
     folder : of the files of forces, None to omit such forces
     shapes : units of the last of the motions, shapes of bodies that bend
     raises : StudyError for a study that cannot be simulated
@@ -136,7 +136,7 @@ def level_of_pairs(study, seas, drift):
 
 
 def check_names(settings, names):
-    """Raises StudyError where settings name a line that is none of `names`"""
+    """Raises StudyError if settings name a line that is not in `names`"""
     asked = [("lines_lost", name) for name, _ in settings.lines_lost]
     if not isinstance(settings.dynamic_lines, str):
         asked += [("dynamic_lines", name) for name in settings.dynamic_lines]
@@ -147,7 +147,7 @@ def check_names(settings, names):
 
 
 def check_run(study, omega, names, folder):
-    """Raises ValueError for a `Study` that no run in time could take; as `plan_of` and `check_names`"""
+    """Raises ValueError for a `Study` that cannot be run in time; as `plan_of` and `check_names`"""
     check_names(plan_of(study, omega, folder=folder).settings, names)
 
 
@@ -182,7 +182,7 @@ def _record(study, table, settings, omega, folder):
     shortest = 2 * np.pi / omega[-1] * (1 - 1e-9) if given is None else positive(f"{where}.shortest", given)
     every, found = (components_of(first, towards, period) for period in (0.0, shortest))
     carrier = carrier_of(study.conditions().current)
-    if carrier is not None:  # a record at a place has the frequencies that are met there
+    if carrier is not None:  # a record at a place has the met frequencies
         found = in_water(found, carrier._replace(absolute=True), study.water.depth, 9.80665)
     if not len(found.omega):
         raise StudyError(f"{where} has no waves of {shortest:.4g} s or longer; lower shortest")
@@ -214,7 +214,7 @@ def damping(study, body):
 
 
 def motions_of(study, words=ONE_BODY):
-    """Numbers of the motions that a study has, by default all.  Raises StudyError."""
+    """Indices of the motions of a study, by default all.  Raises StudyError."""
     asked = study.simulation.motions if study.simulation else []
     known = [word.lower() for word in words]
     for name in asked:
@@ -229,7 +229,7 @@ def motions_of(study, words=ONE_BODY):
 
 
 def _check_held(settings, motions, words):
-    """Raises StudyError for a start of a motion that is held"""
+    """Raises StudyError for an initial displacement of a fixed motion"""
     for key in ("offset", "velocity"):
         for i, value in enumerate(getattr(settings, key) or ()):
             if value and i not in motions:
@@ -240,7 +240,7 @@ def _check_held(settings, motions, words):
 
 
 def _check_damping(table, words):
-    """Raises StudyError for a motion that there is not"""
+    """Raises StudyError for an unknown motion"""
     checked_ratios("simulation", table.damping_ratio, words)
     for key in ("linear_damping", "quadratic_damping", "spring"):
         _by_motion(key, getattr(table, key), words)
@@ -282,7 +282,7 @@ def _by_motion(key, values, words, least=0.0, unit=1e3):
 
 
 def _forces(table, folder, words):
-    """`GivenForce` of each file, and findings.  Raises StudyError for a body that there is not."""
+    """`GivenForce` of each file, and findings.  Raises StudyError for an unknown body."""
     from hakobune.mooring.motion.given_forces import read_force
 
     bodies = [word.removesuffix("surge").strip() for word in words[::6]]
@@ -364,7 +364,7 @@ def _kept(table):
 
 
 def _outside(spectrum, omega):
-    """Finding on the energy outside the stored frequencies.  Raises StudyError where it is too much."""
+    """Finding on the energy outside the stored frequencies.  Raises StudyError if it is too much."""
     below, above = (float(share) for share in energy_outside(omega, spectrum))
     if below + above <= MISSED:
         return ()

@@ -1,4 +1,4 @@
-"""One seed of a simulation, as an executor does it: the run, its statistics, its row of the file."""
+"""One seed of a simulation, run by an executor: the run, its statistics, its row of the file."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ STATIC = (
     'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" includes '
     "them where a trial requires it"
 )
-FARTHER = 0.5  # change of a gap over its size at rest, and over the smaller beam, that is accepted without a finding
+FARTHER = 0.5  # change of a gap over its size at rest, and over the smaller beam, above which it is reported
 _prepared = {}
 
 
@@ -38,8 +38,8 @@ class Task:
     """study : `moor.study.Study`; database : path; duration : s, or None for that of the study; memory : of the water,
     fitted
 
-    folder : of the study, where the files lie that it names
-    moving : names of the lines that move, where that is decided
+    folder : of the study, for the files that it names
+    moving : names of the dynamic lines, if already chosen
     """
 
     study: Study
@@ -53,8 +53,8 @@ class Task:
 def prepared(task, db=None, waves=None):
     """`Moored` body, Plan and findings of a Task; kept for the next seed of the same
 
-    db : its open database, which other processes open for themselves
-    waves : `mooring.motion.wave_loads.WaveForces` of the same body in another sea, where they are the same
+    db : its open database, which other processes open themselves
+    waves : `mooring.motion.wave_loads.WaveForces` of the same body in another sea, reused where equal
     """
     key = msgspec.json.encode(task.study), task.folder, task.database, task.duration
     if key not in _prepared:
@@ -83,7 +83,7 @@ def prepared(task, db=None, waves=None):
         if memory is None and (of_quay or plan.settings.memory == "constant"):
             memory = no_memory(reader)
         extra, drag = damping(study, reader.floating()), quadratic(study, words)
-        if of_quay and reader.viscous is None:  # made of the database's by the far field
+        if of_quay and reader.viscous is None:  # made from the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
         with heard() as caught:
@@ -101,7 +101,7 @@ def prepared(task, db=None, waves=None):
             else:
                 plan, left = _with_pairs(plan, study, db, reader)
             choice = _lines_chosen(task, body, plan)
-            moving_of(body, choice.settings)  # refused here, before there is a file
+            moving_of(body, choice.settings)  # refused here, before a file exists
         _check_floats(body, hull)
         _check_start(sides_of(db), body, plan.settings)
         held = [word for i, word in enumerate(words) if i not in body.free]
@@ -117,7 +117,7 @@ def prepared(task, db=None, waves=None):
             told=first_what_is_left_out(told),
         )
         _prepared.clear()
-        _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
+        _ = body.dynamic_stiffness  # computed for all seeds while its inputs exist
         if waves is None:
             reader.between.forget()
         _prepared[key] = body, plan, (*first, *of_quay, *caught)
@@ -125,7 +125,7 @@ def prepared(task, db=None, waves=None):
 
 
 def _lines_chosen(task, body, plan):
-    """The Choice of lines that move: that of a Task, or by a trial where the study wants one"""
+    """The Choice of dynamic lines: that of a Task, or by a trial if the study requests one"""
     from hakobune.mooring.motion.simulation import Choice, able_to_move, with_lines_chosen
     from hakobune.mooring.motion.simulation.trial import TOO_LARGE
 
@@ -139,7 +139,7 @@ def _lines_chosen(task, body, plan):
 
 
 def _remembering(body, db, asked):
-    """A `Moored` body with memory before a quay.  Raises StudyError where only coefficients of a frequency are."""
+    """A `Moored` body with memory before a quay.  Raises StudyError if only coefficients at one frequency exist."""
     from hakobune.mooring.motion.simulation import with_memory
 
     why = "the resonance of the water between hull and quay is too sharp for a few states"
@@ -155,9 +155,9 @@ def _remembering(body, db, asked):
 
 
 def _with_pairs(plan, study, db, reader):
-    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and its findings
+    """The Plan with the forces of wave pairs of the study's level beyond Newman's approximation, and its findings
 
-    By default ("auto") it is what the database allows, beside Newman's rule alone.
+    By default ("auto") the highest level in the database, or Newman's approximation alone.
     """
     from hakobune.mooring.response.bound_wave_drift import left_out
     from hakobune.mooring.response.pair_levels import beside_newman
@@ -206,7 +206,7 @@ def _without_pairs(plan, level, which):
 
 
 def _way(study, db, level):
-    """What is to be done about pairs of waves that are left out, nothing where it is the key"""
+    """Remedy for neglected forces of wave pairs, empty if it is the key itself"""
     if study.quay is not None:
         return ("in front of a quay only Newman's approximation is available",)
     return (f"'hakobune qtf {db.path}' stores them, for several directions with --heading",) if level == "auto" else ()
@@ -262,8 +262,8 @@ def simulate_seed(task, seed, kept, progress=None):
 def largest_use(body, motion, tension):
     """(lines,) largest share of the breaking load in motion (t, n), m, rad, and tension (t, lines), N, at the body
 
-    Of a line of segments also that of each of them, where the pull on the body is largest: below a buoy that is under
-    water the line pulls more than at the body.
+    Lines of segments include the utilisation of each segment, at the time of the largest pull on the body: below a
+    submerged buoy the tension exceeds that at the body.
     """
     system = body.system
     load = [*(() if system is None else system.breaking_load), *(one.breaking_load for one in body.berth.ropes)]
@@ -322,7 +322,7 @@ def _of_gaps(sides, apart):
 
 
 def _check_start(sides, body, settings):
-    """Raise StudyError for hulls that overlap where a run begins."""
+    """Raise StudyError for hulls that overlap at the start of a run."""
     from hakobune.mooring.motion.simulation.run import begin
 
     for (one, other), gap in zip(pairs_of(sides), gaps(sides, begin(body, settings.offset)[None])[0], strict=True):
@@ -334,7 +334,7 @@ def _check_start(sides, body, settings):
 
 
 def _check_floats(body, hull):
-    """Raise StudyError where hinges hold a body at rest so far up or down that it is out of the water or under it."""
+    """Raise StudyError if hinges hold a body at rest out of the water or under it."""
     if not body.reader.links:
         return
     for i, (name, box) in enumerate(hull.items() if isinstance(hull, dict) else [(ALONE, hull)]):
@@ -349,7 +349,7 @@ def _check_floats(body, hull):
 
 
 def at_rest_of(sides):
-    """(1, N, 6) poses at rest of the bodies that move"""
+    """(1, N, 6) poses at rest of the moving bodies"""
     return np.array([[[0, 0, 0, 0, 0, one.place[2]] for one in sides if one.moves >= 0]], float)
 
 

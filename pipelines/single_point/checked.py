@@ -1,4 +1,4 @@
-"""Checks of a whole single-point study before anything is solved, with the properties of its body known by then."""
+"""Checks of a whole single-point study before the computation, with the properties of its body known by then."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .tables import MassTable
 
 
 def checked(study, body=None):
-    """Raises StudyError for what no run of a Study could take
+    """Raises StudyError for a Study that no run supports
 
     body : `moor.checked.Body` of its database or scene, None without
     """

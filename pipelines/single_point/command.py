@@ -25,7 +25,7 @@ def single_point_command(study, database, output, picture):
 
 
 def _pictures(found, names, picture):
-    """Plan where it is asked for, run and maps of a study that has them; their paths"""
+    """Plan if requested, run and maps of a study that has them; their paths"""
     from . import maps, running
 
     if picture is not None:
@@ -44,7 +44,7 @@ def _pictures(found, names, picture):
 
 
 def _beside(study_path, output, word):
-    """Path of a picture: beside the results, or where the command is called, named by the study.  Raises ValueError."""
+    """Path of a picture: beside the results, or in the current folder, named by the study.  Raises ValueError."""
     path = Path(f"{Path(study_path).stem}_{word}.png")
     path = path if output is None else output.with_name(f"{output.stem}_{word}.png")
     check_picture(path, PLOTS)

@@ -1,4 +1,4 @@
-"""Findings on a single-point study, and what fails."""
+"""Findings on a single-point study, and its failures."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def overloads(study, best, cycle, run):
 
 
 def used(study, best, cycle, run):
-    """{where: (k + n,) shares of the breaking load of hawsers, none without their table, and lines}, nan if unknown"""
+    """{where: (k + n,) tension over breaking load of hawsers, if they have a table, and lines}, nan if unknown"""
     load = None
     if study.hawser is not None:
         given = force("hawser", study.hawser, "breaking_load")

@@ -1,4 +1,4 @@
-"""Loads of a single-point study: wind, current and drift as `mooring.single_point.loads` takes them."""
+"""Loads of a single-point study: wind, current and drift in the form of `mooring.single_point.loads`."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def _water(study, hull, density, center, mass, findings):
 
 
 def own_mass(h, density):
-    """kg, of a box where no displacement is given"""
+    """kg, of a box if no displacement is given"""
     return density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
 
 
@@ -98,7 +98,7 @@ def _block(h, density):
 
 
 def _by_yaw_rate(study, given, density, mass):
-    """(count, 3) of a WaterLoad over V (rL), of derivatives that are given or those of Clarke et al. (1983)"""
+    """(count, 3) of a WaterLoad over V (rL), from given derivatives or those of Clarke et al. (1983)"""
     h = study.hull
     own, block = own_mass(h, density), _block(h, density)
     if not block <= 1 + 1e-9:
@@ -114,7 +114,7 @@ def _by_yaw_rate(study, given, density, mass):
 
 
 def _turning(study, given, density, center, findings):
-    """(count, 5, 3) of turning tests of the hull's proportions, or of those that are given in their place"""
+    """(count, 5, 3) from turning tests for the hull's proportions, or for the proportions given instead"""
     h = study.hull
     own = {
         "length_over_beam": h.length / h.beam,
@@ -175,7 +175,7 @@ def _drift(study, db, center, findings):
 
 
 def waves_carrier(study):
-    """`Carrier` of the waves of a study, None where no current carries them.  Raises StudyError."""
+    """`Carrier` of the waves of a study, None without a current that carries them.  Raises StudyError."""
     return carrier_of(current_of(study.current))
 
 

@@ -1,7 +1,7 @@
-"""How the slewing of a study grows over one or two of its numbers: the criterion at every one, drawn.
+"""Growth of slewing over one or two numbers of a study: the criterion at every value, and its picture.
 
-A key is the path of a number in the study, as "hawser.length"; "hull.length_over_beam" keeps the waterplane's area and
-draft, and the attachment's place along the hull.
+A key is the path of a number in the study, such as "hawser.length"; "hull.length_over_beam" keeps the waterplane's area
+and draft, and the relative place of the attachment along the hull.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ SLENDERNESS = "hull.length_over_beam"
 class Map(NamedTuple):
     """x : (m,), y : (k,) values of the keys, y one nan without; growth (k, m) 1/s and period (k, m) s, heading (k, m) °
 
-    failed : of how many places there is no equilibrium or no load, with the first reason
+    failed : number of places without equilibrium or load, with the first reason
     """
 
     keys: tuple
@@ -42,7 +42,7 @@ class Map(NamedTuple):
 
 
 def check_maps(raw, study):
-    """Raise StudyError for a map that cannot be; raw : nested dictionaries of the study"""
+    """Raise StudyError for an impossible map; raw : nested dictionaries of the study"""
     for i in range(len(study.maps)):
         _axes(raw, study, i)
 

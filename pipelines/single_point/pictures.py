@@ -1,4 +1,4 @@
-"""Plan of a body at a single point: where it lies, the lines of its buoy, wind, current and waves."""
+"""Plan of a body at a single point: its position, the lines of its buoy, wind, current and waves."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def draw_hull(axes, study, point, place, heading, **style):
 
 
 def ends_in_space(point, place, heading):
-    """(k, 2) m, where the hawsers are made fast to the hull"""
+    """(k, 2) m, attachments of the hawsers to the hull"""
     return place + point.ends @ np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
 
 

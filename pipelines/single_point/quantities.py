@@ -65,7 +65,7 @@ def rest_of(found):
 
 
 def state_of(found):
-    """The heading it comes to, its slewing, and published criteria of it"""
+    """The final heading, its slewing, and published criteria of it"""
     one = found.best
     (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading at which it settles"
     state = {
@@ -84,7 +84,7 @@ def state_of(found):
 
 
 def _scope(found):
-    """Length of the most loaded line without uplift of its anchor"""
+    """Length at which the most loaded line has no uplift at its anchor"""
     one, system = found.best, found.point.system
     line, title = system.lines[int(np.argmax(one.lines.tension))], "scope without uplift, steady loads"
     if not isinstance(line, UniformLine) or not line.type.weight > 0:
@@ -137,7 +137,7 @@ def lines_at(found):
 
 
 def cycle_of(found):
-    """The limit cycle, where the body slews"""
+    """The limit cycle, if the body slews"""
     c = found.cycle
     if c is None:
         return {}, {}
@@ -195,7 +195,7 @@ def run_of(found):
 
 
 def _of_rope(name, title, drifts):
-    """Description and table of a column; that with the report's fifth is shown where slow drift is not in the run"""
+    """Description and table of a column; that with the report's fifth is shown if the run lacks slow drift"""
     if name != "significant_with_drift":
         return name, title
     return "significant + 20 %", "" if drifts else title
@@ -220,7 +220,7 @@ def maps_of(found):
 
 
 def hull_of(found):
-    """What a film of a run needs: sizes of the hull, its middle and the ends of hawsers from the centre of mass"""
+    """Data of a run for a film: sizes of the hull, its middle and the ends of hawsers from the centre of mass"""
     h, point, at = found.study.hull, found.point, found.study.attachment
     freeboard = 0.5 * h.draft if h.freeboard is None else h.freeboard
     middle = point.ends.mean(axis=0) - [at.x, at.y]
@@ -234,7 +234,7 @@ def hull_of(found):
 
 
 def notes_of(found):
-    """Lines that tables do not have: where slewing begins or ends, and on the run"""
+    """Notes in addition to tables: where slewing begins or ends, and on the run"""
     one = found.best
     if one.quartic is not None:
         low, high = (part * one.lateral.length for part in REACH)

@@ -1,4 +1,4 @@
-"""Reading a study of a single point, with its maps checked."""
+"""Reading of a single-point study, with its maps checked."""
 
 from __future__ import annotations
 

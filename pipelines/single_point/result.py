@@ -31,7 +31,7 @@ A_CYCLE = 15.0  # s, of a box on six chains
 
 
 class Found(NamedTuple):
-    """study : Study; point : SinglePoint; rest : all Equilibrium; best : that it comes to; cycle : LimitCycle or None
+    """study : Study; point : SinglePoint; rest : all Equilibrium; best : the final one; cycle : LimitCycle or None
 
     run : `mooring.single_point.in_time.Run` or None; maps : a Map each
     """
@@ -46,7 +46,7 @@ class Found(NamedTuple):
 
 
 def single_point(study: File | Tables | Study, database: File | Database | None = None) -> Result:
-    """Headings of rest of a body on a buoy or turret, its slewing, tensions, and a run in time where it has one.
+    """Headings of rest of a body on a buoy or turret, its slewing, tensions, and a run in time if requested.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.single_point.tables.Study`
     database : path of the body's database, or an open one, for its masses and the drift of the waves
@@ -79,9 +79,9 @@ def _read(path: File) -> tuple[Study, str]:
 
 
 def _cycle_of(one):
-    """LimitCycle of an Equilibrium that is not stable, or why it comes to none; None for both where it is stable
+    """LimitCycle of an Equilibrium that is not stable, or the reason for none; None for both if it is stable
 
-    It fails where the body slews beyond what the mooring holds: what lines carry there is not known.
+    It fails where the body slews beyond the range of the mooring: line tensions there are unknown.
     """
     if one.slewing.stable:
         return None, None

@@ -1,6 +1,6 @@
-"""A single-point study in time, by the scheme that it names (`mooring.single_point.runs`).
+"""A single-point study in time, by its scheme (`mooring.single_point.runs`).
 
-Waves need a database, a period and a scheme that is not "slow"; gusts are those of [wind].
+Waves need a database, a period and a scheme other than "slow"; gusts are those of [wind].
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
 MOST_SAMPLES = 1_000_000
-STILL = 1e-4  # variation over the largest value of a record, or over 1, that is rounding
+STILL = 1e-4  # variation over the largest value of a record, or over 1, that counts as rounding
 
 
 def check(study, db=None):
-    """Raises StudyError where a Study cannot run in time, before anything of it is computed"""
+    """Raises StudyError for a Study that cannot run in time; called before the computation"""
     s = study.slewing
     _check(s)
     if s.scheme == "two_scale" and not _with_waves(study, db):

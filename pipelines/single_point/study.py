@@ -1,4 +1,4 @@
-"""What a single-point study means in SI: its lines, masses, loads, and the `SinglePoint` of them."""
+"""Conversion of a single-point study to SI: its lines, masses, loads, and its `SinglePoint`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SAME = 1e-6  # relative difference within which sizes of study and database are 
 
 
 class Made(NamedTuple):
-    """point : SinglePoint; draft_left : m of freeboard of a buoy that may sink, inf where it is held at its height
+    """point : SinglePoint; draft_left : m of freeboard of a buoy that may sink, inf for a fixed height
 
     findings : one line each
     """
@@ -69,7 +69,7 @@ def _check_hull(study, depth):
 
 
 def check_database(study, db):
-    """Masses, drift and memory of another hull, or of other water, are not those of the study"""
+    """Raises StudyError if the database is of another hull or other water than the study"""
     hull, depth, waves = study.hull, study.water.depth, study.waves
     seen = waves is not None and waves.drift_tonf_per_m2 is None
     period = mean_wave(waves, sea_with_swell("waves", waves, depth).spectrum)[1] if seen else None
@@ -81,7 +81,7 @@ def check_database(study, db):
 
 
 def _mass(study, db, density):
-    """(3, 3) planar mass with added mass about the centre of mass, and (2,) m where that is, from midship"""
+    """(3, 3) planar mass with added mass about the centre of mass, and (2,) m of that centre, from midship"""
     h, table = study.hull, study.mass
     if table is None and db is None:
         raise StudyError("mass is missing; give [mass] with added_surge, added_sway and added_yaw, or --database")
@@ -120,7 +120,7 @@ def _hawsers(study, center):
 
 
 def system_of(study, depth, density):
-    """System of the buoy on its lines, laid in `depth` m of water of `density` kg/m³, and how far it may sink, m"""
+    """System of the buoy on its lines, in `depth` m of water of `density` kg/m³, and its freeboard, m"""
     b, m = study.buoy, study.mooring
     if not -depth < b.z <= 0:
         raise StudyError(f"buoy.z is {b.z:g} m; allowed: above the bed at {-depth:g} m, at most 0")
@@ -172,7 +172,7 @@ def _pretension(m, line, height):
 
 
 def _buoy(study, density):
-    """The buoy as a body of the System, and how far it may sink, m"""
+    """The buoy as a body of the System, and its freeboard, m"""
     b = study.buoy
     given = [b.mass, b.diameter, b.height]
     at = (0.0, 0.0, b.z, 0.0, 0.0, 0.0)
@@ -194,7 +194,7 @@ def _buoy(study, density):
 
 
 def check_buoy(made, equilibrium):
-    """Raises StudyError where lines pull the buoy under."""
+    """Raises StudyError if lines pull the buoy under."""
     lines = equilibrium.lines
     sunk = made.point.system.bodies[0].position[2] - lines.position[0, 2]
     if sunk > made.draft_left:

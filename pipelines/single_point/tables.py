@@ -263,7 +263,7 @@ class Study(Table):
 
 
 def make_study(raw):
-    """The Study of nested dictionaries as TOML gives them.  Raises StudyError."""
+    """The Study of nested dictionaries read from TOML.  Raises StudyError."""
     study = typed(raw, Study, StudyError)
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")

@@ -1,1 +1,1 @@
-"""`hakobune site`: design values of a site for a mooring, from its measurements to the values that studies read."""
+"""`hakobune site`: design values of a site for a mooring, from measurements to a file that studies read."""

@@ -40,10 +40,10 @@ class SiteLink(Table):
 
 
 class Taken(NamedTuple):
-    """What a kind of study takes from a site, and where its tables have it.
+    """Values that a kind of study takes from a site, and their places in its tables.
 
-    depth : path of its water depth, () where the water is that of a database; states : {key of a state: its table}
-    period : its name of the mean period of waves; ways : whether a table of a state has to be there for its direction
+    depth : path of its water depth, () if the database gives the water; states : {key of a state: its table}
+    period : its name of the mean wave period; ways : whether a table of a state must exist already for its direction
     coefficient : path of the seismic coefficient, () without
     """
 
@@ -68,7 +68,7 @@ class Linked(Table):
 
 
 class _SiteFile(msgspec.Struct):
-    """What of the file is read here"""
+    """The part of the file that is read here"""
 
     water: dict[str, float]
     states: dict[str, dict[str, dict[str, float]]]
@@ -80,8 +80,8 @@ class _SiteFile(msgspec.Struct):
 def read_study_at_site(path, what, taken=MOORED):
     """Nested dictionaries and text of a study (TOML), with the values of its [site].
 
-    Fender tables next to the study have their whole paths in the dictionaries, not in the text.
-    raises : StudyError where the site lacks a value, or study and site give the same one
+    Fender tables next to the study have full paths in the dictionaries, not in the text.
+    raises : StudyError if the site lacks a value, or study and site give the same one
     """
     raw, text = _laid(path, what, taken)
     return with_tables_in(raw, path.parent), text
@@ -117,7 +117,7 @@ def _laid(path, what, taken):
 
 
 def _state(link, values, taken, what):
-    """Tables of the state that a study takes.  Raises StudyError."""
+    """Tables of the state that a study uses.  Raises StudyError."""
     if link.state is None:
         return {}
     if not taken.states:
@@ -127,7 +127,7 @@ def _state(link, values, taken, what):
 
 
 def _lay(laid, path, value):
-    """Put a value of a site into a study at (table, …, key).  Raises StudyError where it is there."""
+    """Put a value of a site into a study at (table, …, key).  Raises StudyError if the key exists."""
     if len(path) == 1:
         if path[0] in laid:
             raise StudyError(f"{path[0]} is given by the study and by its site; leave one out")
@@ -167,7 +167,7 @@ def named(key, name, values):
 
 
 def laid_in(name, own, given):
-    """The table `own` with the values of the site.  Raises StudyError where both have a key."""
+    """The table `own` with the values of the site.  Raises StudyError for a key in both."""
     twice = [key for key in given if key in own or f"{key}_knots" in own]
     if twice:
         raise StudyError(f"{name}.{twice[0]} is given by the study and by its site; leave one out")

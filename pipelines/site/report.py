@@ -15,7 +15,7 @@ HEAD = "# Values of a site, by hakobune site; studies read it by [site] file, st
 
 
 def written_by_site(path):
-    """Whether a file is one that this command wrote and may write again"""
+    """Whether a file was written by this command, which may replace it"""
     return path.read_text(encoding="utf-8", errors="replace").startswith(HEAD)
 
 
@@ -49,7 +49,7 @@ def values_text(study, values):
 
 
 def page(study, values, text):
-    """The page (HTML), which needs no other file"""
+    """The page (HTML), without external files"""
     from jinja2 import Environment, StrictUndefined
 
     template = files(__package__).joinpath("page.html").read_text(encoding="utf-8")
@@ -129,7 +129,7 @@ def _fit(name, extreme, years):
 
 
 def draw_paper(path, name, extreme, years):
-    """Maxima and their law on Gumbel's probability paper, with the interval of the return value"""
+    """Maxima and their distribution on Gumbel's probability paper, with the interval of the return value"""
     from matplotlib.figure import Figure
 
     from ..common.picture import save

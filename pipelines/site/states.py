@@ -59,7 +59,7 @@ def profile_of(study, wind_10):
 
 
 def extreme_state(study, wind_10, waves, climate, profile):
-    """Tables of the extreme state as a mooring study has them.  Raises StudyError."""
+    """Tables of the extreme state in the form of a mooring study.  Raises StudyError."""
     state = {}
     if wind_10 is not None:
         state["wind"] = {"speed": wind_10}
@@ -96,7 +96,7 @@ class _Family(NamedTuple):
 
 
 def tsunami_state(table, depth):
-    """Current of a long wave that rises by the deviation, a√(g/h)"""
+    """Current of a long wave whose elevation is the deviation, a√(g/h)"""
     if table.tsunami is None:
         raise StudyError("levels.tsunami_period is given without levels.tsunami; give both, or neither")
     period = positive("levels.tsunami_period", table.tsunami_period, "s")

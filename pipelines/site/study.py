@@ -178,7 +178,7 @@ class SiteStudy(Table):
 class SiteValues(NamedTuple):
     """years : return period; probability : not exceeded in the service life; wind : as measured; waves : height
     climate : Climate, or None; wind_10 : m/s, ten minutes at 10 m; profile : `CurrentProfile` or None
-    levels : {name: m}; states : tables by name as studies have them; seismic : coefficient or None
+    levels : {name: m}; states : tables by name in the form of studies; seismic : coefficient or None
     findings : one line each
     """
 

@@ -1,12 +1,12 @@
 """Few frequencies for a whole band, added where least is known until the estimated error is within tolerance.
 
-Each frequency goes to the database as usual; the error between them is estimated from what is stored
-(`bem.database.between_frequencies`).  A run that is resumed, or repeated, therefore asks only for what is missing
-to the tolerance.  Frequencies are placed without regard to values (`bem.database.interpolant.chosen`): placed where the
-estimated error is largest, as many leave errors beyond the tolerance where no value has shown a resonance yet.  The
-tolerance is relative to the largest coefficient of a band; the height of a resonance hangs on damping that can be a
-thousandth of it.  Resonances (`bem.database.resonances`) are therefore solved for too, and for drift those that grow
-the error ε of the waves radiated, 1/2ζ times at resonance, beyond the tolerance, if no frequency is in their breadth.
+Each frequency is stored as usual; the error between frequencies is estimated from the stored values
+(`bem.database.between_frequencies`).  A resumed or repeated run therefore computes only the frequencies still missing.
+Their places do not depend on values (`bem.database.interpolant.chosen`): the same number, placed where the estimated
+error is largest, would leave errors beyond the tolerance where no value has shown a resonance yet.  The tolerance is
+relative to the largest coefficient of a band; the height of a resonance depends on damping that can be a thousandth of
+it.  Resonances (`bem.database.resonances`) are therefore solved too; for drift also those that amplify, by 1/2ζ, the
+error ε of the radiated waves beyond the tolerance, if no frequency lies within their width.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ PLACES = 400  # equally spaced places in a band
 # 0.52 %; 1.35, which three boxes of the series calculations need, left 8 beyond it, the worst at 1.02 %
 # (tests/bench/fit_interpolation.py)
 WIDTH = 2.2
-SHARP = 0.02  # damping ratio of a resonance that is solved for, however well its damping is known
-NEAR = 2e-3  # relative, of a resonance and a stored frequency: coefficients change by no more than they are known to
+SHARP = 0.02  # damping ratio below which a resonance is always solved, however accurate its damping
+NEAR = 2e-3  # relative distance of a resonance from a stored frequency: coefficients change less than their accuracy
 CONTROLLED = (*RADIATION, FORCES[0])
 
 
 def filled_band(scene, file, fill, wider, console):
     """The outcome of all frequencies of the band.
 
-    file : open database; fill(file) solves what it lacks, returning its `pipelines.solve.run.Outcome`
+    file : open database; fill(file) solves its missing rows and returns its `pipelines.solve.run.Outcome`
     wider(file, omega=…) → the open file with more frequencies
     """
     outcome = fill(file)
@@ -70,7 +70,7 @@ def _missing(scene, db):
 
 
 def controlled(names):
-    """Those of `names` that the tolerance applies to: coefficients and excitation, or another without them."""
+    """Those of `names` under control of the tolerance: coefficients and excitation, or another without them."""
     smooth = ("Froude_Krylov_force", "diffraction_force", "drift_force_fixed", "kochin_radiation", "kochin_diffraction")
     return [name for name in CONTROLLED if name in names] or [name for name in smooth if name in names][:1]
 

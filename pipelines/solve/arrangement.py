@@ -1,4 +1,4 @@
-"""Several bodies of a scene: from hulls in coordinates of their own to one mesh, and back."""
+"""Several bodies of a scene: from hulls in their own coordinates to one mesh, and back."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from ..scene.scene import SceneError
 from .gaps.resonant_water import NARROW, resonant_water
 
 TOUCHING = 1e-6  # distance at which bodies touch, over the size of the whole
-NEAR = 8  # panels of another body that are looked at from a corner
+NEAR = 8  # panels of another body that are tested from a corner
 
 
 def arranged(scene, hulls):
-    """One mesh of hulls, each in coordinates of its own, at the places of the bodies of a scene.
+    """One mesh of hulls, each in its own coordinates, at the places of the bodies of a scene.
 
-    It has the mirror planes that every body has in its place.
+    Its mirror planes are those that every body has in its place.
     """
     placed = [folded(_at_place(hull, body.place)) for hull, body in zip(hulls, scene.bodies, strict=True)]
     shared = "".join(axis for axis in "xy" if all(axis in hull.symmetry for hull in placed))
@@ -28,22 +28,22 @@ def arranged(scene, hulls):
 
 
 def own_hulls(scene, mesh):
-    """Of a mesh of several bodies each in coordinates of its own, with its mirror planes"""
+    """From a mesh of several bodies, each hull in its own coordinates, with its mirror planes"""
     return [folded(_at_origin(mesh.of_body(i).whole(), body.place)) for i, body in enumerate(scene.bodies)]
 
 
 def own_hulls_of_modes(scene, mesh):
-    """What `bending.modes` is given of the mesh of a scene: nothing without modes"""
+    """Argument of `bending.modes` for the mesh of a scene: empty without modes"""
     if not scene.modes:
         return ()
     return own_hulls(scene, mesh) if scene.several else [mesh]
 
 
 def check_apart(scene, mesh, panels_matter=True):
-    """Raise SceneError for two bodies that lie in each other or touch.
+    """Raise SceneError for two bodies that overlap or touch.
 
     panels_matter : whether the bodies are solved on these panels
-    returns : lines on those closer than their panels allow, and on the water between those that are close
+    returns : messages on bodies closer than their panels allow, and on the water between close bodies
     """
     said, gaps = [], []
     _check_wall(scene, mesh)
@@ -70,7 +70,7 @@ def check_apart(scene, mesh, panels_matter=True):
 
 
 def _check_wall(scene, mesh):
-    """Raise SceneError for a body in the wall of a scene or behind it, seen from the first"""
+    """Raise SceneError for a body that touches the wall of a scene, or is on the other side than the first body"""
     if scene.wall is None:
         return
     sides = [mesh.of_body(i).whole().points[:, 1] - scene.wall for i in range(mesh.bodies)]
@@ -84,7 +84,7 @@ def _check_wall(scene, mesh):
 
 
 def _overlap(one, other):
-    """Whether a corner of a hull lies in another one"""
+    """Whether a corner of a hull lies inside another hull"""
     low, high = other.points.min(axis=0), other.points.max(axis=0)
     near = one.centroids[np.all((one.centroids[:, :2] > low[:2]) & (one.centroids[:, :2] < high[:2]), axis=1)]
     return len(near) > 0 and bool(np.any(np.abs(winding(near, other.vertices)) > 0.5))

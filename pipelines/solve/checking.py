@@ -1,4 +1,4 @@
-"""`hakobune check`: does the physics of a database hold, and is its mesh sound."""
+"""`hakobune check`: whether the physics of a database and its mesh are correct."""
 
 from __future__ import annotations
 
@@ -25,11 +25,10 @@ from .report import CHECKED, checked, checks_table, resonances_of
 
 
 def check(path, console, repair=False):
-    """Print checks and findings of a database; 0 if all is there and holds, else 1.
+    """Print checks and findings of a database; 0 if nothing fails, else 1.
 
-    repair : what is damaged of a database is marked as unsolved before
-    raises : ValueError for a file that is neither; damage, also of what a database is known by, is an answer and no
-        wrong question
+    repair : mark damaged parts of a database as unsolved first
+    raises : ValueError for a file of another kind; damage, also of identifying data, is reported as a finding
     """
     say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
     try:
@@ -60,7 +59,7 @@ def check(path, console, repair=False):
 
 
 def _broken(db):
-    """Findings of laws that the stored numbers break"""
+    """Findings on laws that the stored numbers violate"""
     if not len(db.omega):
         return []
     for name in db.names:
@@ -78,7 +77,7 @@ def _broken(db):
 
 
 def _repaired(path):
-    """Mark what is damaged as unsolved; says what was."""
+    """Mark damaged parts as unsolved; prints them."""
     keep_room(path)
     with opened(path, "r+") as file:
         found = repair(file)
@@ -117,6 +116,6 @@ def _scene_findings(db):
 
 
 def _on_panels(db):
-    """Whether anything was computed with the mesh; other methods have one to be looked at"""
+    """Whether any result used the mesh; for other methods it is only drawn"""
     method = METHODS.get(db.attributes.get("method"))
     return method is None or method.panels or "pressure" in db.names

@@ -18,7 +18,7 @@ from ..scene.text import to_toml
 from .arrangement import own_hulls, own_hulls_of_modes
 from .bending.modes import modes_of, with_modes
 
-FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
+FEWEST_ANGLES = 120  # every 3°, for stored Kochin functions; short waves need more
 
 
 def make_header(scene, hull):
@@ -44,15 +44,15 @@ def make_header(scene, hull):
 def body_properties(scene, mesh):
     """{name of `bem.database.schema.BODY`: value} of the body; no inertia matrix without radii of gyration.
 
-    Of several bodies: one row for each, matrices (6N, moving) about the own point of each in its own axes; of shapes,
-    one row and column each after all bodies.
+    With several bodies: one row for each, matrices (6N, moving) about the own point of each in its own axes; for
+    shapes, one row and column each after all bodies.
     """
     known = _of_several(scene, mesh) if scene.several else _of_one(scene, mesh)
     return with_modes(known, scene, own_hulls_of_modes(scene, mesh))
 
 
 def each_body(scene, mesh, body):
-    """(name, scene, mesh, body properties) of every body that moves, of several each in coordinates of its own
+    """(name, scene, mesh, body properties) of every moving body, with several bodies each in its own coordinates
 
     body : `body_properties` of the scene
     """
@@ -67,7 +67,7 @@ def each_body(scene, mesh, body):
 
 @contextmanager
 def named(name):
-    """Context in which a SceneError says which body it is of"""
+    """Context in which a SceneError names its body"""
     try:
         yield
     except SceneError as error:

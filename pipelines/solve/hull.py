@@ -30,13 +30,13 @@ from .panel_counts import sizes as lengths_of
 MOST_PANELS = 20_000
 MOST_GIVEN = 100_000  # panels of a mesh file, or by --panels
 FOR_SHOW = 500  # panels of a mesh that is only drawn
-PER_WAVE = 4.7  # panels along the shortest wave; with fewer, extrapolation leaves too much to do without finer meshes
+PER_WAVE = 4.7  # panels along the shortest wave; with fewer, extrapolation without finer meshes is too inaccurate
 MOST_REFINED = 5000  # panels of a mesh for single frequencies, whose full equations take up to 2 GB
 
 
 @dataclass(frozen=True, eq=False)
 class MeshedHull:
-    """Panels of a scene's bodies and of their lid (None without), and the findings of their check, one line each."""
+    """Panels of a scene's bodies and of their lid (or None), and the findings of their check, one line each."""
 
     mesh: PanelMesh
     lid: PanelMesh | None
@@ -46,7 +46,7 @@ class MeshedHull:
 def make_hull(scene):
     """Panels and lid of the scene's body or bodies.
 
-    Raises SceneError if the frequencies ask for more panels than can be solved, or the mesh cannot be used.
+    Raises SceneError if the frequencies need more panels than can be solved, or the mesh is unusable.
     """
     if not panels_matter(scene):
         _check_waves_along(scene)
@@ -54,13 +54,13 @@ def make_hull(scene):
     hulls = [_hull(scene, body) for body in scene.bodies]
     _check_count(scene, sum(hull.total for hull in hulls))
     mesh = _in_place(scene, hulls)
-    found = _usable(scene, mesh)  # a lid needs a waterline that closes
+    found = _usable(scene, mesh)  # a lid needs a closed waterline
     made = make_lid(scene, mesh)
     return MeshedHull(mesh, made, (*found, *_without_errors(scene, lid_findings(mesh, made))))
 
 
 def _for_show(scene):
-    """Panels that are only drawn, for bodies that lie apart"""
+    """Panels for drawing only, for bodies that lie apart"""
     hulls = [_meshed(body, FOR_SHOW) for body in scene.bodies]
     if not scene.several:
         return MeshedHull(hulls[0], None)
@@ -69,7 +69,7 @@ def _for_show(scene):
 
 
 def _hull(scene, body):
-    """Panels of one body in coordinates of its own"""
+    """Panels of one body in its own coordinates"""
     if body.shape == "mesh":
         mesh = read_mesh(body.file)
         if mesh.total > MOST_GIVEN:
@@ -84,7 +84,7 @@ def _hull(scene, body):
 
 
 def _least_panels(scene):
-    """The fewest that leave each body as many as its shape takes"""
+    """Smallest number that leaves each body as many as its shape needs"""
     fewest = []
     for body in scene.bodies:
         try:
@@ -95,20 +95,20 @@ def _least_panels(scene):
 
 
 def _share(scene, body):
-    """Of the panels of a scene that are on one of its bodies, by the wetted area"""
+    """Share of the panels of a scene on one of its bodies, by the wetted area"""
     return _wetted_area(body) / sum(map(_wetted_area, scene.bodies)) if scene.several else 1.0
 
 
 def _check_count(scene, total):
     if scene.several and scene.panels is None and total > MOST_PANELS:
         raise SceneError(
-            f"tolerance {scene.accuracy:g} asks for {total} panels on {len(scene.bodies)} bodies; allowed: "
+            f"tolerance {scene.accuracy:g} needs {total} panels on {len(scene.bodies)} bodies; allowed: "
             f"{MOST_PANELS}; leave out the highest frequencies or give panels (--panels)"
         )
 
 
 def stored_hull(scene, header):
-    """The hull of a database, for the frequencies of a scene.  Raises SceneError if it cannot be used for these."""
+    """The hull of a database, for the frequencies of a scene.  Raises SceneError if it is unusable for these."""
     if not panels_matter(scene):
         _check_waves_along(scene)
         return MeshedHull(header.mesh, header.lid)
@@ -117,7 +117,7 @@ def stored_hull(scene, header):
 
 
 def _check_waves_along(scene):
-    """Methods without panels resolve so many waves along a body: more take patience and memory"""
+    """Number of waves along a body that methods without panels resolve: more take much time and memory"""
     water = scene.water
     k = float(wavenumber(scene.omegas()[-1], water.depth, water.gravity))
     for body in scene.bodies:
@@ -132,7 +132,7 @@ def _check_waves_along(scene):
 
 
 def panels_matter(scene):
-    """Whether anything wanted is computed with panels; if not, they are there to be looked at."""
+    """Whether any wanted result is computed with panels; if not, they are only drawn."""
     return METHODS[scene.solved_by].panels or "pressure" in scene.names()
 
 
@@ -151,24 +151,24 @@ def make_lid(scene, mesh):
 
 
 def _smallest_waterplane(mesh):
-    """m², of the part of the hull that is meshed or, of several bodies, of a quarter of the smallest"""
+    """m², of the meshed part of the hull, or for several bodies of a quarter of the smallest"""
     planes = (-mesh.of_body(i).area_vectors[:, 2].sum() for i in range(mesh.bodies))
     return min(plane * (mesh.copies / 4 if mesh.bodies > 1 else 1.0) for plane in planes if plane > 0)
 
 
 def lid_in_proportion(cover, mesh, other):
-    """The lid of another mesh of a hull, with as many panels for each of its own as `cover` has; None of None
+    """The lid of another mesh of a hull, with as many panels per panel as `cover` has; None for None
 
-    Where it was not, the error of a lid was left in what two meshes have alike: of the damping of the series box in
-    its shortest waves, 1.2 % off, 0.9 % were not seen.
+    Otherwise the error of a lid would be common to both meshes and not show: of an error of 1.2 % in the damping of the
+    series box in its shortest waves, 0.9 % were not detected.
     """
     return None if cover is None else lid(other, math.sqrt(cover.areas.mean() * mesh.total / other.total))
 
 
 def coarse_hull(scene, mesh, cover, fewest=FEWEST):
-    """(mesh, lid) with about half as many panels, against which the error is estimated.
+    """(mesh, lid) with about half as many panels, for the error estimate.
 
-    None for mesh files, and where the mesh itself is so coarse that half of it would tell nothing.
+    None for mesh files, and where the mesh itself is so coarse that half of it gives no information.
     cover : the lid of the mesh, or None; fewest : in a direction
     """
     coarse = _remeshed(scene, mesh, partial(coarse_counts, fewest=fewest))
@@ -176,7 +176,7 @@ def coarse_hull(scene, mesh, cover, fewest=FEWEST):
 
 
 def _remeshed(scene, mesh, counts):
-    """The mesh of a scene with the counts that counts(body, mesh of the body) gives; None where it gives none"""
+    """The mesh of a scene with the counts from counts(body, mesh of the body); None if these are None"""
     if any(body.shape == "mesh" for body in scene.bodies):
         return None
     hulls = own_hulls(scene, mesh) if scene.several else [mesh]
@@ -195,7 +195,7 @@ def _in_place(scene, hulls):
 
 
 def coarse_hull_of(header, fewest, cover):
-    """`coarse_hull` of the scene in the header of a database beside its mesh with a lid; None without a scene"""
+    """`coarse_hull` of the scene in a database header, for its mesh with a lid; None without a scene"""
     if not header.scene:
         return None
     return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh, cover, fewest)
@@ -205,7 +205,7 @@ def coarse_hull_of(header, fewest, cover):
 class FinerHull:
     """Meshes for the frequencies of a scene whose estimated error exceeds the tolerance.
 
-    Called with a mesh and its lid it gives both of about twice as many panels, or None above `MOST_REFINED`.
+    Called with a mesh and its lid it returns both with about twice as many panels, or None above `MOST_REFINED`.
     """
 
     scene: Scene
@@ -225,7 +225,7 @@ class FinerHull:
 
 
 def finer_hull(scene):
-    """`FinerHull`; None for mesh files and a number of panels that was asked for, which promise no tolerance"""
+    """`FinerHull`; None for mesh files and a requested number of panels, for which no tolerance applies"""
     given = scene.panels is not None or any(body.shape == "mesh" for body in scene.bodies)
     return None if given else FinerHull(scene)
 
@@ -235,7 +235,7 @@ def _meshed(body, panels):
 
 
 def _fine_enough(scene, body):
-    """A mesh of a body of the panels the tolerance asks for, or more so that there are `PER_WAVE` along every wave."""
+    """A mesh of a body with the panels for the tolerance, or more so that there are `PER_WAVE` along every wave."""
     wave = scene.shortest_wave
     least = _wetted_area(body) / (wave / PER_WAVE) ** 2  # no panel is larger than the square of its edge
     mesh = None if least > MOST_PANELS else meshed(body, fine_counts(body, scene.accuracy, wave / PER_WAVE))
@@ -255,7 +255,7 @@ def _wetted_area(body):
 
 
 def _usable(scene, mesh):
-    """What the check of a mesh finds.  Raises SceneError if it is an error, or panels are longer than the wave."""
+    """Findings of the check of a mesh.  Raises SceneError for an error, or panels longer than the wave."""
     wave = scene.shortest_wave
     apart = check_apart(scene, mesh) if scene.several else resonant_water(scene, mesh)
     found = (*apart, *_without_errors(scene, findings(mesh, scene.water.depth, wave)))

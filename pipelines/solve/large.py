@@ -1,4 +1,4 @@
-"""Large problems: which frequencies share their work, what it takes, and whether it fits."""
+"""Large problems: shared work of frequencies, its cost, and whether it fits the memory."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 27  # frequencies that an adaptive band takes, about
 NODES_WORTH_TELLING = 6000  # times the root of the classes: a frequency takes two seconds
 NODES_WORTH_ASKING = 1500  # a frequency on them takes two seconds, of which asking how long is a tenth
-COPIES = 3  # copies of a database in memory while it is created: numbers, file, and the image that is written
+COPIES = 3  # copies of a database in memory while it is created: numbers, file, and the written image
 
 
 def shared_band(scene, mesh, lid=None, some=None):
@@ -61,12 +61,11 @@ def _size(mesh):
 
 
 def announced(problem, limits, console, processes=1, omegas=()):
-    """`bem.panels.band.cost.Cost` of a large problem, after saying what it will take; None of others, and without a
-    band.
+    """`bem.panels.band.cost.Cost` of a large problem, printed beforehand; None for others, and without a band.
 
-    limits : how many limits of the frequency are still to be computed; processes : that each prepare the body
+    limits : number of limits of the frequency still to be computed; processes : that each prepare the body
     omegas : (n,) rad/s, of the run
-    Raises SceneError if the memory or the time is not there.
+    Raises SceneError if memory or time do not suffice.
     """
     if isinstance(problem, ShapeProblem) and problem.method in RESOLVED and len(omegas):
         _announce_contour(problem, omegas, console, processes)
@@ -117,9 +116,9 @@ def _cost_of_contours(problem, omega):
 
 
 def check_database(header, frequencies, headings, names):
-    """Raise SceneError for a database that does not fit into the memory, in which it is laid out.
+    """Raise SceneError for a database larger than the memory in which it is laid out.
 
-    header : `bem.database.file.Header`; frequencies, headings : how many; names : of the quantities
+    header : `bem.database.file.Header`; frequencies, headings : their numbers; names : of the quantities
     """
     lengths = {"influenced_dof": len(names_of(header.bodies, header.modes))}
     lengths["radiating_dof"] = len(moving(header.bodies, header.modes))

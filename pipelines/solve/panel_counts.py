@@ -1,8 +1,8 @@
-"""How many panels a box or buoy takes for a tolerance, the coarser mesh beside it that shows its error, and finer ones.
+"""Number of panels of a box or buoy for a tolerance, the coarser mesh for its error estimate, and finer ones.
 
-The error of all coefficients falls like the power −1.16 of the number of panels as long as no direction is left with
-a panel or two; the counts of `meshing.shapes` are over half the length, half the beam and the draft of a box, and
-over a quarter of the circumference, the radius and the draft of a buoy.
+The error of all coefficients falls like the power −1.16 of the number of panels as long as no direction has only a
+panel or two; the counts of `meshing.shapes` are over half the length, half the beam and the draft of a box, and over a
+quarter of the circumference, the radius and the draft of a buoy.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from hakobune.meshing.shapes import box, box_counts, buoy, buoy_counts
 from hakobune.meshing.ship import counts_of_ship, ship, ship_counts
 
 MAKERS = {"box": (box, box_counts), "buoy": (buoy, buoy_counts), "ship": (ship, ship_counts)}
-LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 3, 3)}  # a buoy of twelve sides has a yaw of its own
-LONGEST = 7  # breadths, up to which panels across were counted
+LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 3, 3)}  # a buoy of twelve sides has yaw excitation
+LONGEST = 7  # breadths, largest length for which panels across were counted
 COARSE = 0.71  # factor on the counts of edges: about half as many panels
 FEWEST = 2  # panels in a direction of the coarse mesh
 FINER = 2**0.5  # factor on the counts: about twice as many panels
@@ -29,10 +29,10 @@ def panels_for(body, tolerance):
     """Panels on the whole hull of a box or buoy for a relative error of the coefficients.
 
     At one per cent 250 for a buoy; for a box 290, and more where the draft is about half the breadth: such a section
-    rolls without moving much water, its added moment is small against what the panels lose, and of a long box's panels
-    few lie across it.  Most of what 110 such boxes needed was 220 for a length of two breadths, 400 for five, 500 for
-    seven, the longest.  Of the scenes of tests/bench/tolerance.py 97 % then keep the tolerance.  `fine_counts` takes
-    more in short waves.
+    rolls with little effect on the water, its added moment is small relative to the discretisation error, and few
+    panels of a long box lie across it.  Most of 110 such boxes needed 220 for a length of two breadths, 400 for five,
+    500 for seven, the longest.  Of the scenes of tests/bench/tolerance.py 97 % are then within the tolerance.
+    `fine_counts` gives more in short waves.
     """
     most = 250.0
     if body.shape == "ship":
@@ -51,7 +51,7 @@ def fine_counts(body, tolerance, longest):
 
 
 def coarse_counts(body, mesh, fewest=FEWEST):
-    """Counts of about half as many panels as a mesh of the body has, in the same proportion; None where it has few
+    """Counts of about half as many panels as a mesh of the body has, in the same proportion; None if it has few
 
     fewest : in a direction
     """
@@ -67,7 +67,7 @@ def finer_counts(body, mesh):
 
 
 def counts_of(body, mesh):
-    """The counts that a quarter of the hull was meshed with"""
+    """The counts used for a quarter of the hull"""
     if body.shape == "ship":
         return counts_of_ship(mesh)
     levels = [len(np.unique(np.round(column / np.ptp(column), 6))) - 1 for column in mesh.points.T]
@@ -78,14 +78,14 @@ def counts_of(body, mesh):
 
 
 def meshed(body, counts, **panels):
-    """PanelMesh with these counts, or of None with so many `panels`"""
+    """PanelMesh with these counts, or for None with `panels` panels"""
     keys = ("block", "bow", "stern", "waterplane") if body.shape == "ship" else ()
     form = {key: getattr(body, key) for key in keys}
     return MAKERS[body.shape][0](*sizes(body), **form, counts=counts, **panels)
 
 
 def sizes(body):
-    """m, as the meshes of `meshing.shapes` take them"""
+    """m, arguments of the meshes of `meshing.shapes`"""
     return (body.radius, body.draft) if body.shape == "buoy" else (body.length, body.beam, body.draft)
 
 

@@ -1,4 +1,4 @@
-"""All that is decided before a frequency is solved: once, from a scene and from the header of its database."""
+"""All decisions before a frequency is solved, from a scene and from the header of its database."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ KOCHIN = {"kochin_radiation", "kochin_diffraction"}
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """What a run solves, and with what.
+    """Content and means of a run.
 
     scene : with the method that solves it (`scene.solved_by`)
     omegas : (n,) rad/s and headings : (m,) rad, ascending; names : of the database, wanted
     header : of the database, with the mesh, the lid, the body at rest and the scene as text
     problem : `bem.methods` problem to be solved; remarks : for the reader, one line each
-    anew : names of the database that belong to another mass, gyration, centre of gravity or viscous damping
+    anew : names of the database that depend on another mass, gyration, centre of gravity or viscous damping
     """
 
     scene: Scene
@@ -59,9 +59,9 @@ def planned(scene):
 
 
 def resumed(scene, file):
-    """`Plan` of a scene for a database, given by its path or open, which it does not change.
+    """`Plan` of a scene for a database, given by its path or open, which is not changed.
 
-    Raises SceneError if they do not go together, or the scene cannot be solved.
+    Raises SceneError if they do not match, or the scene cannot be solved.
     """
     db = open_database(file)
     moved = check_same(scene, db.header, db.path)
@@ -99,7 +99,7 @@ def _plan(scene, hull, header):
 
 
 def _by_the_same_method(scene, header, output):
-    """The scene with the method of its first frequencies, where it leaves the choice.  Raises SceneError."""
+    """The scene with the method of its first frequencies, if it leaves the choice.  Raises SceneError."""
     if scene.method != "auto":
         return scene
     same = msgspec.structs.replace(scene, method=header.attributes["method"])

@@ -46,7 +46,7 @@ def problem_of(header, scene):
 
 
 def _with_modes(header, scene, body):
-    """What shapes change of the arguments of a problem"""
+    """Arguments of a problem that shapes change"""
     modes = modes_of(scene, own_hulls_of_modes(scene, header.mesh))
     names = names_of(body["bodies"], modes)
     moved = tuple(names[d] for d in moving(body["bodies"], modes))

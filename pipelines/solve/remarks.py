@@ -1,4 +1,4 @@
-"""What a run remarks on its scene before it starts, one line each: doubtful numbers, and what is left out."""
+"""Remarks on a scene before a run, one line each: doubtful numbers, and omitted results."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Se
 
 
 def remarks(scene, hull, body):
-    """Remarks on mesh and lid, on water, mass and stability, and on motions that are left out.
+    """Remarks on mesh and lid, on water, mass and stability, and on omitted motions.
 
     hull : `pipelines.solve.hull.MeshedHull`; body : as from `pipelines.solve.header.body_properties`
     """
@@ -56,7 +56,7 @@ def _gravity_remarks(gravity):
 
 
 def _motion_remarks(scene):
-    """What would be there if the inertia were known"""
+    """Results that known inertia would add"""
     if scene.motions_known:
         return
     wanted = names_given(scene, expand(scene.want, motions_known=True), ())
@@ -67,7 +67,7 @@ def _motion_remarks(scene):
 
 
 def _lid_remarks(lid, wave):
-    """The lid of a database that is extended to shorter waves stays what it was."""
+    """The lid of a database is not changed when it is extended to shorter waves."""
     largest = 0.0 if lid is None else lid.sizes.max()
     if largest > wave / 3:
         yield (

@@ -34,7 +34,7 @@ RESIDUAL = 1e-6  # residual of a linear system; four digits below the finest use
 
 @dataclass(frozen=True)
 class Check:
-    """Largest value of one check, where it occurs, and what it may be; NaN where it did not apply."""
+    """Largest value of one check, its place, and its limit; NaN if it did not apply."""
 
     name: str
     largest: float
@@ -49,12 +49,12 @@ class Check:
 
 
 def checked(db):
-    """[Check] of a database against its own tolerance: what is stored, and damping by its own size"""
+    """[Check] of a database against its own tolerance: stored checks, and damping relative to its own size"""
     return [*stored_checks(db), _check("damping", damping_errors(db), db.omega, _tolerance(db))]
 
 
 def stored_checks(db):
-    """[Check] of what is stored of each frequency"""
+    """[Check] of the stored checks of all frequencies"""
     return [
         _check(name, values, db.omega, RESIDUAL if name == "residual" else _tolerance(db))
         for name, values in db.checks().items()
@@ -68,7 +68,7 @@ def _tolerance(db):
 def failed_laws(db, own_panels):
     """One line on the laws that the results of a run violate, "" if none.
 
-    own_panels : panels were given, as a number or a mesh file, and no tolerance promised
+    own_panels : panels were given, as a number or a mesh file, so that no tolerance applies
     """
     laws = [check for check in stored_checks(db) if check.name not in ESTIMATED]
     failed = [check for check in laws if check.largest > max(check.limit, own_panels * BROKEN)]
@@ -81,7 +81,7 @@ def failed_laws(db, own_panels):
 
 
 def missed_tolerance(db):
-    """One line on the estimated error of a database whose tolerance was asked for, "" where it is kept"""
+    """One line on the estimated error of a database with a requested tolerance, "" if it is within"""
     (error,) = [check for check in stored_checks(db) if check.name == "estimated_error"] or [None]
     if error is None or error.passed:
         return ""
@@ -93,12 +93,12 @@ def missed_tolerance(db):
 
 
 def gives_panels(scene):
-    """Whether a scene says which panels, as a number or a mesh file, so that no tolerance is promised"""
+    """Whether a scene gives panels, as a number or a mesh file, so that no tolerance applies"""
     return scene.panels is not None or any(body.shape == "mesh" for body in scene.bodies)
 
 
 def failures(outcome, db, own_panels):
-    """What fails of a run: frequencies without a result, laws, and the tolerance where one was asked for
+    """Failures of a run: frequencies without a result, laws, and the requested tolerance
 
     outcome : `run.Outcome`; own_panels : of `gives_panels`
     """
@@ -151,7 +151,7 @@ def resonances_of(db):
 
 
 def print_outcome(console, outcome, db, own_panels):
-    """The end of a run: body, checks, remarks, resonances, what fails, and what is stored; returns the exit status.
+    """The end of a run: body, checks, remarks, resonances, failures, and stored data; returns the exit status.
 
     own_panels : of `gives_panels`
     """
@@ -195,7 +195,7 @@ def _body_rows(db):
 
 
 def _free_periods(db):
-    """Heave, roll and pitch of the free body; a period outside the stored band, where A is held, is marked by ~"""
+    """Heave, roll and pitch of the free body; ~ marks a period outside the stored band, where A is constant"""
     if db.bodies or db.modes or "added_mass" not in db.names or not len(db.omega):
         return
     try:

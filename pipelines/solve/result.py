@@ -1,4 +1,4 @@
-"""Solving a scene as a function."""
+"""Solution of a scene as a function."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def solve(
     """Added mass, damping, wave forces, motions and mean drift of a floating body, frequency by frequency.
 
     scene : path of a scene, its tables as a dictionary, or a `pipelines.scene.scene.Scene`; angles in degrees
-    output : path of the database, which goes on where it stopped; fresh : replace one that is there
-    executor : as of the command; console : told the progress
+    output : path of the database, continued where it stopped; fresh : replace an existing one
+    executor : as in the command; console : for the progress
     returns : Database, open for reading, in SI, angles in rad
-    warns : of what the command remarks, of laws that results break and of a tolerance that they miss
-    raises : ValueError, one line, also where a frequency is not solved, the others being kept; KeyboardInterrupt
+    warns : with the remarks of the command, on violated laws and on a missed tolerance
+    raises : ValueError, one line, also for an unsolved frequency, while the others are kept; KeyboardInterrupt
     """
     from hakobune.bem.database import open_database
 

@@ -1,4 +1,4 @@
-"""Fill the database of a scene: what is pending is solved, stored and marked, frequency by frequency."""
+"""Fill the database of a scene: pending frequencies are solved, stored and marked one by one."""
 
 from __future__ import annotations
 
@@ -37,15 +37,15 @@ from .plan import KOCHIN, planned, resumed
 from .work import limit_one, solve_one
 
 FOLLOWS = {"rao", "drift_force"}  # quantities computed from coefficients and Kochin functions
-EVERY = 0.5  # s: what is solved meanwhile is stored together, and what a kill can take
+EVERY = 0.5  # s: results within this time are stored together, and can be lost by a kill
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a run did: frequencies stored by it, all in the file, and those that failed with their reason.
+    """Outcome of a run: frequencies that it stored, all in the file, and failed ones with their reason.
 
-    jobs : frequencies and limits it had to do
-    interrupted : by Ctrl-C, also where it came at the last of them: what was to follow is not wanted either
+    jobs : number of frequencies and limits of the run
+    interrupted : by Ctrl-C, also during the last of them: later steps are then omitted too
     """
 
     path: Path
@@ -59,7 +59,7 @@ class Outcome:
 
     @property
     def exit_status(self):
-        """0 only if everything asked for is there"""
+        """0 only if everything requested is stored"""
         if self.interrupted and self.stored < self.total:
             return 130
         return 1 if self.failures or self.stored < self.total else 0
@@ -70,7 +70,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
 
     executor : anything with submit(function, …) → future.result(); None works here
     console : rich console, or None for silence
-    Raises ValueError, leaving the file as it was, if scene and file do not go together.
+    Raises ValueError, without a change of the file, if scene and file do not match.
     """
     output, executor = Path(output), executor or Here()
     check_place(output)
@@ -100,7 +100,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
 
 
 def _wider(stack, file, **more):
-    """The open file, or the one that has taken its name, with more frequencies, headings and names"""
+    """The open file, or its replacement of the same name, with more frequencies, headings and names"""
     path = Path(file.filename)
     if not extend(file, **more):
         return file
@@ -109,11 +109,11 @@ def _wider(stack, file, **more):
 
 
 def _store_free_body(file, plan):
-    """Motions and mean drift of frequencies that lack nothing else, where all that they follow from is stored"""
+    """Store motions and mean drift of frequencies that lack only these, if all inputs are stored"""
     for row in pending(file).rows:
         flow = row_values(file, row.omega, row.headings, needed(row.want)) if row.want <= FOLLOWS else None
         if flow is not None:
-            with suppress(FloatingPointError):  # solved for, and named if it fails there too
+            with suppress(FloatingPointError):  # solved as a frequency, and reported if it fails there too
                 made = free_body(plan.problem, row.omega, row.headings, plan.header.theta, flow)
                 append(file, row.omega, row.headings, {name: made[name] for name in row.want})
 
@@ -155,7 +155,7 @@ def _fill(plan, executor, console, cost, file):
 
 
 def _share_estimate(result, before):
-    """Give the estimate of a result its part of the time, without that of kernels that were loaded for it.
+    """Assign the estimate of a result its part of the time, without the loading of kernels for it.
 
     before : s of kernels loaded before; returns those up to now
     """
@@ -168,7 +168,7 @@ def _share_estimate(result, before):
 
 @dataclass(frozen=True)
 class Job:
-    """What an executor is given and what happens to the result; `where` is ω in rad/s or the name of a limit."""
+    """Input of an executor and use of its result; `where` is ω in rad/s or the name of a limit."""
 
     where: float | str
     call: tuple
@@ -188,7 +188,7 @@ def _limits(file, plan, names):
 
 
 class _Together(Storing):
-    """Stores at once after a pause of `EVERY`, and what comes within it together"""
+    """Stores at once after a pause of `EVERY`, and results within `EVERY` together"""
 
     def __init__(self, file):
         super().__init__(file)
@@ -206,7 +206,7 @@ class _Together(Storing):
 
 @contextmanager
 def _stored_together(file):
-    """Context of a `_Together` that has stored everything at its end, whatever ends it"""
+    """Context of a `_Together` that has stored everything at its end, however it ends"""
     storing = _Together(file)
     try:
         yield storing
@@ -224,7 +224,7 @@ def _store_row(storing, row, result):
 
 
 def _stored(job, result):
-    """Store a result; returns the reason in one line if there is none or it cannot be stored, else ""."""
+    """Store a result; returns the reason in one line if it is missing or cannot be stored, else "" (nothing)."""
     if isinstance(result, Exception):
         return _reason(result)
     try:

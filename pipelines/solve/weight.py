@@ -1,10 +1,10 @@
-"""Whether the weight of a body lies where a body of its hull can have it.
+"""Whether the weight of a body is possible for its hull.
 
     M = m g (x_G − x_B),    tan θ = M / C        trim and heel at rest, C the hydrostatic stiffness
     kᵢ² ≤ kⱼ² + kₖ²                               radii of gyration, since ∫(y² + z²) ≤ ∫(x² + y²) + ∫(x² + z²)
 
-The body is solved as its mesh lies.  Turned by 2° a hull of the length L would have a draft at its ends that is larger
-by L/57, of a barge a sixth of its draft: then the mesh is not that of the body afloat.
+The body is solved in the position of its mesh.  Turned by 2° a hull of the length L has a draft at its ends that is
+larger by L/57, for a barge a sixth of its draft: the mesh is then not that of the floating body.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ ROUNDED = 1.01  # factor on the same that rounding explains
 
 
 def check_weight(scene, mesh, body):
-    """Raise SceneError for a centre of gravity or radii of gyration that no body of this hull has.
+    """Raise SceneError for a centre of gravity or radii of gyration that are impossible for this hull.
 
     body : as from `pipelines.solve.header.body_properties`
     """
     _check_place(mesh, body)
     _check_gyration(scene.body.gyration)
     if not (scene.motions_known or any(scene.body.center_of_gravity) or scene.body.GM is not None):
-        return  # nothing was said of the weight, and no motion follows from it
+        return  # no weight was given, and no motion depends on it
     for name, axis, arm, moment, angle in _tilts(scene, body):
         if angle > TILT and not scene.body.trimmed:
             raise SceneError(
@@ -64,7 +64,7 @@ def weight_remarks(scene, mesh, body):
 
 
 def _gyration_remarks(gyration, mesh):
-    """No body has mass farther from its middle than it is long."""
+    """No body has mass farther from its middle than its length."""
     if gyration is None:
         return
     largest, longest = _extent(mesh), max(gyration)
@@ -103,12 +103,12 @@ def _check_gyration(gyration):
 
 
 def _largest_radius(gyration):
-    """m, that the two smaller radii allow the third"""
+    """m, largest third radius for the two smaller radii"""
     return float(np.hypot(*sorted(gyration)[:2]))
 
 
 def _tilts(scene, body):
-    """(name, axis, arm in m, moment in N m, angle in degrees) of trim and heel; none of a body that capsizes"""
+    """(name, axis, arm in m, moment in N m, angle in degrees) of trim and heel; none for a body that capsizes"""
     lever = np.asarray(body["center_of_mass"], float)[:2] - np.asarray(body["center_of_buoyancy"], float)[:2]
     moments = np.abs(body["mass"] * scene.water.gravity * lever)
     for i, (name, axis, dof) in enumerate((("trim", "x", 4), ("heel", "y", 3))):

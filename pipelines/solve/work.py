@@ -1,7 +1,7 @@
-"""What an executor is given: one frequency, or one limit, of one body.
+"""Work of an executor: one frequency, or one limit, of one body.
 
-Everything here can be sent to another process.  A process keeps the geometry of the last body it worked on,
-since that is expensive once and cheap for every frequency after.
+Everything here can be sent to another process.  A process keeps the geometry of its last body, which is expensive once
+and cheap for every later frequency.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 
 from ..printing.timing import phase
 
-_prepared = {}  # hash of the last problem: itself and its preparation
+_prepared = {}  # hash of the last problem: the problem and its preparation
 
 
 def solve_one(problem, omega, headings, want, theta):
@@ -50,14 +50,14 @@ def _prepare(problem):
 
 
 def _key(problem):
-    """Hash of the values of a problem, to the last bit; derived quantities that its meshes remember do not count."""
+    """Hash of the values of a problem, to the last bit; derived quantities cached in its meshes do not count."""
     digest = hashlib.sha256()
     _add(digest, problem)
     return digest.hexdigest()
 
 
 def _add(digest, value):
-    """Kind, number of parts and parts of a value; arrays by shape and bytes, since their text leaves out the middle"""
+    """Kind, number of parts and parts of a value; arrays by shape and bytes, since their text omits the middle"""
     if isinstance(value, np.ndarray):
         digest.update(f"{value.dtype.str} {value.shape} ".encode() + value.tobytes())
         return

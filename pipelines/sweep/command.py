@@ -14,11 +14,11 @@ from .file import is_sweep, result_of
 from .result import filled
 
 SHOWN = 5  # cases that are named
-PRINTED = 8  # quantities of a table that is printed where none is asked for
+PRINTED = 8  # quantities of a printed table by default
 
 
 def sweep(study, output, executor, fresh, plot=None):
-    """Run the pending cases, print a table of all; 1 where a case has a status above 0 or was not run.
+    """Run the pending cases, print a table of all; 1 if a case has a status above 0 or was not run.
 
     plot : picture of the quantities over the first key
     """
@@ -51,7 +51,7 @@ def _findings(outcome, output):
 
 
 def _shown(result, keep):
-    """A Result whose printed table has the keys, and the quantities asked for or the first that are single numbers"""
+    """A Result whose printed table has the keys, and the requested quantities or the first single numbers"""
     single = [name for name, one in result.quantities.items() if one.axes == ("case",) and one.numeric]
     keys = [name for name in result.quantities if name.startswith("keys.")]
     asked = [name.replace("[*]", "") for name in keep] or [n for n in single if n not in (*keys, "status")][:PRINTED]

@@ -1,4 +1,4 @@
-"""The results of a sweep: one HDF5 file that fills case by case and can be killed at any instant.
+"""The results of a sweep: one HDF5 file that is filled case by case and survives a kill at any instant.
 
 /keys/NAME (case,);  /status (case,): −1 to do, else that of the command;  /message (case,);  /results/NAME (case, …):
 the quantities of each case's result, or the arrays of its database, with all their digits, their axes and units.  The
@@ -22,7 +22,7 @@ from ..results.result import Result, labels
 
 SCHEMA = "hakobune sweep 2"
 PENDING = -1
-SIZE = 200  # numbers of a quantity that a sweep keeps where nothing is asked for
+SIZE = 200  # largest size of a quantity that a sweep keeps by default
 
 
 def is_sweep(path):
@@ -34,7 +34,7 @@ def is_sweep(path):
 
 
 def create(path, keys, values, texts):
-    """Make the file with every case to do; texts : {name: text} of sweep and study, kept as attributes"""
+    """Make the file with every case pending; texts : {name: text} of sweep and study, kept as attributes"""
     with h5py.File(path, "w") as file:
         file.attrs.update({"schema": SCHEMA, "software_version": __version__, **texts})
         count = len(values)
@@ -54,7 +54,7 @@ def _on(file, name, data):
 
 
 def case_count(path):
-    """How many cases a sweep has"""
+    """Number of cases of a sweep"""
     with h5py.File(path) as file:
         return len(file["status"])
 
@@ -66,7 +66,7 @@ def pending(path):
 
 
 def store(path, results):
-    """Keep what cases gave, then their status; the file is opened once for all of them.
+    """Store results of cases, then their status; the file is opened once for all of them.
 
     results : [(case, status, message, quantities, labels)], {name: `Quantity`} and {axis: its `Quantity` of labels}
     """
@@ -81,7 +81,7 @@ def store(path, results):
 
 
 def _store(file, name, case, one, axes):
-    """A quantity into its dataset; says why where it has another shape or other labels than the first case's"""
+    """Store a quantity in its dataset; reports another shape or other labels than the first case's"""
     place = f"results/{name}"
     data = file.get(place)
     if data is None:
@@ -122,7 +122,7 @@ def _axis(file, axis, size, one):
 
 
 def result_of(path):
-    """Result of a sweep: its keys and what each case gave.  Raises DatabaseError."""
+    """Result of a sweep: its keys and the quantities of each case.  Raises DatabaseError."""
     if not is_sweep(path):
         raise DatabaseError(f"{path} is not the result of a sweep")
     with h5py.File(path) as file:

@@ -1,4 +1,4 @@
-"""One case of a sweep: its study function is called, and what is asked for of its result is kept."""
+"""One case of a sweep: a call of its study function, and the requested quantities of its result."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .solved import solved
 from .study import SOLVE, StudyError
 
 INTERRUPTED = 130  # exit status of a command that Ctrl-C ended
-DRAWS = ("output", "plot")  # flags of commands that write files, of which a sweep has no use
+DRAWS = ("output", "plot")  # flags of commands that write files, which a sweep does not use
 
 
 def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
-    """{name: value} that the words behind a study say to its function.  Raises StudyError."""
+    """{name: value} of the arguments after the study, for its function.  Raises StudyError."""
     if command == SOLVE:
         return {}
     app = import_module(main_of).app
@@ -35,7 +35,7 @@ def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
 
 
 def _needed(app, command):
-    """Names of the arguments that a command cannot be called without"""
+    """Names of the required arguments of a command"""
     parameters = inspect.signature(app[command].default_command).parameters.values()
     return [one.name for one in parameters if one.default is one.empty]
 
@@ -43,7 +43,7 @@ def _needed(app, command):
 def one_case(command, raw, study, given, keep):
     """(exit status, what fails, {name: Quantity}, {axis: labels}) of a study, whose tables lie beside it meanwhile.
 
-    given : of `given_to`; keep : names of quantities, () for all that are short; a case that fails may lack some, and
+    given : from `given_to`; keep : names of quantities, () for all short ones; a failed case may lack some, and
     its message names them
     """
     if command == SOLVE:
@@ -84,7 +84,7 @@ def _called(command, raw, study, given):
 
 
 def kept(quantities, keep):
-    """{name: Quantity} of what is asked for.  Raises StudyError for a name that is none."""
+    """{name: Quantity} of the requested ones.  Raises StudyError for an unknown name."""
     if isinstance(quantities, Result):
         if keep:
             try:

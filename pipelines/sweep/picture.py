@@ -11,7 +11,7 @@ MOST = 12  # quantities, and lines in each
 
 
 def draw(result, path):
-    """Draw the quantities of a sweep that are printed.  Raises ValueError where the first key has no numbers."""
+    """Draw the printed quantities of a sweep.  Raises ValueError if the first key has no numbers."""
     from matplotlib.figure import Figure
 
     keys = [name for name in result.quantities if name.startswith("keys.")]
@@ -40,7 +40,7 @@ def draw(result, path):
 
 
 def _groups(result, others):
-    """{words of the other keys: numbers of the cases}"""
+    """{words of the other keys: indices of the cases}"""
     found = {}
     for case in range(len(result["status"])):
         words = ", ".join(f"{name.removeprefix('keys.')} {result[name][case]}" for name in others)

@@ -28,13 +28,13 @@ def sweep(
     fresh: bool = False,
     say: Callable[[str], None] | None = None,
 ) -> Result:
-    """Cases of a study over values of its keys, in the units of the study; what each gave, in SI, under its name.
+    """Cases of a study over values of its keys, in the units of the study; the quantities of each, in SI, by name.
 
-    study : path of a sweep, or its tables as a dictionary; there `study` is the path of what is varied, or its tables
-    output : path of the file of all cases, which goes on where it stopped; None to keep no file
-    executor : as of the command; fresh : replace a file that is there; say : is told the progress, line by line
+    study : path of a sweep, or its tables as a dictionary; its `study` is the path of the varied study, or its tables
+    output : path of the file of all cases, continued where it stopped; None for no file
+    executor : as in the command; fresh : replace an existing file; say : called with progress, line by line
     returns : Result, in SI, with the axis "case", "keys.NAME" of what is varied, and "status", 0 where a case is well
-    raises : ValueError, one line, also where a worker was lost, what was done being kept
+    raises : ValueError, one line, also after the loss of a worker; finished cases are kept
     """
     with tempfile.TemporaryDirectory() as folder, in_files(study, Path(folder)) as path:
         place = Path(folder) / "sweep.h5" if output is None else Path(output)
@@ -46,7 +46,7 @@ def sweep(
 
 
 def filled(path: Path, output: Path, executor: str, fresh: bool, say) -> tuple[SweepTable, run.Outcome]:
-    """Run what is pending of the sweep in a file: its table and what was done.  Raises StudyError."""
+    """Run the pending cases of the sweep in a file: its table and the outcome.  Raises StudyError."""
     table, text = read_sweep(path)
     workers = executor_of(executor)
     try:
@@ -57,7 +57,7 @@ def filled(path: Path, output: Path, executor: str, fresh: bool, say) -> tuple[S
 
 @contextmanager
 def in_files(study: File | Tables, folder: Path):
-    """The path of a sweep: given, or in a folder where its tables, and those of what it varies, are written"""
+    """The path of a sweep: given, or in a folder to which its tables, and those of the varied study, are written"""
     if isinstance(study, str | os.PathLike):
         yield Path(study)
         return

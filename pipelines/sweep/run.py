@@ -1,4 +1,4 @@
-"""The cases of a sweep, run wherever an executor puts them, stored as they come."""
+"""The cases of a sweep, run by any executor, stored as they finish."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .study import StudyError, cases, check_keys, varied
 class Outcome(NamedTuple):
     """cases : all of the sweep; failed : [(number, status, message)] of those with a status above 0
 
-    lost : (how many were not done, why one of them was not), of cases whose worker was lost
+    lost : (number of cases not done, reason of one of them), of cases whose worker was lost
     """
 
     cases: int
@@ -28,10 +28,10 @@ class Outcome(NamedTuple):
 
 
 def sweep(table, text, folder, output, executor, say, fresh=False):
-    """Run what is pending.  Returns an Outcome.  Raises StudyError before any work.
+    """Run the pending cases.  Returns an Outcome.  Raises StudyError before any work.
 
-    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; say : takes a line
-    fresh : replace a file that is there
+    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; say : called with each line
+    fresh : replace an existing file
     """
     study = Path(folder) / table.study
     if not study.is_file():
@@ -61,7 +61,7 @@ def sweep(table, text, folder, output, executor, say, fresh=False):
                     result = future.result()
                 except StudyError:
                     raise
-                except Exception as error:  # its worker was lost; what a command refuses is a result
+                except Exception as error:  # its worker was lost; a refusal by a command is a result
                     lost.append(f"case {number}: {' '.join(str(error).split()) or type(error).__name__}")
                     continue
                 keep((number, *result))
@@ -70,13 +70,13 @@ def sweep(table, text, folder, output, executor, say, fresh=False):
     return Outcome(len(values), _failed(output), (len(lost), lost[0] if lost else ""))
 
 
-BATCH = 8  # cases that each process is given at once, which are lost with it
-BLOCK = 0.5  # s, of whose cases a kill takes at most; opening the file for each takes as long as writing it
+BATCH = 8  # cases given to each process at once, which are lost with it
+BLOCK = 0.5  # s, whose cases a kill can lose; opening the file for each would take as long as writing it
 
 
 @contextlib.contextmanager
 def _kept_together(output):
-    """A function that takes the result of a case; they are stored every `BLOCK` s, and at the end, whatever ends it"""
+    """A function that receives the result of a case; results are stored every `BLOCK` s, and at the end in any case"""
     waiting, since = [], time.monotonic()
 
     def write():

@@ -1,4 +1,4 @@
-"""One case of a sweep of scenes: solved in a file of its own, whose arrays go on into the file of all cases."""
+"""One case of a sweep of scenes: solved in a separate file, whose arrays are copied to the file of all cases."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from ..printing.verdict import status_of
 from ..results.quantity import Quantity
 
 LARGE = ("kochin_radiation", "kochin_diffraction", "pressure")  # quantities too large for a sweep
-OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes that a case may have values of its own on
+OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes on which a case may have its own values
 
 
 def solved(raw, scene_file):
     """(exit status, message, {name: Quantity}, {axis: labels}) of a scene; mesh files are seen beside `scene_file`.
 
-    Axes and units are those of a database, with the number of a frequency and of a heading in the place of their
-    values, which are arrays too.
+    Axes and units are those of a database, with the index of a frequency and of a heading instead of their values,
+    which are arrays too.
     """
     from hakobune.bem.database import open_database
 
@@ -47,9 +47,9 @@ def solved(raw, scene_file):
 
 
 def _arrays(path, bodies):
-    """What a file holds that this process has written and closed this moment, so that no checksum is tried
+    """Content of a file that this process has just written and closed, so that no checksum is checked
 
-    bodies : of the database, where there are several
+    bodies : of the database, if there are several
     """
     import h5py
 

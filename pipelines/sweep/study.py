@@ -1,4 +1,4 @@
-"""A sweep as typed TOML: a command, a study, and the keys of it that are varied.
+"""A sweep as typed TOML: a command, a study, and its varied keys.
 
 command = "berth"                 [[vary]]
 study = "berth_tanker.toml"       key = "approach.speed"
@@ -99,7 +99,7 @@ def read_sweep(path):
 
 
 def cases(sweep):
-    """[(value of each key), …] in the order they are run.  Raises StudyError."""
+    """[(value of each key), …] in the order of the runs.  Raises StudyError."""
     if sweep.sampling == "grid":
         if sweep.samples is not None:
             raise StudyError('samples is given; it needs sampling = "latin-hypercube"')
@@ -128,16 +128,16 @@ def _values(where, one):
 
 
 def varied(raw, keys, values):
-    """A copy of nested tables with each value in the place of its key.  Raises StudyError as `put` does."""
+    """A copy of nested tables with each value at its key.  Raises StudyError as `put` does."""
     for key, value in zip(keys, values, strict=True):
         raw = put(raw, key, value)
     return raw
 
 
 def check_keys(command, raw):
-    """Raise StudyError where a case has a key that the command does not know, or of another type: so has every case.
+    """Raise StudyError for a key that is unknown to the command or of another type, which affects every case.
 
-    A study at a site is left to the command, which lays the values of the site in before it reads the tables.
+    A study at a site is left to the command, which inserts the values of the site before it reads the tables.
     """
     from ..keys.kinds import struct_of
 
@@ -146,9 +146,9 @@ def check_keys(command, raw):
 
 
 def put(raw, key, value):
-    """A copy of nested tables with a value in the place of a key; [*] : of every table of a list.
+    """A copy of nested tables with a value at a key; [*] : in every table of a list.
 
-    raises : StudyError where its table is not there
+    raises : StudyError if its table does not exist
     """
     made = copy.deepcopy(raw)
     *path, last = re.findall(r"[^.\[\]]+", key)
@@ -161,7 +161,7 @@ def put(raw, key, value):
 
 
 def _tables(at, path):
-    """The tables that a path leads to.  Raises KeyError, IndexError, ValueError or TypeError where there are none."""
+    """The tables at a path.  Raises KeyError, IndexError, ValueError or TypeError if there are none."""
     if not path:
         return [at]
     if path[0] == "*":

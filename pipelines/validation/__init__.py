@@ -1,4 +1,4 @@
-"""What is computed here beside what is known: the SR179 report (1982) made again, other programs, laws of waves.
+"""Comparisons of computed with known results: the SR179 report (1982) repeated, other programs, laws of waves.
 
-Nothing but the command line imports this room.
+Only the command line imports this package.
 """

@@ -1,6 +1,6 @@
-"""What is computed beside what was published: the rows of a table, the cases that are asked for, and one result.
+"""Computed values beside published ones: the rows of a table, the requested cases, and one result.
 
-Numbers stay in the units of the publication, which the name of a column ends with (height_m, static_tonf).
+Numbers remain in the units of the publication, which are at the end of a column's name (height_m, static_tonf).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..results.result import Result
 
 UNITS = {"_t_m": "t/m", "_m_s": "m/s", "_m": "m", "_cm": "cm", "_mm": "mm", "_s": "s", "_ms": "ms",
          "_mb": "MB", "_kn": "kn", "_tonf": "tonf", "_kgf": "kgf", "_deg": "°"}  # fmt: skip
-LONG = 100  # rows, from which on a table is in files alone
+LONG = 100  # rows above which a table is in files only
 
 
 def read_rows(path):
@@ -53,9 +53,9 @@ def one_by_one(cases, name):
 
 
 def database(scene, path, fresh):
-    """The open database of a Scene, solved where it is not there.
+    """The open database of a Scene, solved if it is missing.
 
-    raises : StudyError where it is not whole, KeyboardInterrupt after Ctrl-C with all stored that was solved
+    raises : StudyError if it is incomplete, KeyboardInterrupt after Ctrl-C with all solved frequencies stored
     """
     from ..solve.run import solve
 

@@ -1,8 +1,8 @@
-"""The camera of `hakobune look`: as near as all that is shown allows.
+"""The camera of `hakobune look`: as close as possible with everything in view.
 
 With x to the right, y up and z towards the camera, which is at a distance D from the origin, a point is inside the
-right side of the picture, of slope t, if x − c ≤ t (D − z).  Both sides of all points together give the least D,
-max(x + tz) + max(−x + sz) = (t + s) D, and the place c across; so do the upper and the lower side.
+right side of the picture, of slope t, if x − c ≤ t (D − z).  Both sides of all points together give the least D, max(x
++ tz) + max(−x + sz) = (t + s) D, and the place c across; likewise the upper and the lower side.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ import numpy as np
 
 MARGINS = 0.05, 0.05, 0.05, 0.22  # left, right, below and above, of half the picture; the caption is above
 BAR = 0.40  # space on the right for a colour bar
-DEEP = 2.0  # depth of a bed that is drawn, over the hull's diagonal
+DEEP = 2.0  # depth of a drawn bed, over the hull's diagonal
 
 
 def fit(plotter, hull, bar=False):
-    """Move the camera of a pyvista Plotter, its direction kept, until all that is drawn is in the picture.
+    """Move the camera of a pyvista Plotter, in its direction, until everything drawn is in the picture.
 
-    hull : PanelMesh; a sea bed far below it is left out of the picture; bar : whether a colour bar is drawn
+    hull : PanelMesh; a sea bed far below it may be outside the picture; bar : whether a colour bar is drawn
     """
     points = np.vstack([mesh.points for mesh in plotter.meshes])
     corners = hull.whole().vertices.reshape(-1, 3)
@@ -47,7 +47,7 @@ def _axes(direction, up):
 
 
 def _sides(x, z, low, high):
-    """Slopes of both sides, and how far out the points are against them at no distance"""
+    """Slopes of both sides, and the largest offset of the points from them at zero distance"""
     return low, high, float(np.max(-x + low * z)), float(np.max(x + high * z))
 
 

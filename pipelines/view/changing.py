@@ -17,13 +17,13 @@ from ..scene.scene import numbers
 
 def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror="", clip=False, fold=False,
            heal=0.0):  # fmt: skip
-    """Write a changed mesh and say what is in it and amiss with it; 1 where an error is left.  Raises ValueError.
+    """Write a changed mesh and print its content and faults; 1 if an error remains.  Raises ValueError.
 
     The changes are made in the order of the arguments.
-    heal : m, points closer than that are one, before all else; scale : a factor or three
-    turn : degrees about z, or about x, y and z, one after the other, as 180,0,0 for a hull drawn z down
+    heal : m, points closer than this are merged, before all other changes; scale : a factor or three
+    turn : degrees about z, or about x, y and z in this order, such as 180,0,0 for a hull drawn z down
     move : m, x,y,z; mirror : x, y or xy, planes whose images are
-    added; clip : only what lies below z = 0; fold : keep a half or quarter where images make the hull whole
+    added; clip : keep only the part below z = 0; fold : keep a half or quarter if images complete the hull
     """
     from hakobune.bem.database.file import check_place
 

@@ -1,4 +1,4 @@
-"""A picture of how a beam bends: what its axis rises by along it, in waves of a few frequencies."""
+"""A picture of the bending of a beam: the rise of its axis along it, in waves of a few frequencies."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PLACES, MOST = 201, 6  # along a beam, frequencies shown
 
 
 def beams_of(db):
-    """{number of a body: its Beams} that bend up and down in a database with motions"""
+    """{number of a body: its Beams} with vertical bending in a database with motions"""
     out = {}
     for mode in db.modes if "rao" in db.names and len(db.omega) else ():
         if isinstance(mode.shape, Beam) and mode.shape.kind == "vertical bending":
@@ -22,7 +22,7 @@ def beams_of(db):
 
 
 def axis_rise(db, number, x):
-    """(n, m, x) complex m per m: vertical displacement of the axis of the beam of a body at x (…,) m of its own"""
+    """(n, m, x) complex m per m: vertical displacement of the beam axis of a body at x (…,) m in its own coordinates"""
     rao, words = db["rao"], db.bodies_reader.names
     body = db.bodies[number] if db.bodies else None
     center = np.asarray(db.rotation_center if body is None else body.own_center)

@@ -40,10 +40,10 @@ class Picture:
 
 
 def look(path, screenshot=None, field=None, omega=None, heading=None, page=None):
-    """Show a mesh in a window, or write a picture of it or a page to turn it in, which need no display.
+    """Show a mesh in a window, or write a picture or a page that can be turned, which need no display.
 
     field : one of FIELDS, or pressure, coloured on the panels
-    omega : rad/s, heading : degrees, of the pressure; the nearest stored frequency is taken, a heading must be stored
+    omega : rad/s, heading : degrees, of the pressure; the nearest stored frequency is used, a heading must be stored
     returns : the exit status
     """
     if field is not None and field not in (*FIELDS, "pressure"):
@@ -94,7 +94,7 @@ def _quiet():
 
 
 def drawn(picture, off_screen=True):
-    """A pyvista Plotter with a Picture whole in it"""
+    """A pyvista Plotter that shows a whole Picture"""
     from hakobune.meshing.view import scene
 
     from .camera import fit
@@ -145,7 +145,7 @@ def _meshes(source):
 
 
 def _pressure(db, path, omega, heading):
-    """Amplitude of the dynamic pressure at a stored heading and the stored frequency nearest to that asked for"""
+    """Amplitude of the dynamic pressure at a stored heading and the stored frequency nearest to the requested one"""
     if path.suffix not in DATABASES:
         raise SceneError(f"{path} contains no pressure; make the database with --only pressure")
     if omega is None or heading is None:
@@ -165,14 +165,14 @@ def _pressure(db, path, omega, heading):
 
 
 def _nearest(db, omega):
-    """Number of the nearest stored frequency.  Raises SceneError for one that is not within reach."""
+    """Index of the nearest stored frequency.  Raises SceneError if none is close enough."""
     if not db.omega[0] * 0.9 <= omega <= db.omega[-1] * 1.1:
         raise SceneError(f"--omega is {omega:g}; stored in {db.path}: {db.omega[0]:.4g} to {db.omega[-1]:.4g} rad/s")
     return int(np.argmin(np.abs(db.omega - omega)))
 
 
 def _stored(db, heading):
-    """Number of a stored heading in degrees, whole turns aside.  Raises SceneError for one that is not stored."""
+    """Index of a stored heading in degrees, modulo full circles.  Raises SceneError if it is not stored."""
     if not -360 <= heading <= 360:
         raise SceneError(f"--heading is {heading:g}; allowed: -360 to 360")
     stored = np.degrees(db.wave_direction)

@@ -1,7 +1,7 @@
 """A page of curves from a database: one column per degree of freedom, one row per kind of result.
 
-Curves are those of `bem.database.reader` between the stored frequencies, with a point at every resonance: joined by
-straight lines, a dozen frequencies chosen for smooth coefficients would show nothing of it.
+Curves are those of `bem.database.reader` between the stored frequencies, with a point at every resonance: straight
+lines between a dozen frequencies, chosen for smooth coefficients, would not show them.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from ..common.gaps import gaps_of
 from ..common.picture import save
 
 PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
-QUIET = 1e-6  # curves below this fraction of the largest of their kind vanish by symmetry
+QUIET = 1e-6  # curves below this fraction of the largest of their kind count as zero by symmetry
 FAINT = 1e-3  # forces below this fraction of the largest on a motion have a phase that depends on the mesh
 FORCES, MOMENTS = slice(0, 3), slice(3, 6)
-PLACES = 300  # frequencies of a curve, beside those stored and those about resonances
-MARKED = 30  # stored frequencies that are marked; more would be a thick line
+PLACES = 300  # frequencies of a curve, in addition to stored ones and those about resonances
+MARKED = 30  # largest number of marked stored frequencies; more would form a thick line
 SIZE = 17.0, 2.35  # inches: width of the page, and height of a row of curves with its margins
-ON_PAPER = 11.0, 1.9  # the same for a sheet of paper, on which it shrinks less
+ON_PAPER = 11.0, 1.9  # the same for a sheet of paper, on which it is reduced less
 NARROW = 1.5  # inches wide: the name of the first row is above that of its first column
 MARGINS = {"left": 0.66, "right": 0.08, "bottom": 0.45, "top": 0.7, "between": 0.78, "rows": 0.42}  # inches
 LABEL = 0.5  # inches from a curve's axis to the name of its unit
-TICKS = 5  # spaces between those of a curve, at most; frequencies have them once a column
+TICKS = 5  # largest number of tick intervals of a curve; frequencies have ticks once per column
 FREQUENCIES = 8, 4  # spaces between ticks of frequencies, at most, of wide and narrow columns
 GRID = {"color": "0.9", "linewidth": 0.6}
 HEADINGS = 5  # largest number of headings drawn; more colours cannot be distinguished
@@ -47,7 +47,7 @@ ROWS = {
 class Curves:
     """A database at frequencies `omega` (q,) rad/s that show all its values; `stored` (n,) numbers of the stored ones
 
-    gaps : `gaps.Gaps` of it, in which there are no values
+    gaps : `gaps.Gaps` of the database, without values
     """
 
     def __init__(self, db, gaps):
@@ -65,7 +65,7 @@ class Curves:
         self.headings = shown_headings(db.wave_direction, db.mesh.symmetry)
 
     def __getitem__(self, name):
-        """Values (q, …) of the reader; where it has none between the stored ones, those on straight lines"""
+        """Values (q, …) of the reader; where it has none between the stored ones, linear interpolation"""
         value = np.array(self._value(name))
         for low, high in self.gaps.spans:
             value[(self.omega > low) & (self.omega < high)] = np.nan
@@ -93,7 +93,7 @@ class Curves:
 
     @cached_property
     def body(self):
-        """`Reader`; None where numbers that are not known at some frequencies leave it none between any"""
+        """`Reader`; None if values are missing at some frequencies, which excludes interpolation"""
         try:
             return getattr(self.db, "reader", None)
         except BetweenError:
@@ -107,11 +107,11 @@ class Curves:
 
 
 def plot(db, output, size=SIZE):
-    """Draw what the database holds to `output` (.png, .svg or .pdf); returns the matplotlib figure.
+    """Draw the content of the database to `output` (.png, .svg or .pdf); returns the matplotlib figure.
 
     size : inches, width of the page and height of a row
 
-    Raises DatabaseError if it holds nothing that can be drawn.
+    Raises DatabaseError if it has nothing to draw.
     """
     import matplotlib
     from matplotlib.figure import Figure
@@ -134,8 +134,8 @@ def plot(db, output, size=SIZE):
 def _page(figure, rows, width, row):
     """A figure with `rows` rows of axes, and these (rows, 6); width, row : as `SIZE`
 
-    All has its place in inches: a layout made to measure looks for it with every tick of the page, twice, which took
-    longer than all the rest.
+    All places are given in inches: matplotlib's automatic layout measures every tick of the page twice, which took
+    longer than everything else.
     """
     height = MARGINS["top"] + MARGINS["bottom"] + row * rows - MARGINS["rows"]
     page = figure(figsize=(width, height))
@@ -154,14 +154,14 @@ def _page(figure, rows, width, row):
 
 
 def _same_frequencies(axis, omega):
-    """Limits of the frequencies of all curves, which matplotlib would look for again with every curve"""
+    """Limits of the frequencies of all curves, which matplotlib would otherwise search again for every curve"""
     low, high = omega[[0, -1]]
     if low < high:
         axis.set_xlim(low - axis.margins()[0] * (high - low), high + axis.margins()[0] * (high - low))
 
 
 def shown_headings(headings, symmetry):
-    """Numbers of HEADINGS of headings (m,) rad at most, evenly among those that mirror planes leave different"""
+    """Indices of at most HEADINGS of headings (m,) rad, evenly among those that differ under mirror symmetry"""
     x, y = np.cos(headings), np.sin(headings)
     folded = np.arctan2(np.abs(y) if "y" in symmetry else y, np.abs(x) if "x" in symmetry else x)
     order = np.argsort(np.round(folded, 9), kind="stable")
@@ -220,7 +220,7 @@ def _responses(db, axes):
 
 
 def _cut(axis, peaks, omega, size):
-    """Leave a peak that would dwarf all else out of sight, and write it with the resonance that it is of"""
+    """Limit the axis to exclude a dominating peak, and label the peak with its resonance"""
     at = omega[_most(size, 1).argmax()]
     one = min(peaks, key=lambda one: abs(np.log(one.omega / at)))
     near = np.abs(omega / one.omega - 1) < max(0.1, 2 * one.damping)
@@ -261,7 +261,7 @@ DRAW = dict(zip(ROWS, (_coefficients, _excitation, _phases, _responses, _drift),
 
 
 def _most(size, axis):
-    """Largest of values that are known, 0 where none is"""
+    """Largest of the known values, 0 without any"""
     return np.where(np.isfinite(size), size, 0.0).max(axis=axis, initial=0.0)
 
 
@@ -271,13 +271,13 @@ def _length(db):
 
 
 def _largest_of_kind(size, lever):
-    """(6,) what forces and moments are rounding beside: the largest of their kind, or force times lever"""
+    """(6,) scale below which forces and moments are rounding: the largest of their kind, or force times lever"""
     forces, moments = size[..., FORCES].max(), size[..., MOMENTS].max()
     return np.repeat([forces, max(moments, forces * lever)], 3)
 
 
 def _above_rounding(size, lever):
-    """(m, 6) whether a curve of `size` (n, m, 6) is more than rounding"""
+    """(m, 6) whether a curve of `size` (n, m, 6) exceeds rounding"""
     return _most(size, 0) > QUIET * _largest_of_kind(_most(size, (0, 1)), lever)
 
 
@@ -302,7 +302,7 @@ def _curve(axis, db, value, style, color, label=None):
 
 
 def _prefix(largest):
-    """(factor, SI prefix, power of ten) that leave one to three digits before the point"""
+    """(factor, SI prefix, power of ten) that give one to three digits before the point"""
     return next((step for step in PREFIXES if largest >= step[0]), (1.0, "", ""))
 
 
@@ -344,7 +344,7 @@ def _dress(db, figure, grid, curves):
 
 
 def _mark(axis, gaps):
-    """Shade the frequencies that are not solved"""
+    """Shade the unsolved frequencies"""
     for n, (low, high) in enumerate(gaps.spans):
         axis.axvspan(low, high, color="C3", alpha=0.12, lw=0, label="not solved" if n == 0 else None)
     if gaps.spans and axis.get_legend() is not None:

@@ -1,4 +1,4 @@
-"""Picture of the waves around a body: how high they are, and how they stand at one moment."""
+"""Picture of the waves around a body: their height, and their elevation at one moment."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def draw(path, found):
 
 
 def _arrow(axis, around, found):
-    """The way the waves that come travel"""
+    """The direction of the incident waves"""
     way = np.array([math.cos(around.beta), math.sin(around.beta)])
     half = (found.x[-1] - found.x[0]) / 2
     tip = around.middle - 0.72 * half * way

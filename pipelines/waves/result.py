@@ -38,7 +38,7 @@ def waves(
     """Wave elevation around the body of a database in regular waves, or around several bodies.
 
     database : its path, or an open one; period s, or omega rad/s; heading : rad that the waves travel to
-    fixed : the body is held; width : m, of the map; at : [(x, y) m], places of their own
+    fixed : for a fixed body; width : m, of the map; at : [(x, y) m], additional places
     returns : Result, in SI; its `detail` is a `mooring.studies.waves_around.Map`
     raises : ValueError, one line
     """

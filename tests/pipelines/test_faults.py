@@ -73,7 +73,7 @@ WAVES = {
     f"{BOX} --depth 20 --omega 1 --method strip --only drift_force_fixed": ("strip does not give", "panel or contour"),
     f"{BOX} --depth 20 --omega 1 --method strip --only drift": ("none of which method strip computes",),
     f"{BOX} --depth 20 --omega 1 --method pressure --only added_mass_infinity": ("pressure does not give", "panel"),
-    f"{BOX} --depth 20 --omega 1 --method contour --wall -40": ("knows no wall", "panel or pressure"),
+    f"{BOX} --depth 20 --omega 1 --method contour --wall -40": ("does not support a wall", "panel or pressure"),
     f"{BOX} --depth 20 --omega 1 --wall -20": ("wall is -20", "half its beam, 25"),
     f"{BOX} --depth 20 --omega 1 --wall -40 --only kochin_diffraction": ("beside a wall", "leave it out"),
     f"{BOX} --depth 20 --omega 1 --method contour --panels 300": ("no panels", "leave panels out"),

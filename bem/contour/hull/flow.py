@@ -1,8 +1,8 @@
 """First-order flow on the side and, of a cylinder, on the bottom of a vertical-sided body, at points for integrals.
 
 Points on the side are those of `bem.contour.side_flow` times the nodes of the contour, on the bottom those of
-`under_keel`; both are graded towards the keel, and the flow there is that of its edge.  All frequencies of a body share
-them: their contour and functions are those that the shortest waves need.
+`under_keel`; both are graded towards the keel, where the flow is that of its edge.  All frequencies of a body share
+them: their contour and functions are those needed for the shortest waves.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ SIGNS = np.array([[(x if a < 0 else 1) * (y if b < 0 else 1) for a, b in CLASSES
 
 
 class SharedFrequency(ContourFrequency):
-    """A `ContourFrequency` with functions, tables and contour given, as the shortest waves need them"""
+    """A `ContourFrequency` with given functions, tables and contour, those for the shortest waves"""
 
     def __init__(self, shared, omega, headings, density, gravity):
         self.shared = shared
@@ -67,7 +67,7 @@ class HullPoints:
 
     @property
     def whole(self):
-        """Whether the bottom is among the points"""
+        """Whether the points include the bottom"""
         return self.under is not None
 
     def surfaces(self, freq):
@@ -140,13 +140,13 @@ def radiated_flow(freq, points, surfaces):
 
 
 def in_waves(freq, motions):
-    """{class: (m, columns)} what each of `freq.flows` is in the waves of a body that moves by motions (m, 6)"""
+    """{class: (m, columns)} factors of `freq.flows` for the flow in waves of a body with the motions (m, 6)"""
     speed, waves = -1j * freq.omega * motions, np.eye(len(motions))
     return {cls: np.concatenate([speed[:, dofs], waves], axis=1) for cls, (dofs, *_) in freq.flows.items()}
 
 
 def of_motions(freq):
-    """{class: (6, columns)} what each of `freq.flows` is in the six motions of unit velocity"""
+    """{class: (6, columns)} factors of `freq.flows` for the six motions of unit velocity"""
     waves = np.zeros((6, len(freq.headings)))
     return {cls: np.concatenate([np.eye(6)[:, dofs], waves], axis=1) for cls, (dofs, *_) in freq.flows.items()}
 

@@ -56,7 +56,7 @@ def _rows(freq, kappa, depth):
 
 
 def _depth_integrals(freq, kappa):
-    """(a,) integrals over the depth of the wave and the amplitudes of `DepthSums` that follow it"""
+    """(a,) integrals over the depth of the wave and the amplitudes of `DepthSums`"""
     modes, h = freq.modes, freq.body.depth
     jump = kappa * np.tanh(kappa * h) - freq.omega**2 / freq.gravity
     apart = kappa**2 - modes.k**2

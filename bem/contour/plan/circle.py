@@ -34,7 +34,7 @@ class Circle:
 
     @property
     def scale(self):
-        """Length, m, that waves must be short compared with for κN to approach its limit"""
+        """Length, m; κN approaches its limit for waves short in comparison"""
         return self.radius
 
     @property

@@ -1,4 +1,4 @@
-"""Panels on the quarter contour of a rectangle, and points on them for integrals that are singular or nearly so.
+"""Panels on the quarter contour of a rectangle, and points on them for singular or nearly singular integrals.
 
 At the corner, 270° wide in water, potentials go like r^(2/3), r^(4/3) … with r the distance from it.  The panel at
 the corner is therefore parametrised by r = c t³, which makes all of them smooth in t; the next ones are linear in t
@@ -121,7 +121,7 @@ def is_far(panels, x, y):
 def near_points(panels, x, y, own, far, count, smallest):
     """`Points` of targets (x, y) on all panels that are not far.
 
-    own : node number of each target, −1 for a target that is none; far : as of `is_far`
+    own : node number of each target, −1 for a target that is no node; far : from `is_far`
     count : Gauss points per piece; smallest : m, pieces that end at the target are halved down to this length
     """
     v, w = gauss_rule(2 * count)
@@ -188,11 +188,11 @@ def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smalle
                     if ends_here:
                         split = b - a > smallest
                     else:
-                        # a bound for the halving where a target lies on the end of a piece
+                        # an upper bound of halvings for a target at the end of a piece
                         split = b - a > max(_distance(x[i], y[i], panel, image, a, b), 1e-13 * panel[1])
                     middle = 0.5 * (t0 + t1)
                     if split and t0 != middle and t1 != middle:
-                        pieces[waiting, 1] = middle  # its first end and `ends_here` stay
+                        pieces[waiting, 1] = middle  # its first end and `ends_here` are unchanged
                         pieces[waiting + 1, 0], pieces[waiting + 1, 1], pieces[waiting + 1, 2] = middle, t1, 0.0
                         waiting += 2
                         continue

@@ -1,4 +1,4 @@
-"""Plane waves on a plan contour, split by symmetry, and the far field that follows from them.
+"""Plane waves on a plan contour, split by symmetry, and the resulting far field.
 
     exp(ik(x cosβ + y sinβ)) = Σ over classes of A(kx cosβ) B(ky sinβ),    A, B = cos or i sin
 

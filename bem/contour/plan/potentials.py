@@ -1,9 +1,9 @@
 """Potentials at the nodes of a plan contour and their derivatives along it, for the pressure on a side.
 
-`bem.contour.matching` needs potentials projected onto the functions ψ of the plan only.  Here κN(κ)ψ itself is
-computed at the nodes of one frequency's contour, at the nodes of the body's table in κ.  On a circle it is ψ times a
-number; on a rectangle it is solved for on the panels of the table, where it is a polynomial on each panel, and
-interpolated from there to the panels of the frequency, which resolve its waves.
+`bem.contour.matching` needs only potentials projected onto the functions ψ of the plan.  Here κN(κ)ψ itself is computed
+at the nodes of one frequency's contour, at the nodes of the body's table in κ.  On a circle it is ψ times a number; on
+a rectangle it is solved on the panels of the table, where it is a polynomial on each panel, and interpolated from there
+to the panels of the frequency, which resolve its waves.
 
 Slopes ∂/∂s run counterclockwise, along (−n₂, n₁), on the quarter x > 0, y > 0.
 """
@@ -45,7 +45,7 @@ def _on_circle(freq):
 
 
 def _trigonometric_slope(plan, cls, contour):
-    """(m, m) by the m lowest orders of the class, which the nodes tell apart"""
+    """(m, m) by the m lowest orders of the class, which the nodes distinguish"""
     count = len(contour.x)
     m = plan.orders(cls, 2 * count)[:count]
     turn = np.multiply.outer(np.arctan2(contour.y, contour.x), m)

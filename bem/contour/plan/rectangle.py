@@ -26,7 +26,7 @@ from .maps import CLASSES, Contour, WaveMap, table_wavenumber
 from .panels import Panels, gauss_rule, quarter_panels
 from .plane_waves import plane_wave_values
 
-# additional nodes on a panel for κ = 0: the flow in a low gap magnifies the map's errors, and it is computed once
+# additional nodes on a panel for κ = 0: the flow in a low gap magnifies the map's errors, and it is computed only once
 FURTHER = 3
 # nodes that a panel has at least, and for how many polynomials one more.  With as many of them to a wave, panels of six
 # left 1e-6 of the forces under 30 waves along a box, 2e-3 under 60, 0.2 under 100
@@ -38,8 +38,8 @@ class Rectangle:
     """A rectangle `length` along x, `beam` along y, m.
 
     nodes : Gauss nodes per panel; count : of a piece of a panel near a target
-    extra : polynomials per side and class beyond those that waves need
-    further : as many more on the shorter side, and in proportion on the longer one, after rounding
+    extra : polynomials per side and class beyond those needed for waves
+    further : the same number more on the shorter side, and proportionally on the longer one, after rounding
     """
 
     length: float
@@ -51,7 +51,7 @@ class Rectangle:
 
     @classmethod
     def to_digits(cls, length, beam, digits):
-        """What tests/bench/contour.py found to be enough for a relative error of 10^(−digits)"""
+        """Resolution for a relative error of 10^(−digits), found by tests/bench/contour.py"""
         nodes, count, extra = round(1.6 * digits + 1), round(1.6 * digits + 0.5), round(1.4 * digits - 1)
         return cls(float(length), float(beam), nodes, count, max(extra, 1))
 
@@ -83,7 +83,7 @@ class Rectangle:
 
     @property
     def scale(self):
-        """Length, m, that waves must be short compared with for κN to approach its limit"""
+        """Length, m; κN approaches its limit for waves short in comparison"""
         return min(self.length, self.beam) / 2
 
     def degree(self, waves, tolerance):
@@ -143,7 +143,7 @@ class Rectangle:
         """Panels that resolve waves of `k` rad/m and polynomials up to `degree`"""
         corner, longest = [], []
         for d, extent in zip(degree, (self.beam / 2, self.length / 2), strict=True):
-            phase = 0.7 * self.nodes  # rad on a panel; polynomials turn by d √(2r / extent) near their end
+            phase = 0.7 * self.nodes  # rad on a panel; polynomials oscillate with phase d √(2r / extent) near their end
             corner.append(min(self.scale, phase / max(k, 1e-300), extent * (phase / d) ** 2 / 2))
             longest.append(phase / max(k, d / extent))
         return quarter_panels(self.length / 2, self.beam / 2, corner, longest, self.nodes)
@@ -153,7 +153,7 @@ class Rectangle:
         return _wave_layout(*self._wave_arguments(k, degree))
 
     def _wave_arguments(self, k, degree):
-        """What `_wave_layout` takes for waves of k rad/m"""
+        """Arguments of `_wave_layout` for waves of k rad/m"""
         fine = self.for_degree(degree)
         shortest = fine.nodes / (self.length + self.beam)
         step = np.ceil(np.log(max(k / shortest, 1.0)) / np.log(1.2))
@@ -241,7 +241,7 @@ def _wave_panels(rectangle, k, degree):
 def _wave_layout(rectangle, k, degree):
     panels = _wave_panels(rectangle, k, degree)
     n = np.arange(1, int(8 + k * np.hypot(rectangle.length, rectangle.beam) / 4) + 1)
-    x = 0.45 * rectangle.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0)  # irrational steps: no nodal line holds many
+    x = 0.45 * rectangle.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0)  # irrational steps: no nodal line contains many
     y = 0.45 * rectangle.beam * ((n * (np.sqrt(2) - 1)) % 1.0)
     at_interior = layers(panels, x, y, np.full(len(n), -1), rectangle.count, 3 / k)
     return WaveLayout(

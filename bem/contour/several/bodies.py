@@ -1,8 +1,8 @@
 """Boxes and vertical cylinders side by side by domain decomposition: each body's own gap, one plane problem around all.
 
-Under each body and in its gap nothing differs from `solver.ContourBody`.  The maps outside become those of all plans
-together (`exterior`), and the functions ψ, the nodes and the table in κ are as fine as the water between the bodies
-asks for.  Errors are those beside finer bodies, as of one.
+Under each body and in its gap the equations are those of `solver.ContourBody`.  The maps outside become those of all
+plans together (`exterior`), and the functions ψ, the nodes and the table in κ are as fine as the water between the
+bodies requires.  Errors are estimated from finer bodies, as for one body.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from .fixed import Fixed
 from .one_frequency import SeveralFrequency
 from .senders import Kernel, sender
 
-NARROWEST = 0.005  # smallest gap over half the width of a body; a hundredth takes minutes a frequency
+NARROWEST = 0.005  # smallest gap over half the width of a body; a hundredth takes minutes per frequency
 
 
 def prepare_several(shapes, places, depth, tolerance=1e-3):
@@ -52,10 +52,10 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
 
 
 def near(body, gap):
-    """The plan of a body with functions for flows as long as the gap (m) to the next one
+    """The plan of a body with functions for flows of the length of the gap (m) to the next body
 
-    On a circle the orders of what lies at that distance fall like those of the circle's image in it; a side of a
-    rectangle takes as many polynomials more at its ends as the gap is shorter than the plan is wide.
+    On a circle the orders of flows at that distance decay like those of the circle's image; a side of a rectangle needs
+    additional polynomials at its ends in proportion to plan width over gap.
     """
     plan, digits = body.plan, body.accuracy.digits
     if isinstance(plan, Circle):
@@ -75,7 +75,7 @@ def nearest(plans, places):
 
 
 def _check_apart(plans, places):
-    """Raise ValueError for two plans that meet"""
+    """Raise ValueError for two plans that touch"""
     outlines = [place.in_scene(_outline(plan, 50)) for plan, place in zip(plans, places, strict=True)]
     for (a, plan), (b, outline) in product(enumerate(plans), enumerate(outlines)):
         if a == b:
@@ -90,7 +90,7 @@ def _check_apart(plans, places):
 
 
 def _outline(plan, pieces=1):
-    """(p,) complex m, points of a circle or the corners of a rectangle, with its sides in so many pieces"""
+    """(p,) complex m, points of a circle or the corners of a rectangle, its sides divided into `pieces` pieces"""
     if isinstance(plan, Circle):
         return plan.radius * np.exp(2j * np.pi * np.arange(180) / 180)
     corner = (plan.length + 1j * plan.beam) / 2
@@ -100,7 +100,7 @@ def _outline(plan, pieces=1):
 
 
 def _distance(one, other):
-    """m, of two closed polygons (p,) and (q,) complex that do not meet"""
+    """m, of two closed polygons (p,) and (q,) complex that do not touch"""
 
     def to_sides(points, polygon):
         along = np.roll(polygon, -1) - polygon
@@ -141,7 +141,7 @@ class SeveralBodies:
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
         """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; as `ContourBody.first_order`
 
-        dofs : all are found
+        dofs : ignored, all motions are solved
         """
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
@@ -149,7 +149,7 @@ class SeveralBodies:
             return SeveralFrequency(self, omega, headings, theta, density, gravity).result()
 
     def froude_krylov(self, omega, headings, dofs=None, density=1025.0, gravity=9.80665):
-        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : all are found"""
+        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : ignored"""
         k, beta = float(wavenumber(omega, self.depth, gravity)), np.atleast_1d(np.asarray(headings, float))
         each = []
         for body, place in zip(self.bodies, self.places, strict=True):
@@ -169,7 +169,7 @@ class SeveralBodies:
     def limit(self, which):
         """(6N, 6N) of unit density, and (6N,) m² the flux of each motion, a source in plan; both about the origin
 
-        What is infinite between two of these is left out.
+        Infinite values between two of these are omitted.
         """
         if which not in ("zero", "infinity"):
             raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
@@ -198,7 +198,7 @@ class SeveralBodies:
 
     @cached_property
     def finer(self):
-        """The same bodies with a digit more, from which the error of these is estimated"""
+        """The same bodies with one more digit, for the error estimate of these"""
         return self._by(lambda body: body.finer)
 
     @cached_property
@@ -279,7 +279,7 @@ class SeveralBodies:
         return ChebyshevNodes(first, last, int(np.ceil(dense * np.log(last / first))) + 2)
 
     def coupled(self, tops):
-        """At how many κ of the table the plans see each other"""
+        """Number of κ of the table at which the plans interact"""
         return int(np.sum(self.nodes(tops).kappa * min(self.gaps) <= REACH))
 
     @memoised

@@ -1,7 +1,7 @@
-"""What several bodies take by the contour method: seconds of one thread, and memory.
+"""Cost of several bodies by the contour method: seconds of one thread, and memory.
 
 With N and N' nodes around all plans for the table and for the waves, n functions and c values of κ in the table at
-which the plans see each other, on two boxes 1 and 4 m apart, 430 to 1 300 nodes, within a factor of two
+which the plans interact, on two boxes 1 and 4 m apart, 430 to 1 300 nodes, within a factor of two
 
     table        c (1.1e-7 N² + 3e-11 N³) s,  16 c n² bytes      frequency    4e-7 N'² + 4e-10 N'³ s,  150 N'² bytes
 """
@@ -12,7 +12,7 @@ from ..cost import Cost
 
 
 def cost(bodies, k):
-    """`Cost` of `SeveralBodies` with the finer ones beside them, for waves of up to k rad/m"""
+    """`Cost` of `SeveralBodies` with their finer ones, for waves of up to k rad/m"""
     return Cost(*map(sum, zip(*(_alone(one, k) for one in (bodies, bodies.finer)), strict=True)))
 
 

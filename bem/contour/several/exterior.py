@@ -106,7 +106,7 @@ class Exterior:
         return 4 * (self.basis * weights[:, None]).T
 
     def map(self, kernel):
-        """∮ ψᵢ N ψⱼ ds, (n, n), of what decays"""
+        """∮ ψᵢ N ψⱼ ds, (n, n), of local waves"""
         left, single = self._equations(kernel)
         return -self.weak @ np.linalg.solve(left, single @ self.basis)
 

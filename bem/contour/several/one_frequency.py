@@ -1,7 +1,7 @@
-"""One frequency of several vertical-sided bodies: the equations of `matching`, of all bodies and classes at once.
+"""One frequency of several vertical-sided bodies: the equations of `matching`, for all bodies and classes at once.
 
-Unknown are the velocities in all gaps, body by body, the e profiles of one times its n functions, and a constant for
-each body.  What follows is in coordinates of the scene, motions about its origin, body by body.
+Unknowns are the velocities in all gaps, body by body, the e profiles of one times its n functions, and a constant for
+each body.  Results are in coordinates of the scene, motions about its origin, body by body.
 """
 
 from __future__ import annotations
@@ -41,12 +41,12 @@ class SeveralFrequency:
 
     @cached_property
     def plane(self):
-        """N ψ of the wave at the nodes, and walls in the waves, as of `exterior.Exterior.waves`"""
+        """N ψ of the wave mode and the waves in front of rigid walls, at the nodes: `exterior.Exterior.waves`"""
         return self.exterior.waves(self.k, self.headings)
 
     @cached_property
     def outside(self):
-        """(gaps + sides,) squared: potentials tested with everything"""
+        """(gaps + sides, gaps + sides) projections of all potentials on all functions"""
         weights = self.bodies.weights(self.kinds, self.tops)
         single = self.exterior.weak @ self.plane[0] / self.kinds[0].wave_norm
         return self.fixed.outside(weights, self.bodies.outer_maps(self.degrees, self.tops), self.wave_rows, single)

@@ -1,7 +1,7 @@
-"""What a plan sends to points outside it: its single and double layers there, one matrix for each symmetry class.
+"""Waves sent by a plan to points outside it: its single and double layers there, one matrix for each symmetry class.
 
 Densities are given at the m nodes of the plan's quarter contour, in each class.  On a rectangle the layers are
-integrated (`plan.layers`).  On a circle they are closed forms of the m orders that the nodes tell apart,
+integrated (`plan.layers`).  On a circle they are closed forms of the m orders that the nodes distinguish,
 
                        S at r ≥ R                      D at r ≥ R                        ½ − D on the circle
     decaying           R Iₘ(κR) Kₘ(κr)                 κR Iₘ'(κR) Kₘ(κr)                 1 − D
@@ -43,7 +43,7 @@ class Kernel(NamedTuple):
 def sender(plan, degree, k, gap, digits, shortest):
     """`OnCircle` or `OnRectangle` for functions up to `degree` and waves of k rad/m
 
-    gap : m, to the nearest other plan; digits : of what it sends; shortest : m, 1/κ of what decays fastest
+    gap : m, to the nearest other plan; digits : accuracy; shortest : m, 1/κ of the fastest decay
     """
     if not isinstance(plan, Circle):
         return OnRectangle(plan, degree, k, gap, shortest)

@@ -1,1 +1,1 @@
-"""Sets of other programs held against the hull, the water and laws of their own before they are believed."""
+"""Checks of other programs' sets against the hull, the water and laws of their own."""

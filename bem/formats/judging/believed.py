@@ -1,4 +1,4 @@
-"""What is found wrong with an imported set: by our own solution of its hull, or by its own laws."""
+"""Faults of an imported set: by our own solution of its hull, or by its own laws."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ WAY_OUT = "import with --correct to store the set so corrected"
 
 
 def believed(values, mesh, correct=False):
-    """Values, lines on what agrees, and lines on what contradicts and stays as it is.
+    """Values, messages on agreement, and messages on uncorrected contradictions.
 
-    correct : whether a cause that is found is corrected
-    raises : FormatError that names the cause where there is one and it is not to be corrected
+    correct : whether to correct a cause that is found
+    raises : FormatError, which names the cause if there is one and it is not to be corrected
     """
     doubts, tested = laws.doubts(values)
     own = own_of(values, mesh)

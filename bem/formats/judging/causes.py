@@ -1,5 +1,5 @@
-"""Why a set of another program differs from our own solution of its hull: each cause is tried, and the one that fits is
-reported.
+"""Cause of the difference between another program's set and our own solution of its hull: each cause is tried, and the
+one that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
@@ -22,9 +22,9 @@ from .own_solution import gaps, sizes_of_forces
 
 AGREED = 0.10  # largest difference, relative to the size of a row, that counts as agreement
 MESH = 2.0  # the same for differences caused by panels
-SHIFT = 0.02  # distance, relative to half the hull's size, from which two points count as different
-FITS = 0.5  # largest remaining fraction of the difference at which a cause is accepted
-CLEARLY = 0.3  # largest fraction of the remainder of one cause that two causes may leave
+SHIFT = 0.02  # distance, relative to half the hull's size, above which two points count as different
+FITS = 0.5  # largest remaining fraction of the difference for which a cause is accepted
+CLEARLY = 0.3  # largest fraction of one cause's remainder that two causes may leave
 NEARLY = 0.03  # relative distance within which a factor is identified
 FACTORS = {
     1e3: "kilo instead of the unit", 1e-3: "the unit instead of kilo", 2.0: "per metre of wave height", 0.5: "halved",
@@ -43,7 +43,7 @@ MATRICES = ("added_mass", "radiation_damping", "added_mass_zero", "added_mass_in
 
 
 class Cause(NamedTuple):
-    """text : what it is; correct : Values → Values; way_out : how it is mended beside `--correct`"""
+    """text : description; correct : Values → Values; way_out : remedy besides `--correct`"""
 
     text: str
     correct: Callable
@@ -61,8 +61,8 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None where they agree within `AGREED`, on flat panels with one
-    node, as of most programs, or with four, which are near the limit of many panels
+    """`Finding` on a `sample` of Values against `Own`; None if they agree within `AGREED`, on flat panels with one
+    node, as in most programs, or with four, which are close to the limit of many panels
     """
     found = _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels
@@ -84,7 +84,7 @@ def _finding(values, own):
     best, left = None, np.inf
     for cause in _causes(values, own):
         now = max(gaps(cause.correct(values), own).values())
-        if now < 0.8 * left or (best is None and now < left):  # a later cause has to be clearly better
+        if now < 0.8 * left or (best is None and now < left):  # a later cause must be clearly better
             best, left = cause, now
         if left < 0.2 * AGREED:
             break
@@ -99,7 +99,7 @@ def _finding(values, own):
 
 
 def _two(values, own):
-    """The two causes, one after the other, that leave the least, as one, and what they leave; the first has to help"""
+    """The best two causes in sequence, as one, and their remaining difference; the first must help by itself"""
     best, left, before = None, np.inf, gaps(values, own)
     groups = _about_units, _about_directions, _about_points  # water is no second cause: it would need its own solutions
     for one, other in itertools.product((*groups, _about_water), groups):
@@ -130,19 +130,19 @@ def _causes(values, own):
 
 
 def corrected(values, cause):
-    """Values by a cause; motions and drift, which follow from what it changes, are left out"""
+    """Values corrected for a cause; motions and drift, which depend on the change, are removed"""
     kept = {name: data for name, data in values.quantities.items() if name not in NOT_CORRECTED}
     return cause.correct(replace(values, quantities=kept))
 
 
 def changed(values, names, function):
-    """Values with `function` of some of their quantities"""
+    """Values with `function` applied to some of their quantities"""
     new = {name: function(data) for name, data in values.quantities.items() if name in names}
     return replace(values, quantities=values.quantities | new)
 
 
 def scaled(values, names, rows=None):
-    """A function of a factor: the quantities over it, by row where `rows` (6,) is its power"""
+    """A function of a factor: the quantities divided by it, by row where `rows` (6,) is its power"""
 
     def of(factor):
         def over(data):
@@ -164,14 +164,14 @@ def _factor(pairs):
 
 
 def _factors(pairs):
-    """`_factor`, and the ratio of sizes, where signs or phases are others"""
+    """`_factor`, and the ratio of sizes, for different signs or phases"""
     file, own = (sum(float(np.sum(np.abs(three[i] / three[2]) ** 2)) for three in pairs) for i in (0, 1))
     signed, size = _factor(pairs), float(np.sqrt(file / own))
     return (signed,) if abs(abs(signed) - size) < NEARLY * size else (signed, size)
 
 
 def _apart(numbers, known=FACTORS):
-    """Those of numbers that differ from 1 and from each other by more than `NEARLY`, known ones as they are known"""
+    """Those of numbers that differ from 1 and from each other by more than `NEARLY`, rounded to known ones"""
     kept = []
     for number in numbers:
         number = next((one for one in known if abs(number / one - 1) < NEARLY), number)
@@ -247,7 +247,7 @@ def _about_units(values, own):
 
 
 def of_length(values, L):
-    """Values over the powers that WAMIT gives a length in its quantities"""
+    """Values divided by the powers of a length in WAMIT's quantities"""
     matrix, force = L ** (3.0 + ROTATION + ROTATION[:, None]), L ** (2.0 + ROTATION)
     out = changed(values, MATRICES, lambda data: data / matrix)
     return changed(out, FORCES, lambda data: data / force)
@@ -348,7 +348,7 @@ def point_of_moments(file, true):
 
 
 def _point_of_coefficients(values, A, B):
-    """`point_of_moments` of what translations make of moments in added mass and damping, each with its own size"""
+    """`point_of_moments` by the effect of translations on moments in added mass and damping, each with its own size"""
     file, true = [], []
     for name, own in (("added_mass", A), ("radiation_damping", B)):
         size = np.linalg.norm(own[:, :3, :3])
@@ -358,7 +358,7 @@ def _point_of_coefficients(values, A, B):
 
 
 def _moved(values, names, r):
-    """Quantities about a point that lies r (3,) m from ours, about ours"""
+    """Quantities about a point at r (3,) m from ours, converted to ours"""
     T = reference_change(-r)  # n about our point = T · n about the file's
 
     def move(data):
@@ -368,7 +368,7 @@ def _moved(values, names, r):
 
 
 def _crest_at(values, X):
-    """(2,) m of the point whose crest the phases are of: X_file = X exp(−ik·r), by least squares of the longest wave"""
+    """(2,) m of the point to which the phases refer: X_file = X exp(−ik·r), by least squares of the longest wave"""
     n = int(np.argmin(values.omega))
     k = wavenumber(values.omega[n], values.water_depth, values.gravity)
     file, true = values.quantities["excitation_force"][n], X[n]

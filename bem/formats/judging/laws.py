@@ -1,13 +1,13 @@
-"""What the numbers of a set say of each other, without its hull.
+"""Checks of the numbers of a set against each other, without its hull.
 
     Z = Zᵀ,  B ≥ 0                                                                     reciprocity, energy
     B_ii = k/(8π ρ g C_g) ∫₀²π |X_i(β)|² dβ                                            Haskind and Newman
     X₃ → C₃₃ − ω²(A₃₃ + ρV),   X₁ → −i k g (A₁₁ + ρV) cosβ / tanh kh · tanh kh         of a wave longer than the body
     A(ω) − A(∞) = (2/π) ⨍ B(s)/(s² − ω²) ds                                            causality
 
-The second row needs headings all round, or from 0 to 180° or 90° of a body that its own added mass shows symmetric;
-else heave and surge of long waves stand for it: |X₃| is one for all headings, X₁ goes with cosβ.  Of surge the sign is
-tested: conjugates and opposite headings turn it round, the former the imaginary part of X₃ too, −ωB₃₃.
+The second row needs headings all round, or from 0 to 180° or 90° for a body whose added mass is symmetric; otherwise
+heave and surge in long waves replace it: |X₃| is equal for all headings, X₁ is proportional to cosβ.  For surge the
+sign is tested: conjugates and opposite headings reverse it, the former also the imaginary part of X₃, −ωB₃₃.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from ...waves import group_factor, wavenumber
 
 NOT_SYMMETRIC = 0.1  # largest asymmetry, over √(AᵢᵢAⱼⱼ)
 LONG = 0.35  # k times the size of the body, of a long wave
-SHORT = 6.0  # the same for waves so short that damping has vanished
+SHORT = 6.0  # the same for short waves with negligible damping
 TRUE = 0.25  # largest deviation of the ratio of a law from 1; allows for few headings and coarse panels
 CAUSAL = 0.4  # the same for causality, whose integral is cut at the highest frequency
 # deviation from the median of five neighbours, relative to the range of added mass, that marks a peak or an irregular
 # frequency
 PEAKED = 0.1
-STEEP = 0.85  # power of ω, from which a ratio goes with it
+STEEP = 0.85  # power of ω above which a ratio counts as proportional to a power of it
 DEPTH_FITS = 0.04  # largest deviation of ratios from 1 at the right depth
 FLOATS = 0.01  # least heave stiffness of a floating body, over ρ g times its size squared
-FEW = 2  # frequencies, that tell a ratio
+FEW = 2  # least number of frequencies for a ratio
 NOISE = 0.02  # negative damping up to this fraction of ω A is tolerated
 OFTEN = 0.1  # fraction of frequencies that violate a law; fewer count as irregular frequencies
 SCATTERS = 0.5  # relative spread of a ratio between its 10 % and 90 % quantiles
@@ -41,7 +41,7 @@ SURGE, SWAY, HEAVE = 0, 1, 2
 
 
 def doubts(values):
-    """Lines on the laws that Values break; names of the laws that could be tested"""
+    """Messages on the laws that Values violate; names of the laws that could be tested"""
     values, (found, tested) = _finite(values), ([], [])
     if not len(values.omega):
         return [], []
@@ -64,7 +64,7 @@ def _finite(values):
 
 
 def size_of(values):
-    """m, of the waterplane or, where that is more, twice the arm of added mass in yaw; without either of A₃₃"""
+    """m, of the waterplane or, if larger, twice the arm of added mass in yaw; without either from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
     if C is not None and C[2, 2] > 0:
@@ -188,19 +188,19 @@ def _haskind(values):
     why = not values.others and (_of_channel(values, found) or _of_depth(values))  # others reflect waves too
     if not why and others:  # a wrong unit or length would show in these too
         why = f"{', '.join(others)} agrees, so that units do: panels are too few for mode {i + 1}"
-    return [f"B_{i + 1}{i + 1} is {middle:.3g} times that of the waves its excitation tells of; "
+    return [f"B_{i + 1}{i + 1} is {middle:.3g} times the value that follows from its excitation; "
             + (why or _why(middle, _slope(omega, ratio), ratio))]  # fmt: skip
 
 
 def _agrees(ratio, omega):
-    """Whether ratios (q,) of a mode are near 1, and do not go with ω"""
+    """Whether ratios (q,) of a mode are near 1, and independent of ω"""
     off = np.abs(np.log(np.abs(ratio) + 1e-300))
     wide = np.median(off) > np.log(1 + TRUE) or np.quantile(off, 0.8) > np.log(1 + 2 * TRUE)
     return not wide and abs(_slope(omega, ratio)) <= STEEP
 
 
 def _slope(omega, ratio):
-    """Power of ω that a ratio goes with, 0 where it goes with none"""
+    """Power of ω to which a ratio is proportional, 0 for none"""
     if len(omega) < 5 or np.any(ratio <= 0):
         return 0.0
     power, size = np.polyfit(np.log(omega), np.log(ratio), 1)
@@ -208,7 +208,7 @@ def _slope(omega, ratio):
 
 
 def depth_of(values):
-    """m of water, may be inf, in which damping and excitation agree in every mode; None where there is no such depth"""
+    """m, depth of water, may be inf, for which damping and excitation agree in every mode; None without such a depth"""
     fits = {}
     for depth in (np.inf, *np.geomspace(1000, 5, 60)):
         found = haskind_ratios(replace(values, water_depth=depth)) or {}
@@ -220,7 +220,7 @@ def depth_of(values):
 
 
 def _of_depth(values):
-    """In words the depth at which damping and excitation agree, "" without one"""
+    """In words the depth for which damping and excitation agree, "" without one"""
     depth = depth_of(values)
     if depth is None:
         return ""
@@ -259,7 +259,7 @@ def _why(ratio, slope, ratios):
 
 def _long_waves(values):
     X, C = values.get("excitation_force"), values.get("hydrostatic_stiffness")
-    if X is None or not X[:, :, HEAVE].any() or values.others:  # next to other bodies the water moves in another way
+    if X is None or not X[:, :, HEAVE].any() or values.others:  # next to other bodies the flow is different
         return None
     _, kL = _waves(values)
     n = int(np.argmin(kL))
@@ -280,7 +280,7 @@ def _long_waves(values):
                 )
             elif abs(np.log(abs(ratio))) > np.log(1 + 2 * TRUE if not volume else 1 + TRUE):
                 lines.append(
-                    f"heave force of the longest wave is {abs(ratio):.3g} times what C₃₃ makes of it; "
+                    f"heave force of the longest wave is {abs(ratio):.3g} times the value from C₃₃; "
                     + _factor_of_force(abs(ratio))
                 )
     floats = C is not None and C[2, 2] > FLOATS * values.density * values.gravity * size_of(values) ** 2
@@ -298,9 +298,7 @@ def _factor_of_force(ratio):
 def _surge(values, n, heave, kL, floats):
     """Lines on the sign of surge in long waves; of a body that floats, beside that of heave, which follows the crest"""
     beta = values.wave_direction
-    X = values.get("excitation_force")[kL <= max(LONG, kL[n])].sum(
-        axis=0
-    )  # sum over all long waves, against noise in one
+    X = values.get("excitation_force")[kL <= max(LONG, kL[n])].sum(axis=0)  # sum over all long waves, to average noise
     ahead = int(np.argmax(np.abs(np.cos(beta))))
     if abs(np.cos(beta[ahead])) < 0.5 or not abs(X[ahead, SURGE]) > 1e-6 * abs(heave):
         return []
@@ -333,7 +331,7 @@ def _causality(values):
             ratio, fall, least, most = _integral(w, b) / limits, limits, 1 - CAUSAL, 1 + CAUSAL
         elif np.ptp(a) > 0.3 * np.abs(a).max() and _even(a):
             ratio, fall, least, most = _follows(w, a, b), float(np.ptp(a)), 0.5, 2.0
-            if values.others and not least < ratio < most:  # waves between bodies have peaks that say nothing
+            if values.others and not least < ratio < most:  # waves between bodies cause peaks without meaning here
                 continue
         else:
             continue
@@ -347,19 +345,19 @@ def _causality(values):
 
 
 def _even(a):
-    """Whether added mass (n,) has no peak that its frequencies do not resolve"""
+    """Whether added mass (n,) has no peak that its frequencies cannot resolve"""
     around = np.median(np.lib.stride_tricks.sliding_window_view(a, 5), axis=1)
     return np.abs(a[2:-2] - around).max() < PEAKED * np.ptp(a)
 
 
 def _integral(w, b):
-    """A(0) − A(∞) of damping b (n,), which goes with ω³ below the first frequency"""
+    """A(0) − A(∞) from damping b (n,), which is proportional to ω³ below the first frequency"""
     inside = float(np.sum(0.5 * np.diff(w) * (b[1:] / w[1:] ** 2 + b[:-1] / w[:-1] ** 2)))
     return 2 / np.pi * (inside + b[0] / (2 * w[0]))
 
 
 def _follows(w, a, b):
-    """Slope of the added mass that damping makes against added mass a (n,), whose limits are not known"""
+    """Slope of the added mass computed from damping against added mass a (n,), whose limits are unknown"""
     inner = slice(len(w) // 10 + 1, -len(w) // 10 - 1)
     s, at = w[:, None], w[None, inner]
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -2,8 +2,8 @@
 
     k √A_w ≈ 0.4 and 1.2,    A_w the waterplane, or V^(2/3) of what is submerged
 
-long waves, where no irregular frequency lies and few panels are enough, and waves as long as five hulls, where damping
-is seen.  Sizes of rows are those of the solution: √(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), the largest force of a mode over headings.
+long waves, without irregular frequencies and with few panels, and waves five hulls long, in which damping is
+significant.  Sizes of rows are those of the solution: √(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), the largest force of a mode over headings.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ WANT = ("added_mass", "radiation_damping", "excitation_force")
 
 @dataclass(frozen=True, eq=False)
 class Own:
-    """The hull (PanelMesh in its water), solved about `center` (3,) m where it is asked for"""
+    """The hull (PanelMesh in its water), solved about `center` (3,) m on request"""
 
     mesh: object
     depth: float
     density: float
     gravity: float
     center: tuple = (0.0, 0.0, 0.0)
-    nodes: int = 1  # a panel, as most programs have
+    nodes: int = 1  # per panel, as in most programs
     solved: dict = field(default_factory=dict)
 
     def at(self, omega, headings):
@@ -70,7 +70,7 @@ class Own:
 
     @cached_property
     def moves(self):
-        """(6,) whether a mode moves water"""
+        """(6,) whether a mode displaces water"""
         return displacing(self.mesh)
 
     @cached_property
@@ -86,14 +86,12 @@ def _dofs():
 
 
 def _images(headings):
-    """Headings turned round, mirrored, and both, which other conventions would have"""
+    """Headings reversed, mirrored, and both, as in other conventions"""
     return np.concatenate([headings + np.pi, -headings, np.pi - headings])
 
 
 def own_of(values, mesh):
-    """`Own` of Values on their hull; None where other bodies are beside it, it has too many panels, or the set no long
-    wave to compare
-    """
+    """`Own` of Values on their hull; None beside other bodies, with too many panels, or without a long wave"""
     if values.others or len(mesh) > MOST_PANELS or any(values.get(name) is None for name in WANT[:2]):
         return None
     if not np.any(_sizes_of_waves(values, mesh) < READABLE):
@@ -109,7 +107,7 @@ def _sizes_of_waves(values, mesh):
 
 
 def sample(values, mesh):
-    """The Values at one or two long waves and at most `MOST_HEADINGS` headings, which are compared"""
+    """The Values at one or two long waves and at most `MOST_HEADINGS` headings, for the comparison"""
     kL = _sizes_of_waves(values, mesh)
     rows = sorted({int(np.argmin(np.abs(np.log(kL / target)))) for target in LONG})
     m = len(values.wave_direction)

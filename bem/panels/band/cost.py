@@ -1,4 +1,4 @@
-"""Memory and time that a large panel problem will take: memory by counting, time from short measurements."""
+"""Memory and time of a large panel problem: memory by counting, time from short measurements."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ TIMED_RUNS, TIMED_ROWS, TIMED_UNKNOWNS = 3, 16, 1500
 BYTES_OF_PROGRAM = 400e6  # memory of the interpreter, libraries and tables, bytes
 BYTES_PER_PAIR = 54  # bytes per pair of nodes and symmetry class: Rankine and wave matrices, factors and blocks
 BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine rows, wave rows and all harmonics
-# bytes of compressed equations for a node and each doubling of their number: 45 kB a node at 5 000 nodes, 57 kB at
-# 50 000
+# bytes of compressed equations per node and per doubling of their number: 45 kB per node at 5 000 nodes, 57 kB at 50
+# 000
 BYTES_PER_DOUBLING = 3.4e3
 # evaluations of G and ∇G, or the equivalent time; fitted to 5 000, 20 000 and 50 000 panels
 EVALUATIONS_PER_DOUBLING = 600
@@ -40,7 +40,7 @@ class Cost(NamedTuple):
 
 
 def cost(geometry, band, gravity):
-    """`Cost` of `bem.panels.band.equations.band_equations`; arguments as there."""
+    """`Cost` of `bem.panels.band.equations.band_equations`; same arguments."""
     n, classes = geometry.hull, len(geometry.classes)
     lid = len(geometry.elements.nodes) - n
     columns = RANK + 2 * lid
@@ -59,7 +59,7 @@ def cost(geometry, band, gravity):
 
 
 def memory_alone(prepared):
-    """Bytes at the peak of frequencies that share no work (`bem.panels.one_frequency`, `bem.panels.compressed`,
+    """Bytes at the peak of frequencies without shared work (`bem.panels.one_frequency`, `bem.panels.compressed`,
     `bem.panels.zero_draft`, `bem.panels.axisymmetric_frequency`)
     """
     if prepared.compressed and not prepared.axisymmetric_geometry.sectors:
@@ -74,9 +74,9 @@ def memory_alone(prepared):
 
 
 def seconds_alone(prepared, omega):
-    """s of a frequency (rad/s) that shares no work (`bem.panels.one_frequency`, `bem.panels.compressed`)
+    """s of a frequency (rad/s) without shared work (`bem.panels.one_frequency`, `bem.panels.compressed`)
 
-    NaN of axisymmetric bodies, whose sectors take far less (`bem.panels.axisymmetric_frequency`), and of plates
+    NaN for axisymmetric bodies, whose sectors take far less (`bem.panels.axisymmetric_frequency`), and for plates
     (`bem.panels.zero_draft`)
     """
     geometry, gravity = prepared.geometry, prepared.problem.gravity
@@ -106,7 +106,7 @@ def _seconds_of_rows(geometry):
 
 
 def _timed_rows(geometry):
-    """Nodes whose rows are timed: as many as use several threads, like all rows do"""
+    """Nodes whose rows are timed: enough for several threads, as for all rows"""
     n = len(geometry.elements.nodes)
     rows = max(TIMED_ROWS, int(np.ceil(PAIRS_WORTH_THREADS / (n * len(geometry.images)))))
     return np.arange(0, n, max(n // rows, 1))
@@ -120,7 +120,7 @@ def _seconds_of_factor(kind=np.float64):
 
 
 def _seconds(work):
-    """Shortest of `TIMED_RUNS` after a first one, which compiles: others are disturbed by what else the machine does"""
+    """Shortest of `TIMED_RUNS` after a first one, which compiles: other work of the machine disturbs single runs"""
     times = []
     for _ in range(TIMED_RUNS + 1):
         start = time.perf_counter()

@@ -25,7 +25,7 @@ from ...kernels.progress import FACTORS, MATRICES, report_progress
 from ..wave_influence import Pairs
 from .low_rank_waves import low_rank_waves
 
-# rows of the Rankine matrices handled together; twice as many cost 65 MB more at 4 000 panels, without gain in time
+# rows of the Rankine matrices in one block; twice as many need 65 MB more at 4 000 panels, without gain in time
 ROWS = 128
 
 
@@ -50,7 +50,7 @@ class BandEquations(NamedTuple):
 
     @classmethod
     def empty(cls, geometry, accuracy, low_rank):
-        """With arrays not yet filled, `solve_class` fills them"""
+        """With empty arrays, which `solve_class` fills"""
         c, n, v = low_rank.velocities.shape
         lid, (q, _) = len(geometry.elements.nodes) - n, low_rank.Y.shape
         u = len(low_rank.points) + v + lid
@@ -102,7 +102,7 @@ def band_equations(geometry, band, gravity, accuracy):
 
 
 def split_by_lid(geometry, band, gravity):
-    """[(geometry without lid, frequencies below those that need one), (geometry, the others)], without empty parts"""
+    """[(geometry without lid, frequencies below those that need a lid), (geometry, the others)], without empty parts"""
     low, high = band
     border = float(np.sqrt(geometry.lid_from * gravity))
     lower, upper = (geometry.without_lid, (low, min(high, border))), (geometry, (max(low, border), high))
@@ -135,5 +135,5 @@ def _rankine_equations(geometry, velocities):
 def _factored(matrix):
     from scipy.linalg import lu_factor
 
-    # LAPACK wants columns: the transposed view is factored in place and solved transposed
+    # LAPACK needs columns: the transposed view is factored in place and solved transposed
     return lu_factor(matrix.T, overwrite_a=True, check_finite=False)

@@ -19,7 +19,7 @@ class Samples(NamedTuple):
 
     nodes: np.ndarray  # (s,) numbers
     weights: np.ndarray  # (s,) 1/probability: a sum over all nodes is estimated by the weighted sum over samples
-    hull: int  # how many of them are on the hull
+    hull: int  # number of them on the hull
 
     @property
     def on_hull(self):
@@ -31,15 +31,15 @@ class Samples(NamedTuple):
 
 
 class ErrorTest(NamedTuple):
-    """w test points on the hull, s samples, e of them on the hull; other letters as of
+    """w test points on the hull, s samples, e of them on the hull; other letters as in
     `bem.panels.band.low_rank_waves.LowRankWaves`.
 
     The error of the wave potentials at the test points is
 
         [W − X W Y] φ − [S_w − X S_w N] V v
 
-    with W and S_w on the right sides of X at the interpolation nodes, and N for the columns of all nodes what M = N V
-    is for V.
+    with W and S_w to the right of X at the interpolation nodes, and N for the columns of all nodes corresponding to M =
+    N V for V.
     """
 
     points: np.ndarray  # (w,)
@@ -73,7 +73,7 @@ class ErrorTest(NamedTuple):
         exact : W (c, w, s) and S_w (c, w, e) from the samples to the test points
         low_rank : W (c, r, q) and S_w (c, r, h) between the interpolation nodes
         potentials : (c, s, columns) φ, and φ' of the lid; velocity : (c, v, columns) v; columns may be zero
-        classes : which of all classes these c are
+        classes : indices of these c among all classes
         """
         e, weights = self.samples.hull, self.samples.weights
         W, S = (real_times_complex(self.X, part) for part in low_rank)

@@ -27,26 +27,26 @@ from ..wave_influence import wave_blocks
 from .error_test import ErrorTest, Samples
 
 TEST_POINTS = 1  # random test points besides one at the surface; an incomplete basis is wrong nearly everywhere
-FEW_NODES = 1000  # up to this number of nodes the requested accuracy holds for every row
+FEW_NODES = 1000  # largest number of nodes for which the requested accuracy holds for every row
 LARGEST_BLOCK = 2_000_000  # pairs of nodes at once
 BASIS_SAMPLES = 200  # nodes at any depth, as random columns from which the rows are selected
-# samples of the error test at a frequency, and as many of the strip and of the lid at most: of 1 000 nodes half as many
-# find up to four times the error
+# samples of the error test at a frequency, and at most this number of the strip and of the lid: for 1 000 nodes half as
+# many give up to four times the error
 TEST_SAMPLES = 100
 STRIDE = (
     3  # a sample is evaluated at every third frequency: with all of them the error was the same, the time 1.7 times
 )
-FLUX_FREQUENCIES = 3  # frequencies for the incident flux, for one of those of W
+FLUX_FREQUENCIES = 3  # frequencies for the incident flux per frequency of W
 NEGLIGIBLE_FLUX = 1e-6  # flux below this fraction of the total over all classes is neglected
-STRIP = 1.0  # panel sizes below the surface down to which every node is a sample, and a part of those below
+STRIP = 1.0  # panel sizes below the surface down to which every node is a sample, and part of those below
 COLUMNS_PER_RANK, FIRST_COLUMNS = 3, 2048  # width of a sketch, and the width first tried
-LID = 0.1  # weight of φ' on the lid relative to φ on the hull: it is zero but for discretisation
+LID = 0.1  # weight of φ' on the lid relative to φ on the hull: φ' is zero except for discretisation errors
 
 
 class LowRankWaves(NamedTuple):
     """Interpolation nodes and matrices of one band, c symmetry classes, n nodes: those of the hull, then of the lid.
 
-    r points, q sources, t flux nodes; the first h sources, which lie on the hull, are the monopoles too; v normal
+    r points, q sources, t flux nodes; the first h sources, which lie on the hull, are also the monopoles; v normal
     velocities of each class.
     """
 
@@ -63,7 +63,7 @@ class LowRankWaves(NamedTuple):
 def low_rank_waves(geometry, band, gravity, accuracy):
     """`LowRankWaves` of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
 
-    accuracy : of W relative to 2π, of S_w and of ∂φ_I/∂n relative to their norms
+    accuracy : largest error of W relative to 2π, of S_w and ∂φ_I/∂n relative to their norms
     """
     g, snapshots = geometry, Snapshots(geometry, band, gravity)
     # tolerance of one row; errors of different rows add up like the root of their number
@@ -91,7 +91,7 @@ def low_rank_waves(geometry, band, gravity, accuracy):
 
 
 def _velocities(geometry, Z):
-    """(c, hull nodes, v) motions of each class, padded with zeros to the same number, and Z"""
+    """(c, hull nodes, v) motions of each class, padded with zeros to the same number, then the columns of Z"""
     g, modes = geometry, geometry.modes
     motions = np.zeros((len(g.classes), max(len(g.members(c)) for c in g.classes), g.hull))
     for moving, cls in zip(motions, g.classes, strict=True):
@@ -100,7 +100,7 @@ def _velocities(geometry, Z):
 
 
 def _decomposed(fill, row_scale, tolerance):
-    """`interpolative_decomposition` of the matrix that fill(sketch) adds, with a sketch wide enough for its rank"""
+    """`interpolative_decomposition` of the matrix built by fill(sketch), with a sketch wide enough for its rank"""
     width, rows = FIRST_COLUMNS, len(row_scale)
     while True:
         sketch = Sketch(row_scale, min(width, COLUMNS_PER_RANK * rows))
@@ -117,7 +117,7 @@ class Snapshots:
     def __init__(self, geometry, band, gravity):
         self.geometry, self.gravity = geometry, gravity
         low, high = (float(wavenumber(omega, geometry.depth, gravity)) for omega in band)
-        # spaced so that matrices in between are combinations of neighbours, log K in long waves included
+        # spaced so that matrices between them are combinations of neighbours, log K in long waves included
         count = 3 + int(np.ceil(high * geometry.radius / 4)) if high > low else 1
         self.wavenumbers = low + (high - low) * np.linspace(0, 1, count) ** 2
         self.root = np.sqrt(geometry.elements.weights)  # √(m²), weight of a row in the L² norm
@@ -142,8 +142,8 @@ class Snapshots:
     def probabilities(self, deep, most):
         """(n,) probability of each node to be a sample: about `deep` samples of the hull at any depth, in addition
 
-        those of the strip below the surface, where waves vary over the distance from it, and of the lid: all of them,
-        or `most` in the mean if there are more; and the test points.
+        those of the strip below the surface, where waves vary with the distance from it, and of the lid: all of them,
+        or on average `most` if there are more; and the test points.
         """
         g, n = self.geometry, self.geometry.hull
         sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
@@ -208,7 +208,7 @@ class Snapshots:
         # real and imaginary parts count apart, so that opposite headings give the same; mirror planes give the others
         half = np.pi if not g.mesh.symmetry else np.pi / 2
         # one heading gives one column, where W has one for every source: at the frequencies of W alone 3 % of the flux
-        # in between was missing
+        # between them was missing
         last = len(self.wavenumbers) - 1
         for k in np.interp(np.linspace(0, last, FLUX_FREQUENCIES * last + 1), np.arange(last + 1), self.wavenumbers):
             headings = np.arange(0, half, np.pi / (8 + 4 * k * g.radius))

@@ -15,16 +15,16 @@ from ..compressed.one_frequency import CompressedRun
 from ..one_frequency import PanelRun
 from .low_rank_waves import FEW_NODES, wave_operator
 
-# error allowed at a node of mean size, times the accuracy of the basis: that of a row in the L² norm of
+# allowed error at a node of mean size, over the accuracy of the basis: that of a row in the L² norm of
 # `bem.panels.band.low_rank_waves`
 ALLOWED = FEW_NODES**0.5
 LARGEST_FULL_SYSTEM = 8000  # nodes of the hull: a gigabyte for each symmetry class
 
 
 class BandRun(CompressedRun):
-    """As `PanelRun`, at a cost that hardly grows with the number of panels.
+    """As `PanelRun`, at a cost nearly independent of the number of panels.
 
-    Forces follow from integrals that `bem.panels.band.equations` holds; potentials are computed when needed.  Where the
+    Forces follow from integrals stored in `bem.panels.band.equations`; potentials are computed on demand.  Where the
     error test fails the full equations are solved, as in `PanelRun`.
     """
 
@@ -35,15 +35,15 @@ class BandRun(CompressedRun):
 
     @cached_property
     def wanted(self):
-        """Index of the geometry's classes that are wanted, in the order of `columns`"""
+        """Indices of the wanted classes among the geometry's classes, in the order of `columns`"""
         wanted = [i for i, cls in enumerate(self.geometry.classes) if cls in self.columns]
         return slice(None) if len(wanted) == len(self.geometry.classes) else wanted
 
     @cached_property
     def solution(self):
-        """`ReducedSolution` of the wanted classes; None where the low-rank basis is not accurate enough
+        """`ReducedSolution` of the wanted classes; None if the low-rank basis is not accurate enough
 
-        raises : FloatingPointError if it is not finite, and where the full equations would be too large
+        raises : FloatingPointError if it is not finite, or if the full equations would be too large
         """
         start = time.perf_counter()
         _ = self.columns
@@ -73,7 +73,7 @@ class BandRun(CompressedRun):
         return solution if error < ALLOWED * equations.accuracy else self.rejected(error)  # a NaN is rejected too
 
     def checked(self, solve):
-        """What `solve` gives, a `ReducedSolution`.  Raises FloatingPointError if it is not finite"""
+        """The result of `solve`, a `ReducedSolution`.  Raises FloatingPointError if it is not finite"""
         try:
             solution = solve()
         except np.linalg.LinAlgError as error:
@@ -83,7 +83,7 @@ class BandRun(CompressedRun):
         return solution
 
     def rejected(self, error):
-        """None, for the full equations to be solved, or where they are too large the compressed ones.
+        """None, so that the full equations are solved, or the compressed ones if those are too large.
 
         raises : FloatingPointError where neither can be
         """
@@ -103,7 +103,7 @@ class BandRun(CompressedRun):
         return super()._solved() if self.compressed else PanelRun._solved(self)
 
     def enlarged(self, radiation, excitation):
-        """Errors with what a compression may have changed"""
+        """Errors enlarged by the possible effect of a compression"""
         return super().enlarged(radiation, excitation) if self.compressed else (radiation, excitation)
 
     @cached_property

@@ -1,1 +1,1 @@
-"""Influence matrices of very many panels in blocks of low rank: n log n in place of n², solved by iteration."""
+"""Influence matrices of very many panels in blocks of low rank: cost n log n instead of n², solved by iteration."""

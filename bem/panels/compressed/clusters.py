@@ -1,4 +1,4 @@
-"""Clusters of panels that lie together, and which pairs of them are far enough apart for a block of low rank."""
+"""Clusters of neighbouring panels, and pairs of clusters far enough apart for a block of low rank."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from ..influence import FAR
 
 LEAF = 16  # panels of a leaf at most
-# a block is of low rank where the clusters are as far apart as SEPARATION of the larger one's diagonal, from the
-# images in surface and bed too, and beyond the distance at which panels are integrated by their nodes alone
+# a block has low rank if the clusters are as far apart as SEPARATION of the larger one's diagonal, also from the images
+# in surface and bed, and beyond the distance at which panels are integrated by their nodes alone
 SEPARATION = 0.7
 
 
@@ -18,10 +18,10 @@ SEPARATION = 0.7
 class Clusters:
     """Binary trees over the panels of a hull and its lid; those of a cluster are consecutive in `order`.
 
-    Of c clusters, parents before their children.  The lid has a root of its own, and so have the panels of the hull
-    that look along ±x, ±y, ±z: clusters that reach round an edge see part of each other edge on, which cross
-    approximation does not find.  So do those that reach from a body to the next: with one root for all bodies two
-    boxes of 1 000 panels were 1 % off.
+    Of c clusters, parents before their children.  The lid has its own root, and so have the hull panels that face ±x,
+    ±y, ±z: clusters that extend around an edge see part of each other edge-on, which cross approximation does not
+    detect.  So do clusters that extend from one body to the next: with one root for all bodies two boxes of 1 000
+    panels had errors of 1 %.
     """
 
     order: np.ndarray  # (panels,) number in the mesh, by place in the tree
@@ -36,7 +36,7 @@ class Clusters:
     @classmethod
     def of(cls, corners, normals, sizes, hull, body=None):
         """corners : (panels, 4, 3) m; normals : (panels, 3); sizes : (panels,) m; hull : number of panels of the hull,
-        which come first; body : (hull,) number of the body of each, None of one
+        which come first; body : (hull,) number of the body of each, None for one body
         """
         middles, rows, roots, low = corners.mean(axis=1), [], [], 0
         axis = np.abs(normals).argmax(axis=1)
@@ -57,7 +57,7 @@ class Clusters:
 
     @property
     def leaves(self):
-        """Numbers of the clusters without children, in the order of their panels"""
+        """Indices of the clusters without children, in the order of their panels"""
         found = np.flatnonzero(self.children[:, 0] < 0)
         return found[np.argsort(self.first[found])]
 
@@ -78,12 +78,12 @@ class Clusters:
             near.append(left[end_t & end_s])
             count_t, count_s = self.end[t] - self.first[t], self.end[s] - self.first[s]
             split_t = ~end_t & (end_s | (count_t >= count_s))
-            split_s = ~end_s & (end_t | (count_s >= count_t))  # both, of two of one size
+            split_s = ~end_s & (end_t | (count_s >= count_t))  # both, for two of one size
             left = _children(left, split_t, split_s, self.children)
         return tuple(np.concatenate(parts) for parts in (far, near))
 
     def _apart(self, t, s, image, depth):
-        """(b,) whether blocks are of low rank, of targets t, sources s (b,) and their images (b, 2)"""
+        """(b,) whether blocks are of low rank, for targets t, sources s (b,) and their images (b, 2)"""
         low, high = self.low[s].copy(), self.high[s].copy()
         for axis in (0, 1):
             turned = image[:, axis] < 0
@@ -116,7 +116,7 @@ def _divide(middles, order, low, high, rows):
 
 
 def _children(pairs, split_t, split_s, children):
-    """The pairs of children of pairs (b, 3), of which target, source or both are split"""
+    """The pairs of children of pairs (b, 3), where target, source or both are split"""
     out = []
     for both in ((True, True), (True, False), (False, True)):
         some = pairs[(split_t == both[0]) & (split_s == both[1])]

@@ -1,4 +1,4 @@
-"""Solutions of the compressed equations, and what the compression may have done to them."""
+"""Solutions of the compressed equations, and the possible errors by the compression."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from .preconditioner import Preconditioner
 RESIDUAL = 3e-7  # residual of the iteration, relative to the right-hand sides
 ITERATIONS = 400
 ALLOWED = 2e-3  # largest accepted error of the potentials by compression
-SAMPLES, SAMPLES_AT_ONCE = 32, 8  # rows of the full equations that are looked at
+SAMPLES, SAMPLES_AT_ONCE = 32, 8  # rows of the full equations that are sampled
 SEED = 1_982
 
 
 class Solution(NamedTuple):
     """potentials : {class: (columns, n)} in the order of the mesh, φ on the hull and φ' on the lid
     residual : of the compressed equations, the largest, relative to the right-hand sides
-    compression : root mean square of what the full equations leave, relative to their right-hand sides: the error of
-        the potentials where the equations damp it least; not less than the tolerance of the blocks, as few rows miss a
-        block that is worse than others
+    compression : root mean square of the residual of the full equations, relative to their right-hand sides: the error
+        of the potentials where the equations damp it least; at least the tolerance of the blocks, since few rows may
+        miss a block with larger errors
     """
 
     potentials: dict
@@ -71,7 +71,7 @@ def solved(geometry, velocities, mirror, table, depth_values, tolerance):
 
 
 def _left_of_full(geometry, potentials, velocities, mirror, table, depth_values):
-    """Root mean square that the full equations leave, from random rows, relative to their right-hand sides"""
+    """Root mean square residual of the full equations, from random rows, relative to their right-hand sides"""
     g, n = geometry, len(geometry.elements.nodes)
     rows = np.sort(np.random.default_rng(SEED).choice(n, min(SAMPLES, n), replace=False))
     squares = {cls: np.zeros((2, len(phi))) for cls, phi in potentials.items()}

@@ -1,8 +1,8 @@
 """Blocks of low rank by adaptive cross approximation: A ≈ Σ uᵢ vᵢ from some of its rows and columns.
 
 Rows and columns are those of the residual with the largest entries (Bebendorf, Numerische Mathematik 86, 2000).  Where
-the last term is small a few other rows are looked at, since blocks may have parts that rows so far say nothing of: a
-panel does not see those of its own plane.
+the last term is small a few other rows are checked, since a block may have parts that the rows so far do not show: a
+panel has no influence on those of its own plane.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from ...kernels.jit import kernel
 
 SINGLE, DOUBLE = 0, 1  # layer
 GOLDEN = 0.6180339887498949  # golden ratio − 1: its multiples modulo 1 are evenly spread
-# rows of a block, after the last term: three of them were once among the sixth part that was represented already,
-# nodes above each other on a wall
+# rows of a block, after the last term: in one case three of them were all in the sixth part that was represented
+# already, nodes above each other on a wall
 LOOKED_AT = 8
 CAPACITY = 3_000_000  # entries of a buffer to begin with, about
 ROOM = 64  # terms of the largest block that they hold to begin with: all that it could have would be its square
@@ -32,11 +32,11 @@ class Sources(NamedTuple):
     normals: np.ndarray  # (q, 3)
     weights: np.ndarray  # (q,) m²
     depth_z: np.ndarray  # (q, 2) Z and Z′
-    hull: np.ndarray  # (n,) whether a node is on the hull: if not it is a single layer, times K
+    hull: np.ndarray  # (n,) whether a node is on the hull: otherwise it is a single layer, times K
 
 
 class Water(NamedTuple):
-    """What the kernels need of Green function and depth"""
+    """Data of Green function and depth for the kernels"""
 
     table: object  # `bem.green.tables.Table`
     mirror: float  # factor of 1/r₁
@@ -83,7 +83,7 @@ def low_rank_blocks(blocks, nodes, at_depth, sources, water, layer, tolerance):
 def _compress(
     done, blocks, nodes, at_depth, sources, water, layer, tolerance, used_rows, used_columns, left, right, ranks
 ):  # fmt: skip
-    """Fill the buffers with blocks from number `done` on until they are full; returns the number of the next one."""
+    """Fill the buffers with blocks from index `done` on until they are full; returns the index of the next one."""
     view = table_view(water.table)
     at_left, at_right = 0, 0
     for b in range(done, len(blocks)):
@@ -139,9 +139,9 @@ def _compress(
 
 @kernel(inline=True)
 def _subtract(values, begin, count, rank, factors, at, step):
-    """Take from the row or column number `rank` of a buffer, `count` long, what those before it say of it
+    """Subtract from the row or column number `rank` of a buffer, `count` long, the contribution of the previous ones
 
-    factors : the other buffer, in which the factor of each is `step` after the one before, from `at` on
+    factors : the other buffer, in which the factor of each is `step` after the previous one, from `at` on
     """
     for term in range(rank):
         factor = factors[at + term * step]
@@ -151,7 +151,7 @@ def _subtract(values, begin, count, rank, factors, at, step):
 
 @kernel(inline=True)
 def _largest(values, begin, count, used):
-    """The number of the largest of `count` values that is not used, −1 for none but zeros, and all squares summed"""
+    """The index of the largest of `count` unused values, −1 if there are only zeros, and the sum of all squares"""
     found, largest, total = -1, 0.0, 0.0
     for j in range(count):
         square = values[begin + j].real ** 2 + values[begin + j].imag ** 2
@@ -163,7 +163,7 @@ def _largest(values, begin, count, used):
 
 @kernel(inline=True)
 def _unused(used, count, begin):
-    """The next number from `begin` on that is not used, or −1"""
+    """The next unused index from `begin` on, or −1"""
     for i in range(count):
         at = (begin + i) % count
         if not used[at]:

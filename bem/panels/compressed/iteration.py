@@ -1,4 +1,4 @@
-"""GMRES for several right-hand sides at once, each in a space of its own (Saad & Schultz 1986)."""
+"""GMRES for several right-hand sides at once, each in its own space (Saad & Schultz 1986)."""
 
 from __future__ import annotations
 

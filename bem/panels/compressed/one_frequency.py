@@ -38,7 +38,7 @@ class CompressedRun(PanelRun):
 
     @cached_property
     def compression_errors(self):
-        """Bounds of what the compression changes of `radiation` (6, 6) and `excitation` (m, 6)
+        """Bounds of the error by compression in `radiation` (6, 6) and `excitation` (m, 6)
 
         |∬ δφ nⱼ dS| ≤ ‖δφ‖ ‖nⱼ‖ with ‖δφ‖ the relative error times ‖φ‖
         """
@@ -54,7 +54,7 @@ class CompressedRun(PanelRun):
         return np.maximum(radiation, radiation.T), excitation
 
     def enlarged(self, radiation, excitation):
-        """Errors with what the compression may have changed"""
+        """Errors enlarged by the possible effect of the compression"""
         return tuple(enlarged(*both) for both in zip((radiation, excitation), self.compression_errors, strict=True))
 
 

@@ -1,7 +1,7 @@
 """The equations of `bem.panels.influence` at one frequency, as an operator on the nodes, for all symmetry classes.
 
 Blocks belong to a mirror image of the sources, not to a class: an image lies farther from the targets than the panels
-themselves, and all classes use the same blocks, their columns with the signs of the class.
+themselves, and all classes use the same blocks, with columns multiplied by the signs of the class.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ PARTS = 16  # groups of blocks whose sums are added in a fixed order, for any nu
 
 
 class Tree:
-    """What compressed equations need of a `bem.panels.influence.Geometry`, whatever the frequency: its panels in the
+    """Frequency-independent data of compressed equations from a `bem.panels.influence.Geometry`: its panels in the
     order of their clusters.
 
     n nodes, those of panel p (in that order) from 4 p on
@@ -48,7 +48,7 @@ class Tree:
         return slice(self.per_panel * c.first[cluster], self.per_panel * c.end[cluster])
 
     def cells(self, most):
-        """Slices of the nodes of clusters that cover all, the leaves or `most` larger ones, about"""
+        """Slices of the nodes of clusters that cover all, the leaves or about `most` larger ones"""
         c, limit = self.clusters, 1
         counts = c.end - c.first
         while True:
@@ -100,7 +100,7 @@ class LowRankPart(NamedTuple):
 
     @classmethod
     def of(cls, blocks, tree):
-        """blocks : [(target, source, image, U, V)], which it empties: they may be most of the memory"""
+        """blocks : [(target, source, image, U, V)], a list that is emptied: it may be most of the memory"""
         lefts, rights = [U for *_, U, _ in blocks], [V for *_, V in blocks]
         keys = [key for *key, _, _ in blocks]
         blocks.clear()
@@ -117,7 +117,7 @@ class LowRankPart(NamedTuple):
 
 
 def _groups(keys):
-    """Lists of the numbers of equal keys, in the order of the keys"""
+    """Lists of the indices of equal keys, in the order of the keys"""
     out = {}
     for i, key in enumerate(keys):
         out.setdefault(key, []).append(i)
@@ -125,7 +125,7 @@ def _groups(keys):
 
 
 def _stacked(arrays, group, axis):
-    """The arrays of a group as one, gone from the list"""
+    """The arrays of a group as one array, removed from the list"""
     one = np.concatenate([arrays[i] for i in group], axis=axis)
     for i in group:
         arrays[i] = None
@@ -135,7 +135,7 @@ def _stacked(arrays, group, axis):
 class CompressedEquations:
     """A x = b of one frequency for all classes at once; n nodes in the order of the tree.
 
-    x are φ on the hull and φ' on the lid, as in `bem.panels.influence`
+    x contains φ on the hull and φ' on the lid, as in `bem.panels.influence`
     """
 
     KEPT = np.complex64  # number type of the stored blocks
@@ -169,7 +169,7 @@ class CompressedEquations:
         return found
 
     def _near_block(self, leaf, neighbours, images, sides):
-        """That of one leaf of targets and its [(image, (panels,))]"""
+        """The block of one leaf of targets and its [(image, (panels,))]"""
         tree, K = self.tree, self.arguments[0].K
         n, count = len(tree.nodes), np.arange(tree.per_panel)
         span, matrices, places = tree.span(leaf), [], []
@@ -197,7 +197,7 @@ class CompressedEquations:
         return S + s + (mirror - 1) * s1, D + d + (mirror - 1) * d1
 
     def _by_cells(self):
-        """([(near blocks, far targets)] of cells that have no node in common, far targets of more than a cell)"""
+        """([(near blocks, far targets)] of cells without common nodes, far targets of more than a cell)"""
         cells, more = self.tree.cells(PARTS), []
         first, parts = np.array([cell.start for cell in cells]), [([], []) for _ in cells]
         for kind, blocks in enumerate((self.near, self.far.targets)):
@@ -219,7 +219,7 @@ class CompressedEquations:
         return [block for part in found for block in part]
 
     def _parts(self):
-        """The far blocks (·, 3) in `PARTS` parts, every one of blocks of all sizes"""
+        """The far blocks (·, 3) in `PARTS` parts, each with blocks of all sizes"""
         far = self.tree.far
         return [far[start::PARTS] for start in range(PARTS)]
 
@@ -267,7 +267,7 @@ class CompressedEquations:
         """Add S V of the far blocks, whose blocks are not kept"""
         tree, parts = self.tree, self._parts()
         found = [None] * PARTS
-        # S of a unit velocity is as large as the body is long
+        # S of a unit velocity is of the order of the body's length
         size = np.abs(sides).max() / np.abs(images).max()
         tolerance *= size / (len(tree.geometry.images) * len(tree.nodes))
 
@@ -282,7 +282,7 @@ class CompressedEquations:
             sides += own
 
     def apply(self, columns, exactly=False):
-        """A x of `Columns`, (n, p); exactly : in double precision, of the blocks as they are kept"""
+        """A x of `Columns`, (n, p); exactly : in double precision, otherwise in that of the stored blocks"""
         kind = complex if exactly else self.KEPT
         images = columns.images.astype(kind)
         flat = images.reshape(-1, images.shape[-1])

@@ -1,4 +1,4 @@
-"""An approximate inverse of the compressed equations: what varies from cell to cell directly, the rest leaf by leaf.
+"""An approximate inverse of the compressed equations: variation from cell to cell directly, the rest leaf by leaf.
 
 With P the functions 1, x, y, z on each cell, orthonormal by area, and R their integrals (R P = 1), B the inverse of the
 diagonal blocks of the leaves and Â = R A P for each symmetry class
@@ -6,7 +6,7 @@ diagonal blocks of the leaves and Â = R A P for each symmetry class
     A⁻¹ ≈ P Â⁻¹ R + B (1 − P R)
 
 (cf. two-grid iteration of equations of the second kind, Atkinson 1997, section 6.2).  Waves and the flow through a gap
-above the bed, which take many iterations, vary over more than a cell.
+above the bed, which need many iterations, vary over more than a cell.
 """
 
 from __future__ import annotations

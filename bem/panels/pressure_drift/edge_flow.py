@@ -1,19 +1,19 @@
-"""Flow round a sharp edge, and the collocation error of panels with linear potential beside it.
+"""Flow around a sharp edge, and the collocation error of panels with linear potential next to it.
 
 Between the faces of an edge, γ = 2π − π/μ apart, φ is r^μ on the one and −r^μ on the other, and
 
     φ(r) = −(1/π) ∫ K φ(ρ) dρ,    K = r sin γ / (r² + ρ² − 2rρ cos γ).
 
 Collocation with φ linear on every panel of both faces gives values that are 6 % too large at the first node, if the
-panels of both are of the same size, 1 % at the second and less behind; a finer mesh has the same relative errors.
+panels of both faces are of equal size, 1 % at the second and less behind; a finer mesh has the same relative errors.
 
-Where a side stands on a flat bottom with a gap of height s over the bed, and the panels are not small beside it, the
-edge's flow is that out of the gap, by a conformal map,
+Where a side stands on a flat bottom with a gap of height s over the bed, and the panels are not small relative to the
+gap, the edge's flow is that out of the gap, by a conformal map,
 
     φ = a ln(1 + q²)  on the side,  q − arctan q = πr/2s,        φ = −2a ln cosh u  below,  u − tanh u = πr/2s,
 
-a = (2s/3π)^(2/3), which is ±r^(2/3) at the edge, ln r far up the side and uniform flow far into the gap.  The bed has
-images of both faces.
+a = (2s/3π)^(2/3), which tends to ±r^(2/3) at the edge, ln r far up the side and uniform flow far inside the gap.  The
+bed has images of both faces.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ class EdgeFlow(NamedTuple):
         return self._between(r, rho) + self._image(r / (r**2 + (rho + 2 * self._height) ** 2))
 
     def bed(self, r, rho):
-        """Of the face below onto itself"""
+        """Kernel of the bottom face on itself"""
         return self._image(2 * self._height / ((r - rho) ** 2 + 4 * self._height**2))
 
     @property
@@ -118,8 +118,8 @@ class EdgeFlow(NamedTuple):
 
 
 def _inverse(function, slope, value):
-    """x of function(x) = value ≥ 0, of a function like x³/3 where small and x less a constant where large"""
+    """x of function(x) = value ≥ 0, for a function like x³/3 at small x and x minus a constant at large x"""
     x = value + np.cbrt(3 * value)
-    for _ in range(8):  # Newton, from above the root of what is convex
+    for _ in range(8):  # Newton's method, from above the root of a convex function
         x -= (function(x) - value) / slope(x)
     return x

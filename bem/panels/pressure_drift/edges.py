@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-SHARP = np.pi / 3  # rad, the smallest turn of an edge: smaller ones are those between panels of a curved hull
-SIDES = (3, 1), (0, 2)  # numbers of the sides of a panel where s is −1 and 1, where t is −1 and 1
+SHARP = np.pi / 3  # rad, the smallest turn of an edge: smaller turns occur between panels of a curved hull
+SIDES = (3, 1), (0, 2)  # indices of the sides of a panel where s is −1 and 1, and where t is −1 and 1
 
 
 def sharp_sides(mesh):
@@ -37,13 +37,13 @@ class Stencils(NamedTuple):
     end: np.ndarray  # (n,) −1 or 1, the end of the panel from which distances grow
     mu: np.ndarray  # (n,) exponent of the flow, 1 without an edge
     panels: np.ndarray  # (n, 3) numbers; arbitrary beyond `count`
-    images: np.ndarray  # (n, 3) of `mesh.reflections()` on which they lie, seen from the panel
+    images: np.ndarray  # (n, 3) index in `mesh.reflections()` of the image on which they lie, seen from the panel
     forward: np.ndarray  # (n, 3) whether distances grow with s or t
     lengths: np.ndarray  # (n, 3) m; at an edge the last one is repeated for missing panels
     across: np.ndarray  # (n, 3) m, of the panels on the other face of the edge
-    gap: np.ndarray  # (n,) m of water under that face where it is a flat bottom and this one a side, else infinite
+    gap: np.ndarray  # (n,) m of water under that face if it is a flat bottom and this one a side, else infinite
     count: np.ndarray  # (n,) panels of the stencil, 1 to 3
-    row: np.ndarray  # (n, 3) `panels` of those of which the stencil is the panel alone, too, as others need them
+    row: np.ndarray  # (n, 3) `panels` including those whose stencil is the panel alone, as others need them
 
     @property
     def first(self):
@@ -72,8 +72,8 @@ class Stencils(NamedTuple):
 def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
     """`Stencils` along s and along t; exponents : (n, 4) as of `sharp_sides`; depth : m
 
-    The two directions form a product stencil: where the panels of the one do not have the same layout in the other,
-    the stencil is the panel alone, and so it is where `steady` (n,) of a stencil is false.
+    The two directions form a product stencil: if the panels of the one have a different layout in the other, the
+    stencil is the panel alone, also if `steady` (n,) of a stencil is false.
     """
     adjacency = _Adjacency(_continuations(mesh), _planes(mesh))
     (s, single_s), (t, single_t) = (_in_direction(mesh, exponents, adjacency, *sides) for sides in SIDES)
@@ -96,7 +96,7 @@ def coarsest_at_gap(mesh, depth):
 
 
 class _Adjacency(NamedTuple):
-    """beside : (n, 4) panel beyond each side, with no edge between and corners in the same order; else −1
+    """beside : (n, 4) panel beyond each side, without an edge between and with corners in the same order; else −1
 
     plane : (n, 4) mirror image on which the panel itself continues beyond the side, 0 where no mirror plane is
     """
@@ -201,7 +201,7 @@ def _planes(mesh):
 
 
 def _continuations(mesh):
-    """(n, 4) panel beyond each side, without an edge between and with corners in the same order; −1 where none"""
+    """(n, 4) panel beyond each side, without an edge between and with corners in the same order; −1 without one"""
     one, other = _neighbours(mesh)
     smooth = np.sum(mesh.normals[one // 4] * mesh.normals[other // 4], axis=1) > np.cos(SHARP)
     same_layout = smooth & (one % 4 == (other + 2) % 4)

@@ -67,7 +67,7 @@ class Surface(Points):
 
         phi : (f, images, nodes) disturbance; waves : (f,) amplitude of the incident wave; motion : (f, 6) about the
         origin; headings : (f,) rad; run : of the frequency
-        bent : function of points (…, 3) that gives (f, …, 3) m that a body that bends moves by beside these, or None
+        bent : function of points (…, 3) that returns (f, …, 3) m, additional displacement of a flexible body, or None
         """
         f, flow, count = len(phi), self.flow, len(self.flow.weights)
         shape = f, self.copies, count
@@ -79,7 +79,7 @@ class Surface(Points):
             through = image ^ flow.images, flow.nodes
             far = np.einsum("fnc,nac->naf", uniform[:, image], self.nodes[through])
             remainder[image] = np.moveaxis(phi[:, *through], 0, -1) + far
-        parts = remainder.view(float)  # real and imaginary parts beside each other
+        parts = remainder.view(float)  # real and imaginary parts next to each other
         q = flow.points.shape[1]
         at = np.matmul(flow.shape, parts).view(complex).reshape(-1, f).T
         slope = np.matmul(flow.gradient.reshape(count, 3 * q, -1), parts).view(complex)
@@ -188,7 +188,7 @@ class HullFlow:
 
     @classmethod
     def joined(cls, flows):
-        """Those of several one after another"""
+        """The flows of several, one after another"""
         *names, _ = cls.__dataclass_fields__
         return cls(*(np.concatenate([getattr(flow, name) for flow in flows]) for name in names), flows[0].hull)
 

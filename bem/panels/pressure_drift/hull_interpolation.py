@@ -1,8 +1,8 @@
 """Potential and its gradient at quadrature points of a hull, interpolated from the nodes of panels in a row.
 
 Away from edges φ is the polynomial through the six nodes of a panel and its neighbours in each direction.  At a
-distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): these powers
-are fitted to the nodes of two panels on the panel at the edge, of three on the one behind it, corrected for the known
+distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): these powers are
+fitted to the nodes of two panels on the panel at the edge, of three on the one behind it, corrected for the known
 collocation error of the nodal values there (`edge_flow`).  With fewer panels in the row there are fewer powers.
 
 On the panel at the edge the points are at r ~ t³, t Gauss points, which makes the integrand smooth for μ = 2/3.
@@ -19,8 +19,8 @@ from .edges import SIDES, Stencils, stencils
 
 POINTS = 4  # interpolation points in each direction of a panel
 NODES = 6  # largest number of nodes in each direction
-LARGEST = 25.0  # growth of errors in one direction: to 12 on graded boxes and buoys, 70 to 230 at the ends of ships
-SLIVER = 0.3  # collocation error of the first node of panels that are thin beside those beyond the edge
+LARGEST = 25.0  # growth of errors in one direction: up to 12 on graded boxes and buoys, 70 to 230 at the ends of ships
+SLIVER = 0.3  # collocation error of the first node of panels that are thin relative to those beyond the edge
 
 
 class HullQuadrature(NamedTuple):
@@ -30,10 +30,10 @@ class HullQuadrature(NamedTuple):
     points: np.ndarray  # (n, q, 3) m
     weights: np.ndarray  # (n, q) m², or m on a line
     nodes: np.ndarray  # (n, m) numbers of the nodes
-    images: np.ndarray  # (n, m) of `mesh.reflections()` on which they lie, seen from the panel
+    images: np.ndarray  # (n, m) index in `mesh.reflections()` of their image, seen from the panel
     shape: np.ndarray  # (n, q, m) from nodal values to φ
     gradient: np.ndarray  # (n, q, 3, m) 1/m, to ∇φ along the panel
-    edge: np.ndarray  # (n, 3) m, a point of the edge, NaN where there is none
+    edge: np.ndarray  # (n, 3) m, a point of the edge, NaN without one
 
 
 def hull_quadrature(mesh, exponents, depth=np.inf):
@@ -55,9 +55,7 @@ def side_quadrature(mesh, exponents, panels, sides, depth=np.inf):
 
 
 def _steady(stencil):
-    """(n,) whether errors of nodal values grow no more than LARGEST times between the nodes of `Stencils`, and are none
-    of slivers
-    """
+    """(n,) whether errors of nodal values grow at most LARGEST times between nodes of `Stencils`, without slivers"""
     growth = np.abs(_line_rule(stencil).shape).sum(axis=-1).max(axis=1)
     return (growth < LARGEST) & (_missed(stencil).max(axis=1) < SLIVER)
 
@@ -131,7 +129,7 @@ def _powers(r, mu):
 
 
 def _factors(stencil, lengths):
-    """(n, NODES, NODES) from nodal values to coefficients of the powers, zero beyond the nodes that there are"""
+    """(n, NODES, NODES) from nodal values to coefficients of the powers, zero beyond the existing nodes"""
     missed, out = _missed(stencil), np.zeros((len(lengths), NODES, NODES))
     for panels in (1, 2, 3):
         here, m = stencil.count == panels, 2 * panels
@@ -145,7 +143,7 @@ def _factors(stencil, lengths):
 
 
 def _nodes(s, t):
-    """(n, NODES²) numbers of the nodes of the product stencils, and the images on which they lie"""
+    """(n, NODES²) indices of the nodes of the product stencils, and their images"""
     (panel_s, at_s, image_s), (_, at_t, image_t) = _through(s), _through(t)
     panel_t = t.row.repeat(2, axis=1)
     panel = np.where(t.count[:, None, None] > 1, panel_t[panel_s], panel_s[:, :, None])
@@ -154,7 +152,7 @@ def _nodes(s, t):
 
 
 def _through(stencil):
-    """Panels of the nodes, which of the two on each, and their images, (n, NODES) each; arbitrary beyond `count`"""
+    """Panels of the nodes, index of the node on each, and their images, (n, NODES) each; arbitrary beyond `count`"""
     panels, images, forward = (part.repeat(2, axis=1) for part in (stencil.panels, stencil.images, stencil.forward))
     order = np.arange(NODES) % 2  # 0 where distances begin
     return panels, np.where(forward, order, 1 - order), images

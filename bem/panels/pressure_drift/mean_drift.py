@@ -1,4 +1,4 @@
-"""Loads of second order by the squares of first-order quantities, from the pressure on the panels of a hull.
+"""Second-order loads by products of first-order quantities, from the pressure on the panels of a hull.
 
     T_ij = −¼ρg ∮ ζᵢζ̄ⱼ n dl + ¼ρ ∬ {∇φᵢ·∇φ̄ⱼ + Xᵢ·∇∂φ̄ⱼ/∂t + X̄ⱼ·∇∂φᵢ/∂t} n dS,        moments alike with x × n
 
@@ -6,7 +6,7 @@ of two waves of unit amplitude: Re Σ Σ aᵢāⱼ T_ij exp{−i(ωᵢ − ωⱼ
 drift (`bem.methods.near_field`).  T_ji is the conjugate of T_ij.  Without the conjugates it is T⁺ of the load at sum
 frequencies, Re Σ Σ aᵢaⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}.
 
-The singularity at edges is integrated by `hull_interpolation`; what remains is the discretisation error of the
+The singularity at edges is integrated by `hull_interpolation`; the remaining error is the discretisation error of the
 potentials, mainly of the motions.
 """
 
@@ -41,7 +41,7 @@ def pressure_drift(run, motions):
 def pressure_pairs(surfaces, flow, problem, second=np.conj):
     """(f, f, 6) complex T of all pairs of the f waves of a `hull_flow.HullFlow`, about the origin; N/m², N m/m²
 
-    second : of amplitudes of the second wave, their conjugates, or for sum frequencies themselves
+    second : function of the second wave's amplitudes: their conjugates, or for sum frequencies the amplitudes
     """
     hull, line, rho = surfaces.hull, surfaces.waterline, problem.density
     u, n = flow.velocity.reshape(len(flow.omega), -1), surfaces.hull_modes * hull.weights[:, None]
@@ -75,7 +75,7 @@ def pressure_error(run):
 
 
 def check_panels(problem, mesh):
-    """Raises ValueError for constant panels and zero draft; warns of panels long beside the gap under the keel"""
+    """Raises ValueError for constant panels and zero draft; warns of panels long relative to the gap under the keel"""
     if problem.nodes_per_panel != 4:
         raise ValueError(f"near-field drift with {problem.nodes_per_panel} node a panel; allowed: 4")
     if problem.zero_draft:

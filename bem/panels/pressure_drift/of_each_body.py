@@ -1,12 +1,12 @@
 """Mean drift of each of several bodies, from the pressure on its own hull.
 
-As `bem.methods.near_field`, body by body: the far field knows of all bodies together alone.  What each of them pushes
-off from another, the sum does not see; that it equals the far field is a check of both.
+As `bem.methods.near_field`, body by body: the far field gives only the sum over all bodies.  Forces between bodies
+cancel in this sum; its agreement with the far field checks both.
 
-Of a body that bends, X = u(x), the area vector of a piece of the hull changes too, by n ∇·u − (∇u)ᵀn, which is α × n
-where it only turns.  With the dynamic pressure p = −ρφ_t alone, whose hydrostatic remainder is vertical,
+For a flexible body, X = u(x), the area vector of a piece of the hull changes too, by n ∇·u − (∇u)ᵀn, which is α × n for
+a rotation.  With the dynamic pressure p = −ρφ_t alone, whose hydrostatic remainder is vertical,
 
-    F = −½ρg ∮ (ζ² − 2ζ u_z) n dl + ½ρ ∬ |∇φ|² n dS − ∬ (u·∇p) n + p {n ∇·u − (∇u)ᵀn} dS,        M alike and −u × pn
+    F = −½ρg ∮ (ζ² − 2ζ u_z) n dl + ½ρ ∬ |∇φ|² n dS − ∬ (u·∇p) n + p {n ∇·u − (∇u)ᵀn} dS,        M likewise and −u × pn
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ MEAN = [0, 1, 5]  # surge, sway and yaw
 def drift_of_each(run, moving):
     """(m, bodies, 3) N/m², N m/m²: mean surge, sway and yaw of each, about its own point in its own axes.
 
-    run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : those that are not fixed float freely
+    run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : whether bodies that are not fixed float freely
     """
     check_panels(run.problem, run.geometry.mesh)
     bodies, waves = run.problem.bodies, len(run.headings)
@@ -101,7 +101,7 @@ def surfaces_of_each(geometry):
 
 
 def _of_body(surface, body, number):
-    """A surface with weights on the panels of one body alone"""
+    """A surface with zero weights except on the panels of one body"""
     one = copy(surface)
     points = surface.flow.points.shape[1]
     here = np.repeat(body[surface.flow.panels] == number, points)

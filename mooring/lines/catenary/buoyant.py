@@ -1,8 +1,8 @@
-"""A uniform line lighter than water: a heavy one upside down, with the sea surface for its bed.
+"""A uniform line lighter than water: a heavy line upside down, with the sea surface as its bed.
 
 Measured downwards from the surface, its weight is −w and its ends are at the depths a (anchor) and b (fairlead) over a
-flat bed that has no friction: what would rise out of the sea floats in its surface.  The line is solved by `flat_bed`;
-pulls that go down there go up here.
+flat bed without friction: parts that would rise out of the sea float in its surface.  `flat_bed` solves the line;
+downward pulls there are upward pulls here.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def solve_buoyant_lines(x, z, length, weight, axial_stiffness, surface):
 
 
 def buoyant_profile(x, z, length, weight, axial_stiffness, surface, points=101):
-    """Points along one line for drawing: (points, 2) m from the anchor; what floats idle is drawn stretched out."""
+    """Points along one line for drawing: (points, 2) m from the anchor; idle floating parts are drawn stretched out."""
     found = solve_buoyant_lines(x, z, length, weight, axial_stiffness, surface)
     lift, flexibility, H = -float(weight), 1 / axial_stiffness, float(found.horizontal_fairlead)
     floating, first = float(found.grounded_length), float(found.vertical_anchor)

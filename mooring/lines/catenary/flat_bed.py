@@ -6,9 +6,9 @@ height h over the bed, and the horizontal tension H:
     rise = 2wh/(s + √(s² + 2wh/EA)),  s = 1 + H/EA,    (wS)² = rise (rise + 2H),
     x = Σ (H/w) asinh(wS/H) + H ΣS/EA + (L − ΣS) + stretch of the part on the bed,
 
-one monotone equation in ln H (SR179 report, 1982, section 3.1.1, with elasticity added).  On the bed friction
-μw takes up tension from the lift-off point to an end that lies on the bed; where both ends hang above it, none
-is counted.  A line lighter than water is the mirror image of a heavy one and is solved without a bed.
+one monotone equation in ln H (SR179 report, 1982, section 3.1.1, with elasticity added).  On the bed friction μw
+reduces tension from the lift-off point to an end that lies on the bed; where both ends hang above it, friction is
+neglected.  A line lighter than water is the mirror image of a heavy one and is solved without a bed.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def asinh_ratio_less_one(u):
 
 @kernel(inline=True)
 def put_suspended(row, t, sine, cosine, length, weight, flexibility):
-    """Forces and derivatives of a free line; v_a + v_b is its weight, and only the difference of heights counts."""
+    """Forces and derivatives of a free line; v_a + v_b is its weight, and only the difference of heights matters."""
     half, root = 0.5 * weight * length, np.sqrt(1.0 + t * t)
     xx, xz, zz = suspended_stiffness(t, sine, cosine, length, weight, flexibility)
     row[0] = SUSPENDED
@@ -53,7 +53,7 @@ def put_suspended(row, t, sine, cosine, length, weight, flexibility):
 
 @kernel(inline=True)
 def free_length(horizontal, height, weight, flexibility):
-    """Length that `horizontal` holds up to a height over a flat bed."""
+    """Free length that `horizontal` supports up to a height over a flat bed."""
     stretch = 1.0 + flexibility * horizontal
     load = weight * height
     rise = 2.0 * load / (stretch + np.sqrt(stretch * stretch + 2.0 * flexibility * load))
@@ -71,7 +71,7 @@ def bed_stretch(horizontal, lying, weight, flexibility, friction):
 
 @kernel(inline=True)
 def grounded_tension(x, a, b, length, weight, flexibility, friction):
-    """H > 0 of a line of which some length lies on the bed."""
+    """H > 0 of a line that lies partly on the bed."""
     at_rest = free_length(0.0, a, weight, flexibility) + free_length(0.0, b, weight, flexibility)
     gain = x - (length - at_rest)
     q = np.log(max(weight * (a + b), 1e-6 * weight * length))
@@ -135,7 +135,7 @@ def put_grounded(row, H, a, b, length, weight, flexibility, friction):
     row[9], row[10], row[11] = H_x, H_a, H_b
     row[12], row[13], row[14] = weight * a_H * H_x, weight * (a_H * H_a + a_h), weight * a_H * H_b
     row[15], row[16], row[17] = weight * b_H * H_x, weight * b_H * H_a, weight * (b_H * H_b + b_h)
-    # end a feels what friction leaves: held = H − μw·lying, or nothing
+    # end a carries the tension that friction leaves: held = H − μw·lying, or 0
     row[1] = held
     used = weight * friction if held > 0.0 else 0.0
     along = 1.0 + used * S_H if held > 0.0 else 0.0
@@ -144,7 +144,7 @@ def put_grounded(row, H, a, b, length, weight, flexibility, friction):
 
 @kernel(inline=True)
 def put_slack(row, Va, Vb, length, weight, flexibility):
-    """A line that hangs plumb from both ends above a heap on the bed."""
+    """A line that hangs vertically from both ends above a heap on the bed."""
     row[:] = 0.0
     row[0], row[3], row[4], row[5] = SLACK, Va, Vb, length - (Va + Vb) / weight
     row[13] = weight / (1.0 + flexibility * Va) if Va > 0.0 else 0.0
@@ -153,7 +153,7 @@ def put_slack(row, Va, Vb, length, weight, flexibility):
 
 @kernel(inline=True)
 def leaves_bed(x, h, length, weight, flexibility):
-    """Whether a line from an anchor on the bed has none of itself there: its span is beyond that of a grazing line."""
+    """Whether a line from an anchor on the bed lies nowhere on it: its span exceeds that of a grazing line."""
     load = weight * length
     c = weight * h - 0.5 * flexibility * load * load
     if c <= 0.0:
@@ -213,7 +213,7 @@ def solve_line(row, x, a, b, length, weight, flexibility, friction, with_bed):
 
 @kernel(inline=True)
 def mirror(row):
-    """Turn the results for heights measured downwards, and a line that pulls upwards, the right way up."""
+    """Convert results for heights measured downwards, and an upward-pulling line, to the normal orientation."""
     row[3], row[4] = -row[3], -row[4]
     for k in (7, 8, 10, 11, 12, 15):
         row[k] = -row[k]

@@ -1,4 +1,4 @@
-"""A free piece of line between two tensions, from the forces at its lower end: the elastic catenary as it is written.
+"""A free piece of line between two tensions, from the forces at its lower end, by the formulas of the elastic catenary.
 
     x = H S/EA + (H/w) ln[(V+T)/(V_low+T_low)],    z = S (V+V_low)/2EA + S (V+V_low)/(T+T_low),    V = V_low + w S
 
@@ -22,7 +22,7 @@ def asinh_excess(s):
     if s >= 0.1:
         return math.asinh(s) - (1.0 if math.isinf(s) else s / math.sqrt(1 + s * s))
     u = s * s
-    # aₙ 2n/(2n+1) with aₙ = (2n)!/(4ⁿ n!²); the term left out is below 1e-15 of the sum at s = 0.1
+    # aₙ 2n/(2n+1) with aₙ = (2n)!/(4ⁿ n!²); the next term is below 1e-15 of the sum at s = 0.1
     series = -35 / 144 + u * (315 / 1408 + u * (-693 / 3328 + u * (3003 / 15360 - u * 6435 / 34816)))
     return s * u * (1 / 3 + u * (-3 / 10 + u * (15 / 56 + u * series)))
 

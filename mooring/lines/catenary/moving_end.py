@@ -1,10 +1,10 @@
-"""The pull of a uniform line on an end that moves, from its solution a moment ago: for bodies in time.
+"""The pull of a uniform line on a moving end, from its solution a moment before: for bodies in time.
 
-The equations are those of `flat_bed` and `suspended`.  Their unknown, H of a line on the bed and the parameter t of one
-that hangs free, is kept between calls, with the tangent of H.  Newton's method then starts the square of a step's
-change away from the root and squares the error again: a step of 3e-6 of H leaves 1e-11.  With T = H + rise at the
-fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where it does not
-settle, the safe search of `flat_bed` does.
+The equations are those of `flat_bed` and `suspended`.  Their unknown, H of a line on the bed and the parameter t of a
+free one, is kept between calls, with the tangent of H.  Newton's method then starts with an error of the square of a
+step's change and squares it again: a step of 3e-6 of H leaves 1e-11.  With T = H + rise at the fairlead and asinh(wS/H)
+= ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where it does not converge, the safe search
+of `flat_bed` is used.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from .suspended import ellipse_parameter
 CLOSE, CLOSE_FREE = (
     3e-6,
     1e-7,
-)  # relative change by the last step of Newton's method, which leaves its square,, of H and of ln t
-WIDEST = 2.0  # factor by which H is foreseen to change
-KEPT = 6  # numbers kept of each line: its State, H or t, and of a line on the bed span, height, ∂H/∂x, ∂H/∂h there
+)  # relative change of H and of ln t in the last step of Newton's method, whose error is the square of it
+WIDEST = 2.0  # factor by which H is allowed to change in the prediction
+KEPT = 6  # numbers kept of each line: its State, H or t, and for a line on the bed span, height, ∂H/∂x, ∂H/∂h there
 
 
 @kernel(inline=True)
 def tension_near(kept, x, height, length, weight, flexibility, friction):
-    """(H, wS) of a line with some length on the bed, from the tangent at what is kept of one near it; kept anew.
+    """(H, wS) of a line that lies partly on the bed, from the tangent kept of a nearby position, which is updated.
 
-    nan where Newton's method does not settle at once
+    nan where Newton's method does not converge at once
 
     x = (H/w) asinh(wS/H) + H S/EA + (L − S) + stretch of the part on the bed
     """
@@ -67,7 +67,7 @@ def tension_near(kept, x, height, length, weight, flexibility, friction):
 
 @kernel(inline=True)
 def pull_anew(before, near, x, height, length, weight, flexibility, friction):
-    """(State, H, V, H or t) of a line that is not slack: some of it on the bed, or `near` the t of a free one or 0"""
+    """(State, H, V, H or t) of a line that is not slack: partly on the bed, or free with `near`, its t or 0"""
     if before == GROUNDED or not leaves_bed(x, height, length, weight, flexibility):
         H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
         hanging = free_length(H, height, weight, flexibility)
@@ -87,8 +87,8 @@ def pull_anew(before, near, x, height, length, weight, flexibility, friction):
 def pull(kept, x, height, length, weight, flexibility, friction):
     """(H, V) N, towards the anchor and down, on an end `height` above the anchor on the bed and x away from it.
 
-    kept : (KEPT,) of an earlier call for this line, zeros before the first, and left for the next
-    nan where a line cannot reach, or the end is below the bed
+    kept : (KEPT,) from an earlier call for this line, zeros before the first; updated for the next
+    nan beyond the reach of the line, or with the end below the bed
     """
     H = V = math.nan
     before, state = kept[0], BEYOND_REACH
@@ -110,9 +110,9 @@ def pull(kept, x, height, length, weight, flexibility, friction):
 
 @kernel(inline=True)
 def pull_of_any(kept, row, x, low, high, bed, length, weight, flexibility, friction):
-    """(H, V) on the end at z = `high` of a line whose other end, at z = `low`, is held anywhere: on the bed or not.
+    """(H, V) on the end at z = `high` of a line whose other end, at z = `low`, is fixed on the bed or above it.
 
-    row : (ROW,) room for results; `pull` where the held end is an anchor on the bed of a line that sinks
+    row : (ROW,) room for results; `pull` applies where the fixed end is an anchor on the bed of a line that sinks
     """
     if weight > 0.0 and low == bed:
         H, V = pull(kept, x, high - bed, length, weight, flexibility, friction)
@@ -137,5 +137,5 @@ def pulls(kept, rows, x, low, high, bed, lines, out):
 
 
 def workspace(count):
-    """kept (n, KEPT) and rows (n, ROW) for lines that nothing is known of yet"""
+    """kept (n, KEPT) and rows (n, ROW) for lines without earlier results"""
     return np.zeros((count, KEPT)), np.zeros((count, ROW))

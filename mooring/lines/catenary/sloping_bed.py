@@ -1,14 +1,14 @@
 """A line that lies on a straight bed from its anchor to a lift-off point and hangs free from there.
 
-At lift-off the line has the slope of the bed, β (positive: rising towards the fairlead), so V = H tan β + w S
-with S the free length, unstretched.  On the bed dT/ds = w (sin β + μ cos β), T ≥ 0: where friction has used up
-the tension the rest of the line is at rest.  SR179 report (1982), section 3.1.1 and appendix 3.1.A, with
-elasticity added; only T is propagated along the bed, H = T cos β and V = T sin β follow from it.
+At lift-off the line has the slope of the bed, β (positive: rising towards the fairlead), so V = H tan β + w S with S
+the free length, unstretched.  On the bed dT/ds = w (sin β + μ cos β), T ≥ 0: where friction has reduced the tension to
+zero the rest of the line is at rest.  SR179 report (1982), section 3.1.1 and appendix 3.1.A, with elasticity added;
+only T is propagated along the bed, H = T cos β and V = T sin β follow from it.
 
-Friction holds a line without tension where tan |β| ≤ μ.  On a steeper bed it slides down: what is more than
-the tension at lift-off holds hangs in a bight below the anchor, with T = 0 at its lowest point, and pulls the anchor
-down the slope with w (sin β − μ cos β) times its leg there.
-For a given span ln H is found from the span along the bed, between proven bounds.
+Friction holds a line without tension where tan |β| ≤ μ.  On a steeper bed it slides down: line in excess of the tension
+at lift-off hangs in a bight below the anchor, with T = 0 at its lowest point, and pulls the anchor down the slope with
+w (sin β − μ cos β) times its leg there. For a given span ln H is found from the span along the bed, between proven
+bounds.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .free_piece import ROUNDING, asinh_excess, free_piece
 
 @kernel()
 def hanging_length(height, weight, flexibility):
-    """Length of the piece that hangs plumb over a height, stretched by its own weight."""
+    """Length of a piece that hangs vertically over a height, stretched by its own weight."""
     return 2 * height / (1 + math.sqrt(1 + 2 * flexibility * weight * height))
 
 
@@ -35,9 +35,9 @@ def slides(slope, friction):
 
 @kernel()
 def lying_end(H, lying, weight, slope, friction):
-    """Tension at the anchor and the length of lying line above the place where it is used up.
+    """Tension at the anchor and the length on the bed above the place where the tension becomes zero.
 
-    Below 0 where the line slides: the anchor is pulled down the slope by the leg of a bight.
+    The tension is negative if the line slides: the leg of a bight pulls the anchor down the slope.
     """
     rate = weight * (math.sin(slope) + friction * math.cos(slope))
     lift_off = H / math.cos(slope)
@@ -62,10 +62,10 @@ def lying_reach(H, lying, weight, flexibility, slope, friction):
 
 @kernel()
 def sloping_free_length(H, clearance, weight, flexibility, slope):
-    """S of a line that ends `clearance` above the bed, measured along the vertical.
+    """S of a line that ends `clearance` above the bed, measured vertically.
 
-    Explicit on a flat bed.  On a slope the distance from the bed is a convex function of S, so Newton's steps come
-    down on the root from above.
+    Explicit on a flat bed.  On a slope the distance from the bed is a convex function of S, so Newton's steps approach
+    the root from above.
     """
     pull = H / math.cos(slope) ** 3
     S = flat_free_length(pull, clearance, weight, flexibility)
@@ -167,10 +167,10 @@ def grounded_stiffness(H, S, length, weight, flexibility, slope, friction):
 
 @kernel()
 def free_length_at_height(H, z, length, weight, flexibility, slope, friction):
-    """Free length of a line of which H and the height of the fairlead are known; inf where none is left on the bed.
+    """Free length of a line with known H and height of the fairlead; inf where none of it is on the bed.
 
-    Explicit on a flat bed.  On a slope the height falls with the part that lies there, and its root is halved down
-    to rounding; nan where the bed rises above the fairlead.
+    Explicit on a flat bed.  On a slope the height falls with the length on the bed, and its root is bisected to
+    rounding; nan where the bed rises above the fairlead.
     """
     if slope == 0:
         return flat_free_length(H, z, weight, flexibility)
@@ -192,6 +192,6 @@ def free_length_at_height(H, z, length, weight, flexibility, slope, friction):
 
 @kernel()
 def height_of(H, S, length, weight, flexibility, slope, friction):
-    """Height of a fairlead over its anchor, S of free line above the bed"""
+    """Height of a fairlead above its anchor, with S of free line above the bed"""
     _, rise = free_piece(H, H * math.tan(slope), S, weight, flexibility)
     return lying_reach(H, max(length - S, 0.0), weight, flexibility, slope, friction) * math.sin(slope) + rise

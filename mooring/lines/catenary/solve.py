@@ -15,7 +15,7 @@ from .state import BEYOND_REACH, LineError
 
 TOLERANCE = 1e-10  # error of the recomputed fairlead position, over the line length
 _LARGEST, _SMALLEST, _STEEPEST = np.finfo(float).max, np.nextafter(0.0, 1.0), np.nextafter(1.5, 0.0)
-LIMITS = (  # least value, largest value and text of what is allowed, for each column of `_lines`
+LIMITS = (  # least value, largest value and text of the allowed range, for each column of `_lines`
     ("x", 0.0, _LARGEST, "finite, at least 0 m"),
     ("z", -_LARGEST, _LARGEST, "finite"),
     ("length", _SMALLEST, _LARGEST, "finite, above 0 m"),
@@ -103,7 +103,7 @@ def span_at_tension(
     bed_friction=0.0,
     bed_slope=0.0,
 ):
-    """Span x (m) at which lines on a bed carry a given horizontal tension, and the length left on the bed (m).
+    """Span x (m) at which lines on a bed carry a given horizontal tension, and the remaining length on the bed (m).
 
     horizontal_tension : N, > 0; the other arguments as in `solve_lines`
     returns : x, grounded length
@@ -144,7 +144,7 @@ def profile(x, z, length, weight, axial_stiffness=np.inf, bed_friction=0.0, bed_
 
 
 def _lines(x, z, length, weight, axial_stiffness, friction, slope, bed):
-    """Checked input, (n, 7) as `uniform` reads it, and the shape it was given in."""
+    """Checked input, (n, 7) in the order of `uniform`, and its original shape."""
     given = [np.asarray(v, float) for v in (x, z, length, weight, axial_stiffness, friction, slope)]
     shapes = {v.shape for v in given}
     shape = shapes.pop() if len(shapes) == 1 else np.broadcast_shapes(*shapes)

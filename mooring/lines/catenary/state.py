@@ -1,4 +1,4 @@
-"""What a line does, counted once for solutions and kernels."""
+"""The states of a line, numbered alike for solutions and kernels."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from enum import IntEnum
 
 
 class State(IntEnum):
-    """A line hangs plumb with H = 0, lies partly on the bed, touches nothing; or it has no forces: too short for its
-    ends, an end below the bed, or no equilibrium found.
+    """A line hangs vertically with H = 0, lies partly on the bed, touches nothing; or it has no forces: too short for
+    its ends, an end below the bed, or no equilibrium found.
     """
 
     SLACK = 0
@@ -23,7 +23,7 @@ HEAP = 1e-300  # λ of a piece in a heap, which has no extent
 
 
 class LineError(ValueError):
-    """A line that has no equilibrium, or whose equilibrium was not found."""
+    """A line without equilibrium, or whose equilibrium was not found."""
 
 
 class BeyondReachError(LineError):

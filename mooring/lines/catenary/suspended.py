@@ -9,8 +9,8 @@ With these the textbook equations (SR179 report, 1982, section 3.1.1, integrated
     x = L sin ν · t (asinh(1/t) + κ),    z = L cos ν · (1 + κ √(1+t²)),
 
 so that t solves (x/LP)² + (z/LQ)² = 1 with P = t (asinh 1/t + κ) and Q = 1 + κ√(1+t²) where the span is known, and
-(H/ct)² + (z/LQ)² = 1 where the tension is.  There is one root, it has a proven bracket, and no difference of large
-numbers is left when the line is taut.  Newton's step is taken while it stays inside the bracket.
+(H/ct)² + (z/LQ)² = 1 where the tension is.  There is one root, with a proven bracket, and no difference of large
+numbers when the line is taut.  Newton's step is used while it remains inside the bracket.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from .free_piece import ROUNDING, asinh_excess
 
 @kernel(inline=True)
 def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
-    """t of a suspended line with span X and height Z over its length; inf where it cannot reach.
+    """t of a suspended line with span X and height Z over its length; inf beyond its reach.
 
-    near : a value near it, 0 where none is known; close : last change of ln t, over ln t, that is left
+    near : a value near it, 0 if unknown; close : last change of ln t, over ln t, that is accepted
     """
     reach2 = X * X + Z * Z
     if kappa == 0 and reach2 >= 1:
@@ -85,7 +85,7 @@ def suspended_shape(x, z, length, weight, flexibility):
 
 @kernel(inline=True)
 def suspended_stiffness(t, s, c, length, weight, flexibility):
-    """∂H/∂x, ∂H/∂z = ∂V/∂x, ∂V/∂z; every term of one sign, so the determinant has no difference."""
+    """∂H/∂x, ∂H/∂z = ∂V/∂x, ∂V/∂z; all terms have one sign, so the determinant contains no difference."""
     kappa = 0.5 * flexibility * weight * length
     if t == 0:
         return 0.0, 0.0, 0.5 * weight / (kappa + 1)

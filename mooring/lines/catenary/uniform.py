@@ -1,7 +1,7 @@
 """Kernels of one uniform line between an anchor at (0, 0) and a fairlead, one line at a time.
 
 The line is sorted into its `State`, solved by the closed form of that state (`suspended`, `sloping_bed`), and its
-fairlead is recomputed from its forces, so that a wrong answer is seen.  The doors in `solve` check input and result.
+fairlead is recomputed from its forces, so that a wrong answer is seen.  Functions of `solve` check input and result.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ COLUMNS = 11
 def solve_uniform(row, line, bed):
     """Fill a row of `COLUMNS` for a line (x, z, length, weight, 1/EA, friction, slope).
 
-    A line whose free shape would leave its anchor below the bed's slope lies on the bed; if it is long enough to
-    reach the point below its fairlead lying and then hang plumb, it is slack.  On a bed that falls from the anchor more
-    steeply than friction holds, what is too much lies in a bight further down: seen from there the bed rises.
+    A line whose free shape would leave its anchor below the bed's slope lies on the bed; if it can lie up to the point
+    below its fairlead and hang vertically from there, it is slack.  On a bed that falls from the anchor more steeply
+    than friction holds, the excess lies in a bight further down: seen from there the bed rises.
     """
     x, z, length, weight, flexibility, friction, slope = line
     tan = math.tan(slope)
@@ -122,7 +122,7 @@ def solve_uniform_lines(lines, bed):
 
 @kernel()
 def spans_at_tension(lines, H):
-    """(n, 2) span and length on the bed of lines with H given in place of their x.
+    """(n, 2) span and length on the bed of lines with H given instead of their x.
 
     The span is nan where a line is too short to hang, the length where the bed rises above the fairlead.
     """
@@ -154,7 +154,7 @@ def points_along(row, line, s):
         if row[9] == SLACK:  # the heap is drawn stretched out
             distance = on_bed * (x / math.cos(slope) / lying) if lying > 0 else 0.0
         else:
-            # tension is used up from the lift-off point downwards, so measure from there
+            # tension falls to zero from the lift-off point downwards, so measure from there
             distance = whole - lying_reach(H, lying - on_bed, weight, flexibility, slope, friction)
         dx, dz = free_piece(H, low, max(s[i] - lying, 0.0), weight, flexibility)
         points[i, 0], points[i, 1] = side * (distance * math.cos(slope) + dx), distance * math.sin(slope) + dz

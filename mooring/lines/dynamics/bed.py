@@ -1,4 +1,4 @@
-"""The bed under a line that moves, as a value."""
+"""The bed under a moving line, as a value."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ class ElasticBed:
     """A plane under the anchor, or hills and valleys along one course.
 
     slope : rad, upwards towards `uphill` (rad, 0 → +x); below : m, depth of the bed under the anchor
-    points : (k, 2) m in place of a slope, distance from the anchor towards `uphill`, rising, and height; joined by
-    straight facets, the first and the last without end, and moved so that the first is (0, 0)
+    points : (k, 2) m instead of a slope, distance from the anchor towards `uphill`, rising, and height; joined by
+    straight facets, the first and the last of infinite length, and shifted so that the first is (0, 0)
     (`multi_segment.bed.Bed`); across that course the bed is level, and its edges are rounded (`ROUND`)
     stiffness : Pa/m and damping : Pa s/m, times diameter and length; a line at rest lies on the plane itself
     friction : Coulomb coefficient; slip : m, displacement that mobilises it (elastic before, sliding after), by default
-    a tenth of what friction stretches an element by: an element slides by that much at least where one slides at all,
-    and over a millimetre friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
+    a tenth of the stretch of an element by friction: an element that slides moves at least that far, and over a
+    millimetre friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
     """
 
     slope: float = 0.0
@@ -54,7 +54,7 @@ class ElasticBed:
         return np.array([-s * np.cos(self.uphill), -s * np.sin(self.uphill), np.cos(self.slope)])
 
     def profile(self, z):
-        """(m, 4) m, along the course: where a row begins, height there, slope, and bend; none of a plane.
+        """(m, 4) m, along the course: begin of a row's range, height there, slope, and curvature; empty for a plane.
 
         z : m, of the anchor, which the bed is `below`
         """

@@ -1,10 +1,10 @@
-"""How far the largest tensions of a run are known: the same run with fewer elements, and with longer steps.
+"""Accuracy of the largest tensions of a run: the same run with fewer elements, and with longer steps.
 
-Lines that whip strike taut element by element.  Where such strikes add up, errors of the steps do not stay what the
-tolerance allows in one of them: at 1e-3 largest tensions at the fairlead have been 16 % off, inside 8 %.
-Their error falls with the first power of the step there, so that it is about the difference from steps twice as long.
-That of a single largest value may be small by chance; the largest of a tenth of the run, each, leave less to it, and
-of fairlead and inside the worse counts.  `tests/bench/line_peaks.py` counts how often this holds.
+Lines that whip become taut element by element with snaps.  Where such snaps add up, errors of the steps exceed the
+tolerance of a single one: at 1e-3 largest tensions at the fairlead have had errors of 16 %, inside 8 %. Their error is
+proportional to the step there, so that it is about the difference from steps twice as long. That of a single largest
+value may be small by chance; it is less likely for the largest of each tenth of the run, and the worse of fairlead and
+inside counts.  `tests/bench/line_peaks.py` counts how often this holds.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from .run import DynamicLineError, run_esdirk
 from .start import start
 
 COARSER = 2.0  # factor on the steps of the run, for the comparison run
-NONE = 1e-6  # tension that is rounding, relative to the larger of both and to the heaviest node
+NONE = 1e-6  # tension that counts as rounding, relative to the larger of both and to the heaviest node
 PARTS = 10  # parts of a run whose largest tensions are compared
 
 
 def mesh_error(case, result, limit):
     """Estimated share of the largest tension, at the fairlead or inside, that the elements cause; warns above limit.
 
-    It goes with the square of the element length.
+    It is proportional to the square of the element length.
     """
     counts = [s.elements for s in case.line.segments]
     other = case.line.with_elements(0.5 if min(counts) >= 4 else 2)
@@ -48,9 +48,9 @@ def mesh_error(case, result, limit):
 
 
 def step_error(case, result, state, limit):
-    """Estimated share of the largest tension, at the fairlead or inside, that the steps cause; warns above limit.
+    """Estimated relative error of the largest tension, at the fairlead or inside, due to the steps; warns above limit.
 
-    state : State that the run began from; nan, with a warning, where longer steps cannot be taken
+    state : State at the start of the run; nan, with a warning, if longer steps fail
     """
     try:
         found = run_esdirk(_plain(case)._replace(coarser=COARSER), state)
@@ -87,7 +87,7 @@ def _plain(case):
 
 
 def _off(difference, of, line):
-    """(2,) differences as shares of `of`, N; 0 of what is rounding, as of a fairlead that lies on the bed"""
+    """(2,) differences as shares of `of`, N; 0 for rounding, as of a fairlead that lies on the bed"""
     none = of <= NONE * max(np.abs(line.system.weight).max(), of.max())
     return np.where(none, 0.0, np.abs(difference) / np.where(none, 1.0, of))
 

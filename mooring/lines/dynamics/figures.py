@@ -1,8 +1,8 @@
-"""Figures of a run of a dynamic line: tensions, slack, work and its losses, with the quasi-static tension beside them.
+"""Figures of a run of a dynamic line: tensions, slack, work and its losses, with the quasi-static tension.
 
 An end is slack where its tension is below a tenth of that at rest: the dynamic force then exceeds 0.9 of the static
-one, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are over time; the figures of a run that repeats
-are those of whole cycles.
+one, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are over time; the figures of a periodic run are
+those of whole cycles.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 SLACK = 0.1  # tension below which a line is slack, over its tension at rest
 POSITIONS = 48  # positions of the fairlead for the quasi-static tension
 INSTANT = 1e-3  # s, a run whose first row is the line at rest
-SMALL_WORK = 1e-2  # work below which no share of it is printed, over the energy that is lost, gained and stored
+SMALL_WORK = 1e-2  # work below which no share of it is printed, over the energy lost, gained and stored
 NONE = 1e-6  # tension that is rounding and no divisor, relative to the largest tension and to the heaviest node
 LOSSES = ("drag", "water_inertia", "structural", "bed", "friction")
 
@@ -23,8 +23,8 @@ LOSSES = ("drag", "water_inertia", "structural", "bed", "friction")
 class End:
     """Tension at one end, N, in the window: largest at `time` s, mean, least; rest : before the motion
 
-    slack : s of the window in which it is below a tenth of that at rest, nan where there is no tension at rest
-    quasi_static : largest of the line at rest in every position, nan where none has a static shape
+    slack : s of the window in which it is below a tenth of that at rest, nan without tension at rest
+    quasi_static : largest of the line at rest in every position, nan if none has a static shape
     over_quasi_static : the largest over it, nan where it is none
     """
 
@@ -40,11 +40,11 @@ class End:
 
 @dataclass(frozen=True)
 class Figures:
-    """begin, end : s, the window; cycles : in it, or None where nothing repeats
+    """begin, end : s, the window; cycles : in it, or None for a motion that is not periodic
 
-    work : J in the window, at the ends, as what is lost and stored; losses : {name: J}; stored : J, change
+    work : J in the window, at the ends, as the sum of losses and storage; losses : {name: J}; stored : J, change
     of_forces : J, the same as the integral of force and velocity; exchanged : J, that went in or out between steps
-    change : of the largest tension from the last cycle but one to the last, as a share
+    change : relative change of the largest tension from the last cycle but one to the last
     regime : HarmonicTension, or the reason for none
     """
 
@@ -62,10 +62,10 @@ class Figures:
     regime: object = ""
 
     def share_of_work(self, value):
-        """`value`, J, over the work done on the line; nan where that is none
+        """`value`, J, over the work done on the line; nan if that is zero
 
-        A line whose fairlead hardly moves takes its work from waves and current: the work at its ends is then rounding,
-        or a small difference, beside what is lost, gained and stored.
+        A line whose fairlead hardly moves receives its work from waves and current: the work at its ends is then
+        rounding, or a small difference, relative to the energy lost, gained and stored.
         """
         gross = sum(map(abs, (*self.losses.values(), self.stored)))
         told = abs(self.work) > SMALL_WORK * gross and self.exchanged > SMALL_WORK * abs(self.work)
@@ -81,7 +81,7 @@ def figures(line, course, window, result, current, regime):
     """Figures of a Result.
 
     window : begin, end (s) and cycles of `Course.window`; regime : function of the displacement (3,) m of the fairlead
-    with the largest quasi-static tension, or a text that says why there is none
+    with the largest quasi-static tension, or a text with the reason for none
     """
     begin, end, cycles = window
     statics, places = quasi_static(line, course, window, current)
@@ -130,7 +130,7 @@ def _end(time, tension, begin, end, none, static=(np.nan,)):
 
 
 def time_below(t, values, level):
-    """s in which the straight lines between `values` (n,) at t (n,) run below `level`"""
+    """s in which the lines between `values` (n,) at t (n,), linear in time, are below `level`"""
     low, high = np.minimum(values[:-1], values[1:]), np.maximum(values[:-1], values[1:])
     span = np.where(high > low, high - low, 1.0)
     share = np.where(high > low, np.clip((level - low) / span, 0.0, 1.0), low < level)
@@ -138,9 +138,9 @@ def time_below(t, values, level):
 
 
 def quasi_static(line, course, window, current):
-    """(m, 2) N at fairlead and anchor, of the line at rest in `current` with its fairlead held at places (m, 3)
+    """(m, 2) N at fairlead and anchor, of the line at rest in `current` with its fairlead fixed at places (m, 3)
 
-    The places are those of one cycle, or of the whole window; nan where the line has no static shape.
+    The places are those of one cycle, or of the whole window; nan if the line has no static shape.
     """
     from ..catenary.state import LineError
     from .simulation import FairleadMotion, simulate

@@ -13,8 +13,8 @@ from .bed import ElasticBed
 from .bed import check as _check
 from .lumped.system import System
 
-DAMPED = 40  # elements of a segment from which on damping is the line's, and no longer the mesh's
-STUCK, LEAST_SLIP = 0.1, 1e-7  # part of an element's stretch by friction that mobilises it; m, and no less
+DAMPED = 40  # elements of a segment above which damping is that of the line, independent of the mesh
+STUCK, LEAST_SLIP = 0.1, 1e-7  # part of an element's stretch by friction that mobilises it; m, lower limit
 SOFT = 1e-2  # damping fades in up to this part of the strain under the line's own weight
 
 
@@ -135,7 +135,7 @@ class DynamicLine:
 
     anchor : (3,) m; bed : ElasticBed, or None for a line over deep water; density : kg/m³; gravity : m/s²
     surface : whether parts above still water weigh as in air, mass times gravity, and feel no water; else the line
-    counts as under water all along.  Bodies feel the surface
+    counts as submerged everywhere.  Bodies always interact with the surface
     """
 
     segments: tuple[DynamicSegment, ...]
@@ -174,7 +174,7 @@ class DynamicLine:
         return f"<DynamicLine {self.length:.6g} m, {self.elements} elements, {len(self.segments)} segments>"
 
     def __str__(self):
-        """As messages call it"""
+        """The name in messages"""
         return f"line of {self.length:.6g} m in {self.elements} elements"
 
     @property
@@ -276,7 +276,7 @@ class DynamicLine:
 
     @property
     def _slip(self):
-        """m, STUCK of the least stretch of an element that friction lets go over its own length"""
+        """m, STUCK times the least stretch of an element by the friction on its own length"""
         stretch = [self.bed.friction * s.weight * s.size**2 / s.stiffness for s in self.segments if s.weight > 0]
         return max(STUCK * min(stretch, default=0.0), LEAST_SLIP)
 
@@ -286,7 +286,7 @@ class DynamicLine:
         return any(s.bending_stiffness > 0 for s in self.segments)
 
     def _flexure(self):
-        """(N + 1,) N m, of the nodes between two elements with bending stiffness; (0,) where there is none"""
+        """(N + 1,) N m, of the nodes between two elements with bending stiffness; (0,) without any"""
         if not self.bends:
             return np.zeros(0)
         EI = self._each(lambda s: s.bending_stiffness)

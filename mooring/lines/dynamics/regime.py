@@ -1,4 +1,4 @@
-"""In which regime of the simplified method a line moves, for lines that the method is for."""
+"""Regime of the simplified method in which a line moves, for lines to which the method applies."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..regimes import harmonic_tension
 
 
 def regime_of(line, fairlead, displacement, period):
-    """`HarmonicTension` of a DynamicLine whose fairlead swings harmonically, or a text that says why there is none.
+    """`HarmonicTension` of a DynamicLine whose fairlead moves harmonically, or a text with the reason for none.
 
     fairlead : (3,) m, its mean place; displacement : (3,) m from there, outermost; period : s
     SR179 report (1982), section 3.2.1

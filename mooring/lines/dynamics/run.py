@@ -15,12 +15,12 @@ from .surroundings import FairleadMotion
 ROWS = 1000  # rows of history that are computed at a time
 SHORTEST = 1e-8  # shortest step, over the longest
 FIRST = 0.02  # first step, over the longest
-FINER = 4  # divisor of the longest step where friction acts: its work goes with the cube of a pull
+FINER = 4  # divisor of the longest step where friction acts: its work is proportional to the cube of a pull
 FREE = 0.01  # largest error of a node's place in a step, over the line's length times the tolerance
 
 
 class DynamicLineError(ValueError):
-    """A run that could not go on: time, node and step are in the message."""
+    """A run that cannot continue: time, node and step are in the message."""
 
 
 class Energies(NamedTuple):
@@ -47,16 +47,16 @@ class Energies(NamedTuple):
 
     @property
     def supplied(self):
-        """(n,) J, work at the ends as what is lost and stored
+        """(n,) J, work at the ends as the sum of losses and storage
 
-        In slow motion a line takes and gives back a thousand times what it loses.  The loss is a sum without signs and
+        In slow motion a line exchanges a thousand times the energy that it loses.  The loss is a sum without signs and
         the stored energy is least in equilibrium, so that this is of second order in the error of the state.
         """
         return self.lost + self.stored
 
     @property
     def stored(self):
-        """(n,) J, less than at the start where negative"""
+        """(n,) J, negative if less than at the start"""
         total = self.kinetic + self.elastic + self.potential + self.bed_elastic
         return total - total[0]
 
@@ -70,7 +70,7 @@ class Result:
     energies : Energies; frame_time (f,) s and frames (f, N + 1, 3) m
     steps, rejected, newton : counts
     mesh_error, step_error : estimated relative errors of the largest tensions, at the fairlead and inside, from the
-    elements and from the steps; nan where not asked for
+    elements and from the steps; nan if not requested
     end : State to go on from
     """
 
@@ -110,7 +110,7 @@ class Result:
 class Case(NamedTuple):
     """Input of a run, checked; times in s, stations are node numbers; progress : called with the time reached, s.
 
-    stops : rising times that a step has to end at; coarser : times as long as asked are the steps, in a check of them
+    stops : rising times at which a step must end; coarser : factor on the steps, for their check
     """
 
     line: DynamicLine
@@ -149,7 +149,7 @@ def control_of(line, state, tolerance, longest):
 
 
 def finer(line):
-    """By how much the longest step is shorter than the motion of a line's fairlead asks for"""
+    """Factor by which the longest step is shorter than required by the motion of a line's fairlead"""
     return FINER if line.bed is not None and line.bed.friction > 0 else 1
 
 

@@ -61,7 +61,7 @@ def simulate(
     line : DynamicLine; motion : FairleadMotion; duration : s; current : CurrentProfile; waves : WaveTrain
     tolerance : error of a step in the tensions at the ends, and in the mean of all, of the largest tension so far
     longest_step : s, an upper bound; frames : number of stored shapes, evenly in time; stations : node numbers
-    start : State, the `end` of a run before, which the fairlead goes on from (then the elements are not checked)
+    start : State, the `end` of an earlier run, which the fairlead continues (then the elements are not checked)
     check_mesh : run half as many elements too, and with steps twice as long; estimate the errors of the
     largest tensions, at the fairlead and inside, and warn above `mesh_tolerance` (`estimates`)
     progress : called with the time reached (s) after every thousand steps
@@ -122,7 +122,7 @@ def _check_joint(motion, state, from_rest):
 
 
 def _check_above_bed(line, motion, begin, duration):
-    """Warn of a fairlead that is moved below the bed: contact acts on the line alone."""
+    """Warn of a fairlead that moves below the bed: contact acts on the line alone."""
     if line.bed is None:
         return
     times = np.linspace(begin, begin + duration, 201)

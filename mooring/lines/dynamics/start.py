@@ -10,7 +10,7 @@ from .lumped import system as lumped
 
 LIGHTEST = 1e-6  # least weight of a line in the first guess, as a share of all weights
 SOFT = 1e4  # axial stiffness over the weight, in the first guess for Newton's method
-LOOSE = 1e3  # m, slip that mobilises friction: it then acts as a force, not as a spring
+LOOSE = 1e3  # m, slip that mobilises friction: friction then acts as a force, not as a spring
 MANY = 1000  # elements: of a chain of 315 m in 60 m they come to rest, 2300 do not
 LEAST_PACKED = 0.5  # least initial length of slack elements on the bed, over their length
 
@@ -18,8 +18,8 @@ LEAST_PACKED = 0.5  # least initial length of slack elements on the bed, over th
 def start(line, fairlead, water):
     """State of a line at rest with its fairlead at (3,) m, in still water or a current.
 
-    Friction is that of a line pulled out from slack: fully mobilised from the touchdown point on.
-    One with bending stiffness starts from its shape without, and has to be a line: see `_check_bending`.
+    Friction is that of a line pulled out from slack: fully mobilised from the touchdown point on. A line with bending
+    stiffness starts from its shape without, and must behave as a line: see `_check_bending`.
     raises : LineError where no equilibrium was found
     """
     fairlead, slip = np.asarray(fairlead, float), np.zeros((line.elements + 1, 3))
@@ -46,7 +46,7 @@ def start(line, fairlead, water):
 
 
 def _check_bending(line, q):
-    """Refuse, by a LineError, what at rest at q would hang as a beam: its elements carry no compression.
+    """Refuse, by a LineError, a line that would hang as a beam at rest at q: its elements carry no compression.
 
     √(EI/T), over which a line bends at its ends, reaches its middle where 4 EI = T L².
     """
@@ -99,7 +99,7 @@ def _guess(line, fairlead):
     s, system = line.nodes, line.system
     weight = (system.weight - system.body_buoyancy).sum() / line.length
     EA = line.length / np.sum(system.length / (system.stiffness * system.elongation[system.elongation_rows[:, 0], 2]))
-    up = -1.0 if weight < 0 else 1.0  # a line that floats is one that hangs, upside down
+    up = -1.0 if weight < 0 else 1.0  # a floating line is a hanging one, upside down
     slope, friction, bed = _along(line, heading) if up > 0 else (0.0, 0.0, False)
     least = LIGHTEST * np.abs(system.weight).sum() / line.length
     given = (span, up * away[2], line.length, max(up * weight, least), EA, friction, slope)

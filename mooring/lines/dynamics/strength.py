@@ -1,4 +1,4 @@
-"""Tensions of a line that moves against the breaking loads of its segments, each place against that of its own."""
+"""Tensions of a moving line relative to the breaking loads of its segments, each place relative to its own."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ class Used(NamedTuple):
 
 @dataclass(frozen=True)
 class Strength:
-    """breaking : N of each segment from the anchor up, inf where it is not known; names : of their types"""
+    """breaking : N of each segment from the anchor up, inf if unknown; names : of their types"""
 
     breaking: tuple[float, ...]
     names: tuple[str, ...]
 
     @property
     def weakest(self):
-        """N, inf where none is known"""
+        """N, inf if none is known"""
         return min(self.breaking)
 
     @property
@@ -40,11 +40,11 @@ class Strength:
         return len(set(self.breaking)) == 1
 
     def nodes(self, line):
-        """Nodes whose tensions a run has to keep, to tell that of each segment: all, or none of a uniform line"""
+        """Nodes whose tensions a run must keep for the tension of each segment: all, or none for a uniform line"""
         return () if self.uniform else tuple(range(line.elements + 1))
 
     def most_used(self, line, result):
-        """Used, of a Result that has kept the tensions at `nodes`, in all of its run; None where no load is known"""
+        """Used, for a Result that has kept the tensions at `nodes`, over all of its run; None without a known load"""
         if not np.isfinite(self.weakest):
             return None
         time, found = result.time, []
@@ -60,7 +60,7 @@ class Strength:
         if self.uniform:
             yield 0, result.largest_tension
             return
-        # a node keeps the mean of the elements beside it, and the first that of the one it has: they follow in turn
+        # a node stores the mean of the elements beside it, and the first that of its only one: they follow in turn
         kept, tension = result.station_tension, 0.0
         segments = np.repeat(np.arange(len(line.segments)), [segment.elements for segment in line.segments])
         for j, segment in enumerate(segments):

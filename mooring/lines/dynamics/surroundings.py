@@ -1,4 +1,4 @@
-"""What moves a dynamic line: its fairlead, the current and the waves, as values.
+"""Causes of a dynamic line's motion: its fairlead, the current and the waves, as values.
 
 Time factor exp(−iωt): a displacement is Re[X exp(−iωt)].  Everything may start from rest over a ramp, because the
 line starts from rest.
@@ -14,7 +14,7 @@ from hakobune.bem.waves import wavenumber
 
 from .lumped.system import Motion, Water
 
-PARTS_OF_PERIOD = 36  # a step is no longer than this part of the shortest period: work in slow motion is known to 1 %
+PARTS_OF_PERIOD = 36  # longest step as a part of the shortest period: work in slow motion is then accurate to 1 %
 
 
 @dataclass(frozen=True)
@@ -71,12 +71,12 @@ class FairleadMotion:
 
     @property
     def end(self):
-        """s, time after which nothing is known"""
+        """s, end of the known motion"""
         return np.inf if self.knots is None else self.knots[-1]
 
     @property
     def begin(self):
-        """s, time before which nothing is known"""
+        """s, begin of the known motion"""
         return 0.0 if self.knots is None else self.knots[0]
 
     def at(self, t):
@@ -89,7 +89,7 @@ class FairleadMotion:
 
     @property
     def longest_step(self):
-        """s, step that cannot pass over any of the motion"""
+        """s, step that resolves all of the motion"""
         if self.knots is not None:
             return 2 * float(np.diff(self.knots).max())
         return 2 * np.pi / self.omega.max() / PARTS_OF_PERIOD
@@ -107,7 +107,7 @@ class FairleadMotion:
 
 @dataclass(frozen=True)
 class CurrentProfile:
-    """Velocity (k, 2) m/s at heights z (k,) m, linear between them and constant beyond; it is there from the start."""
+    """Velocity (k, 2) m/s at heights z (k,) m, linear between them and constant beyond, without a ramp."""
 
     z: np.ndarray
     velocity: np.ndarray
@@ -128,7 +128,7 @@ class WaveTrain:
 
     amplitude : m; period : s; direction : rad, travelled to; phase : rad, lag at the origin
     depth : m, may be inf; ramp : s, by default the longest period
-    carried : (2,) m/s, of the current that carries the waves: periods are those in the water that moves along
+    carried : (2,) m/s, of the current that carries the waves: periods are those in the moving water
     """
 
     amplitude: np.ndarray

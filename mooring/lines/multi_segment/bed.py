@@ -7,12 +7,12 @@ from functools import cached_property
 
 import numpy as np
 
-STEEPER = 1e-12  # excess of the slope over the friction that makes a line slide; less is rounding
+STEEPER = 1e-12  # excess of the slope over the friction that makes a line slide; less counts as rounding
 
 
 @dataclass(frozen=True)
 class Bed:
-    """Straight facets between the vertices `points`, the first and the last one without end; Coulomb friction.
+    """Straight facets between the vertices `points`, the first and the last one of infinite length; Coulomb friction.
 
     points : (k, 2) m, x from the anchor towards the fairlead, rising strictly, and z; the anchor lies on the first
         (given points are shifted so that it is at (0, 0))
@@ -35,7 +35,7 @@ class Bed:
 
     @classmethod
     def sloping(cls, slope=0.0, friction=0.0):
-        """A plane bed; slope in rad, positive where it rises towards the fairlead."""
+        """A plane bed; slope in rad, positive for a bed that rises towards the fairlead."""
         if not abs(slope) < 1.5:
             raise ValueError(f"bed slope is {slope:g} rad; allowed: between −1.5 and 1.5")
         return cls(np.array([[0.0, 0.0], [1.0, np.tan(slope)]]), friction)
@@ -45,7 +45,7 @@ class Bed:
         """The section of a gridded bed under a line, with a vertex wherever the line crosses a line of the grid.
 
         x : (n,), y : (m,) rising, m; z : (n, m) m, bilinear in between; anchor, fairlead : (x, y) m
-        The section ends at the edge of the grid beyond the fairlead; it has to contain both ends.
+        The section ends at the edge of the grid beyond the fairlead; it must contain both ends.
         """
         x, y, z = (np.asarray(v, float) for v in (x, y, z))
         if z.shape != (len(x), len(y)) or np.any(np.diff(x) <= 0) or np.any(np.diff(y) <= 0):
@@ -92,7 +92,7 @@ class Bed:
 
     @property
     def first_facet(self):
-        """m, up to which the first facet goes"""
+        """m, end of the first facet"""
         return np.inf if len(self.points) == 2 else float(self.points[1, 0])
 
 

@@ -1,11 +1,11 @@
 """Kernels for the residuals of a line's equilibrium, and their exact derivatives.
 
-The contacts with the bed, found by `traverse` as a list of steps, fix which equations hold: a span ends on a facet, at
-a bed vertex or at the anchor, a floating buoy lies in the surface, a line that slides into a heap at a vertex has no
-tension there, or a sinker, and the anchor is reached with no length left over.  The unknowns are, in this order, H and
-V at the fairlead, the place, angle or normal force with which each span begins, s at bed vertices, the length of such
-a heap, and the weights of floating buoys; the last two columns of the derivatives are those by x and z of the
-fairlead.
+The contacts with the bed, found by `traverse` as a list of steps, determine the equations: a span ends on a facet, at a
+bed vertex or at the anchor, a floating buoy lies in the surface, at a vertex where the line slides into a heap its
+tension is zero or a sinker lies, and the line ends at the anchor with no excess length.  The unknowns are, in this
+order, H and V at the fairlead, the place, angle or normal force with which each span begins, s at bed vertices, the
+length of such a heap, and the weights of floating buoys; the last two columns of the derivatives are those by x and z
+of the fairlead.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def empty_equations(n, states):
 
 @kernel()
 def write_equation(e, value, a, i, b, j):
-    """Append the equation value = 0 with the derivatives a g[i] + b g[j]; what is more than the unknowns is counted."""
+    """Append the equation value = 0 with the derivatives a g[i] + b g[j]; surplus equations are counted."""
     row = e.done[0]
     e.done[0] += 1
     if row >= e.r.size:
@@ -94,7 +94,7 @@ def write_equation(e, value, a, i, b, j):
 
 @kernel()
 def next_unknown(e):
-    """Index of the next unknown of a step; the last one again where a trial has more steps than unknowns."""
+    """Index of the next unknown of a step; the last one is repeated for a trial with more steps than unknowns."""
     e.done[1] += 1
     return min(e.done[1], e.u.size) - 1
 
@@ -215,7 +215,7 @@ def step_on_bed(line, e, step, index, load, rows):
         unknown = next_unknown(e)
         amount = e.u[unknown]
     if step == OFF_SINKER:
-        if e.at[1] < 0:  # a trial in which the heap has taken the sinker: no solution
+        if e.at[1] < 0:  # a trial in which the heap includes the sinker: no solution
             e.done[0] += e.u.size + 1
             return
         pass_grounded_sinker(line, q, g, e.at, index, amount, unknown)
@@ -227,7 +227,7 @@ def step_on_bed(line, e, step, index, load, rows):
     else:
         if step == TO_SINKER:
             last_load = load
-        # place beyond the anchor, where a buoy has lifted a part of the heap
+        # place beyond the anchor, where a buoy has lifted part of the heap
         if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0] or slides_down(line, e.at, 0, q[T])):
             amount = amount if step == OFF_FACET else q[S]
         march_on_facet(line, q, g, e.at, index, amount, unknown, last_load, rows)
@@ -258,8 +258,8 @@ def start_equations(line, e, x, z, left):
 def equations(line, e, x, z, steps, left, rows):
     """Residuals of the steps (k, 3) with the fairlead at (x, z), and their derivatives; state left at the anchor.
 
-    left : what is left over of the line: with a heap at the anchor H at its lower limit replaces the last equation;
-        with one where the line touches the bed its length is the first unknown, in place of H
+    left : excess length of the line: for a heap at the anchor H at its lower limit replaces the last equation; for one
+        where the line touches the bed its length is the first unknown, instead of H
     rows : pieces are stored there, see `record`
     """
     start_equations(line, e, x, z, left)

@@ -49,7 +49,7 @@ def free_step(q, g, ds, weight, factor, flexibility):
 
 @kernel(inline=True)
 def free_table_row(line, q, segment):
-    """Row of the tension table that holds for a free piece here, and the length for which it holds."""
+    """Row of the tension table that applies to a free piece here, and the length over which it applies."""
     first, last = line.first_row[segment], line.first_row[segment + 1] - 1
     if first == last:
         return first, math.inf
@@ -68,9 +68,9 @@ def free_table_row(line, q, segment):
 def tangent_beyond(line, q):
     """Slope of the bed at x m beyond the anchor's place, 0 above the bed itself.
 
-    What is left over of a slack line lies in a heap at its anchor.  It is laid out along the first facet, past the
-    anchor, and the sea surface over it goes with the facet: what a buoy lifts there stands as high as over the anchor.
-    Down a slope on which it slides, pulled, it lies where it is.
+    The excess of a slack line lies in a heap at its anchor.  The heap is laid out along the first facet, past the
+    anchor, and the sea surface over it is moved with the facet: a part lifted by a buoy has the same height as over the
+    anchor. On a slope on which the line slides under tension, its place is the true one.
     """
     if q[X] >= line.bed[0, 0] or line.no_bed or (slides_on(line, 0) and q[H] > 2 * line.least):
         return 0.0
@@ -79,7 +79,7 @@ def tangent_beyond(line, q):
 
 @kernel(inline=True)
 def level_in_sea(line, q):
-    """Height of the line here, moved with the bed to the anchor where it lies beyond it."""
+    """Height of the line here; where it lies beyond the anchor it is moved with the bed to the anchor."""
     return q[Z] - (q[X] - line.bed[0, 0]) * tangent_beyond(line, q)
 
 

@@ -21,7 +21,7 @@ HEAPED = 100.0  # tension of a part laid out in a heap, over the least tension
 
 @kernel()
 def kept_tension(line, s):
-    """Tension at s kept from the position before, its slope dT/ds, and the s down to which that holds.
+    """Tension at s kept from the previous position, its slope dT/ds, and the lower s of its range.
 
     Without history it is −∞: the line slides towards the fairlead.  Where the line was off the bed it is +∞: it slides
     towards the anchor.
@@ -41,7 +41,7 @@ def kept_tension(line, s):
 
 @kernel()
 def kept_within(line, q, g, low, high):
-    """Tension below a concentrated friction force: the kept one, limited to low … high, whose derivatives are in g."""
+    """Tension below a concentrated friction force: the kept one, limited to low … high, with derivatives in g."""
     kept, slope, _ = kept_tension(line, q[S] - 1e-9 * line.length)
     if low <= kept <= high:
         q[T] = kept
@@ -86,9 +86,9 @@ def bend_at_vertex(line, q, g, angle, unknown):
 
 @kernel()
 def slides_down(line, at, facet, tension):
-    """Whether a line that gets to this facet with a tension needs it to lie there, since it would slide down and pull.
+    """Whether a line with this tension at the facet needs the tension to lie there, since it would slide down and pull.
 
-    On the first facet not above a buoy, which may lift it.  What is held does not: see `line_data`.
+    On the first facet not above a buoy, which may lift the line.  Exempt are parts fixed by `held`: see `line_data`.
     """
     above = at[1] >= line.lowest_buoy
     if not slides_on(line, facet) or (above and (facet == 0 or line.held > 0)):

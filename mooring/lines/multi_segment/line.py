@@ -1,12 +1,11 @@
 """Static lines of any number of segments and point loads over an uneven bed with friction, below a sea surface.
 
-Free spans are elastic catenaries in closed form (`free_span`), the line on a facet of the bed in closed form
-too (`friction`).  For a given horizontal tension one integration from the fairlead
-down to the anchor (`traverse`) finds the contacts with the bed; Newton's method on the equations of equilibrium with
-these contacts (`equations`, `newton`) gives positions and forces; no answer leaves that its own pieces do not bear out
-(`verdict`).
-SR179 report (1982), section 3.1, with these differences: no nodes and no finite differences; on a slope only T is
-propagated; friction acts at bed vertices too, and only as far as equilibrium needs it.
+Free spans are elastic catenaries in closed form (`free_span`), as is the line on a facet of the bed (`friction`).  For
+a given horizontal tension one integration from the fairlead down to the anchor (`traverse`) finds the contacts with the
+bed; Newton's method on the equations of equilibrium with these contacts (`equations`, `newton`) gives positions and
+forces; a result is returned only if its own pieces confirm it (`verdict`). SR179 report (1982), section 3.1, with these
+differences: no nodes and no finite differences; on a slope only T is propagated; friction acts at bed vertices too, and
+only as far as equilibrium needs it.
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
 and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too
@@ -37,15 +36,15 @@ __all__ = ["Bed", "LineState", "PointLoad", "Segment", "StaticLine", "StaticSolu
 FLAT = Bed.sloping()
 LEAST = 1e-11  # horizontal tension below which a line is slack, over its weight
 RESIDUAL = 1e-10  # residual of every equation, over the line length
-SOFT = 1e-7  # height over which a buoy emerges while its state is sought, over the line length
-SOFTER = 1e-3  # the same where that finds nothing: of buoys in the surface one moves many times as far as the next
+SOFT = 1e-7  # height over which a buoy emerges during the search for its state, over the line length
+SOFTER = 1e-3  # the same for a second search: of buoys in the surface one moves many times as far as the next
 WORDS = ("submerged", "floating", "emerged")  # states of point loads
-MOBILISED = (0.5, 0.2, 0.0)  # shares of the friction that are tried where the whole has no equilibrium
+MOBILISED = (0.5, 0.2, 0.0)  # shares of the friction that are tried if the whole has no equilibrium
 
 
 @cache
 def _search():
-    """The module of the kernels, which takes long to load"""
+    """The module of the kernels, whose import is slow"""
     from . import search
 
     return search
@@ -64,7 +63,7 @@ class StaticLine:
     """A line from its anchor to its fairlead.
 
     segments : from the anchor up; loads : point loads; bed : Bed, or None for a line without one
-    surface : m above the anchor; buoys do not rise above it but come out of the water; inf without
+    surface : m above the anchor; buoys float in it at most; inf for none
     uplift_limit : rad, allowed angle of the pull on the anchor above the bed; see `StaticSolution.anchor_uplift`
     """
 
@@ -186,9 +185,9 @@ class StaticLine:
         return StaticLine(self.segments, self.loads, bed, self.surface)
 
     def _slide_beyond(self, x, z, found, status, pieces, loads):
-        """Find positions that are slack or lost as a line that slides down its first facet, into found and status.
+        """Solve slack or unsolved positions as a line that slides down its first facet, into found and status.
 
-        returns : pieces and states of the point loads at the last position, as given where that is none of them
+        returns : pieces and states of the point loads at the last position, unchanged if it is none of these
         """
         search, far, data = _search(), self.bed.first_facet, self._mirrored._data
         for i in np.flatnonzero(((status == SLACK) | (status == search.LOST)) & (x <= far)):
@@ -209,13 +208,13 @@ class StaticLine:
 
     @cached_property
     def _mean(self):
-        """N/m and 1/N: weight with point loads, or a fifth of that of the line where buoys lift more, and stretch"""
+        """N/m and 1/N: weight with point loads, or a fifth of the line's weight if buoys lift more, and stretch"""
         weight = max(self.weight + sum(load.weight for load in self.loads), 0.2 * self.weight)
         stretch = sum(segment.length * segment.strain_table[0, 2] for segment in self.segments)
         return weight / self.length, stretch / self.length
 
     def path(self, x, z, state=None):
-        """Solutions of positions (n,) visited one after another, each keeping the friction of the one before."""
+        """Solutions of positions (n,) visited in order, each with the friction history of the previous one."""
         solutions = []
         for xi, zi in zip(*np.broadcast_arrays(np.atleast_1d(x), z), strict=True):
             solutions.append(self.solve(xi, zi, state))
@@ -270,7 +269,7 @@ class StaticLine:
 
     @property
     def _way_out(self):
-        """End of the message for a line that was not found"""
+        """End of the message for a line without solution"""
         if not self._steep:
             return "; give another length, or move the fairlead or a load a little"
         steepest = np.abs(self.bed.slopes).max()

@@ -2,10 +2,10 @@
 
 The line is traversed from the fairlead downwards.  The state q holds H, V (components of the tension, the force of the
 line above on the line below, towards the fairlead and up), x, z, s (unstretched length from the anchor), T and the
-angle φ, the last two where the line lies on the bed.  Row i of g holds the derivatives of q[i], a column for each
-unknown; four further rows hold those of a length (LENGTH), of its end (END), and of two limits of the tension (LOW,
-HIGH).  `at` holds the segment, the next point load below and the number of recorded pieces.  A traversal works in the
-arrays of a Workspace, and records its steps and unknowns there.
+angle φ, the last two for parts on the bed.  Row i of g holds the derivatives of q[i], a column for each unknown; four
+further rows hold those of a length (LENGTH), of its end (END), and of two limits of the tension (LOW, HIGH).  `at`
+holds the segment, the next point load below and the number of recorded pieces.  A traversal works in the arrays of a
+Workspace, and records its steps and unknowns there.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ H, V, X, Z, S, T, PHI, LENGTH, END, LOW, HIGH = np.arange(11)
 NOTHING = np.int64(-1)
 STATE_ROWS, DERIVATIVE_ROWS, PIECE_COLUMNS = 7, 11, 11
 SUBMERGED, FLOATING, EMERGED = 0, 1, 2
-# what is left over of a line: nothing; it lies in a heap at the anchor; where the line first touches the bed
+# excess length of a line: none; in a heap at the anchor; where the line first touches the bed
 TAUT, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN = np.arange(3)
-STEEP = 1e-12  # excess of a slope over what friction holds
+STEEP = 1e-12  # excess of a slope over the limit by friction
 
 
 class LineData(NamedTuple):
@@ -39,12 +39,12 @@ class LineData(NamedTuple):
         a facet and those before it; no_bed : the line touches the anchor alone
     friction : μ; least : lower limit of the tension of a free span, N
     to_place : whether a traversal ends at the anchor's place, with some length left over, else with the line, somewhere
-    held : what lies where it is laid on however steep a slope: 0 nothing; 1 a line without tension above a buoy further
-        down it; 2 also all that a slack line leaves at its anchor, sinkers among it
-    heap : m that lie in a heap, where the line first touches the bed or, from 1 on, at the bed vertex `foot`
+    held : parts fixed on a slope of any steepness: 0 none; 1 a line without tension above a buoy further down; 2 also
+        the excess of a slack line at its anchor, including sinkers
+    heap : m in a heap, where the line first touches the bed or, from 1 on, at the bed vertex `foot`
     weight : N, of the whole line
-    close : how closely the starts of spans are sought, of their size
-    kept : (j, 4) rows of s₀, s₁, T₀, T₁ on the bed at the position before, downwards: the tension that friction keeps
+    close : tolerance of the starts of spans, relative to their size
+    kept : (j, 4) rows of s₀, s₁, T₀, T₁ on the bed at the previous position, downwards: the tension that friction keeps
     """
 
     segments: np.ndarray

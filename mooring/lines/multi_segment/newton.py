@@ -103,7 +103,7 @@ def newton(line, e, A, x, z, steps, left, rows):
 
 @kernel()
 def equations_for(w):
-    """Equations that begin from the unknowns of a traversal and its weights of floating buoys."""
+    """Equations whose initial unknowns are those of a traversal and its weights of floating buoys."""
     floating = 0
     for load in range(w.states.size):
         floating += 1 if w.states[load] == FLOATING else 0
@@ -121,7 +121,7 @@ def equations_for(w):
 
 @kernel()
 def store(e, A, residual, result):
-    """H, V; H, V and s left over at the anchor; stiffness; residual and rows recorded, into result (11,)."""
+    """H, V; H, V and excess s at the anchor; stiffness; residual and number of recorded rows, into result (11,)."""
     n = e.u.size
     result[0], result[1] = e.u[0], e.u[1]
     result[2], result[3], result[4] = e.q[H], e.q[V], e.q[S]
@@ -132,9 +132,9 @@ def store(e, A, residual, result):
 
 @kernel()
 def continuation(line, w, x, z, first, left, heap, rows, result):
-    """Solve positions from number `first` on, for as long as the contacts with the bed stay those recorded in w.
+    """Solve positions from number `first` on, while the contacts with the bed remain those recorded in w.
 
-    Each begins from the one before, extrapolated by its derivatives, and is judged by its pieces (`verdict`).
+    Each begins from the previous one, extrapolated by its derivatives, and is judged by its pieces (`verdict`).
     heap : m where the line first touches the bed
     rows : pieces of the last position solved; result : (n, 11) see `store`; w.states : left as they were
     returns : number of the first position that was not solved

@@ -1,9 +1,9 @@
 """Kernels that integrate a line downwards along a facet of the bed, and that put a line or a sinker on the facet.
 
-On a facet steeper than friction holds (`friction.slides_down`) a line needs its tension down to the lower end: where
-it runs out before, T goes on below zero, and the position is no equilibrium.  The first facet goes on below the
-anchor: there a line that slides hangs in a bight.  It turns where T = 0, and its other leg lies up the slope to the
-anchor, which holds it with w (sin β − μ cos β) a length; on that leg β is larger by π.
+On a facet steeper than friction holds (`friction.slides_down`) a line needs tension down to the lower end: where the
+tension becomes zero before, T continues below zero, and the position is no equilibrium.  The first facet continues
+below the anchor: there a line that slides hangs in a bight.  It turns where T = 0, and its other leg lies up the slope
+to the anchor, which holds it with w (sin β − μ cos β) per length; on that leg β is larger by π.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from ..catenary.state import HEAP
 from .friction import bed_step, friction_rate, kept_tension, pass_weight_on_bed, slides_down
 from .line_data import END, LENGTH, PHI, H, S, T, V, X, Z, mix, next_stop, record, strain_row
 
-# what ends a piece on the bed: a row of the tension table, the tension kept from an earlier position, tension 0, a
-# joint or point load, the length asked for, the anchor's place
+# causes that end a piece on the bed: a row of the tension table, the tension kept from an earlier position, tension 0,
+# a joint or point load, the requested length, the anchor's place
 TABLE_ROW, KEPT_TENSION, NO_TENSION, STOP, DONE, ORIGIN = 0, 1, 2, 3, 4, 5
 
 
 @kernel()
 def length_for(distance, t, rate, factor, flexibility):
-    """Unstretched length of a piece on the bed that covers a distance, inf where it cannot."""
+    """Unstretched length of a piece on the bed that covers a distance, inf if impossible."""
     a = factor + flexibility * t
     inside = a * a - 2 * flexibility * rate * distance
     return 2 * distance / (a + math.sqrt(inside)) if inside > 0 else math.inf
@@ -37,7 +37,7 @@ def length_on(line, q, at, facet):
 
 @kernel()
 def bed_piece(line, q, g, at, angle, slides, folds):
-    """dT/ds and row of the tension table here; length for which they hold; what ends it; kept tension reached."""
+    """dT/ds and row of the tension table here; length over which they apply; cause of its end; kept tension reached."""
     segment = at[0]
     rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
     if rate < 0 and q[X] <= line.bed[0, 0] and not folds:  # a line in a heap at the anchor does not pull there
@@ -150,8 +150,8 @@ def pass_on_bed(line, q, g, at, angle, is_load):
 def pass_sliding_sinker(line, q, g, at, angle, folds):
     """Pass a sinker where the line slides.  returns : whether the line is folded there
 
-    A sinker that the line above does not pull up the slope hangs between both legs: what friction and that line do
-    not hold is the other leg's.
+    A sinker that the line above does not pull up the slope hangs between both legs: the other leg carries the part that
+    friction and that line do not.
     """
     weight = line.loads[at[1], 1]
     along, across = math.sin(angle), line.friction * math.cos(angle)
@@ -168,7 +168,7 @@ def pass_sliding_sinker(line, q, g, at, angle, folds):
 
 @kernel()
 def leave_heap(line, q, g, at, amount, angle, unknown, rows):
-    """Leave an unstretched length of line, the unknown of the given index, in a heap here, with all sinkers on it.
+    """Leave an unstretched length of line, the unknown with this index, in a heap here, with all sinkers on it.
 
     angle : slope of the bed there.  returns : False where a buoy would lift the heap
     """
@@ -235,7 +235,7 @@ def normal_force_on(line, q, at, facet):
 def pass_grounded_sinker(line, q, g, at, facet, normal_force, unknown):
     """Pass a sinker with a normal force (N, the unknown of the given index) on a facet; a free span begins below it.
 
-    Friction acts on it as if it slid towards the fairlead, but leaves the span at least the tension `line.least`.
+    Friction acts on it as if it slid towards the fairlead, but at least the tension `line.least` remains for the span.
     """
     angle = line.bed[facet, 2]
     along = math.sin(angle) + line.friction * math.cos(angle)

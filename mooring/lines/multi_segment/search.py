@@ -1,8 +1,8 @@
-"""Horizontal tension with which a line that is traversed downwards ends at its anchor, and all positions of a line.
+"""Horizontal tension for which a downward traversal of a line ends at its anchor, and all positions of a line.
 
-The contacts of the position before are tried first.  Where they no longer hold, H is searched for coarsely, the
-equations with the contacts found there are solved by Newton's method, and a traversal with that H must end at the
-anchor; else the search is repeated with a smaller tolerance.
+The contacts of the previous position are tried first.  Where they no longer hold, H is searched for coarsely, Newton's
+method solves the equations with the contacts found there, and a traversal with that H must end at the anchor; else the
+search is repeated with a smaller tolerance.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from .traverse import traverse
 # results of a search beside `State`: an equilibrium that is not slack; none found, though in reach; one with a heap
 # at the bed vertex to which the line slides
 SOLVED, LOST, SLIDES = -1, -2, -3
-# errors of a search at the anchor, over the length: of a single position at first, where that finds nothing, and of
-# many positions
+# errors of a search at the anchor, over the length: of a single position first, in a second attempt, and of many
+# positions
 QUICK, EXACT, ROUGH, COARSE = np.array([1e-2]), np.array([1e-6]), np.array([1e-3]), np.array([1e-3, 1e-6])
 CLOSE = 1e-7  # relative distance of starts of spans in the coarsest searches
 
 
 @kernel()
 def horizontal_tension(line, w, x, z, guess, tolerance):
-    """H at which no length is left over at the anchor, bracketed on ln H.
+    """H without excess length at the anchor, bracketed on ln H.
 
     Where a line slides down to a bed vertex, a lower limit of H is that with which it arrives there without tension.
     returns : H, state; w holds the traversal, or at least in w.count that vertex
@@ -38,7 +38,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
     bottom, start = math.log(line.least), math.log(max(guess, line.least))
     low, high, f_low, f_high = -math.inf, math.inf, math.nan, math.nan
     q, wide, room, foot, passed, step = start, 0.0, 0.0, 0, 0, 0.25
-    # the length may jump where a buoy comes out of the sea: the contacts on either side are tried before the last bit
+    # the length may jump where a buoy emerges: the contacts on either side are tried before the last bit
     narrow = 1e-5 if tolerance >= COARSE[0] else 1e-11
     for _ in range(200):
         value = traverse(line, w, math.exp(q) if q > bottom else line.least, x, z)
@@ -76,7 +76,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
             q = q - step if step < 1.0 and q - step > bottom else bottom
             step *= 2
         elif low == bottom:
-            # the length left over depends on ln H only near the root: approach it from above
+            # the excess length depends on ln H only near the root: approach it from above
             q -= 2.0 if q - 2.0 > low else 0.5 * (q - low)
         else:
             wide = wide if wide > 0 else high - low
@@ -89,7 +89,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
 def solve_positions(line, x, z, guess, capacity, tolerances):
     """Positions (n,) one after another.
 
-    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `QUICK` to `COARSE`
+    guess : initial H, N; capacity : largest number of pieces of the line; tolerances : `QUICK` to `COARSE`
     returns : results (n, 11), see `newton.store`; states (n,); pieces, states of the point loads at the last position
     """
     found, status = np.zeros((x.size, 11)), np.full(x.size, LOST)
@@ -109,7 +109,7 @@ def solve_positions(line, x, z, guess, capacity, tolerances):
 
 @kernel()
 def solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
-    """Solve one position and those after it with the same contacts.  returns : the position after them, state"""
+    """Solve one position and the following ones with the same contacts.  returns : the position after them, state"""
     for tolerance in tolerances:
         close = CLOSE if tolerance >= COARSE[0] else 0.0
         line = varied(line, line.heap, line.foot, close)
@@ -136,7 +136,7 @@ def solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
 
 @kernel()
 def fill_heap(line, w, foot, horizontal, x, z, tolerance):
-    """Length, m, that lies in a heap where a line that slides first touches the bed, or above the bed vertex `foot`.
+    """Length, m, in a heap where a line that slides first touches the bed, or above the bed vertex `foot`.
 
     tolerance : of the line's length; w : left with the traversal; no steps where there is none
     """

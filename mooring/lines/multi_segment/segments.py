@@ -1,4 +1,4 @@
-"""What a line is made of: uniform segments, elastic by a number or by a table, and point loads."""
+"""Parts of a line: uniform segments with constant stiffness or a tension table, and point loads."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Segment:
     length : m, unstretched; weight : N/m, submerged, above 0
     axial_stiffness : EA in N, may be inf; or a table of (strain, tension) pairs, both rising from (0, 0), straight
         between its points and beyond the last
-    diameter : m, breaking_load : N; for those who draw or judge the line
+    diameter : m, breaking_load : N; for drawings and verdicts
     """
 
     length: float
@@ -35,7 +35,7 @@ class Segment:
 
     @property
     def strain_table(self):
-        """(k, 3): tension from which a piece holds, its λ and 1/EA in strain = λ − 1 + T/EA."""
+        """(k, 3): tension from which a piece applies, its λ and 1/EA in strain = λ − 1 + T/EA."""
         stiffness = self.axial_stiffness
         if np.ndim(stiffness) == 0:
             if not stiffness > 0:
@@ -58,7 +58,7 @@ class PointLoad:
     """A sinker (weight > 0) or a buoy (weight < 0, its net buoyancy when submerged) at one point of a line.
 
     position : m of unstretched line from the anchor; weight : N, submerged
-    weight_in_air : N, at least 0, of a buoy out of the water; the SR179 report (1982) leaves it out, as 0 does
+    weight_in_air : N, at least 0, of a buoy out of the water; the SR179 report (1982) takes 0
     """
 
     position: float

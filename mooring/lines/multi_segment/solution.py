@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-FORCES = [0, 2]  # columns of `newton.store` that turn with x: H at both ends
-STIFFNESS = [6, 7]  # further columns that turn with x: ∂H/∂z, ∂V/∂x
+FORCES = [0, 2]  # columns of `newton.store` that change sign with x: H at both ends
+STIFFNESS = [6, 7]  # further columns that change sign with x: ∂H/∂z, ∂V/∂x
 
 
 class LineState(NamedTuple):
@@ -67,7 +67,7 @@ class StaticSolution:
 
     @property
     def anchor_holds(self):
-        """(...,) whether the uplift stays within the line's `uplift_limit`"""
+        """(...,) whether the uplift is within the line's `uplift_limit`"""
         return self.anchor_uplift <= self.line.uplift_limit
 
     @cached_property
@@ -84,7 +84,7 @@ class StaticSolution:
 
     @property
     def grounded(self):
-        """(k, 2) m from the anchor: where the parts on the bed begin and end, from the anchor up"""
+        """(k, 2) m from the anchor: begin and end of the parts on the bed, from the anchor up"""
         p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
         spans = []
         for top, length in p[:, 1:3]:
@@ -101,11 +101,11 @@ class StaticSolution:
 
     @property
     def slides(self):
-        """Whether a part without tension lies on a bed steeper than friction holds, in a heap at the anchor too.
+        """Whether a part without tension lies on a bed steeper than friction holds, also in a heap at the anchor.
 
-        It is taken to lie where it is laid; in truth it would slide to the nearest hollow, and pull there.  What
-        slides towards the anchor, or down the first facet, is solved; this is left of lines with buoys, and of those
-        that slide into a hollow beyond their fairlead, where a traversal found them so.
+        It is assumed to remain in place; in reality it would slide to the nearest hollow, and pull there.  Parts that
+        slide towards the anchor, or down the first facet, are solved; excepted are lines with buoys, and lines that
+        slide into a hollow beyond their fairlead, if a traversal found them so.
         """
         if self.line.bed is None:
             return False
@@ -119,13 +119,13 @@ class StaticSolution:
     def profile(self, points=101):
         """Points along the line: (points, 4) of s from the anchor, x, z (m) and tension (N), evenly spaced in s.
 
-        Where the line is slack the heap on the bed is drawn stretched out towards the anchor.
+        For a slack line the heap on the bed is drawn stretched out towards the anchor.
         """
         s = np.linspace(0.0, self.line.length, points)
         return np.column_stack([s, self.at(s)])
 
     def places(self, count):
-        """(count,) m from the anchor, even, but for the ones that move to a joint, a lift-off point or, last, a body"""
+        """(count,) m from the anchor, even, except those moved to a joint, a lift-off point or, last, a body"""
         even = np.linspace(0.0, self.line.length, count)
         s, bodies = even.copy(), [load.position for load in self.line.loads]
         for end in (
@@ -158,9 +158,9 @@ class StaticSolution:
 
 
 def heaped(pieces, tangent):
-    """Pieces of a slack line, laid out along its first facet, with what lies beyond the anchor in a heap there.
+    """Pieces of a slack line, laid out along its first facet, with the part beyond the anchor in a heap there.
 
-    tangent : slope of that facet.  Spans that buoys lift from the heap stand over the anchor, as high as they were.
+    tangent : slope of that facet.  Spans that buoys lift from the heap are placed over the anchor, at the same height.
     """
     from ..catenary.state import HEAP
 

@@ -1,4 +1,4 @@
-"""Where the fairlead of a line has to be for its horizontal tension: Newton's method on the exact stiffness."""
+"""Position of the fairlead of a line for a given horizontal tension: Newton's method on the exact stiffness."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ def span_of(solve, horizontal_tension, length, z):
     """Span x (m) at which a line carries a horizontal tension (N, above 0).
 
     solve : x → StaticSolution; length : m, unstretched; z : m, height of the fairlead over the anchor
-    The tension grows with the span: a step that leaves the bracket is halved into it.
-    raises : LineError where the line is too short for its height, or no span was found; and what `solve` raises
+    The tension grows with the span: a step outside the bracket is halved into it.
+    raises : LineError for a line too short for its height, or if no span was found; and errors of `solve`
     """
     if not (np.isfinite(horizontal_tension) and horizontal_tension > 0):
         raise ValueError(f"horizontal_tension is {horizontal_tension:g} N; allowed: finite, above 0")

@@ -26,8 +26,8 @@ from .on_bed import march_on_facet, pass_grounded_sinker
 NONE, TO_FACET, TO_VERTEX, TO_ANCHOR, ALONG, OFF_FACET = np.arange(6)
 BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER, MISSED, HEAP_AT_VERTEX, SLID = np.arange(6, 14)
 FROM_FAIRLEAD, FROM_FACET, FROM_VERTEX, FROM_SINKER = np.arange(4)
-ROUNDING = 1e-12  # penetration by which a span may seem to begin, over the length
-WALK = 10_000  # pieces of one span, far more than a line can have: a bound of the walk
+ROUNDING = 1e-12  # apparent initial penetration of a span by rounding, over the length
+WALK = 10_000  # pieces of one span, far more than a line can have: an upper bound
 
 
 @kernel(inline=True)
@@ -49,7 +49,7 @@ def height_over(line, q, facet):
 
 @kernel(inline=True)
 def height_at_end(line, q, facet):
-    """Height of the line's end over the bed; before the anchor's place it need not go down into a hollow."""
+    """Height of the line's end over the bed; a hollow before the anchor's place does not count."""
     value = height_over(line, q, facet)
     return min(value, q[Z] - line.bed[0, 1]) if facet > 0 else value
 
@@ -67,10 +67,9 @@ def span_to_vertex(q, g, weight, factor, flexibility, x, z):
 def first_contact(line, q, g, at, facet, states, load_weights):
     """Integrate down a free span to the first facet or vertex that it would penetrate, or to its end or the anchor.
 
-    g : no columns; the first facet goes on beyond the anchor's place, so that the line ends on it somewhere
+    g : no columns; the first facet continues beyond the anchor's place, so that the line always ends on it
     states, load_weights : set to states and weights (N) of the point loads on the way
-    returns : gap (m, normal; negative where it penetrates, else the least on the way), step, index; q and at are left
-        there
+    returns : gap (m, normal; negative for penetration, else the least on the way), step, index; q and at are left there
     """
     # an immediate contact is the start itself, within rounding
     least, begin, rounding = math.inf, q[S] - 1e-6 * line.length, ROUNDING * line.length
@@ -155,13 +154,13 @@ def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weight
 
 @kernel()
 def between(low, high, f_low, f_high, wide, room, least):
-    """Where to look next for the root between low, with f ≥ 0, and high, with f < 0: the regula falsi.
+    """Next trial for the root between low, with f ≥ 0, and high, with f < 0: the regula falsi.
 
-    It goes a little further towards the middle, to come to the root from both sides, and so far from it that the
-    interval is never larger than by bisection one step before, which serves where f jumps.
-    I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2020) 5, the ITP method.
+    It is shifted towards the middle, to approach the root from both sides, and so far that the interval is never larger
+    than by bisection one step before, which helps where f jumps. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans.
+    Math. Softw. 47 (2020) 5, the ITP method.
 
-    wide : high − low to begin with; room : twice that, halved at every step; least : the smallest step
+    wide : initial high − low; room : twice that, halved at every step; least : the smallest step
     """
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     if not 0 < f_low - f_high < math.inf:
@@ -177,10 +176,10 @@ def between(low, high, f_low, f_high, wide, room, least):
 
 @kernel()
 def touching_start(line, origin, q, g, at, facet, low, high, states, load_weights, rows):
-    """Start of the span that just touches the bed; from `low` it stays clear, from `high` it penetrates.
+    """Start of the span that just touches the bed; a start at `low` stays clear, a start at `high` penetrates.
 
-    From the fairlead these are where to begin with, and are moved apart until they do.
-    q, at : left where it touches.  returns : start, step, index; the step is MISSED where none penetrated
+    For the fairlead `low` and `high` are first guesses, which are moved apart until they bracket the start.
+    q, at : the state where the span touches.  returns : start, step, index; the step is MISSED where none penetrated
     """
     q0, at0 = q.copy(), at.copy()
     step, index, wide = MISSED, facet, high - low

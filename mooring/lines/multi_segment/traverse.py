@@ -1,13 +1,13 @@
 """Kernels that find the contacts of a line of given horizontal tension with the bed, from the fairlead to the anchor.
 
-For a given tension the way down is unique.  A free span ends at its first contact (`touchdown`); from there the line
+The tension determines the line's shape.  A free span ends at its first contact (`touchdown`); from there the line
 lies on the bed to the last place from which a free span just clears the bed further down: inside a facet, at a sinker,
-or at a vertex at an angle between those of its facets.  The length left over when the anchor is reached grows with the
-tension, so that it has one root too.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
+or at a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension and
+has one root.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
 
-Where that search ends is a choice (`LineData.to_place`).  It ends at the anchor's place, with a length left over; or it
-ends with the line, somewhere on the first facet or its continuation: how far beyond the anchor's place grows with the
-tension too, on a plane bed for any segments and loads, and what is left over of a slack line is laid out there.  Over
+The end of that search is an option (`LineData.to_place`).  It ends at the anchor's place, with an excess length; or it
+ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's place grows with
+the tension too, on a plane bed for any segments and loads, and the excess of a slack line is laid out there.  Over
 hills the first is the better one, with buoys on slack lines the second.
 
 The contacts are recorded as steps; `newton` solves the equations of all of them together.
@@ -51,7 +51,7 @@ AT_FOOT = 1e-3  # distance from a sinker in a hollow at which the search leaves 
 
 @kernel()
 def gap_of(line, w, origin, facet, amount):
-    """Gap at the first contact of a span that would begin at the state w.q, w.at, which is left as it is."""
+    """Gap at the first contact of a span that would begin at the state w.q, w.at, which is not changed."""
     return try_span(
         line, origin, w.q, w.at, facet, amount, w.trial_q, w.g, w.trial_at, w.states, w.load_weights, w.rows
     )[0]
@@ -129,9 +129,9 @@ def lift_off(line, w, facet, reached):
 
 @kernel()
 def penetrating_length(line, w, facet, reached):
-    """A length along the facet from which a span that leaves it would penetrate the bed, 0 where none of 32 does.
+    """A length along the facet from which a span that leaves it would penetrate the bed, 0 if none of 32 does.
 
-    A line that could lie on the bed as far as the anchor's place has to leave it where a buoy further down lifts it.
+    A line that could lie on the bed up to the anchor's place must leave it where a buoy further down lifts it.
     """
     for i in range(1, 33):
         if gap_of(line, w, FROM_FACET, facet, reached * i / 32) < 0:
@@ -141,7 +141,7 @@ def penetrating_length(line, w, facet, reached):
 
 @kernel()
 def sinker_at_foot(line, q, at):
-    """Index of the sinker, just passed, without which the tension would not have run out here; NOTHING for none."""
+    """Index of the sinker, just passed, without which the tension would not have become zero here; NOTHING for none."""
     load = at[1] + 1
     if q[T] < 0 and load < line.loads.shape[0] and line.loads[load, 0] - q[S] < AT_FOOT * line.length:
         return load
@@ -204,7 +204,7 @@ def over_vertex(line, w, facet):
 
 @kernel()
 def left_over(line, w):
-    """Length left over at the anchor's place, m; of a line that ends with all its length, how far beyond it."""
+    """Excess length at the anchor's place, m; for a line that ends with all its length, the distance beyond it."""
     return w.q[S] if line.to_place and w.q[S] != 0.0 else line.bed[0, 0] - w.q[X]
 
 

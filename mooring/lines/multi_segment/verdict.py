@@ -1,14 +1,14 @@
-"""Kernels that judge a solved line by its pieces alone, whichever way its contacts were found.
+"""Kernels that judge a solved line by its pieces alone, however its contacts were found.
 
 No piece has a negative length or lies below the bed, what lies has tension T ≥ 0 and a friction that the bed can give,
 each piece ends where the next one begins, the last one at the anchor, and where two pieces meet the forces balance:
 
     R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
 
-is nothing off the bed.  On it R, with which the bed pushes, lies in its cone of friction: so a sinker on a slope pulls
-with what friction does not hold, and T jumps on a facet at loads alone; over a vertex it changes no more than that of a
-rope over a bollard.  What lies without tension is exempt; `StaticSolution.slides` tells of it.
-A buoy is under water, or out of it, or in the surface with a weight between both.
+is zero off the bed.  On it R, the force of the bed, lies in its cone of friction: so a sinker on a slope pulls with the
+force that exceeds friction, and T jumps on a facet at loads alone; over a vertex it changes no more than that of a rope
+over a bollard.  Parts without tension are exempt; `StaticSolution.slides` reports them. A buoy is under water, or out
+of it, or in the surface with a weight between both.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ STRAY = 1e-7  # largest imbalance of forces, over the largest tension
 
 @kernel()
 def height_over_bed(line, x, z):
-    """Height of a point over the bed, m; the first and the last facet go on."""
+    """Height of a point over the bed, m; the first and the last facet are extended."""
     facet = line.bed.shape[0] - 1
     while facet > 0 and line.bed[facet, 0] > x:
         facet -= 1
@@ -62,7 +62,7 @@ def clears_bed(line, piece, q, g, far):
     top, h, v = piece[3], piece[5], piece[6]
     go_down(piece, q, g)
     bottom = q[X]
-    if height_over_bed(line, bottom, q[Z]) < -far:  # also of what is heaped beyond the anchor's place, laid out there
+    if height_over_bed(line, bottom, q[Z]) < -far:  # also for the heap beyond the anchor's place, laid out there
         return False
     for facet in range(line.bed.shape[0]):
         right = line.bed[facet + 1, 0] if facet + 1 < line.bed.shape[0] else math.inf
@@ -75,7 +75,7 @@ def clears_bed(line, piece, q, g, far):
                 return False
         if facet > 0 and min(bottom, top) < left < max(bottom, top):
             put_top(piece, q)
-            if h < 0:  # the same with x turned round
+            if h < 0:  # the same with x reversed
                 q[H], q[X], left = -h, -top, -left
             free_step(q, g, length_to(q, left, piece[7], piece[8], piece[9]), piece[7], piece[8], piece[9])
             if q[Z] - line.bed[facet, 1] < -far:
@@ -85,7 +85,7 @@ def clears_bed(line, piece, q, g, far):
 
 @kernel()
 def lies_well(line, piece, far, stray):
-    """Whether a piece on the bed has a tension that is never negative, and a friction that the bed can give."""
+    """Whether a piece on the bed has a tension that is never negative, and a friction within its limit."""
     if line.no_bed:
         return False
     end = piece[5] - piece[6] * piece[2]
@@ -108,7 +108,7 @@ def is_idle(piece, stray):
 def balanced(line, q, below, load, states, slack, idle, far, stray):
     """Whether forces balance where the pieces above and below meet: q below the one, `below` above the other.
 
-    slack : whether what lies beyond the anchor's place is a heap there (`free_span.tangent_beyond`)
+    slack : whether the part beyond the anchor's place is a heap there (`free_span.tangent_beyond`)
     idle : whether both lie, without tension or in the heap at the anchor
     """
     weight = 0.0
@@ -152,7 +152,7 @@ def pushed(line, x, across, up, far, stray):
 
 @kernel()
 def heaps(line, rows, count, far, stray):
-    """Whether a slack line has more than it needs to its anchor, and what is left over there is not pulled."""
+    """Whether a slack line has more than it needs to its anchor, and the excess there is not pulled."""
     for i in range(count):
         piece = rows[i]
         bottom = rows[i + 1, 3] if i + 1 < count else piece[3]
@@ -168,7 +168,7 @@ def heaps(line, rows, count, far, stray):
 
 @kernel()
 def stands(line, rows, count, states, slack, q, below, g):
-    """Whether the pieces of a line are in equilibrium; q, below : room for two states, g : no columns."""
+    """Whether the pieces of a line are in equilibrium; q, below : room for two states; g : array without columns."""
     far, stray = FAR * line.length, 100 * line.least
     for i in range(count):
         stray = max(stray, STRAY * (abs(rows[i, 5]) + (abs(rows[i, 6]) if rows[i, 0] == 0 else 0.0)))

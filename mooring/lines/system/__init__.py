@@ -1,1 +1,1 @@
-"""Lines between bodies, anchors and free points as one system: forces, equilibrium, studies of it."""
+"""Lines between bodies, anchors and free points as one system: forces, equilibrium, results at rest."""

@@ -14,7 +14,7 @@ from hakobune.bem.kernels.jit import kernel
 from ..catenary.flat_bed import ROW, exchange, mirror, solve_line
 from ..catenary.state import BEYOND_REACH
 
-FIXED, FREE = -1, -2  # owners of points; a body is named by its number
+FIXED, FREE = -1, -2  # owners of points; a body is identified by its number
 
 
 @kernel()
@@ -28,7 +28,7 @@ def place_points(position, owner, column, place, turn, free):
             for j in range(3):
                 points[i, j] = r[j] + R[j, 0] * position[i, 0] + R[j, 1] * position[i, 1] + R[j, 2] * position[i, 2]
         elif owner[i] == FREE:
-            for j in range(3):  # array to array takes a second and a half to compile, for its error message
+            for j in range(3):  # array assignment takes 1.5 s to compile, for its error message
                 points[i, j] = free[(column[i] - 6 * bodies) // 3, j]
     return points
 
@@ -97,7 +97,7 @@ def add_force(force, K, f, arm, column, width):
 
 @kernel()
 def add_float(force, K, points, owner, column, floats):
-    """Weight of free points and the buoyancy of what is under water; floats : (p, 3) N, N, m."""
+    """Weight of free points and the buoyancy of submerged parts; floats : (p, 3) N, N, m."""
     for i in range(owner.size):
         if owner[i] == FREE:
             weight, buoyancy, height = floats[i]
@@ -111,7 +111,7 @@ def add_float(force, K, points, owner, column, floats):
 def uniform_rows(points, ends, flipped, lines, bed):
     """(n, ROW) forces and derivatives of the uniform lines, each from the end at which friction arrives last.
 
-    A row of `lines` without a length is left for others to fill.
+    A row of `lines` without a length is filled elsewhere.
     """
     rows = np.zeros((ends.shape[0], ROW))
     for n in range(ends.shape[0]):

@@ -50,7 +50,7 @@ def rotated(R, turn):
 
 
 def axes_in_space(headings):
-    """(6N, 6N) whose columns are the axes of motions of bodies of headings (N,) rad, along those of space"""
+    """(6N, 6N) whose columns are the axes of motions of bodies of headings (N,) rad, in space axes"""
     turn = np.zeros((6 * len(headings), 6 * len(headings)))
     for i, heading in enumerate(headings):
         turn[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = np.kron(np.eye(2), rotation(0.0, 0.0, heading))
@@ -58,9 +58,9 @@ def axes_in_space(headings):
 
 
 def places_along(headings):
-    """(6N, 6N) whose columns are what motions of bodies of headings (N,) rad, along their axes, do to their places
+    """(6N, 6N) whose columns are the changes of position by motions of bodies of headings (N,) rad, along their axes
 
-    Of places x, y are along those of space; roll and pitch are already about the axes of the body.
+    x, y of positions are along those of space; roll and pitch are already about the axes of the body.
     """
     turn = np.eye(6 * len(headings))
     for i, heading in enumerate(headings):

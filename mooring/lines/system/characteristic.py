@@ -1,7 +1,7 @@
-"""How the pull of one line of a system at rest grows with its span: X(H) and T(X), for any kind of line.
+"""Pull of one line of a system at rest over its span: X(H) and T(X), for any kind of line.
 
-The end at the anchor, or end a of a line without one, stays; the other moves in the line's plane at its own height,
-from where the line hangs slack to where it carries a given tension.
+The end at the anchor, or end a of a line without one, is fixed; the other moves in the line's plane at its own height,
+from the position where the line is slack to the one where it carries a given tension.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ import numpy as np
 
 from .parts import EquilibriumError, LineSystemError
 
-OVER = 4.0  # largest tension over that at rest, where no breaking load is known
-SLACK = 1e-3  # horizontal pull at the begin of the curve, over that at its end
+OVER = 4.0  # largest tension over that at rest, without a known breaking load
+SLACK = 1e-3  # horizontal pull at the start of the curve, over that at its end
 ROUNDS = 60  # halvings, down to rounding
 
 
 class Characteristic(NamedTuple):
-    """All (m,): span m, horizontal pull and tension N at the end that moves, length on the bed m
+    """All (m,): span m, horizontal pull and tension N at the moving end, length on the bed m
 
-    utilisation : (m,) as of LineForces, nan where no breaking load is known; rest : m, span
+    utilisation : (m,) as in LineForces, nan without a known breaking load; rest : m, span
     """
 
     span: np.ndarray
@@ -35,7 +35,7 @@ def characteristic(state, name, points=24):
     """Characteristic of the line `name` of a SystemEquilibrium, half of its points in the last tenth, where it is taut.
 
     It ends where a segment carries its breaking load, or at four times the tension at rest.
-    raises : LineSystemError for a name that is not there, EquilibriumError where the line has no forces
+    raises : LineSystemError for an unknown name, EquilibriumError for a line without forces
     """
     system = state.system
     if name not in system.line_names:
@@ -67,7 +67,7 @@ def characteristic(state, name, points=24):
 
 
 def _where(beyond, rest, length):
-    """Largest span at which the pull is not yet beyond the one asked for"""
+    """Largest span at which the pull is not beyond the requested one"""
     low, high = (0.0, rest) if beyond(rest) else (rest, rest + 1e-3 * length)
     for _ in range(ROUNDS):
         if beyond(high):

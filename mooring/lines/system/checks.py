@@ -1,4 +1,4 @@
-"""Whether the parts of a system fit together: names, ends, places; the first fault is one line."""
+"""Whether the parts of a system are consistent: names, ends, places; the first fault is one line."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from .parts import Fairlead, LineSystemError
 
-ON_BED = 1e-6  # m: what is this close to the bed lies on it
+ON_BED = 1e-6  # m: height above the bed below which a point lies on it
 
 
 def check_system(system):
@@ -23,7 +23,7 @@ def check_system(system):
         raise LineSystemError("the system has no lines; allowed: at least one")
     _check_points(system)
     _check_ends(system)
-    _ = system.composites  # raises for lines of segments that cannot be
+    _ = system.composites  # raises for impossible lines of segments
 
 
 def _check_names(what, parts):

@@ -1,8 +1,8 @@
 """Rows of lines of several segments for the assembly of a system, from the solver of such a line.
 
-The solver counts from one end, the origin: the anchor of a line that lies on a bed, and end a of one that hangs free.
-What hangs free has one horizontal force, and V_a + V_b is its weight, so its derivatives at the origin follow from
-those at the other end; an anchor does not move, and its own are not asked for.
+The solver counts from one end, the origin: the anchor of a line that lies on a bed, and end a of a free line. A free
+line has one horizontal force, and V_a + V_b is its weight, so its derivatives at the origin follow from those at the
+other end; an anchor does not move, and its own derivatives are not needed.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .parts import Anchor, LineSystemError
 
 
 class Composite(NamedTuple):
-    """A line as its solver reads it.
+    """A line in the form that its solver reads.
 
     number : of the line in its system; line : StaticLine from its origin; flipped : whether the origin is end b
     anchored : whether the origin is an anchor on a bed
@@ -67,7 +67,7 @@ def of_line(given, number, end, height):
 def fill_row(row, one, A, B):
     """Fill the row (`catenary.flat_bed.ROW`) of a Composite from its origin A to B; returns its StaticSolution or None.
 
-    Without a solution the first number of the row is the `State` that names why, the rest nan.
+    Without a solution the first number of the row is the `State` with the reason, the rest nan.
     """
     try:
         found = solution(one, A, B)
@@ -100,7 +100,7 @@ def points_along(one, found, A, B, s):
 
 
 def check_free(system, points, solutions):
-    """Refuse a free line that touches the bed, or whose buoy comes out of the water: its solver has neither."""
+    """Refuse a free line that touches the bed, or whose buoy emerges: its solver supports neither."""
     for one in system.composites:
         if one.anchored:
             continue

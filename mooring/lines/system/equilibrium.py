@@ -1,8 +1,8 @@
-"""Where a system of lines comes to rest: Newton on the exact stiffness, with the bed as a one-sided support.
+"""Equilibrium of a system of lines: Newton's method on the exact stiffness, with the bed as a one-sided support.
 
-A free point on the bed stays there while forces press it down (z = −depth, R ≥ 0, one of them at its limit);
-its support carries no friction.  A step is halved while the force left behind it points back; where the stiffness
-gives no way, damping makes a drift along the force of it.
+A free point on the bed stays there while forces press it down (z = −depth, R ≥ 0, one of them at its limit); its
+support has no friction.  A step is halved while the remaining force points back; in directions of negative stiffness,
+damping makes the step follow the force.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction,
 from .graph import LineForces, Pose, System, line_forces
 from .parts import EquilibriumError
 
-TARGET, LIMIT = 1e-12, 1e-9  # residual that the iteration aims at and that is accepted, over the sum of all forces
+TARGET, LIMIT = 1e-12, 1e-9  # target and accepted limit of the residual, over the sum of all forces
 
 
 @dataclass(frozen=True)
@@ -29,8 +29,8 @@ class SystemEquilibrium:
     """A system at rest.
 
     pose : Pose; points : (p, 3) m; lines : LineForces; iterations : steps taken
-    residual : (N,) N and N m left on the degrees of freedom that may move, 0 on the others
-    stiffness : (N, N) of lines, buoyancy and hydrostatics; moving : (N,) what may move
+    residual : (N,) N and N m that remain on the free degrees of freedom, 0 on the others
+    stiffness : (N, N) of lines, buoyancy and hydrostatics; moving : (N,) free degrees of freedom
     on_bed : (f,) whether a free point rests on the bed, with `bed_reaction` N
     """
 
@@ -63,7 +63,7 @@ class SystemEquilibrium:
 
 
 def freedom(system):
-    """(N,) which degrees of freedom forces may move."""
+    """(N,) degrees of freedom on which forces may act."""
     bodies = [[name in body.freedom for name in DOFS] for body in system.bodies]
     return np.concatenate([np.array(bodies, bool).ravel(), np.ones(3 * len(system.free_points), bool)])
 
@@ -87,7 +87,7 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
     """The equilibrium of a system under the loads of its bodies, sought from a pose.
 
     start : Pose, that of the system if not given
-    raises : EquilibriumError with what is left of the forces, and where
+    raises : EquilibriumError with the remaining forces, and their place
     """
     from .steps import left_over
 
@@ -120,7 +120,7 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
 
 
 def _next_radius(radius, step, before):
-    """m; to and fro across a kink, of a line that falls slack say, the steps grow ever shorter"""
+    """m; to and fro across a kink, such as of a line that falls slack, the steps become ever shorter"""
     size = math.sqrt(step @ step)
     back = before @ step < -0.5 * math.sqrt(before @ before) * size
     return 0.5 * size if back else max(2 * size, radius)
@@ -138,14 +138,14 @@ def _units(system):
 
 
 def _given(system):
-    """N, all forces at work but those of the lines"""
+    """N, all forces except those of the lines"""
     return sum(np.abs(body.load[:3]).sum() for body in system.bodies) + system.arrays.floats[:, :2].sum()
 
 
 def _advance(system, pose, load, moving, residual, unit, radius):
-    """The next pose, its load and the step (N,) m to it; None where no step is short enough.
+    """The next pose, its load and the step (N,) m to it; None if no step is short enough.
 
-    A step that overshoots is taken back, and sought anew within a smaller radius from the same stiffness.
+    A step that overshoots is rejected, and repeated within a smaller radius with the same stiffness.
     """
     from .steps import FOUND, ahead_of, step_within
 
@@ -165,7 +165,7 @@ def _advance(system, pose, load, moving, residual, unit, radius):
 
 
 class _Indefinite:
-    """Steps of a given length for a stiffness K with directions in which it gives way: (|K| + m) s = r, m ≥ 0.
+    """Steps of a given length for a stiffness K with negative eigenvalues: (|K| + m) s = r, m ≥ 0.
 
     |K| has the absolute eigenvalues of the symmetric part of K.
     """

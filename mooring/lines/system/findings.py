@@ -1,4 +1,4 @@
-"""Warnings of effects a system of lines leaves out, and the line or freedom named where no equilibrium is found."""
+"""Warnings of effects that a system of lines neglects; the line or freedom at fault if no equilibrium is found."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NEARER = "give it its axial stiffness or more length, or bring its ends nearer t
 
 
 def strains(system, tension):
-    """(n,) of the softest segment of each line at tension (n,) N; 0 for a table, which contains the strain"""
+    """(n,) strain of the softest segment of each line at tension (n,) N; 0 for a table, which contains the strain"""
     stiffness = [
         min((part.axial_stiffness for part in _parts(line) if not np.ndim(part.axial_stiffness)), default=np.inf)
         for line in system.lines
@@ -34,7 +34,7 @@ def _parts(line):
 
 
 def beyond_tables(system, tension):
-    """One line on hawsers whose tension, (n,) N, lies beyond the table of their pull"""
+    """A message on hawsers whose tension, (n,) N, lies beyond the table of their pull"""
     past = [
         f"{system.lines[i].name} {tension[i] / 1e3:.4g} kN, table to {system.lines[i].most / 1e3:.4g} kN"
         for i in system.hawsers
@@ -45,7 +45,7 @@ def beyond_tables(system, tension):
 
 
 def warn_of_floating(system, load):
-    """Warn of lines lighter than water that would rise above its surface, which is not modelled as a limit of lines."""
+    """Warn of lines lighter than water that would rise above its surface, a limit that is not modelled."""
     for i, line in enumerate(system.lines):
         if isinstance(line, CompositeLine | Hawser) or line.type.weight > 0:
             continue
@@ -66,7 +66,7 @@ def warn_of_floating(system, load):
 
 
 def warn_of_friction(system, lines):
-    """Warn of lines on the bed whose friction is left out."""
+    """Warn of lines on the bed whose friction is neglected."""
     left = [
         f"{line.name} ({lying:.3g} m)"
         for line, end, lying in zip(system.lines, system.anchored_ends, lines.grounded_length, strict=True)
@@ -83,13 +83,13 @@ def warn_of_friction(system, lines):
 def unheld(lines):
     """(n,) of LineForces: whether a part without tension lies on a bed steeper than friction holds.
 
-    Such a part is taken to lie where it was laid; in truth it slides to the nearest hollow, and pulls there.
+    Such a part is assumed to remain in place; in reality it slides to the nearest hollow, and pulls there.
     """
     return np.array([i in lines.solutions and lines.solutions[i].slides for i in range(len(lines.status))], bool)
 
 
 def warn_of_sliding(system, lines):
-    """Warn of lines of segments that lie where they would slide."""
+    """Warn of lines of segments with parts that would slide."""
     names = [name for name, slides in zip(system.line_names, unheld(lines), strict=True) if slides]
     if names:
         warnings.warn(

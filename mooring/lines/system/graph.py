@@ -1,11 +1,10 @@
 """Lines between bodies, anchors, buoys and sinkers as a graph: the system, a pose of it, and the forces in that pose.
 
-Degrees of freedom: six of each body (shift of its origin, rotation about space axes), then three of each free
-point, in the order in which the parts are given.  Stiffness is −∂(force, moment about the moving origin).
-The bed is flat at z = −depth; lines weigh what they weigh in water, also where they leave it, but for those with a
-weight in air.  Friction of the bed
-is counted on lines that end at an anchor on it: between free points it would depend on history.
-Equations of equilibrium: SR179 report (1982), sections 3.1.5 and 3.5.1.
+Degrees of freedom: six of each body (shift of its origin, rotation about space axes), then three of each free point, in
+the order in which the parts are given.  Stiffness is −∂(force, moment about the moving origin). The bed is flat at z =
+−depth; lines have their weight in water also above the surface, except those with a weight in air.  Friction of the bed
+acts on lines that end at an anchor on it: between free points it would depend on history. Equations of equilibrium:
+SR179 report (1982), sections 3.1.5 and 3.5.1.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ from .surfacing import fill_surfacing, surfacing
 
 
 class Pose(NamedTuple):
-    """Where the moving parts are.
+    """Positions of the moving parts.
 
     place : (b, 3) m, origins of the bodies; turn : (b, 3, 3) rotations; free : (f, 3) m, free points
     """
@@ -49,10 +48,10 @@ class Pose(NamedTuple):
 class LineForces(NamedTuple):
     """Forces at the ends a and b of every line, each (n,).
 
-    horizontal : N towards the other end; vertical : N, downward pull on what the end is made fast to
+    horizontal : N towards the other end; vertical : N, downward pull on the attachment
     tension : N; grounded_length : m; status : values of `mooring.catenary.State`
-    utilisation : largest tension in the line over breaking load, of the segment that is nearest to it; nan where no
-        breaking load is known.  Beyond reach forces and utilisation are infinite
+    utilisation : largest tension in the line over breaking load, of the segment closest to it; nan without a known
+        breaking load.  Beyond reach forces and utilisation are infinite
     solutions : {number of a line of segments: its StaticSolution}
     """
 
@@ -82,7 +81,7 @@ class SystemLoad(NamedTuple):
 
 
 class SystemArrays(NamedTuple):
-    """A system as its kernels read it.
+    """A system in the form that its kernels read.
 
     position : (p, 3) m of points, in space or in the axes of their body; owner : (p,) number of the body, FIXED or FREE
     column : (p,) first degree of freedom; floats : (p, 3) weight and buoyancy of free points, N, and their height, m
@@ -186,7 +185,7 @@ class System:
 
     @cached_property
     def surfacing(self):
-        """`surfacing.Surfacing` of every line that weighs differently above the water"""
+        """`surfacing.Surfacing` of every line that has another weight above the water"""
         return surfacing(self) if any(getattr(line, "weight_in_air", None) is not None for line in self.lines) else ()
 
     @cached_property
@@ -196,7 +195,7 @@ class System:
 
     @cached_property
     def anchored_ends(self):
-        """(n,) which end of each line is an anchor on the bed: "a", "b", or "" where neither or both are"""
+        """(n,) the end of each line that is an anchor on the bed: "a", "b", or "" for neither or both"""
         anchors = {point.name: point.position[2] for point in self.points if isinstance(point, Anchor)}
         on_bed = {name for name, z in anchors.items() if abs(z + self.depth) <= ON_BED}
         found = []
@@ -211,8 +210,8 @@ class System:
     def load(self, pose=None) -> SystemLoad:
         """Forces of the lines and of the free points' weight and buoyancy, and their stiffness.
 
-        The force is nan where a line cannot reach or an end is below the bed.  Loads and hydrostatics of the
-        bodies are not in it: see `total_load`.
+        The force is nan beyond the reach of a line or for an end below the bed.  Loads and hydrostatics of the bodies
+        are not included: see `total_load`.
         """
         from .assembly import assemble
 
@@ -247,9 +246,9 @@ class System:
         return rows, solutions
 
     def forces_between(self, starts, ends) -> LineForces:
-        """Forces of every line with its ends held at `starts` and `ends`, (n, 3) m in space each.
+        """Forces of every line with fixed ends at `starts` and `ends`, (n, 3) m in space each.
 
-        Infinite for a line that cannot reach.  raises : EquilibriumError for one that has no forces for other reasons
+        Infinite beyond the reach of a line.  raises : EquilibriumError for a line without forces for other reasons
         """
         from ..catenary.flat_bed import exchange
 
@@ -294,7 +293,7 @@ class System:
         return replace(self, bodies=tuple(bodies))
 
     def without(self, name):
-        """The system after the loss of a line; what then hangs loose by one end goes with it."""
+        """The system after the loss of a line; lines that then hang by one end alone are removed too."""
         if name not in self.line_names:
             raise LineSystemError(f"line {name!r} is unknown; allowed: {', '.join(self.line_names)}")
         lines = [line for line in self.lines if line.name != name]

@@ -1,10 +1,10 @@
-"""A hawser, rope or spring: a straight line without weight that pulls with T(e) of its elongation.
+"""A hawser, rope or spring: a straight line without weight with a tension T(e) over its elongation.
 
     e = d − L,   d² = x² + z²,   H = T x/d,   V = T z/d,   T = 0 for e ≤ 0,
     −∂(force)/∂(place) = T′ n n' + (T/d)(1 − n n'),   n = (x, z)/d
 
-T(e) goes through a table of load against elongation as monotone cubics (`mooring.fenders.curves`): T′ has a jump where
-the line comes taut, and nowhere else.
+T(e) follows a table of load against elongation as monotone cubics (`mooring.fenders.curves`): T′ jumps only where the
+line becomes taut.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class Hawser:
     """A hawser between two points named by their names.
 
     pull : Fender without hysteresis, T, N, over e, m (`pull_of_points`); length : m, without tension
-    most : N, where its table ends, beyond which it is led on straight
+    most : N, end of its table, beyond which it is extrapolated linearly
     """
 
     name: str
@@ -42,7 +42,7 @@ class Hawser:
 
     @property
     def bed_friction(self):
-        """0, it lies on no bed"""
+        """0; a hawser does not lie on the bed"""
         return 0.0
 
 
@@ -66,7 +66,7 @@ def pull_of_points(name, elongation, tension):
 
 
 def elongation_at(pull, tension):
-    """m, at which a pull has a tension, N, of 0 or more"""
+    """m, elongation at which a pull has a tension, N, of 0 or more"""
     from scipy.optimize import brentq
 
     high = pull.limit

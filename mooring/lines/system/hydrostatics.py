@@ -1,8 +1,8 @@
 """Steady loads of bodies, and the hydrostatic forces of one that heaves, rolls, pitches and turns to any heading.
 
-R takes body axes to space axes.  It is read as a turn ψ about the vertical followed by the shortest tilt that
-carries the vertical to u = R e_z.  In axes that turn with ψ the hydrostatic force is −C (heave, roll, pitch)
-with roll and pitch taken from the tilt e_z × u: exact in heading, linear in tilt, as C itself is.
+R converts body axes to space axes.  It is read as a turn ψ about the vertical followed by the shortest tilt that
+carries the vertical to u = R e_z.  In axes that turn with ψ the hydrostatic force is −C (heave, roll, pitch) with roll
+and pitch from the tilt e_z × u: exact in heading, linear in tilt, as C itself is.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def heading(R):
 def add_hydrostatics(force, K, first, stiffness, sinkage, R):
     """Add force and moment of a body, and −∂/∂(shift, rotation about space axes), whose freedoms begin at `first`.
 
-    stiffness : (6, 6), of which heave, roll and pitch count; sinkage : m, height over that at rest
+    stiffness : (6, 6), of which heave, roll and pitch are used; sinkage : m, height relative to that at rest
     """
     psi, x, y, z = heading(R), R[0, 2], R[1, 2], R[2, 2]
     c, s = math.cos(psi), math.sin(psi)
@@ -45,7 +45,7 @@ def add_hydrostatics(force, K, first, stiffness, sinkage, R):
     K[first + 2, first + 2] += a
     K[first + 3, first + 2] += e
     K[first + 4, first + 2] += f
-    # how the force turns with ψ, and how ψ and the tilt turn with the body
+    # change of the force with ψ, and of ψ and the tilt with the rotation of the body
     rows = (
         (b, d, b * x + d * y),
         (g, h, g * x + h * y - about_y),

@@ -1,4 +1,4 @@
-"""A System of bodies from their mooring legs, each a line from an anchor to a fairlead, and how a spread is laid."""
+"""A System of bodies from their mooring legs, each a line from an anchor to a fairlead, and the layout of a spread."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from .parts import Anchor, CompositeLine, Fairlead, LineSystemError, MooredBody,
 
 
 class Leg(NamedTuple):
-    """A line (its ends a, anchor, and b, fairlead, are named anew), and where it is made fast with the body at rest.
+    """A line (its ends are renamed a, anchor, and b, fairlead), and its attachments with the body at rest.
 
     anchor, fairlead : (3,) m in space
-    body : name of the body that has the fairlead, of several; to : of another that has the other end, "" for none
+    body : name of the body with the fairlead, among several; to : of another with the other end, "" for none
     """
 
     line: UniformLine | CompositeLine | Hawser
@@ -44,9 +44,9 @@ def moored_body(legs, depth, center=(0.0, 0.0, 0.0), density=1025.0, gravity=9.8
 
 
 def moored_bodies(legs, bodies, depth, density=1025.0, gravity=9.80665):
-    """The System of several bodies that move in the plane, on legs to anchors, to still bodies and to each other.
+    """The System of several bodies that move in the plane, on legs to anchors, to fixed bodies and to each other.
 
-    bodies : {name: (center (3,) m, heading rad)} of those that move, the origin and the turn of their axes
+    bodies : {name: (center (3,) m, heading rad)} of moving bodies, the origin and heading of their axes
     """
     points, lines = [], []
     for line, anchor, fairlead, body, to in legs:
@@ -64,10 +64,10 @@ def moored_bodies(legs, bodies, depth, density=1025.0, gravity=9.80665):
 
 
 def leg_at_tension(line, fairlead, heading, depth, horizontal_tension):
-    """A Leg whose anchor lies on the bed where the line pulls the body at rest with a given horizontal tension.
+    """A Leg with its anchor on the bed where the line pulls the body at rest with a given horizontal tension.
 
     fairlead : (3,) m; heading : rad, from the fairlead to the anchor; depth : m; horizontal_tension : N
-    A line of segments counts from the anchor.  raises : LineSystemError where no span gives it
+    A line of segments counts from the anchor.  raises : LineSystemError if no span gives it
     """
     try:
         span = _span(line, fairlead[2] + depth, depth, horizontal_tension)

@@ -1,8 +1,8 @@
 """What a system of lines is made of: kinds of line, lines, anchors, fairleads, free points and floating bodies.
 
-A line joins two points.  `assembly` wants of it the forces at both ends in the vertical plane through them, and their
+A line joins two points.  `assembly` needs the forces at both ends in the vertical plane through them, and their
 derivatives, in one row: compiled for a `UniformLine`, from its own solver for a `CompositeLine`, from its curve for a
-`hawser.Hawser`; whatever joins two points fits in there.
+`hawser.Hawser`; other kinds of line can be added there.
 
 All values SI, all frozen.  A `Fairlead` is given in the axes of its body, everything else in space.
 """
@@ -20,7 +20,7 @@ from ..multi_segment.segments import PointLoad, Segment
 
 
 class LineSystemError(ValueError):
-    """An impossible system: the message names the part, its value and what is allowed."""
+    """An impossible system: the message names the part, its value and the limit."""
 
 
 class EquilibriumError(ValueError):
@@ -29,7 +29,7 @@ class EquilibriumError(ValueError):
 
 @dataclass(frozen=True)
 class LineDynamics:
-    """What only a moving or bent line feels; statics leave it, files keep it.
+    """Properties of moving or bending lines; statics ignore them, files keep them.
 
     drag_normal, drag_tangential : C_d on d and on π d per metre; added_mass_normal, added_mass_tangential : C_a
     damping : axial, BA in N s; below 0, minus the fraction of critical; bending_stiffness : EI, N m²
@@ -45,11 +45,11 @@ class LineDynamics:
 
 @dataclass(frozen=True)
 class LineType:
-    """What a line is made of.
+    """Material properties of a line.
 
-    weight : N/m submerged, below 0 where it floats; axial_stiffness : EA, N, may be inf
+    weight : N/m submerged, below 0 for a floating line; axial_stiffness : EA, N, may be inf
     mass : kg/m in air; diameter : m, of a cylinder of the same volume; breaking_load, proof_load : N
-    dynamics : LineDynamics, None where it is not known
+    dynamics : LineDynamics, None if unknown
     """
 
     name: str
@@ -72,10 +72,10 @@ class LineType:
 
 @dataclass(frozen=True)
 class UniformLine:
-    """A uniform line between two points, named by their names.
+    """A uniform line between two points, given by name.
 
-    length : m, unstretched; elements : of a run in time, None where it is left to whoever runs it
-    weight_in_air : N/m of its parts above z = 0, None where these weigh what they do in water
+    length : m, unstretched; elements : of a run in time, None for a default
+    weight_in_air : N/m of its parts above z = 0, None if these have their weight in water
     """
 
     name: str
@@ -98,18 +98,18 @@ class UniformLine:
 
     @property
     def breaking_load(self):
-        """N, inf where it is not known"""
+        """N, inf if unknown"""
         return self.type.breaking_load
 
 
 @dataclass(frozen=True)
 class CompositeLine:
-    """A line of several segments, with sinkers and buoys on it, between two points named by their names.
+    """A line of several segments, with sinkers and buoys on it, between two points given by name.
 
     segments : from end a on; loads : PointLoads, their position in m of unstretched line from end a
     bed_friction : of the flat bed of the system, where one end is an anchor on it
-    bed : a Bed of its own, measured from the anchor the line ends at; the same section whichever way the line swings
-    A line that is not anchored on a bed has to hang free of it, and its buoys stay under water.
+    bed : its own Bed, measured from the line's anchor; the same section in whatever direction the line swings
+    A line without an anchor on a bed must hang free of it, with its buoys under water.
     """
 
     name: str
@@ -137,7 +137,7 @@ class CompositeLine:
 
     @property
     def breaking_load(self):
-        """N, least of the segments; inf where none is known"""
+        """N, least of the segments; inf if none is known"""
         return min(segment.breaking_load for segment in self.segments)
 
 
@@ -162,8 +162,8 @@ class Fairlead:
 class FreePoint:
     """A joint, sinker or buoy that is free to move to its equilibrium.
 
-    position : (3,) m, where the search for its place begins; mass : kg; volume : m³
-    height : m over which it comes out of the water, that of a sphere if not given; it may rest on the bed
+    position : (3,) m, start of the search for its place; mass : kg; volume : m³
+    height : m over which it emerges, by default that of a sphere; it may rest on the bed
     drag_area : C_d A, m²; added_mass : times the displaced mass; of a run in time
     """
 
@@ -192,7 +192,7 @@ class MooredBody:
     """A floating body.
 
     position : (6,) m and rad at rest: x, y, z of its axes' origin, then roll, pitch and yaw, R = Rz Ry Rx
-    freedom : names of the motions that forces may cause, others are held
+    freedom : names of its free motions; the others are fixed
     hydrostatic_stiffness : (6, 6) about the origin; heave, roll and pitch are used
     load : (6,) N and N m, steady, in space axes about the moving origin
     """

@@ -39,7 +39,7 @@ def joints_of_lines(state):
 
 
 def beds_of_lines(state):
-    """[(k, 3) m in space] of the beds that lines have of their own, from their anchor as far as their other end"""
+    """[(k, 3) m in space] of the lines' own beds, from their anchor to below their other end"""
     found = []
     for one in state.system.composites:
         if state.system.lines[one.number].bed is None:

@@ -1,9 +1,9 @@
 """Kernels for one step of the search for rest: (K + m) s = r, with the least m ≥ 0 for which s is not too long.
 
-Stiff ways are followed to their end while soft ones, slack lines say, wait.  Points that follow each other on a line
-have their terms near the diagonal, so elimination keeps to the envelope: each row from its first term on, which costs
-N b² operations for N freedoms and rows of b terms instead of N³.  No pivoting: K has a positive definite symmetric
-part, or is refused.
+Stiff directions are solved to convergence while soft ones, such as slack lines, wait.  Consecutive points on a line
+have their terms near the diagonal, so elimination is limited to the envelope: each row from its first term on, which
+costs N b² operations for N freedoms and rows of b terms instead of N³.  No pivoting: K has a positive definite
+symmetric part, or is refused.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def length_of(x):
 
 @kernel()
 def symmetric(K):
-    """Whether K is symmetric but for rounding."""
+    """Whether K is symmetric up to rounding."""
     for i in range(K.shape[0]):
         for j in range(i):
             if abs(K[i, j] - K[j, i]) > 1e-14 * (abs(K[i, i]) + abs(K[j, j])):
@@ -151,10 +151,10 @@ def ahead_of(step, residual, force, free, bed, unit):
 
 @kernel()
 def step_within(stiffness, force, unit, moving, radius, step):
-    """Newton's step, or the step of about the length `radius` that the stiffness gives when it is raised evenly.
+    """Newton's step, or the step of about the length `radius` for an evenly increased stiffness.
 
     force : (N,) over `unit`; stiffness : (N, N) of all freedoms, to be divided by `unit` (N,) twice; moving : (N,)
-    step : (N,) of the divided freedoms, 0 where they do not move
+    step : (N,) of the divided freedoms, 0 where they are fixed
     returns : FOUND, or INDEFINITE, step unchanged, where the symmetric part of the stiffness is not positive definite
     """
     chosen = np.empty(unit.size, np.int64)

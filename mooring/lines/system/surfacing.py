@@ -1,9 +1,9 @@
-"""Uniform lines that come out of the water, where they weigh what they do in air, as rows of the assembly of a system.
+"""Uniform lines that emerge from the water, with their weight in air there, as rows of the assembly of a system.
 
-Such a line is up to three segments, dry, wet and dry, joined where it passes the surface, z = 0, which is sought:
-Newton on the height of each joint over the slope of the line there.  The joints' places do not enter its energy to
-first order (both weights times the height 0), so its forces are those of the segments; their derivatives are
-differences.
+Such a line has up to three segments, dry, wet and dry, joined where it crosses the surface, z = 0; these places are
+found by Newton's method on the height of each joint over the slope of the line there.  The joints' places do not enter
+its energy to first order (both weights times the height 0), so its forces are those of the segments; their derivatives
+are differences.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .checks import ON_BED
 from .composite import of_line
 from .parts import CompositeLine, LineSystemError, UniformLine
 
-PROFILE = 200  # places along a line at which it is first looked for the surface
+PROFILE = 200  # places along a line in the first search for the surface
 STEPS, CLOSE = 40, 1e-11  # steps of Newton's method; error of the height of joints, over the length
 SHIFT = 1e-5  # difference for derivatives, over the length
 

@@ -1,1 +1,1 @@
-"""Mooring lines that move by equations of their own while a body in time moves their fairleads."""
+"""Mooring lines with their own equations of motion, whose fairleads move with a body in time."""

@@ -17,7 +17,7 @@ from .polynomial import TERMS
 def moving_work(moving, states, samples, lines, sampled):
     """`MovingWork` of lines at rest in their `states`, with room for so many samples
 
-    lines : how many there are in all, with those in their static shape
+    lines : total number, including those in their static shape
     sampled : (bodies, numbers of each that are kept at a sample)
     """
     count, bodies = len(moving.number), sampled[0]

@@ -102,7 +102,7 @@ def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
 
     lines : {number: DynamicLine}; fairleads : (m, 3) m in space, of these with the body at rest
     as_spring : `MovingLines.stretch` and `spring`; sea : LineSea that grows from still water, None for still water
-    raises : LineError where a line has no shape at rest
+    raises : LineError for a line without a shape at rest
     """
     still = water_arrays(None, None, 9.80665)
     states = [start(line, place, still) for line, place in zip(lines.values(), fairleads, strict=True)]

@@ -1,4 +1,4 @@
-"""How a moving line pulls during a step of the body: Legendre polynomials."""
+"""Pull of a moving line during a step of the body: Legendre polynomials."""
 
 from __future__ import annotations
 

@@ -15,17 +15,17 @@ from .packed import moving_lines
 # than its static shape
 FIRM = {"stiffness": 3e6, "damping": 3e5}
 
-# share of the tolerance of a run, allowed for a step of a line and for its pull on a wrongly predicted course.  Errors
-# of smooth motion add up: steps with a whole tolerance each leave three in a regular wave, these one
+# share of the tolerance of a run for a step of a line and for its pull on a wrongly predicted course.  Errors of smooth
+# motion add up: steps with a whole tolerance each give three in a regular wave, these one
 OF_LINE = 0.25
 
 
 def moving_of(moored, settings, sea=None, surface=True):
-    """(`MovingLines`, States at rest) of the lines that `settings.dynamic_lines` names; None for none
+    """(`MovingLines`, States at rest) of the lines in `settings.dynamic_lines`; None for none
 
     moored : `simulation.moored_body.Moored`; sea : `sea.LineSea`, None for still water
-    surface : False for lines that count as under water all along, as their static shapes do
-    raises : ValueError naming a line that cannot move by itself, and why
+    surface : False for lines that count as submerged everywhere, as their static shapes do
+    raises : ValueError with the name of a line that cannot move by itself, and the reason
     """
     system, names = moored.system, () if settings.dynamic_lines == "none" else settings.dynamic_lines
     if system is None or not names:
@@ -78,7 +78,7 @@ def ends_of(line, system):
 def dynamic_line(line, anchor, system, elements, surface=True):
     """DynamicLine of a UniformLine, with its weight in air above the water.
 
-    raises : ValueError for a property that its type does not have
+    raises : ValueError for a property missing in its type
     """
     kind = line.type
     for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):

@@ -28,19 +28,19 @@ from ...lines.dynamics.lumped.surroundings import OF_PLACE, SAMPLES
 from ...lines.dynamics.surroundings import water_arrays
 
 TURN = 2 * np.pi
-DEEPEST = -12.0  # k z, below which a wave counts as there: 6e-6 of that at the surface
+DEEPEST = -12.0  # k z, below which a wave has its value there: 6e-6 of that at the surface
 PHASE, FEW = (0.3, 0.6), 40  # rad of the quickest wave between two times, of few waves and of more
 
 
 @in_memory
 class LineSea(NamedTuple):
-    """What moves the water around lines.
+    """Causes of water motion around lines.
 
     waves : (9, c) wavenumbers along x and y, unit vector, wavenumber, aσ over 1 − exp(−2kh), exp(−2kh), frequency ω at
-    a place at rest, which on a current is not that in the water, σ, and phase
+    a place at rest, which on a current differs from that in the water, σ, and phase
     factor : (2c, SAMPLES) cos ωt and sin ωt of the times of a table; step : s between these
     farthest : m, that a node is foreseen to move until the middle of a table
-    depth : m; ramp : (2,) s, begin of the waves and how long they grow
+    depth : m; ramp : (2,) s, begin of the waves and duration of their growth
     current : (2,) m/s, over the whole depth, and current_ramp, s, in which it grows
     carried : (2,) m/s, at which it carries the waves
     """
@@ -60,7 +60,7 @@ def line_sea(components, number, depth, current, wave_ramp, ramp, carried=(0.0, 
     """`LineSea` of wave components (`mooring.environment.sea.Components`), or of None
 
     number : (2, c) rad/m, their wavenumbers along x and y; depth : m; current : (2,) m/s or None
-    carried : (2,) m/s, at which the current carries the waves, none for those of still water
+    carried : (2,) m/s, at which the current carries the waves, zero for "still" waves
     wave_ramp : (2,) s, begin and length; ramp : s
     """
     velocity = np.zeros(2) if current is None else np.asarray(current, float)
@@ -139,7 +139,7 @@ def falling(x):
 def place_rows(waves, start, x, y, z, n, j, room, rows):
     """Coefficients of `factor` for node j of n at (x, y, z), z ≤ 0, into rows (8 n, 2c); start : s of the table
 
-    Loop after loop, since one over all is not made into vector instructions.
+    Loop after loop, since a single loop is not vectorised.
     """
     c, kx, ky, ux, uy = waves.shape[1], waves[0], waves[1], waves[2], waves[3]
     AC, AS, PC, PS = room[0], room[1], room[2], room[3]
@@ -171,7 +171,7 @@ def place_rows(waves, start, x, y, z, n, j, room, rows):
 
 @kernel()
 def foresee_place(sea, position, velocity):
-    """x, y and z ≤ 0, m, where a node will be in the middle of a table that begins now"""
+    """Predicted x, y and z ≤ 0, m, of a node in the middle of a table that begins now"""
     later, speed = 0.5 * (SAMPLES - 1) * sea.step, 0.0
     for i in range(3):
         speed += velocity[i] * velocity[i]
@@ -184,7 +184,7 @@ def foresee_place(sea, position, velocity):
 
 @kernel()
 def sea_ahead(sea):
-    """s, that a table reaches; inf without waves"""
+    """s, duration of a table; inf without waves"""
     return (SAMPLES - 1) * sea.step if sea.waves.shape[1] > 0 else np.inf
 
 

@@ -2,8 +2,8 @@
 
 A fairlead moves from its position in the line to that on the body, along two cubics through positions and velocities at
 begin, middle and end.  A line takes as many own steps as its tolerance requires (`lines.dynamics.lumped.esdirk`).  Its
-pull F(t) is a cubic between their ends with slopes of parabolas through three of them.  The body feels the polynomial
-of third degree
+pull F(t) is a cubic between their ends with slopes of parabolas through three of them.  The force on the body is the
+polynomial of third degree
 
     F(s) = Σ_k c_k P_k(2s − 1),   c_k = (2k + 1) ∫₀¹ F P_k(2s − 1) ds,   s = (t − t₀)/h
 
@@ -32,7 +32,7 @@ ROUNDING = 1e-9  # rounding of the time covered by a table of the sea
 
 @kernel(counted=False)
 def sea_for_step(moving, work, t, h):
-    """A table of the sea around all lines that holds for a step of the body of h s from t s"""
+    """A table of the sea around all lines, valid for a step of the body of h s from t s"""
     water, room = moving.water, moving.room_of_sea
     if t + h > water.clock[0] + sea_ahead(moving.sea) * (1 + ROUNDING):
         open_sea(moving.sea, water, moving.nodes, work.position[0], work.velocity[0], room, t)
@@ -50,10 +50,10 @@ def piece(p, v, q, w, length, out):
 
 @kernel()
 def advance_lines(moving, work, whole, t, h):
-    """Take all lines that are `whole` over a step of the body of h s from t s, on trial.
+    """Advance all lines that are `whole` over a step of the body of h s from t s, as a trial.
 
-    work.course, but for its begin, is given; work.time, pull, slope and used are filled.
-    returns : whether all could follow; work.stuck names one that could not
+    work.course, except its begin, is given; work.time, pull, slope and used are filled.
+    returns : whether all succeeded; work.stuck is the number of one that did not
     """
     rows, knots, cubics = np.zeros((ROWS, COLUMNS)), np.zeros(3), np.zeros((2, 4, 3))
     none, triples, table = np.zeros(0), np.zeros((0, 3)), np.zeros((0, 0, 3))
@@ -104,7 +104,7 @@ def advance_lines(moving, work, whole, t, h):
 
 @kernel(counted=False)
 def put(y, x):
-    """y = x for (n, 3) arrays: an array put into another at once takes three seconds to compile"""
+    """y = x for (n, 3) arrays: a direct array assignment takes three seconds to compile"""
     for i in range(y.shape[0]):
         for j in range(3):
             y[i, j] = x[i, j]
@@ -164,7 +164,7 @@ def project(moving, work, t, h, given):
 
 @kernel(counted=False)
 def foresee(moving, work, h, given):
-    """given (n, TERMS, 3) N of a step of h s: the straight part of each pull in the last step, drawn on"""
+    """given (n, TERMS, 3) N of a step of h s: the linear part of each pull in the last step, extrapolated"""
     ratio = h / work.length[0]
     for i in range(moving.number.size):
         c, last = given[moving.number[i]], work.last[moving.number[i]]
@@ -176,7 +176,7 @@ def foresee(moving, work, h, given):
 
 @kernel(counted=False)
 def keep_lines(moving, work, h, given):
-    """The step of the body of h s was taken: what was on trial is where the lines are now."""
+    """Accept the step of the body of h s: the trial state becomes the state of the lines."""
     put(work.position[0], work.position[1])
     put(work.velocity[0], work.velocity[1])
     put(work.acceleration[0], work.acceleration[1])

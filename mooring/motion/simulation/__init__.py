@@ -1,4 +1,4 @@
-"""A moored body in time, the door: `moored` prepares what no weather changes, then every seed is a `simulate`."""
+"""A moored body in time: `moored` prepares the parts common to all weather, then `simulate` runs one seed."""
 
 from .failures import SimulationError
 from .loads import wave_components

@@ -18,7 +18,7 @@ from .loads import frequency_of_coefficients, half_waves, mean_frequency, pairs
 FASTEST, BAND = 8.0, 2.0  # rad/s and times the band of the database, of states of the memory, those beyond both follow
 # at once: explicit steps of 0.4 s are stable; within the band they would give energy, as at the scale of a model
 FILTER = 0.25  # frequency of the slow filter over the peak frequency of the waves
-UNKNOWN = 0.4  # rad/s, mean frequency of waves that there are not
+UNKNOWN = 0.4  # rad/s, mean frequency of waves if there are none
 
 
 def body_of(moored, weather, settings, components, drag, munk):
@@ -80,7 +80,7 @@ def of_each(matrix):
 
 
 def on_places(spring, headings):
-    """A spring (6N, 6N) along the axes of bodies of headings (N,) rad, on their places in space"""
+    """A spring (6N, 6N) along the axes of bodies of headings (N,) rad, converted to their places in space"""
     turn = places_along(headings)
     return turn @ spring @ turn.T
 
@@ -92,7 +92,7 @@ def in_space(matrix, headings):
 
 
 def _coefficients(moored, settings, components):
-    """Added mass and damping (n, n), and `MemoryArrays` of what follows slower.  Raises SimulationError."""
+    """Added mass and damping (n, n), and `MemoryArrays` of the slower response.  Raises SimulationError."""
     if settings.memory != "constant":
         memory = moored.memory
         slow = slow_memory(memory, max(FASTEST, BAND * memory.band[1]))

@@ -1,4 +1,4 @@
-"""What a linear body would do in the same waves: the scale of errors."""
+"""Response of a linear body to the same waves: the scale of errors."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ def expected_motion(moored, components):
 
     None is below a share of the largest, of a shape below a share of the largest of shapes.
 
-    All are computed at the frequencies of `moored.waves`: seeds have different frequencies, and the values that the
-    database stores for each would grow in number with them.
+    All are computed at the frequencies of `moored.waves`: seeds have different frequencies, for each of which the
+    database would store values.
     """
     reader, waves, groups = moored.reader, moored.waves, groups_of(moored.reader)
     count = len(reader.axes_at_rest)

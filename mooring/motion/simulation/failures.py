@@ -1,4 +1,4 @@
-"""Why a run stops, in one line: when, where, what, and the way out."""
+"""Reason of a run's stop, in one line: time, place, fault, and remedy."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..line_loads import REACH
 
 
 class SimulationError(ValueError):
-    """A run that cannot be made or carried on: the message names the time, the number and the way out."""
+    """A run that cannot start or continue: the message names the time, the number and a remedy."""
 
 
 def failure(state, clock, settings, scene, moored, hung, stuck):
@@ -76,7 +76,7 @@ def _number(moored, name):
 
 
 def _tightest(kept, moored):
-    """Name and pull of the line that pulls most; None without lines"""
+    """Name and pull of the line with the largest pull; None without lines"""
     if not len(kept.whole):
         return None, 0.0
     pull = np.nan_to_num(np.hypot(*kept.tension.T))

@@ -1,4 +1,4 @@
-"""Bodies with hinges between them: whether they stay where they rest, and from where a run may begin."""
+"""Bodies with hinges between them: stability of their rest, and valid starts of a run."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ OUT = 1e-6  # fraction of the stiffest motion; smaller negative restoring is rou
 
 
 def check_held(stiffness, body):
-    """Raise ValueError for bodies that hinges hold in a place that they leave by themselves, by a stiffness (n, n)."""
+    """Raise ValueError for hinged bodies at an unstable rest, by a stiffness (n, n)."""
     scale = 1 / np.sqrt(np.diag(body.inertia))
     free = np.linalg.qr(body.free / scale[:, None])[0]
     K = free.T @ (0.5 * (stiffness + stiffness.T) * np.outer(scale, scale)) @ free
@@ -27,9 +27,9 @@ def check_held(stiffness, body):
 
 
 def begin_together(links, inverse, poses, speed):
-    """Poses and velocities (N, 6) that links hold, nearest by mass to those given; inverse : (6N, 6N) of the mass.
+    """Poses and velocities (N, 6) that satisfy the links, nearest to those given; inverse : (6N, 6N) of the mass.
 
-    raises : ValueError where there are none near
+    raises : ValueError without any nearby
     """
     poses, speed = np.array(poses, float), np.array(speed, float)
     for _ in range(TRIES):

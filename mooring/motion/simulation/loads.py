@@ -14,13 +14,13 @@ from ..streams import calm, current_stream, on_all, stream_of, wind_stream
 from ..wave_loads import drift_of
 from .failures import SimulationError
 
-NEXT_SEA, GUSTS = 7919, 104729  # what is added to the seed of a run for each further sea, and for gusts: phases of
-# two loads of a run are never drawn alike; those of runs whose seeds are as far apart as this would be
-FEWEST, MOST = 200, 600  # wave components of a sea; at 600 their beats are closer than a slow resonance is wide
+NEXT_SEA, GUSTS = 7919, 104729  # added to the seed of a run for each further sea, and for gusts: phases of
+# two loads of a run are never equal; those of runs whose seeds differ by this number would be
+FEWEST, MOST = 200, 600  # wave components of a sea; with 600 their beats are closer than the width of a slow resonance
 
 
 def wave_components(moored, weather, settings, seed):
-    """Components of the weather's waves, None for none; as many as the record needs not to repeat."""
+    """Components of the weather's waves, or None; enough for a record that does not repeat."""
     place = weather.carrier, moored.reader.depth, moored.reader.gravity
     if weather.regular is not None:
         w = weather.regular
@@ -60,7 +60,7 @@ def frequency_of_coefficients(settings, components):
 def streams(moored, weather, seed, end):
     """Wind and current `Stream` up to `end` s, None for no water drag, (N,) N₂ of yaw, and findings.
 
-    raises : SimulationError where they have no hull to act on, or drag of the water is not known
+    raises : SimulationError for a missing hull, or if the drag of the water is unknown
     """
     reader, own, hulls = moored.reader, weather.on_hull, moored.hulls
     wind = calm(len(reader.axes_at_rest))
@@ -93,7 +93,7 @@ def streams(moored, weather, seed, end):
 
 
 def pairs(moored, weather, settings, components):
-    """The force of pairs of waves in addition to Newman's, of a run, as a GivenForce of each sea that has one
+    """The force of wave pairs in addition to Newman's, for a run, as a GivenForce of each sea with one
 
     components : of all seas of the weather, one after another; forces of several bodies are tuples, one for each
     """

@@ -1,4 +1,4 @@
-"""The memory of the water of a run: to the smallest tolerance that its states allow."""
+"""The memory of the water of a run: to the smallest tolerance possible with its states."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ WANTED = 1e-3  # fit error accepted without a finding
 
 
 def fitted_memory(body, motions=None):
-    """The `Memory` of a Reader to the smallest of TOLERANCES that it allows, and findings, where that is not WANTED.
+    """The `Memory` of a Reader to the smallest possible one of TOLERANCES, and findings if that is not WANTED.
 
-    motions : numbers of those that it has, None for all
+    motions : numbers of its motions, None for all
     raises : ValueError where no tolerance is met
     """
     A = body.held_added_mass(0.0)[0]

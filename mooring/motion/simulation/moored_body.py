@@ -1,4 +1,4 @@
-"""A moored body, ready to be moved: what does not depend on the weather is prepared once, for every seed."""
+"""A moored body, ready for simulation: everything independent of the weather is prepared once, for all seeds."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from .linked import check_held
 from .memory import fitted_memory
 
 FLOATS = [2, 3, 4]  # heave, roll, pitch
-LOOSE = 1e-5  # fraction of the stiffest motion; smaller restoring holds nothing (a period 300 times as long)
+LOOSE = 1e-5  # fraction of the stiffest motion; smaller restoring counts as none (a period 300 times as long)
 CAPSIZED = 1e-6  # fraction of the stiffest motion; smaller negative restoring is rounding
 
 
@@ -46,7 +46,7 @@ class Moored:
     slow_added_mass : (n, n) of the lowest known frequency; waves : WaveForces
     tables : of lines with segments (`line_loads.tables_of`); findings : one line each
     berth : `contacts.Berth`, fenders and ropes; buoy : `buoy.BuoyOnLines` on hawsers, None for none
-    free : numbers of the motions that are not held, by default all
+    free : numbers of the free motions, by default all
     """
 
     reader: object
@@ -105,7 +105,7 @@ def moored(
         scene
     linearised_in : waves as of `response.viscous.in_time`, for the part of that damping that is not drag, and for the
         drift
-    motions : numbers of the motions that are not held at rest, None for all
+    motions : numbers of the free motions, None for all
     raises : ValueError with the name of the part that is missing or does not fit
     """
     reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()
@@ -120,7 +120,7 @@ def moored(
     start, stiffness, tables, links = np.zeros(len(spring)), body.stiffness + spring, ((), ()), links_of(body)
     if system is not None:
         _check_place(system, body)
-        body_lines(system)  # refuses lines that a run cannot have
+        body_lines(system)  # refuses lines that a run does not support
         if links is None:
             start[: body.rigid], held = _rest(system, body, spring)
             stiffness = held if not body.modes else stiffness
@@ -171,13 +171,13 @@ def _of_viscous(reader, waves):
 
 
 def with_memory(moored):
-    """A `Moored` body with the memory of its water fitted.  Raises ValueError where that is not to be had."""
+    """A `Moored` body with the fitted memory of its water.  Raises ValueError if it cannot be fitted."""
     memory, findings = fitted_memory(moored.reader, moored.free)
     return replace(moored, memory=memory, findings=(*moored.findings, *findings))
 
 
 def _of_tables(system, tables):
-    """A finding where a table of a line is coarser than wanted"""
+    """A finding if a table of a line is coarser than wanted"""
     for i, table in enumerate(tables[0]):
         if table.error > 2 * TOLERANCE:
             name = system.line_names[int(np.flatnonzero(tables[1] == i)[0])]
@@ -246,7 +246,7 @@ def _rest_together(links, berth, system, tables, body, spring, start):
 def _check_upright(stiffness, body, free):
     """Raise ValueError for a body that capsizes at rest, by its stiffness (n, n) with springs, lines and fenders
 
-    free : numbers of the motions that are not held
+    free : numbers of the free motions
     """
     names = [one.name for one in body.bodies if not one.fixed] or ["the body"]
     own = slice(0, body.rigid), slice(0, body.rigid)
@@ -266,7 +266,7 @@ def _check_upright(stiffness, body, free):
 
 
 def _of_loose(stiffness, body, free):
-    """A finding where ropes and fenders leave a way that nothing holds, by a stiffness (n, n) of all at rest"""
+    """A finding if ropes and fenders leave a direction without restoring, by a stiffness (n, n) of all at rest"""
     scale = 1 / np.sqrt(np.diag(body.inertia)[list(free)])
     K = (0.5 * (stiffness + stiffness.T))[np.ix_(free, free)] * np.outer(scale, scale)
     values, ways = np.linalg.eigh(K)

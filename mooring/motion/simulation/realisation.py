@@ -1,4 +1,4 @@
-"""What a run in time gives: records, work of the loads, and how far off its motions are."""
+"""Results of a run in time: records, work of the loads, and errors of its motions."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from ..equation import FIRST_WORK, WORKS, blocks
 from ..line_loads import line_work, tensions_along
 from ..streams import gust_at
 
-MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
-CHAOTIC = 0.1  # error over σ of a path that is chance
+MOTIONLESS = 1e-9  # m, rad: deviation of a motion below which it counts as zero
+CHAOTIC = 0.1  # error over σ above which a path is chaotic
 SLOWEST = 0.9  # largest ratio of errors from one tolerance to the next that counts as convergence
 
 
@@ -33,7 +33,7 @@ class Realisation(NamedTuple):
     buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
     poses : (n, N, 6) m, rad, displacements in space and headings of the bodies
     hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
-    links : (n, k, SHOWN) N, N m with which the first body of each hinge holds the second, along the axes of the first,
+    links : (n, k, SHOWN) N, N m exerted by the first body of each hinge on the second, along the axes of the first,
         with its spring and damper, and its travel, m or rad
     """
 
@@ -79,7 +79,7 @@ class Course(NamedTuple):
 
 
 def realisation_of(moored, settings, seed, begun, course):
-    """`Realisation` of a seed from what its run begins with (`run.Begun`) and the Course of its body"""
+    """`Realisation` of a seed from the start of its run (`run.Begun`) and the Course of its body"""
     samples, clock, lines = course.samples, course.clock, begun.scene.lines
     clocked = settings.step * np.arange(len(samples))
     tension = np.zeros((len(samples), len(lines.lost)))
@@ -162,21 +162,21 @@ class Doubt(NamedTuple):
     spread: np.ndarray
 
     def share(self, error):
-        """(n,) of the standard deviations that an error (n,) is, 0 of what does not move"""
+        """(n,) errors (n,) over the standard deviations, 0 for motions that are zero"""
         return np.where(self.spread > MOTIONLESS, error / np.maximum(self.spread, MOTIONLESS), 0.0)
 
     @property
     def worst(self):
-        """Largest share of a standard deviation that a motion may be off"""
+        """Largest error of a motion, over its standard deviation"""
         return self.share(self.bound).max()
 
 
 def doubt_of(found, finer, finest=None):
     """`Doubt` of a Realisation by motions (n, 6N) of runs to smaller tolerances, each by the same factor.
 
-    finest : None where one such run is enough.  Lines that jerk and lines that break leave errors that fall slowly, so
-    that the difference d₀₁ from the next run is but part of them.  With a third run the differences are carried on as a
-    geometric series,
+    finest : None if one such run is enough.  Lines that jerk and lines that break leave errors that decrease slowly, so
+    that the difference d₀₁ from the next run is only part of them.  With a third run the differences are extrapolated
+    as a geometric series,
 
         error ≤ max(d₀₁, d₀₂) + d₁₂ q/(1 − q),    q = min(d₁₂/d₀₁, SLOWEST).
     """
@@ -194,7 +194,7 @@ def doubt_of(found, finer, finest=None):
 
 
 def with_error(found, doubt, tolerance, words, runs="a run to a tenth of the tolerance"):
-    """A Realisation with the errors of a `Doubt`, and a finding where they may exceed the tolerance
+    """A Realisation with the errors of a `Doubt`, and a finding if they may exceed the tolerance
 
     words : (n,) names of the motions; runs : number of runs of the estimate
     """

@@ -32,14 +32,14 @@ STEPS_AT_ONCE = 2000, 200  # steps between progress reports, without and with mo
 FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
 SHARE = 0.3  # fraction of the tolerance for the errors within one such interval
 FINER = 0.1  # tolerance of the run that estimates the error, over that of the study
-# difference over tolerance from which a third run is made: of 2 000 random studies eight were beyond their
+# difference over tolerance above which a third run is made: of 2 000 random studies eight were beyond their
 DOUBTED = 1 / 3
-# tolerance while the second run told 0.58 to 0.94 of it
+# tolerance while the second run showed 0.58 to 0.94 of it
 COARSE = 0.01  # change of a static tension by discretisation accepted without a finding
 
 
 class Begun(NamedTuple):
-    """What a seed begins with.
+    """Initial data of a seed.
 
     scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N + G, 12) scale of its errors
     (`expected_motion`)
@@ -56,7 +56,7 @@ class Begun(NamedTuple):
 def simulate(moored, weather, settings, seed=0, progress=None):
     """One `Realisation` of a `Moored` body in a `Weather`.
 
-    seed : whole number; the same gives the same bits.  progress : called with the share done
+    seed : whole number; equal seeds give equal bits.  progress : called with the finished share
     raises : SimulationError where the motion cannot be followed
     """
     settings, words, left_out, _ = with_lines_chosen(moored, weather, settings)
@@ -69,7 +69,7 @@ def simulate(moored, weather, settings, seed=0, progress=None):
 
 
 def _judged(moored, settings, begun, found, progress):
-    """A `Realisation` with its errors by a second run, and by a third where the second is near the tolerance"""
+    """A `Realisation` with its errors by a second run, and by a third if the second is near the tolerance"""
 
     def motion(tolerance):
         finer = replace(settings, tolerance=tolerance)
@@ -138,7 +138,7 @@ def _begun(moored, weather, settings, seed):
 
 
 def with_lines_chosen(moored, weather, settings):
-    """`trial.Choice`: settings whose dynamic_lines are names, by a trial where they are "auto", else as they are.
+    """`trial.Choice`: settings whose dynamic_lines are names, by a trial if they are "auto", else unchanged.
 
     raises : SimulationError as of `simulate`
     """
@@ -215,7 +215,7 @@ def of_all(values, reader):
 
 
 def _coarse(moored, weather, settings, moving):
-    """Findings on lines with a motion of their own: what they leave out, and where elements make them pull otherwise"""
+    """Findings on lines with a motion of their own: neglected effects, and errors of their pull by their elements"""
     if moving is None:
         return ()
     found = [_around(weather, settings)]
@@ -223,7 +223,7 @@ def _coarse(moored, weather, settings, moving):
     static = line_work(lines)
     line_loads(lines, static, poses, np.zeros((len(poses), 3, 3)), np.zeros_like(poses))
     whole = np.hypot(*static.tension[moving[0].number].T)
-    if any(state.position[:, 2].max() > 0 for state in moving[1]):  # out of the water they are heavier, by right
+    if any(state.position[:, 2].max() > 0 for state in moving[1]):  # out of the water they are heavier, correctly
         moving = moving_of(moored, settings, surface=False)
     off = np.array([np.linalg.norm(state_pull(moving[0], i, one)) for i, one in enumerate(moving[1])]) / whole - 1
     worst = int(np.argmax(np.abs(off)))
@@ -248,7 +248,7 @@ def _around(weather, settings):
 
 
 def _of_lost(settings):
-    """Findings on what the statistics of lines that break hold"""
+    """Findings on the statistics of lines that break"""
     for name, at in settings.lines_lost:
         if at < settings.duration:
             yield (

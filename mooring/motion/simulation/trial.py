@@ -1,4 +1,4 @@
-"""Whether lines of a body may have their static shape: a short run with static lines, and one with lines that move.
+"""Whether lines of a body may have their static shape: a short run with static lines, and one with moving lines.
 
 A line in its static shape has neither inertia nor drag.  It snaps where a line in water gives way, and takes no energy
 out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's
@@ -35,11 +35,11 @@ LONGEST, SHORT = 600.0, 100.0  # s of a trial, and of the first one
 NEGLIGIBLE = 0.05
 CLEAR = 4 * NEGLIGIBLE  # change of a tension in a first trial that decides
 NUDGE = 2e-3  # initial offset of both trial runs, over the distance to the fairleads
-# share of the largest slow motion; smaller motions, and those that stay below their start, are not compared
+# share of the largest slow motion; smaller motions, and those that remain below their start, are not compared
 MINOR = 0.1
 PLANE = (0, 1, 5)
 FEW = 3  # largest number of names in a message
-# what lines do without inertia and drag, by trials of floaters A and three pontoons (tests/bench)
+# behaviour of lines without inertia and drag, by trials of floaters A and three pontoons (tests/bench)
 TOO_LARGE = "slow motion and snap loads are too large, snap loads 1.6 to 9 times on chains in 10 to 20 m of water"
 TOO_SMALL = (
     "the inertia of bodies on the line is missing too, and tensions are too small: of RM3, with 17 t at 40 m from the "
@@ -50,7 +50,7 @@ TOO_SMALL = (
 class Choice(NamedTuple):
     """settings : with dynamic_lines as names; words, left_out : what was seen, and what has no motion, one line each
 
-    pace : s of computing for each s simulated, of (static, moving) lines, nan where there was no trial
+    pace : s of computing per simulated s, of (static, moving) lines, nan without a trial
     """
 
     settings: object
@@ -70,7 +70,7 @@ def chosen(run, moored, weather, settings):
     """`Choice` of the lines of a `Moored` body by a trial, the same for every seed.
 
     run : (moored, weather, settings, seed, progress) → `Realisation`
-    raises : SimulationError where neither run can be made
+    raises : SimulationError if neither run is possible
     """
     able, left_out = able_to_move(moored.system, settings, bool(moored.reader.modes))
     still = replace(settings, dynamic_lines=(), lines_lost=(), estimate_error=False)
@@ -122,7 +122,7 @@ def able_to_move(system, settings, bends=False):
     if bends:
         return (), (STATIC,) * (system is not None)
     for line in () if system is None else system.lines:
-        if isinstance(line, Hawser):  # without weight it is what it is
+        if isinstance(line, Hawser):  # without weight it has no dynamics
             continue
         if not isinstance(line, UniformLine):
             loaded += [line.name] * bool(getattr(line, "loads", ()))
@@ -148,14 +148,14 @@ def _named(names):
 
 
 def _drives(weather):
-    """Whether anything in a `Weather` changes with time"""
+    """Whether anything in a `Weather` varies in time"""
     return bool(weather.seas or weather.forces) or not (
         weather.regular is None and weather.components is None and weather.gusts is None
     )
 
 
 def _nudged(moored):
-    """A `Moored` body that begins off its place; not at a berth, whose fenders know no half metres"""
+    """A `Moored` body that begins off its place; not at a berth, where half a metre is too much for fenders"""
     if moored.berth.names:
         return moored
     off = NUDGE * _arm(moored)
@@ -163,7 +163,7 @@ def _nudged(moored):
 
 
 def _arm(moored):
-    """m, to the fairlead that is farthest from the axis"""
+    """m, to the fairlead farthest from the axis"""
     return float(np.hypot(*body_lines(moored.system).fairlead[:, :2].T).max())
 
 
@@ -177,7 +177,7 @@ def _of_tension(moored, static, moving):
 
 
 def _of_slow_motion(moored, static, moving):
-    """`Difference` of the slow motion whose σ changes most, of those that are not small beside the others"""
+    """`Difference` of the slow motion whose σ changes most, without those that are relatively small"""
     words = moored.reader.words
     names, units = [words[i] for i in range(len(words)) if i % 6 in PLANE], (("m", 1.0), ("m", 1.0), ("°", 180 / np.pi))
     sigma = np.array([run.slow[run.time >= 0].std(axis=0) for run in (static, moving)])
@@ -195,7 +195,7 @@ def _of_slow_motion(moored, static, moving):
 
 
 class _Pace:
-    """Called with the share done: seconds a simulated second takes, without what is compiled or loaded at the begin"""
+    """Called with the finished share: seconds per simulated second, without compilation and loading at the start"""
 
     def __init__(self, settings):
         self.length, self.seen = settings.ramp + settings.duration, []
@@ -205,7 +205,7 @@ class _Pace:
 
     @property
     def seconds(self):
-        """nan where the run had too few steps"""
+        """nan for a run with too few steps"""
         if len(self.seen) < 2 or self.seen[-1][0] <= self.seen[0][0]:
             return np.nan
         (first, begun), (last, ended) = self.seen[0], self.seen[-1]

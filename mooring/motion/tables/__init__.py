@@ -1,1 +1,1 @@
-"""What forces are read from: tables over an angle or over time, and the water on a hull that slews."""
+"""Tables from which forces are read, over an angle or over time, and the water on a slewing hull."""

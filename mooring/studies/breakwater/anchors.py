@@ -1,4 +1,4 @@
-"""What anchors the greatest tension of a breakwater's lines asks for, beside what is there."""
+"""Anchors required for the greatest tension of a breakwater's lines, beside the given ones."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HIGH_SINKER = 0.5  # height of a sinker, over the water under the keel, above wh
 
 
 class Sinker(NamedTuple):
-    """A block on the bed: friction; width, m; unit_weight : N/m³; weight : submerged, N/m, of what is there, or None
+    """A block on the bed: friction; width, m; unit_weight : N/m³; weight : submerged, N/m, of a given block, or None
     lifted : whether a line's pull upwards is carried too"""
 
     friction: float
@@ -27,7 +27,7 @@ class Sinker(NamedTuple):
 
 
 class Pile(NamedTuple):
-    """diameter, length : m; cohesion : N/m²; safety; spacing : m, of piles that are there, or None"""
+    """diameter, length : m; cohesion : N/m²; safety; spacing : m, of given piles, or None"""
 
     diameter: float
     length: float
@@ -45,7 +45,7 @@ class Holding(NamedTuple):
 
 
 class Anchors(NamedTuple):
-    """Any of them; common_sinker : one under both lines"""
+    """Anchors of any of these kinds; common_sinker : one under both lines"""
 
     sinker: Sinker | None = None
     common_sinker: Sinker | None = None
@@ -116,7 +116,7 @@ def _pile_row(end, pile, tension, angle):
 
 
 def _common_row(breakwater, sinker):
-    """One sinker under both lines: the greatest over periods and levels"""
+    """One sinker under both lines: the greatest weight over periods and levels"""
     omega = 2 * np.pi / unbroken(breakwater, breakwater.waves.period)
     greatest, c, s = 0.0, np.cos(breakwater.angle), np.sin(breakwater.angle)
     for _, rise in breakwater.levels:

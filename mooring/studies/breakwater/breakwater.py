@@ -1,6 +1,6 @@
-"""A floating breakwater on taut lines, per metre of its length, in the waves that it is asked about; SI.
+"""A floating breakwater on taut lines, per metre of its length, in given waves; SI.
 
-From its section to bodies on their lines and bodies afloat, at every level of the water.
+From its section to bodies on their lines and floating bodies, at every water level.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ THEORIES = ("potential flow", "long waves")
 
 
 class BreakwaterError(ValueError):
-    """A breakwater that cannot be, or that a theory does not have; one line names the value and what is allowed."""
+    """A breakwater that is impossible or outside a theory; the message names the value and the limit."""
 
 
 class Water(NamedTuple):
@@ -38,7 +38,7 @@ class Water(NamedTuple):
 
 class Section(NamedTuple):
     """shape : rectangle of beam and height, circle of diameter, outline of points [y, z] or [y, z, bulge], the last the
-    first again; draft : on its lines, at mean level; all m"""
+    the first; draft : on its lines, at mean level; all m"""
 
     shape: str
     draft: float
@@ -50,7 +50,7 @@ class Section(NamedTuple):
 
 class Body(NamedTuple):
     """center_of_gravity : m above the lowest point; gyration : m; mass : kg/m, or free_draft : m, or neither, where the
-    pretension of the lines tells the weight"""
+    weight follows from the pretension of the lines"""
 
     center_of_gravity: float
     gyration: float
@@ -61,7 +61,7 @@ class Body(NamedTuple):
 class Lines(NamedTuple):
     """Pairs of lines.  angle : rad, with the bed; attachment : m, half the distance of their upper ends;
     attachment_height : m above the lowest point; length : m, None: to the bed; spacing : m between pairs
-    pretension : N per metre of body, in place of its weight; allowable, axial_stiffness : N, of one line"""
+    pretension : N per metre of body, instead of its weight; allowable, axial_stiffness : N, of one line"""
 
     angle: float
     attachment: float
@@ -74,12 +74,12 @@ class Lines(NamedTuple):
 
     @property
     def stretch(self):
-        """EA, N per metre of body, None for lines that do not stretch"""
+        """EA, N per metre of body, None for inextensible lines"""
         return None if self.axial_stiffness is None else self.axial_stiffness / self.spacing
 
 
 class Waves(NamedTuple):
-    """Regular waves.  height : m; period : (n,) s, ascending; obliquity : rad, of their way with the normal"""
+    """Regular waves.  height : m; period : (n,) s, ascending; obliquity : rad, angle of travel to the normal"""
 
     height: float
     period: np.ndarray
@@ -90,10 +90,10 @@ class Waves(NamedTuple):
 class Breakwater:
     """A breakwater and its waves.  `rise` is that of the water above its mean level, m.
 
-    body : None for a fixed one; sea : its direction is the angle with the normal; duration : s, of the sea
-    holdings, theories : that are compared, of `holdings.HOLDINGS` and THEORIES; loss : C of C U²/2g under the keel
-    chosen : (holding, theory) that tensions are of, holding None for the first that has lines
-    Raises BreakwaterError for bodies and lines that cannot be.
+    body : None for a fixed one; sea : its direction is the angle to the normal; duration : s, of the sea
+    holdings, theories : those compared, of `holdings.HOLDINGS` and THEORIES; loss : C of C U²/2g under the keel
+    chosen : (holding, theory) for the tensions; holding None for the first with lines
+    Raises BreakwaterError for impossible bodies and lines.
     """
 
     water: Water
@@ -129,7 +129,7 @@ class Breakwater:
 
     @property
     def levels(self):
-        """(name, rise) of the water, the mean one first"""
+        """(name, rise) of the water levels, the mean one first"""
         tide = self.water.tide
         return [("mean", 0.0), ("low", -tide), ("high", tide)] if tide else [("mean", 0.0)]
 
@@ -145,12 +145,12 @@ class Breakwater:
 
     @property
     def loses_exactly(self):
-        """Whether the flow under the keel loses head by `bem.sections.keel_loss`, which is of rectangles"""
+        """Whether `bem.sections.keel_loss`, for rectangles, computes the head loss under the keel"""
         return self.loss is not None and self.section.shape == "rectangle"
 
     @property
     def design(self):
-        """(holding, theory) that tensions are of: as chosen, else the first of the holdings that has lines"""
+        """(holding, theory) for the tensions: as chosen, else the first holding with lines"""
         held = [holding for holding in self.holdings if holding in ("taut", "elastic")]
         return self.chosen[0] or (held or self.holdings)[0], self.chosen[1]
 
@@ -220,7 +220,7 @@ class Breakwater:
         return mass
 
     def pretension(self, rise):
-        """P₀ of a line, N/m, or None where the weight is not known"""
+        """P₀ of a line, N/m, or None if the weight is unknown"""
         if self.body is None:
             return None
         excess = self.water.density * self.wetted(rise).area - self.mass
@@ -278,14 +278,14 @@ class Breakwater:
         raise BreakwaterError("theory long waves needs a rectangle or a circle; section.shape is 'outline'")
 
     def mirrored(self, wetted):
-        """The `Wetted`, if it is its own mirror image.  Raises BreakwaterError."""
+        """The `Wetted`, if it is symmetric about y = 0.  Raises BreakwaterError otherwise."""
         if not wetted.symmetric:
             raise BreakwaterError("section is not its own mirror image in y = 0; needed where it moves or loses head")
         return wetted
 
     def changed(self, draft=None, width=None, angle=None):
-        """The breakwater with another draft, width (m) or angle (rad) of its lines, the body going with its section:
-        what is upright with its height, what is across with its width"""
+        """The breakwater with another draft, width (m) or line angle (rad); the body scales with its section: vertical
+        dimensions with its height, horizontal ones with its width"""
         section, body, lines = self.section, self.body, self.lines
         across = "diameter" if section.shape == "circle" else "beam"
         wide = getattr(section, across)
@@ -308,7 +308,7 @@ class Breakwater:
         return replace(self, section=section._replace(**sizes), body=body, lines=lines)
 
     def _check_stretch(self):
-        """Raise BreakwaterError where the pretension would draw the lines out to twice their length."""
+        """Raise BreakwaterError where the pretension would stretch the lines to twice their length."""
         lines = self.lines
         if lines is None or lines.axial_stiffness is None:
             return
@@ -320,7 +320,7 @@ class Breakwater:
             )
 
     def beside(self):
-        """A line where the lines' upper ends are beside the body, or nothing"""
+        """A message if the lines' upper ends are outside the body, or nothing"""
         lines = self.lines
         if lines is None:
             return

@@ -12,7 +12,7 @@ from ...breakwater.loss import Keel, with_loss
 from .breakwater import THEORIES, BreakwaterError
 
 TOLERANCE = 1e-5
-OBLIQUE_TOLERANCE = 1e-4  # a sea over directions takes a thousand sections
+OBLIQUE_TOLERANCE = 1e-4  # a sea over directions needs a thousand sections
 
 
 class Curve(NamedTuple):
@@ -28,7 +28,7 @@ class Curve(NamedTuple):
 
 
 def curves(breakwater, omega):
-    """All curves of a study at mean level, and what was left out, one line each; omega : (n,) rad/s"""
+    """All curves of a study at mean level, and messages on omitted ones; omega : (n,) rad/s"""
     made, left_out = [], []
     for theory in breakwater.theories:
         for holding in breakwater.holdings:
@@ -42,7 +42,7 @@ def curves(breakwater, omega):
 
 
 def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity=None):
-    """`Response` at frequencies (n,) rad/s.  Raises BreakwaterError where a theory does not have a holding.
+    """`Response` at frequencies (n,) rad/s.  Raises BreakwaterError for a holding that a theory does not support.
 
     amplitude : m, of the waves, for what is lost; obliquity : (n,) rad, angle with the normal; by default those of the
     study's regular waves
@@ -88,7 +88,7 @@ def _with_loss(breakwater, made, holding, rise, omega, amplitude):
 
 
 def sections(breakwater, wetted, rise, omega, obliquity=0.0):
-    """(n,) `Section` of what is under water at frequencies (n,) rad/s; obliquity : (n,) rad.
+    """(n,) `Section` of the wetted part at frequencies (n,) rad/s; obliquity : (n,) rad.
 
     Raises BreakwaterError.
     """

@@ -1,4 +1,4 @@
-"""A breakwater in its sea: what passes it, and tensions at the worst level."""
+"""A breakwater in its sea: transmitted waves, and tensions at the worst level."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .breakwater import KN, THEORIES, BreakwaterError
 from .curves import response
 from .tides import ENDS
 
-SEA_CELLS = 120  # the height behind a circle is within 2e-4 of that of 2000
+SEA_CELLS = 120  # with this number the height behind a circle is within 2e-4 of that with 2000
 WAYS = 12  # directions of a spread sea; the height behind is within 4e-3 of that with 48
 MOST_OBLIQUE = np.radians(85)
 
@@ -79,14 +79,14 @@ def response_in_sea(breakwater, holding, theory, rise, omega, amplitude, ways):
 
 
 def ways_of(breakwater, omega, count=WAYS, any_section=False):
-    """(d, m) rad, angles with the normal of waves of equal energy of the sea at frequencies (m,) rad/s.
+    """(d, m) rad, angles to the normal of waves of equal energy in the sea at frequencies (m,) rad/s.
 
     Raises BreakwaterError.
     """
     mean, spread = breakwater.sea.direction, breakwater.sea.spreading
     if not any_section and breakwater.section.shape != "rectangle" and (mean or spread is not None):
         warnings.warn(
-            "waves at an angle are told for rectangles: the sea in two dimensions is taken along the normal",
+            "waves at an angle are supported for rectangles only: the whole sea is taken along the normal",
             stacklevel=2,
         )
         return np.zeros((1, len(omega)))
@@ -103,7 +103,7 @@ def ways_of(breakwater, omega, count=WAYS, any_section=False):
 
 
 def rougher(breakwater, held, sea):
-    """What is said where lines carry more in the sea than in the waves that pretension and anchors go by"""
+    """Message if lines carry more in the sea than in the regular waves that determine pretension and anchors"""
     if sea is None or sea.tension is None:
         return
     over = [(end, s, w) for end, s, w in zip(ENDS, sea.tension, held.greatest, strict=True) if s > w]

@@ -1,9 +1,9 @@
-"""Waves around breakwaters of finite length, of a database of their units: how high, over how high they came.
+"""Waves around breakwaters of finite length, from a database of one unit: their height over the incident height.
 
     K(x, y)² = Σ_ω,β |η(x, y; ω, β)|² S_i Δω Δβ / Σ S_i Δω Δβ,      η with what every unit scatters and radiates
 
-x along the row of units, y to leeward, a unit being the study's section over the database's length, held as the study
-holds it (`mooring.breakwater.unit`), its neighbours apart by a gap (`bem.wave_field.units`).
+x along the row of units, y to leeward; a unit is the study's section over the database's length, moored as in the study
+(`mooring.breakwater.unit`), separated from its neighbours by a gap (`bem.wave_field.units`).
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ MOVING = ("added_mass", "radiation_damping", "excitation_force")
 SAME = 0.02  # largest relative difference of the database's hull and the study's section
 CELLS, WAYS = 16, 10  # frequency cells and directions of a sea
 LEAST = 0.9  # smallest fraction of the sea's energy within the database
-MISSED = 0.02  # share of a far field that its sources may miss without a word
+MISSED = 0.02  # share of a far field that its sources may miss without a message
 BEHIND = (0.25, 0.5, 1.0, 2.0)  # distances behind the row, over its length, at which the height is reported
 
 
 class Row(NamedTuple):
     """Units in a row, `gap` m between them, in regular waves of `period`, s, or in the sea
 
-    x, y : m, from and to, along the row and to leeward, of a map of so many points each way
+    x, y : m, from and to, along the row and to leeward, of a map with this number of points each way
     """
 
     period: float | None = None
@@ -51,7 +51,7 @@ class Lee(NamedTuple):
     """x (a,), y (b,) m; ratio : (b, a) K, nan in the bodies; units : (u, 2) m, middles; half : (2,) m of one
     behind : [(y m, mean K over the breadth of the row)]; waves : in words; warned : one line each
     lines : (p,) m, x of a unit's pairs of lines; tension : (2, p) N/m², δP of its front and back lines over the
-    amplitude of the waves that come, of a unit alone, root mean squares of a sea; None without lines"""
+    amplitude of the incident waves, of a unit alone, root mean squares of a sea; None without lines"""
 
     x: np.ndarray
     y: np.ndarray
@@ -66,7 +66,7 @@ class Lee(NamedTuple):
 
 
 def lee(breakwater, asked, db):
-    """`Lee` of a `Breakwater` as a `Row` of units of a database.  Raises ValueError for another body's database."""
+    """`Lee` of a `Breakwater` as a `Row` of units of a database.  Raises ValueError for a database of another body."""
     reader = db.reader
     length = _check_same(breakwater, db)
     fixed = breakwater.design[0] == "fixed"
@@ -126,7 +126,7 @@ def _pulls(breakwater, length, center):
 
 
 def _axial_stiffness(breakwater):
-    """EA, N per metre of body; None for lines that do not stretch"""
+    """EA, N per metre of body; None for inextensible lines"""
     return breakwater.lines.stretch if breakwater.design[0] == "elastic" else None
 
 
@@ -181,14 +181,14 @@ def _far_field(reader, moved, omega, betas):
 
 
 def _grid(asked, whole, half_width):
-    """x, y m of the map; by default a breadth and a half of the row, as far behind it, a half before"""
+    """x, y m of the map; by default 1.5 breadths of the row, as far behind it, half a breadth before it"""
     x = asked.x or (-0.75 * whole, 0.75 * whole)
     y = asked.y or (-0.5 * whole, 1.5 * whole)
     return (np.linspace(*ends, asked.points) for ends in (x, y))
 
 
 def _check_same(breakwater, db):
-    """Length of the unit, m.  Raises BreakwaterError where the database is of another body or other water."""
+    """Length of the unit, m.  Raises BreakwaterError for a database of another body or other water."""
     wet, points = breakwater.wetted(0.0), db.mesh.whole().points
     if db.water_depth is None or np.isinf(db.water_depth):
         raise BreakwaterError("the database is of deep water; allowed: that of the study's depth")

@@ -1,8 +1,7 @@
-"""Draft, width and angle of the lines against each other: the least wave behind a breakwater for every tension.
+"""Trade-off of draft, width and line angle: the lowest wave behind a breakwater for every tension.
 
-Sobol's points over the given ranges, then for limits of the tension between the best of them COBYLA (Powell 1994),
-which lowers the wave behind under the limit; designs whose lines go slack, that are unstable, or that cannot be, do not
-count.
+Sobol's points over the given ranges; then, for tension limits between the best of them, COBYLA (Powell 1994) lowers the
+wave behind under each limit; designs with slack lines, and unstable or impossible ones, are excluded.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ BESIDE, STEEP = 0.05, 0.2  # relative change of period and the change of K_T tha
 
 
 class Front(NamedTuple):
-    """names : of what varies; designs : (n, names), as the ranges; tension : (n,) greatest, N/m, ascending
+    """names : of the varied values; designs : (n, names), as the ranges; tension : (n,) greatest, N/m, ascending
     behind : (n,) 4√m₀ behind, m, or without a sea the greatest K_T, descending; trials : number of designs tried"""
 
     names: tuple
@@ -41,7 +40,7 @@ def front(changed, ranges, samples=64, limits=6):
     """The `Front` of breakwaters on lines to the bed.  Raises BreakwaterError where no design holds.
 
     changed : named values → `Breakwater`, as its `changed`; ranges : {name: (from, to)} of the values
-    samples : designs that are tried first, a power of two; limits : tensions under which the wave behind is lowered
+    samples : number of initial designs, a power of two; limits : tensions under which the wave behind is lowered
     """
     from scipy.stats import qmc
 
@@ -95,7 +94,7 @@ def _refine(trial, holding, low, high, limits):
 
 
 def beside_resonances(changed, found):
-    """A line on designs of a `Front` that stand beside a resonance, with K_T at the periods beside the steepest"""
+    """A message on designs of a `Front` close to a resonance, with K_T at the periods around the steepest change"""
     steep = []
     for number, values in enumerate(found.designs, 1):
         made = changed(**dict(zip(found.names, map(float, values), strict=True)))
@@ -111,9 +110,9 @@ def beside_resonances(changed, found):
         _, number, period, passed = max(beside)
         told = ", ".join(f"{K:.2f} at {T:.3g} s" for T, K in zip(period, passed, strict=True))
         yield (
-            f"{len(beside)} of {len(steep)} of the best designs stand beside a resonance, most design {number}: K_T is "
-            f"{told}; a little more draft or period changes what passes by more than {STEEP:g}: take another, or give "
-            "waves.period closer together there"
+            f"{len(beside)} of {len(steep)} of the best designs are near a resonance, design {number} most: K_T is "
+            f"{told}; a slightly different draft or period changes K_T by more than {STEEP:g}: take another, or "
+            "give waves.period at closer values there"
         )
 
 

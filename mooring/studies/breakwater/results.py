@@ -1,4 +1,4 @@
-"""What is found of a breakwater: curves over period, the sea behind it, pretension over the tide, anchors."""
+"""Results of a breakwater: curves over period, the sea behind it, pretension over the tide, anchors."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Results(NamedTuple):
 
 
 def results(breakwater, anchors=NONE):
-    """`Results` of a `Breakwater`; anchors : that its lines may have.  Raises ValueError."""
+    """`Results` of a `Breakwater`; anchors : possible anchors of its lines.  Raises ValueError."""
     period = breakwater.waves.period
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -49,5 +49,5 @@ def results(breakwater, anchors=NONE):
         *rougher(breakwater, held, sea),
     ]
     if breakwater.lines is not None and not has_tensions:
-        warned.append(f"holding {breakwater.design[0]} tells no tension of these lines: no pretension and no anchors")
+        warned.append(f"holding {breakwater.design[0]} gives no tension of these lines: no pretension and no anchors")
     return Results(made, tides, held, sea, rows, warned, snapping(breakwater, tides, held))

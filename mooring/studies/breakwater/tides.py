@@ -1,4 +1,4 @@
-"""Tensions over the levels of the tide in regular waves, and the pretension that they ask for."""
+"""Tensions over the tidal levels in regular waves, and the required pretension."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class Tide(NamedTuple):
 
 
 class Pretension(NamedTuple):
-    """N/m at mean level, of the worse line; given : of the study, or None; least : that keeps both lines taut
-    most : that the allowable tension leaves, or None; greatest : (front, back) tension with `used`"""
+    """N/m at mean level, of the worse line; given : by the study, or None; least : smallest that keeps both lines taut
+    most : largest within the allowable tension, or None; greatest : (front, back) tension with `used`"""
 
     given: float | None
     used: float
@@ -41,7 +41,7 @@ class Pretension(NamedTuple):
 
 
 class Snapping(NamedTuple):
-    """Lines that go slack, in time: level, period (s), `mooring.breakwater.snap.Snap`"""
+    """Slack lines in time: level, period (s), `mooring.breakwater.snap.Snap`"""
 
     level: str
     period: float
@@ -49,14 +49,14 @@ class Snapping(NamedTuple):
 
 
 def highest(breakwater, period):
-    """(n,) m, the highest wave that does not break at a period, (n,) s (Miche)"""
+    """(n,) m, the highest unbroken wave at a period, (n,) s (Miche)"""
     depth = breakwater.depth(0.0)
     k = wavenumber(2 * np.pi / period, depth, breakwater.water.gravity)
     return BREAKING * 2 * np.pi / k * np.tanh(k * depth)
 
 
 def breaking(breakwater):
-    """A line where waves of the study's height break, or nothing"""
+    """A message if waves of the study's height break, or nothing"""
     height, period = breakwater.waves.height, breakwater.waves.period
     limit = highest(breakwater, period)
     if np.any(breaks := height > limit):
@@ -88,7 +88,7 @@ def tides_of(breakwater, period):
 
 
 def pretension_of(breakwater, tides):
-    """`Pretension` that the [Tide] ask for"""
+    """`Pretension` required by the [Tide]"""
     lines = breakwater.lines
     least = max(0.0, max(anchors.pretension_needed(max(one.front, one.back), -one.change) for one in tides))
     given = breakwater.pretension(0.0)

@@ -1,4 +1,4 @@
-"""Gusts that a study's wind has."""
+"""Gusts of a study's wind."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Seas in words of studies and flags: families of spectra, their shape, spreading over directions."""
+"""Seas in the words of studies and flags: families of spectra, their shape, spreading over directions."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def spectrum_of(where, table, depth):
 
 
 def mean_wave(waves, spectrum):
-    """Height m and mean period s of a WavesTable: as given, else those of its spectrum, with the swell"""
+    """Height m and mean period s of a WavesTable: as given, else those of its spectrum, including the swell"""
     given = waves.period if waves.mean_period is None else waves.mean_period
     if waves.swell or waves.file is not None:
         return float(spectrum.significant_height), float(spectrum.T01)
@@ -126,7 +126,7 @@ def mean_period(where, table, depth):
 
 
 def sea_with_swell(where, waves, depth):
-    """The Sea of a SystemsTable, or Systems with its swell, in `depth` m.  Raises StudyError."""
+    """The Sea of a SystemsTable, or Systems including its swell, in `depth` m.  Raises StudyError."""
     from hakobune.mooring.seas.systems import Systems
 
     own = waves.sea(where, depth)
@@ -135,7 +135,7 @@ def sea_with_swell(where, waves, depth):
 
 
 def files_at(table, folder):
-    """A raw table of a sea, its files and those of its swell with the `folder` they lie in"""
+    """A raw table of a sea, with the `folder` added to the paths of its files and those of its swell"""
     found = dict(table)
     if isinstance(table.get("file"), str):
         found["file"] = str(folder / table["file"])
@@ -160,13 +160,13 @@ def seas_at(raw, folder):
 
 
 def files_of(table):
-    """Paths of the files of a raw table of a sea as `files_at` gives it"""
+    """Paths of the files of a raw table of a sea, from `files_at`"""
     systems = (table, *(table["swell"] if isinstance(table.get("swell"), list) else ()))
     return [Path(one["file"]) for one in systems if isinstance(one, dict) and isinstance(one.get("file"), str)]
 
 
 def _of_file(where, table):
-    """The Sea of a file of `spectra_files`; a direction and a spreading of the study go before its own"""
+    """The Sea of a file of `spectra_files`; a direction and a spreading in the study replace those of the file"""
     from hakobune.mooring.environment.sea import Sea
     from hakobune.mooring.seas.spectra_files import TabulatedSpreading, read_sea
 
@@ -183,7 +183,7 @@ def _of_file(where, table):
 
 
 def family_of(where, table, depth):
-    """Function of `mooring.seas.families` that the table names; depth : m.  Raises StudyError."""
+    """Function of `mooring.seas.families` named in the table; depth : m.  Raises StudyError."""
     from hakobune.mooring.seas.families import PEAKED, families
 
     known = families(depth)
@@ -195,7 +195,7 @@ def family_of(where, table, depth):
 
 
 def sea_of(where, waves, towards, depth):
-    """The Sea of a table with the keys of a SeaTable that travels towards a direction, rad, in `depth` m.
+    """The Sea of a table with the keys of a SeaTable, towards a direction, rad, in `depth` m.
 
     Raises StudyError.
     """

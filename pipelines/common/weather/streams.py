@@ -1,8 +1,8 @@
-"""Wind and current of a study: the tables [wind], [current] and [hull], and the loads of them.
+"""Wind and current of a study: the tables [wind], [current] and [hull], and their loads.
 
-One table for every study of a hull.  Coefficients are those of a box, of the numbers given, of a file in the form of
-OCIMF's, or, of wind, of a type of ship.  A file is read where its study is, and stands in the study from then on as
-the numbers it holds: a state of a design has them, and a result tells them.
+One table for every study of a hull.  Coefficients are those of a box, of given numbers, of a file in the form of
+OCIMF's, or, for wind, of a type of ship.  A file is read relative to its study and replaced by its numbers, so that a
+state of a design and a result contain them.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from ..quantities import StudyError, Table, direction, speed, waves_on
 from .seas import seas_at
 
 STREAMS = ("wind", "current")
-WAYS = ("coefficients", "ship")  # ways to give coefficients of the hull; one of them
-OF_HULL = (*WAYS, "center_z")  # keys that belong to the hull, whatever the weather
-BOXY = 0.95  # block coefficient from which a hull counts as a box
+WAYS = ("coefficients", "ship")  # ways to give coefficients of the hull; only one may be used
+OF_HULL = (*WAYS, "center_z")  # keys of the hull, independent of the weather
+BOXY = 0.95  # block coefficient above which a hull counts as a box
 AREAS = ("area_x", "area_y", "area_n", "length")
 
 
@@ -148,7 +148,7 @@ def wind_table(table):
 
 
 def coefficients_of(where, table):
-    """Coefficients of a StreamTable as `mooring.loads.on_hull` takes them, None where none are given.
+    """Coefficients of a StreamTable for `mooring.loads.on_hull`, None if none are given.
 
     raises : StudyError
     """
@@ -178,7 +178,7 @@ def coefficients_of(where, table):
 
 
 def _of_hull(where, c, angles, hull):
-    """HullCoefficients of numbers; hull : `ExposedBox` of areas that are not given, None to check the others"""
+    """HullCoefficients from numbers; hull : `ExposedBox` for missing areas, None to check the others"""
     from hakobune.mooring.loads.coefficients import hull_coefficients
 
     sizes = {key: getattr(c, key) for key in (*AREAS, "height") if getattr(c, key) is not None}
@@ -192,7 +192,7 @@ def _of_hull(where, c, angles, hull):
 
 
 def _areas(where, hull):
-    """m² that the stream meets from ahead and from abeam"""
+    """m², areas exposed to the stream from ahead and from abeam"""
     if where == "current":
         return hull.beam * hull.draft, hull.length * hull.draft
     from hakobune.mooring.loads.on_hull import silhouettes
@@ -227,14 +227,14 @@ def superstructures(hull):
 
 
 def with_hull(table, of_hull):
-    """A raw table of wind or current with what it lacks of those keys of the study that belong to its hull"""
+    """A raw table of wind or current, completed by the study's keys of its hull"""
     own = any(way in table for way in WAYS)
     return {key: value for key, value in of_hull.items() if not (own and key in (*WAYS, "turning"))} | table
 
 
 def with_files(raw, text, path):
-    """Nested dictionaries and text of a study at `path`, with the numbers of the files of its wind and current, and the
-    folder of those of its seas, of which the text has a checksum.
+    """Nested dictionaries and text of a study at `path`, with the numbers of its coefficient files for wind and
+    current, and the folder of its sea files, of which the text has a checksum.
 
     raises : StudyError
     """
@@ -255,7 +255,7 @@ def with_files(raw, text, path):
 
 
 def _with_numbers(where, table, folder):
-    """A raw table with the coefficients of its file in the place of its name"""
+    """A raw table with the coefficients of its file instead of the file's name"""
     import numpy as np
 
     from hakobune.mooring.loads.coefficients import read_hull_coefficients
@@ -274,7 +274,7 @@ def _with_numbers(where, table, folder):
 
 
 def no_box(block, hull, study):
-    """A line where wind and current on a hull that is no box are taken as on one; [] where they are not.
+    """A message if wind and current treat a hull that is no box as a box; else [].
 
     block : displacement over length, beam and draft; study : with wind and current
     """

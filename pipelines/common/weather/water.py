@@ -1,4 +1,4 @@
-"""Tables of water and of regular waves that studies share."""
+"""Tables of water and of regular waves that several studies use."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ class WaveTable(Table):
 
 
 def check_solved_depth(depth, solved, name, period=None):
-    """Raise StudyError where a body solved in `solved` m is in other waves in `depth` m.
+    """Raise StudyError if the waves of a body solved in `solved` m differ in `depth` m.
 
-    Waves in deep water are those of any depth of half their length.
+    Deep-water waves are the same in any depth above half their length.
 
     name : of what is solved; period : s, mean, of the waves, None without
     """

@@ -13,5 +13,5 @@
     draw(study, database, numbers, path)  a plan of it
     body(raw)                  words on the body, where no database is needed
 
-The kind of a study follows from its tables.
+The kind of a study is determined by its tables.
 """

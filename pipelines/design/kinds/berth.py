@@ -1,7 +1,7 @@
 """Results in time at a berth: strain, energy and reaction of fenders in addition to tensions of ropes and lines.
 
-strain, total    largest of all runs, over the height; on a dolphin, of the fender without the dolphin
-strain, steady   largest mean of ten minutes in the kept records (the report's limit is of "periods of 10 min and
+strain, total    largest of all runs, over the height; on a dolphin, of the fender without the dolphin strain, steady
+largest mean of ten minutes in the kept records (the report's limit is of "periods of 10 min and
                  longer", SR179 1982, chapter 4, 3.2.5)
 """
 
@@ -67,7 +67,7 @@ def _periods(file):
 
 
 def _steady_of_few(file):
-    """That steady strains are of the kept records, where there are runs beside them"""
+    """Remark that steady strains are those of the kept records, if other runs exist"""
     kept, runs = len(file["deflection"]), len(file["seed"])
     if kept < runs:
         yield (
@@ -77,7 +77,7 @@ def _steady_of_few(file):
 
 
 def _at_rest(made, db, hull, start):
-    """SystemEquilibrium of the lines with the body where it rests at the berth, None without lines"""
+    """SystemEquilibrium of the lines with the body at rest at the berth, None without lines"""
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
 
     system = made.system(hull, db.rotation_center, db.density, db.gravity)

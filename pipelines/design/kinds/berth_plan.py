@@ -1,6 +1,6 @@
-"""Plan of a berth: the hull between its fenders and on its ropes, coloured by utilisation.
+"""Plan of a berth: the hull between its fenders and ropes, coloured by utilisation.
 
-Names are in rows, those of ropes beyond the bollards of their side and those of fenders within the hull, so that they
+Names are in rows, those of ropes beyond the bollards of their side and those of fenders inside the hull, so that they
 do not overlap.
 """
 
@@ -11,7 +11,7 @@ import numpy as np
 from .needs import OF_ALLOWABLE
 
 LETTER, ROW = 0.06, 0.15  # inches: width of a letter of a name, height of a row of names
-WIDTH, MARGIN = 8.6, 0.1  # inches of the plan along x, and share of its length that is left free at either end
+WIDTH, MARGIN = 8.6, 0.1  # inches of the plan along x, and share of its length that is free at either end
 SIDES = (1, -1)
 
 
@@ -57,7 +57,7 @@ def draw_berth(made, db, numbers, path):
 
 
 def _draw_fenders(axes, fenders, strain, colours, hull, scale):
-    """Fenders with their names; those at the ends of the hull, which push along x, have theirs beside them"""
+    """Fenders with their names; names of fenders at the ends of the hull, which push along x, are beside them"""
     told = [f"{one.name} {100 * strain.get(one.name, 0.0):.0f} %" for one in fenders]
     for one in fenders:
         axes.plot(*one.face[:2], "s", ms=9, color=colours.to_rgba(min(strain.get(one.name, 0.0), 2.0)), mec="k")
@@ -80,8 +80,8 @@ def _by_side(words, places, y, scale):
 
 
 def _in_rows(words, scale):
-    """[[(text, (2,) m)] of each row], from left to right, so that none lies over another of its row"""
-    rows, ends = [], []  # ends : of each row, m along x where its last name ends
+    """[[(text, (2,) m)] of each row], from left to right, without overlaps in a row"""
+    rows, ends = [], []  # ends : of each row, m along x of the end of its last name
     for text, place in sorted(words, key=lambda one: one[1][0]):
         half = 0.5 * LETTER * len(text) / scale
         row = next((i for i, end in enumerate(ends) if end < place[0] - half), len(rows))

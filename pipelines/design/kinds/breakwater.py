@@ -1,7 +1,7 @@
 """A floating breakwater: `hakobune breakwater`, each state of the project as the incident sea.
 
 The waves of a state are the sea.  Anchors and tide are sized with regular waves of the largest height in the duration,
-H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle with the normal, levels are those of the
+H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle to the normal, levels are those of the
 study's tide.
 """
 
@@ -49,7 +49,7 @@ def read(path):
 
 
 def check(project, raw):
-    """Raises StudyError where a project asks what this kind has not."""
+    """Raises StudyError for a project with requirements that this kind does not support."""
     if project.simulation is not None:
         raise StudyError("simulation is given; a breakwater is not simulated in time")
     if project.levels:
@@ -93,7 +93,7 @@ def at(base, depth, weather):
 
 
 def checked(study, body, folder):
-    """Raises ValueError for a load case that no run could take."""
+    """Raises ValueError for an invalid load case."""
     from ...breakwater.build import breakwater_of
     from ...breakwater.study import make_breakwater
 
@@ -101,7 +101,7 @@ def checked(study, body, folder):
 
 
 def words(_, raw):
-    """The door that gives a case's numbers again, where they are, and what the method leaves out"""
+    """The command that repeats a case, the place of its numbers, and the effects that the method neglects"""
     return "hakobune breakwater cases/NAME.toml", SOURCES, METHOD
 
 
@@ -120,12 +120,12 @@ def needs(raw):
 
 
 def finds(raw):
-    """What passes it, and what its lines and anchors use"""
+    """Transmitted waves, and utilisations of lines and anchors"""
     return BEHIND, SHARE, ALLOWABLE, SLACK, ANCHOR
 
 
 def lost(study):
-    """No line may be lost: a breakwater in two dimensions has two"""
+    """No line may be lost: a two-dimensional breakwater has two lines"""
     return []
 
 
@@ -135,7 +135,7 @@ def without(study, name):
 
 
 def run(study, database, path, _):
-    """`Numbers` of a case, solved for where its file is not there or of another study, and None"""
+    """`Numbers` of a case, computed if its file is missing or of another study, and None"""
     return numbers_of(path, tomli_w.dumps(study), None, lambda: _found(study, path)), None
 
 
@@ -153,7 +153,7 @@ def _solved(raw):
 
 
 def _found(raw, path):
-    """`Numbers`, and beside them the files of the door"""
+    """`Numbers`, and next to them the files of the command"""
     result = _solved(raw)
     write_whole(path.with_suffix(".toml"), tomli_w.dumps(raw))
     result.write(path)
@@ -201,7 +201,7 @@ def _numbers(asked, found):
 
 
 def _curve(chosen, heights):
-    """Name of the curve of (holding, theory) that tensions are of, the first where it has no sea behind it"""
+    """Name of the curve of (holding, theory) for the tensions, the first if no sea is given"""
     holding, theory = chosen
     known = [name for name in heights if name == holding or (holding in name and theory in name)]
     return (known or list(heights))[0]

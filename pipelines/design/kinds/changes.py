@@ -1,8 +1,8 @@
-"""What of a study may be changed where it does not pass: sizes of lines and ropes, pretension, number of lines.
+"""Possible changes of a study that fails: sizes of lines and ropes, pretension, number of lines.
 
-Each way is a row of studies, each changed more than the one before it.  Sizes are those of the catalogue; a rope of a
-berth, which is given by its breaking load, is made stronger in steps of a tenth at the same strain.  Lines that are
-given one by one by anchor and length keep their pretension and their number.
+Each way is a series of studies, with increasing changes.  Sizes are those of the catalogue; a rope of a berth, given by
+its breaking load, is strengthened in steps of a tenth at the same strain.  Lines given one by one by anchor and length
+keep their pretension and their number.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Changed(NamedTuple):
 
 
 def ways(study):
-    """{name of the way: [Changed]}, with the ways that the study has parts for"""
+    """{name of the way: [Changed]}, for the ways that apply to the study"""
     found = {
         "size": list(_sizes(study)) or list(_stronger_ropes(study)),
         "less pretension": list(_tensions(study, SLACKER)),

@@ -1,4 +1,4 @@
-"""Which kind of study a file holds."""
+"""The kind of study in a file."""
 
 from __future__ import annotations
 

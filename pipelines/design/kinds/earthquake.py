@@ -29,7 +29,7 @@ def run(path, database, place):
 
 
 def check_study(path):
-    """Raises StudyError for what an earthquake study could not be run with, but for the database of its body."""
+    """Raises StudyError for an invalid earthquake study, without a check of its database."""
     import msgspec
 
     study, _ = read_study(path)

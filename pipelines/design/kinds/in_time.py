@@ -20,14 +20,14 @@ from .stored import kept, key_of
 
 
 def simulated(study, database, path, factors):
-    """Numbers of a load case in time, run where the file does not have it; stored in NAME_extremes.json next to it.
+    """Numbers of a load case in time, simulated if its file lacks them; stored in NAME_extremes.json next to it.
 
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
         (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their
         means, "excursion": m, largest horizontal distance from rest, "findings"}
-    raises : ValueError, one line, where it cannot be run
+    raises : ValueError, one line, for a case that cannot be run
     """
     texts = study.read_text(encoding="utf-8"), repr(factors), "excursion"
     place = path.with_name(f"{path.stem}_extremes.json")
@@ -38,7 +38,7 @@ def simulated(study, database, path, factors):
 
 
 def _plain(runs):
-    """Values of JSON of what `simulated` returns"""
+    """JSON values of the result of `simulated`"""
     plain = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in runs.items()}
     plain["largest"] = [[factor, values.tolist()] for factor, values in runs["largest"].items()]
     plain["cycles"] = [[time, [part.tolist() for part in cycles]] for time, cycles in runs["cycles"]]
@@ -115,7 +115,7 @@ def _run(study, database, path):
 
 
 def _largest_motions(file):
-    """(6,) m, rad: largest motions of all runs from their means, whichever side is larger"""
+    """(6,) m, rad: largest motions of all runs from their means, of the larger side"""
     from hakobune.bem import DOFS
 
     from ...simulate.file import summary_of
@@ -136,7 +136,7 @@ def _largest_excursion(file, motion):
 
 
 def _moved(study, database, motion, tension, factor):
-    """(3, n) N: static tension of each line and rope, its horizontal pull on the anchor or bollard and its pull upwards
+    """(3, n) N: static tension of each line and rope, its horizontal pull on the anchor or bollard and its upward pull
     there, with the body at `factor` times its displacement from the mean at the largest tension of the line, the
     largest over the runs
 
@@ -176,7 +176,7 @@ def _held_line(system, line, place):
 
 
 def _held_rope(berth, db, rope, place):
-    """As `_held_line`, of a rope, which is straight"""
+    """As `_held_line`, for a rope, which is straight"""
     from hakobune.mooring.lines.system.bodies import rotation
     from hakobune.mooring.motion.contacts import contact_forces
 

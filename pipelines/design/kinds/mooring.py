@@ -1,8 +1,8 @@
 """A body on lines, or at a berth: `hakobune moor`, and `hakobune simulate` where the project has [simulation].
 
-The lines are laid once, in the water of the study.  Where the water is higher, or a line is lost, anchors, bollards and
-lengths stay: every case names its lines by fairlead and anchor.  Ropes of a berth are tended to their pretension; it
-has no simplified method and is simulated.
+The layout of the lines is determined once, in the water of the study.  At a higher water level, or with a lost line,
+anchors, bollards and lengths are unchanged: every case gives its lines by fairlead and anchor.  Ropes of a berth are
+adjusted to their pretension; a berth has no simplified method and is simulated.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "mooring study", "needed", True
 HELD = ("lines", "rope")  # parts of the study that may be lost
-STILL = ("lines", "bollard"), ("rope", "bollard"), ("fender", "position")  # they do not rise with the water
+STILL = ("lines", "bollard"), ("rope", "bollard"), ("fender", "position")  # places that do not rise with the water
 LAYING = (
     "corner_headings_deg", "pretension_tonf", "pretension_kN", "fairlead_z", "heading_deg", "anchor", "bollard", "name",
 )  # fmt: skip
@@ -70,7 +70,7 @@ def read(path):
 
 
 def check(project, raw):
-    """Raises StudyError where a project asks what this kind has not."""
+    """Raises StudyError for a project with requirements that this kind does not support."""
     if project.database_with_levels:
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
     made = make_study(raw)
@@ -94,7 +94,7 @@ def base(raw, db):
 
 
 def at(base, depth, weather):
-    """Tables of a load case in `depth` m of water, on which the body rises past bollards and fenders"""
+    """Tables of a load case in `depth` m of water, in which the body rises relative to bollards and fenders"""
     study, rise = {**deepcopy(base), "water": {"depth": depth}, **weather}, depth - base["water"]["depth"]
     of_hull = study.pop("of_hull")
     study |= {where: with_hull(study[where], of_hull[where]) for where in STREAMS if where in study}
@@ -107,7 +107,7 @@ def at(base, depth, weather):
 
 
 def checked(study, body, folder):
-    """Raises ValueError for a load case that no run could take, but for lines that do not reach at its level."""
+    """Raises ValueError for an invalid load case, except for lines that do not reach at its level."""
     made = make_study(study)
     hull = check_weather(made, body)
     made.berth(hull, body.rotation_center)
@@ -118,7 +118,7 @@ def checked(study, body, folder):
 
 
 def words(project, raw):
-    """The door that gives a case's numbers again, where they are, and what the method leaves out"""
+    """The command that repeats a case, the place of its numbers, and the effects that the method neglects"""
     if make_study(raw).at_berth:
         return "hakobune simulate cases/NAME.toml --database … --output …", BERTH_SOURCES, AT_BERTH
     sources = (SOURCES, SIMPLIFIED) if project.simulation is None else (IN_TIME_SOURCES, IN_TIME)
@@ -126,7 +126,7 @@ def words(project, raw):
 
 
 def needs(raw):
-    """[Need] of lines, ropes, fenders and dolphins that yield"""
+    """[Need] of lines, ropes, fenders and yielding dolphins"""
     found = [of_lines(f"{what} ({table})") for what, table in (("lines", "types"), ("ropes", "rope")) if raw.get(table)]
     fenders = raw.get("fender", ())
     yielding = [one for one in (*fenders, *raw.get("dolphin", ())) if {"yield_force", "dolphin_yield"} & set(one)]
@@ -135,7 +135,7 @@ def needs(raw):
 
 
 def finds(raw):
-    """Motions, and what fenders and earthquakes give"""
+    """Motions, and quantities of fenders and earthquakes"""
     motions = tuple(dof.lower() for dof in DOFS)
     return (*motions, *OF_FENDERS, DOLPHIN, COEFFICIENT) if raw.get("fender") else motions
 
@@ -179,8 +179,8 @@ def laid_lines(raw, db):
 
 
 def run(study, database, path, factors):
-    """`Numbers` of a case, solved for where its file is not there or of another study or database, and those of its
-    runs in time, or None.
+    """`Numbers` of a case, computed if its file is missing or of another study or database, and those of its runs in
+    time, or None.
 
     database, path : of the database and of the result; factors : of motions in time
     """
@@ -204,7 +204,7 @@ def run(study, database, path, factors):
 
 
 def write_study(path, text):
-    """Write the study of a case beside its result, unless it is there."""
+    """Write the study of a case next to its result, unless it exists."""
     place = path.with_suffix(".toml")
     if not place.is_file() or place.read_text(encoding="utf-8") != text:
         write_whole(place, text)
@@ -250,7 +250,7 @@ def _solved(study, database, path):
 
 
 def _stored(path, study, text, database):
-    """Numbers of the result in a file that is of this study and database, else None"""
+    """Numbers of the result in a file for this study and database, else None"""
     from hakobune.bem.database.results import DatabaseError
 
     from ...results.file import read

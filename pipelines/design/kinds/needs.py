@@ -1,6 +1,6 @@
-"""What a study has that can break, and the quantities that judge it.
+"""Breakable parts of a study, and the quantities that judge them.
 
-A mooring whose criteria speak of none of them would pass with its lines, fenders or anchors never looked at.
+A mooring with criteria for none of them would pass without a check of its lines, fenders or anchors.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ LOADS = tuple(quantity for quantity in OF_TENSIONS if quantity not in (PRETENSIO
 
 
 class Need(NamedTuple):
-    """what : with the name of its table; quantities : of which one has to be limited, the first as an example
+    """what : with the name of its table; quantities : of which one must be limited, the first as an example
 
-    hawser : whether the limit has to be of hawsers, or of what is none; None where it is the same
+    hawser : True if the limit must be one for hawsers, False for other lines, None for either
     """
 
     what: str

@@ -1,4 +1,4 @@
-"""What a load case gives to report and judge, whichever kind of study it is."""
+"""Results of a load case for report and criteria, the same for every kind of study."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ class Numbers(NamedTuple):
     """n lines, ropes or hawsers, SI.
 
     types : names of the types that each is made of; fairlead, anchor : (n, 3) m, at rest
-    pretension, static, largest, breaking : (n,) N, at rest, under steady loads, largest, inf where it is unknown
+    pretension, static, largest, breaking : (n,) N, at rest, under steady loads, largest, inf if unknown
     horizontal, uplift : (n,) N, largest at the anchor
-    place : (3,) m, m, rad, under steady loads, nan where the method has none
-    motions : (6,) m, rad, largest, () where there are none
-    parts : {quantity: {of what: value}}, beyond tensions and motions; hawsers : names of those that are
+    place : (3,) m, m, rad, under steady loads, nan for a method without it
+    motions : (6,) m, rad, largest, () if there are none
+    parts : {quantity: {part: value}}, other than tensions and motions; hawsers : names of the hawsers
     warnings : findings, one line each
     """
 
@@ -47,5 +47,5 @@ def strength(breaking, largest, used):
 
 
 def types_of(table):
-    """Names of the types that a line's table is made of"""
+    """Names of the types in a line's table"""
     return (table["type"],) if "type" in table else tuple(segment["type"] for segment in table["segments"])

@@ -1,4 +1,4 @@
-"""A body on a buoy or turret: `hakobune single-point`, at rest and, where the study has [slewing], in time.
+"""A body on a buoy or turret: `hakobune single-point`, at rest and, if the study has [slewing], in time.
 
 The lines are laid once, in the water of the study; at another level they end at the same anchors.  Properties of the
 hull in wind, current and waves (coefficients, turning tests, drift) come from the study, the weather from the project.
@@ -41,7 +41,7 @@ METHOD = (
     "3.6). Slow wave drift is not included in a two-scale run; the tensions include the 20 % that the report adds for "
     "it."
 )
-STRONGEST = 1e6  # kN, of lines whose breaking load is not known
+STRONGEST = 1e6  # kN, of lines without a known breaking load
 CLOSE = 1e-10  # relative accuracy of the anchor distance in another water depth
 
 
@@ -52,7 +52,7 @@ def read(path):
 
 
 def check(project, raw):
-    """Raises StudyError where a project asks what this kind has not."""
+    """Raises StudyError for a project with requirements that this kind does not support."""
     if project.simulation is not None:
         raise StudyError("simulation is given; a single-point study is simulated by its own [slewing]")
     if project.database_with_levels:
@@ -69,11 +69,11 @@ def base(raw, db):
     if "headings_deg" not in mooring:
         count, first = mooring.pop("count"), mooring.pop("first_deg", 0.0)
         mooring["headings_deg"] = [first + 360.0 * i / count for i in range(count)]
-    return {**tables, "allowable": 1.0, "of_hull": of_hull}  # criteria of the project say what a line may carry
+    return {**tables, "allowable": 1.0, "of_hull": of_hull}  # criteria of the project limit the tension
 
 
 def at(base, depth, weather):
-    """Tables of a load case in `depth` m of water, with the anchors where they were laid"""
+    """Tables of a load case in `depth` m of water, with the anchors of the layout"""
     study = deepcopy(base)
     of_hull, laid = study.pop("of_hull"), study["water"]["depth"]
     if depth != laid:
@@ -83,14 +83,14 @@ def at(base, depth, weather):
 
 
 def checked(study, body, folder):
-    """Raises ValueError for a load case that no run could take."""
+    """Raises ValueError for an invalid load case."""
     from ...single_point.checked import checked as check_study
 
     check_study(make_study(study), body)
 
 
 def words(_, raw):
-    """The door that gives a case's numbers again, where they are, and what the method leaves out"""
+    """The command that repeats a case, the place of its numbers, and the effects that the method neglects"""
     return "hakobune single-point cases/NAME.toml", SOURCES, METHOD
 
 
@@ -107,12 +107,12 @@ def needs(raw):
 
 
 def finds(raw):
-    """Headings of rest, and slewing where it is run"""
+    """Headings of rest, and slewing if it is run"""
     return (STABLE, SLEWING) if "slewing" in raw else (STABLE,)
 
 
 def lost(study):
-    """Names of the lines, by their headings: the numbers of the door change where one is lost"""
+    """Names of the lines, by their headings: the command renumbers lines when one is lost"""
     return [f"line at {heading:g}°" for heading in study["mooring"]["headings_deg"]]
 
 
@@ -124,7 +124,7 @@ def without(study, name):
 
 
 def run(study, database, path, _):
-    """`Numbers` of a case, solved for where its file is not there or of another study or database, and None"""
+    """`Numbers` of a case, computed if its file is missing or of another study or database, and None"""
     return numbers_of(path, tomli_w.dumps(study), database, lambda: _found(study, database, path)), None
 
 
@@ -151,7 +151,7 @@ def _made(raw, database):
 
 
 def _found(raw, database, path):
-    """`Numbers`, and beside them the files of the door"""
+    """`Numbers`, and next to them the files of the command"""
     from ...single_point.result import single_point
 
     result = single_point({key: value for key, value in raw.items() if key != "maps"}, database)
@@ -198,14 +198,14 @@ def _numbers(study, best, stable, cycle, ran, hawsers, line_names, warnings):
 
 
 def _alone(best):
-    """(n,) N: tensions with nothing that pulls on the buoy"""
+    """(n,) N: tensions without a pull on the buoy"""
     from hakobune.mooring.lines.system.equilibrium import rest
 
     return rest(best.point.system).lines.tension_b
 
 
 def _laid_again(study, depth):
-    """The table of the lines with the pretension that ends them at the same anchors in other water"""
+    """The table of the lines with the pretension for which they end at the same anchors in other water"""
     from scipy.optimize import brentq
 
     own = study["mooring"]

@@ -1,6 +1,6 @@
 """Results of a load case, stored next to its other files, so that a second run neither computes nor draws them again.
 
-A stored file names its inputs (texts, databases, results, versions of the libraries, the code that made it) and has a
+A stored file names its inputs (texts, databases, results, versions of the libraries, the code version) and has a
 checksum.  With other inputs, other code, or damage, it is computed again.
 """
 
@@ -24,7 +24,7 @@ PNG = "data:image/png;base64,"
 
 
 def key_of(*parts):
-    """Digest of texts, and of the bytes of files (Path; None without)"""
+    """Digest of texts, and of the bytes of files (Path; None for a missing one)"""
     key = hashlib.sha256(json.dumps([versions(), code()]).encode())
     for part in parts:
         content = b"" if part is None else part.read_bytes() if isinstance(part, Path) else part.encode()
@@ -33,7 +33,7 @@ def key_of(*parts):
 
 
 def kept(place, key, made):
-    """JSON values of the file `place` where it has this key and is undamaged, else those of `made()`, which are stored
+    """JSON values of the file `place` if it has this key and is undamaged, else those of `made()`, which are stored
 
     key : () → a digest, or OSError where one of its inputs does not exist yet; called again after `made`
     """
@@ -47,7 +47,7 @@ def kept(place, key, made):
 
 
 def numbers_of(path, text, database, made):
-    """`Numbers` of the study `text`, whose result is the file `path`: kept in NAME_numbers.json, or as `made()`"""
+    """`Numbers` of the study `text` with the result file `path`: from NAME_numbers.json, or from `made()` and stored"""
     place = path.with_name(f"{path.stem}_numbers.json")
     base = None if database is None else Path(database)
     return read_numbers(kept(place, lambda: key_of(text, base, path), lambda: plain(made())))
@@ -59,7 +59,7 @@ def plain(numbers):
 
 
 def picture(place, key, draw):
-    """Address of a picture (PNG) as in `place`, drawn where it is not there, of another key, or damaged
+    """Address of a picture (PNG) in `place`, drawn if it is missing, damaged or of another key
 
     place : .png; key : of `key_of`; draw : writes the picture to a path
     """

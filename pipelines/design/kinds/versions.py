@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 LIBRARIES = ("hakobune", "numpy", "scipy", "numba", "h5py", "matplotlib")
-CODE = ("bem", "meshing", "mooring", "pipelines")  # folders that make numbers and pictures of stored results
+CODE = ("bem", "meshing", "mooring", "pipelines")  # folders with the code behind numbers and pictures of stored results
 
 
 @cache
@@ -20,7 +20,7 @@ def versions():
 
 @cache
 def code():
-    """Digest of the source files of the packages in `CODE`; code that changes draws a page again"""
+    """Digest of the source files of the packages in `CODE`; changed code draws a page again"""
     from importlib import import_module
 
     key = hashlib.sha256()

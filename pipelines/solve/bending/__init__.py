@@ -1,1 +1,1 @@
-"""Bodies of a scene that bend."""
+"""Flexible bodies of a scene."""

@@ -1,4 +1,4 @@
-"""Shapes that the bodies of a scene bend in: what `bem` solves for, and their mass, stiffness and damping."""
+"""Bending shapes of the bodies of a scene: the modes for `bem`, and their mass, stiffness and damping."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ RIGID = 1e-6  # difference of a shape without strain from rigid motions, over it
 
 
 def modes_of(scene, hulls):
-    """(`bem.modes.Mode`, …) of a scene; hulls : PanelMesh of each body, in coordinates of its own"""
+    """(`bem.modes.Mode`, …) of a scene; hulls : PanelMesh of each body, in its own coordinates"""
     out = []
     for number, table in enumerate(scene.modes or ()):
         i, where = owner(scene, table), ()
@@ -36,7 +36,7 @@ def modes_of(scene, hulls):
 
 
 def with_planes_of_modes(scene, mesh, hulls):
-    """The mesh with the mirror planes alone that the shapes of its bodies have too; hulls : as of `modes_of`"""
+    """The mesh with only the mirror planes that its bodies' shapes share; hulls : as in `modes_of`"""
     modes = modes_of(scene, hulls)
     signs = [mode.parity(np.concatenate([_of_body(mesh, i).centroids for i in mode.moves])) for mode in modes]
     kept = "".join(axis for axis, own in zip("xy", np.array(signs).reshape(-1, 2).T, strict=True)
@@ -45,9 +45,9 @@ def with_planes_of_modes(scene, mesh, hulls):
 
 
 def with_modes(known, scene, hulls):
-    """`known` properties of bodies with matrices of their shapes too, of water, weight, structure and damping
+    """`known` properties of bodies with the matrices of their shapes added: water, weight, structure and damping
 
-    raises : SceneError for a shape that strains nothing, and one without mass
+    raises : SceneError for a shape without strain, and one without mass
     """
     modes, bodies = modes_of(scene, hulls), scene.bodies if scene.several else ()
     if not modes:
@@ -78,7 +78,7 @@ def with_modes(known, scene, hulls):
 
 
 def mode_remarks(scene, hulls):
-    """Lines on how well shapes from files are known on the hull"""
+    """Messages on the accuracy of shapes from files on the hull"""
     for mode, table in zip(modes_of(scene, hulls), _tables(scene), strict=True):
         if isinstance(mode.shape, Table):
             shape = mode.shape
@@ -146,7 +146,7 @@ def _matrices(scene, number, hulls, modes):
 
 
 def _with_own_mass(scene, modes, mass, rigid):
-    """Put the mass of shapes without masses on the diagonal of `mass`.  Raises SceneError where there is none."""
+    """Put the mass of shapes without masses on the diagonal of `mass`.  Raises SceneError without one."""
     for j, (mode, table) in enumerate(zip(modes, _tables(scene), strict=True), rigid):
         first = next(one for one in modes if set(one.moves) & set(mode.moves))  # mode with the masses of the body
         if isinstance(mode.shape, Table) and first.shape.masses is None:
@@ -158,7 +158,7 @@ def _with_own_mass(scene, modes, mass, rigid):
 
 
 def _masses(scene, number, hulls, modes):
-    """(p, 3) m and (p,) kg, of the body: along a beam, or those of the file, of several bodies the nearest to it"""
+    """(p, 3) m and (p,) kg, of the body: along a beam, or those of the file, for several bodies those closest to it"""
     body, first, hull = scene.bodies[number], modes[0].shape, hulls[number]
     if isinstance(first, Table) and (first.masses is None or not modes[0].on):
         return first.points, first.masses
@@ -181,7 +181,7 @@ def _masses(scene, number, hulls, modes):
 
 
 def _check_strained(scene, modes, hulls):
-    """Raise SceneError where a shape is a rigid motion of each body that it moves, and motions are wanted"""
+    """Raise SceneError if a shape is a rigid motion of each of its bodies, and motions are wanted"""
     for mode in modes if scene.motions_known else ():
         left, size = 0.0, 0.0
         for i in mode.moves:
@@ -202,7 +202,7 @@ def _body(scene, number):
 
 
 def _in_shape(scene, mode, number, points):
-    """Points (n, 3) m of a body in the coordinates of a shape: of its own, or of the scene"""
+    """Points (n, 3) m of a body in the coordinates of a shape: of the body, or of the scene"""
     return _body(scene, number).in_scene(points) if mode.on else points
 
 

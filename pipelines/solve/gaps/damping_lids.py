@@ -1,4 +1,4 @@
-"""Damping lids of a scene: their places on the water, and the mirror planes that they leave a mesh."""
+"""Damping lids of a scene: their places on the water, and the mirror planes that a mesh keeps with them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...scene.scene import SceneError
 
 
 def damping_lids_of(scene, mesh):
-    """(`DampingLid`, …) of a scene.  Raises SceneError for one that lies on a hull, or a moonpool that is none."""
+    """(`DampingLid`, …) of a scene.  Raises SceneError for a lid on a hull, or a missing moonpool."""
     out = []
     for number, table in enumerate(scene.damping_lids or ()):
         key, given = f"damping_lids[{number}]", table.corners is not None
@@ -29,7 +29,7 @@ def damping_lids_of(scene, mesh):
 
 
 def with_planes_of(mesh, lids):
-    """The mesh with the mirror planes alone that its damping lids have too"""
+    """The mesh with only the mirror planes that its damping lids share"""
     return with_symmetry(mesh, mirrored_in([lid.corners for lid in lids], mesh.symmetry)) if lids else mesh
 
 

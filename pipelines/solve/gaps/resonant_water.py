@@ -1,11 +1,11 @@
-"""Water between hulls and in moonpools that rises and falls as one, named where no damping lid is on it.
+"""Water between hulls and in moonpools that oscillates vertically as one mass, reported if no damping lid is on it.
 
-Its own frequency, from the mass of the water and of what moves with it below:
+Its natural frequency, from the mass of the water and of the water below that moves with it:
 
     gap of width b between hulls of draft d and width B in all     ω² = g / (d + b/π (3/2 + ln(B/2b)))     Molin (2001)
     moonpool of area S                                             ω² = g / (d + 0.41 √S)                 Fukuda (1977)
 
-The first is of two dimensions and deep water; in water twice as deep as the draft it is 5 % high.
+The first formula is for two dimensions and deep water; in water twice as deep as the draft it is 5 % too high.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ import numpy as np
 
 from hakobune.meshing.surface.patches import moonpools
 
-NARROW = 1.0  # width above which a gap does not trap its water, over the draft
+NARROW = 1.0  # width over the draft above which a gap does not trap its water
 SPREAD = 1.15  # largest ratio of the frequency by the formulas to the true one
 
 
 def resonant_water(scene, mesh, gaps=()):
-    """Lines on the gaps and moonpools of a scene without damping lids whose resonance is among its waves.
+    """Messages on the gaps and moonpools of a scene without damping lids whose resonance is among its waves.
 
     gaps : [(names of two bodies, m between them, m of draft, m of width of both and of the gap)]
     """
@@ -48,7 +48,7 @@ def resonant_water(scene, mesh, gaps=()):
 
 
 def _moonpools(mesh):
-    """None of a hull whose waterline does not close, which its own findings tell"""
+    """Empty for a hull whose waterline is open, which its own findings report"""
     try:
         return moonpools(mesh)
     except ValueError:

@@ -47,7 +47,7 @@ STYLES = {
 
 
 def result_of(rows, machine):
-    """The Result of `measure.Row`s; machine : lines on what was measured where"""
+    """The Result of `measure.Row`s; machine : lines on the machine of each measurement"""
     jobs = [{"job": f"{_name(row)}, {row.cache} cache", **row._asdict(), "panels": row.panels or math.nan}
             for row in rows]  # fmt: skip
     tables = {"job": jobs, "best": best(rows), "pair": equal_panels(rows), "thread": one_thread_and_two(rows)}
@@ -69,7 +69,7 @@ def best(rows):
 
 
 def least_ms(rows, level):
-    """Smallest ms per frequency among rows within an error; NaN where no row is"""
+    """Smallest ms per frequency among rows within an error; NaN without such a row"""
     return min((row.warm_ms for row in rows if row.error <= level), default=math.nan)
 
 

@@ -17,13 +17,13 @@ from .references import Coefficients, error
 
 PEERS = Path(__file__).parent / "peers"
 SCRIPTS = {"capytaine": PEERS / "capytaine_job.py", "pyhams": PEERS / "hams_job.py"}
-PASSES, MORE = 3, 2.0  # passes, and more until so many s have gone
-SECONDS, LONGEST = 10.0, 300.0  # no new pass after so many s; a process is given up after so many
+PASSES, MORE = 3, 2.0  # passes, and more until this time in s has passed
+SECONDS, LONGEST = 10.0, 300.0  # no new pass after this time in s; a process is ended after this time
 THREADS = ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
 class Row(NamedTuple):
-    """What was measured of one job; error NaN and a note where it failed
+    """Measurements of one job; error NaN and a note if it failed
 
     error : relative, of the worst coefficient; estimate : the program's own
     warm_ms : per frequency; cpu_ms : the same in processor time of all threads
@@ -53,9 +53,9 @@ class Row(NamedTuple):
 
 
 def measured(job, pythons, caches):
-    """`Row` of a `Job`; a fault of the program is its note.
+    """`Row` of a `Job`; if the program fails, `note` has the cause.
 
-    pythons : {program: interpreter}; caches : folder for what programs keep on disk, None for their own
+    pythons : {program: interpreter}; caches : folder for files that programs keep on disk, None for their own
     """
     question, panels = _question(job)
     load = _load()
@@ -75,7 +75,7 @@ class _Failed(Exception):
 
 
 def _question(job):
-    """(what the script takes, panels on the whole hull)"""
+    """(input of the script, panels on the whole hull)"""
     case = CASES[job.case]
     passes, more = (1, 0.0) if job.empty_cache else (PASSES, MORE)
     common = {"omega": case.omega, "passes": passes, "more_s": more, "seconds": SECONDS}
@@ -92,7 +92,7 @@ def _question(job):
 
 
 def _cache(job, caches):
-    """Environment variables of the place where a program keeps what it compiled or tabulated"""
+    """Environment variables for the place where a program keeps compiled or tabulated data"""
     if caches is None:
         return {}
     method = job.settings if job.program == "hakobune" else ""

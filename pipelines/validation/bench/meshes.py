@@ -32,7 +32,7 @@ def _lists(mesh):
 
 
 def _uniform(case, panels):
-    """Counts of panels that are as square as they can be"""
+    """Counts of panels as square as possible"""
     draft = case.sizes["draft"]
     if case.shape == "box":
         extents = (case.sizes["length"] / 2, case.sizes["beam"] / 2, draft)

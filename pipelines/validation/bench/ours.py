@@ -62,7 +62,7 @@ def solve(made, omega):
 
 
 def estimates(runs):
-    """The largest estimated error, and the mean ms that an estimate takes; the first is not counted"""
+    """The largest estimated error, and the mean ms of an estimate; the first is not counted"""
     values, taken = [], []
     for run in runs:
         start = time.perf_counter()
@@ -72,7 +72,7 @@ def estimates(runs):
 
 
 def answered(asked):
-    """The answer to a job"""
+    """Times, estimated errors and coefficients of a job, as plain values"""
     import numpy as np
 
     case = CASES[asked["case"]]

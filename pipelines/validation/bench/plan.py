@@ -1,4 +1,4 @@
-"""Which solver solves which body how: the list of what a bench measures."""
+"""Selection of solver and body: the list of measurements of a bench."""
 
 from __future__ import annotations
 

@@ -2,10 +2,10 @@
 
     error of c = max over ω |c − c_ref| / max over ω |c_ref|,        c of A_ij, B_ij, X_i
 
-The worst coefficient counts.  Left out are those that are small beside others of their kind: A_ij and B_ij below a
-hundredth of √(A_ii A_jj), A_ii and B_ii below a ten-thousandth and X_i below a hundredth of the largest (rotations by
-the body's reach), which are the yaw of a cylinder and nothing else.
-The table is made, and checked, by tests/bench/solver_references.py: cylinders exactly, boxes by the contour method.
+The worst coefficient counts.  Excluded are coefficients that are small relative to others of their kind: A_ij and B_ij
+below a hundredth of √(A_ii A_jj), A_ii and B_ii below a ten-thousandth and X_i below a hundredth of the largest
+(rotations by the body's reach), which excludes only the yaw of a cylinder. The table is made, and checked, by
+tests/bench/solver_references.py: cylinders exactly, boxes by the contour method.
 """
 
 from __future__ import annotations

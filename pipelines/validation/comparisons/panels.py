@@ -36,7 +36,7 @@ def lines_of(shown, checks=(), strips=()):
 
 
 def panel(title, lines, value, **axes):
-    """`Panel` of value(results), (n,), over ξ_B; lines whose values are all NaN or 0 are left out"""
+    """`Panel` of value(results), (n,), over ξ_B; lines whose values are all NaN or 0 are omitted"""
     curves = [Curve(line.label, line.results.xi, value(line.results), line.style) for line in lines]
     curves = [curve for curve in curves if np.any(np.nan_to_num(curve.y))]
     values = np.concatenate([curve.y for curve in curves]) if curves else np.ones(1)
@@ -81,7 +81,7 @@ def wave_panels(lines, kind, phase, headings):
 
 
 def _unbroken(degrees):
-    """Without the vertical strokes where a phase passes 180°"""
+    """Without the vertical strokes where a phase crosses 180°"""
     degrees = degrees.copy()
     degrees[1:][np.abs(np.diff(degrees)) > 180] = np.nan
     return degrees

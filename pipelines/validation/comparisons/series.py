@@ -168,7 +168,7 @@ def _length(results):
 
 
 def _agreement(reference, other):
-    """How far two methods are apart, of the largest value of each quantity"""
+    """Difference of two methods, over the largest value of each quantity"""
     same = np.abs(reference.xi[:, None] - other.xi).argmin(axis=0)  # nearest frequencies of the other set
     pairs = [(reference.added_mass[same], other.added_mass), (reference.damping[same], other.damping)]
     coefficients = max(_apart(a, b, (0,)) for a, b in pairs)

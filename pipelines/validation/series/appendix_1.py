@@ -241,7 +241,7 @@ def _of(found, variant, quantity, incidence):
 
 
 def summary(found):
-    """Lines on all tests beside what was measured"""
+    """Lines on all tests beside the measurements"""
     for incidence in ("0", "45"):
         for column in COLUMNS:
             parts = [(variant, ratios(found, variant, column, incidence)) for variant in VARIANTS]

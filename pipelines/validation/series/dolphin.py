@@ -127,7 +127,7 @@ def rows_of(floater, depth, db, body=None):
 
 
 def statements(rows):
-    """The report's sentences beside what is computed, one line each"""
+    """The report's sentences with the computed values, one line each"""
     for (floater, count), printed in PRINTED.items():
         own = _of(rows, floater=floater, fenders=count, period_s=10.0, height_m=HEIGHTS[0])
         limits = ", ".join(f"{r['limit_m']:.2f} ({r['depth_m']:g} m, {r['wind_m_s']:g} m/s)"

@@ -73,7 +73,7 @@ def hills(count, rising):
 
 
 def statements(made):
-    """What the report's text says of the charts, each with whether it is so here"""
+    """The report's statements on the charts, each with whether the computed curves agree"""
     friction, scope, slope, rough, loads, elastic = (list(curves.values()) for curves in made.values())
     named = made["1.7.5"]
     flat, over, through = (np.array([c[_at(NEAR)] for c in part]) for part in (rough[:1], rough[1:5], rough[5:]))

@@ -49,7 +49,7 @@ def computed(case, db, folder, hours, seeds):
     simplified_mean, simulated_mean : steady; used : shares of the breaking load; method : the report's by depth
     (section 5.5.3); T : s, natural periods under the steady forces; σ of the slow motion by the quick rule, the
     spectrum and the simulation, of the total, and of waves alone, without wind, current and drift
-    note : why values are missing; studies, results and runs are files of the folder, made where they are not there
+    note : reason of missing values; studies, results and runs are files of the folder, made if missing
     """
     from ...design.kinds.in_time import simulated
     from ...design.kinds.mooring import run
@@ -101,7 +101,7 @@ def computed(case, db, folder, hours, seeds):
 
 
 def method_of(depth):
-    """Which method the report's rule of depth takes"""
+    """The method selected by the report's rule of depth"""
     return "simulation" if depth <= SHALLOW else "simplified" if depth >= DEEP else "larger of both"
 
 
@@ -132,7 +132,7 @@ def _of_runs(path):
 
 
 def statements(found):
-    """Lines on the report's statements of sections 3.5.4 and 3.5.5, each with what is computed"""
+    """Lines on the report's statements of sections 3.5.4 and 3.5.5, each with the computed values"""
     named = {one["case"]: one for one in found}
     for text, names in STATEMENTS.items():
         if all(name in named for name in names):

@@ -1,4 +1,4 @@
-"""`hakobune series single-point`: every case solved, run in time, and set beside its print."""
+"""`hakobune series single-point`: every case solved, run in time, and compared with the printed results."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ def _over(rows, column):
 
 
 def statements(found):
-    """Lines on the report's statements of section 3.6.5, each with what is computed; none without its cases"""
+    """Lines on the report's statements of section 3.6.5, each with the computed values; none without its cases"""
     named = {one["case"]: one for one in found}
     for text, cases, value in STATEMENTS:
         if all(name in named for name in cases):

@@ -180,7 +180,7 @@ def test_a_tolerance_asks_several_bodies_for_as_many_panels_as_there_may_be():
 
     scene = SimpleNamespace(several=True, panels=None, accuracy=0.01, bodies=[1, 2])
     _check_count(scene, MOST_PANELS)
-    says = f"tolerance 0.01 asks for {MOST_PANELS + 1} panels on 2 bodies; allowed: {MOST_PANELS}"
+    says = f"tolerance 0.01 needs {MOST_PANELS + 1} panels on 2 bodies; allowed: {MOST_PANELS}"
     refused(says, _check_count, scene, MOST_PANELS + 1)
     for one in ({"several": False}, {"panels": 9}):
         _check_count(SimpleNamespace(**vars(scene) | one), MOST_PANELS + 1)

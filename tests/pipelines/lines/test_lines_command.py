@@ -413,7 +413,7 @@ def test_the_example_of_lines_with_segments_comes_to_rest_and_is_drawn(tmp_path,
     scene, picture = Path(pipelines.__file__).parent / "scenes" / "lines_barge.toml", tmp_path / "barge.png"
     assert main(["lines", str(scene), "--plot", str(picture)]) == 0
     warned = [line for line in capsys.readouterr().out.splitlines() if "warning" in line]
-    assert len(warned) == 1 and "weighing there as in it: hawser over" in warned[0]  # a pile above the water holds it
+    assert len(warned) == 1 and "with the weight in water: hawser over" in warned[0]  # a pile above the water holds it
     assert picture.stat().st_size > 20_000
     assert main(["lines", str(scene), "--moordyn", str(tmp_path / "barge.txt")]) == 2
     assert "line stern has several segments" in capsys.readouterr().err

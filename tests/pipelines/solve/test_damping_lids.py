@@ -44,7 +44,7 @@ def test_a_lid_off_the_middle_leaves_the_planes_that_it_has():
     ({"corners": [[0, 0], [1, 0]]}, r"damping_lids\[0\]\.corners is not a convex polygon"),
     ({"damping": 0.0}, r"damping_lids\[0\]\.damping is 0\.0"),
     ({"wall": 9.0, "bodies": [{**SIDE}]}, "damping_lids and a wall are given"),
-    ({"method": "contour", "bodies": [{**SIDE}], "panels": None}, "knows no damping lids"),
+    ({"method": "contour", "bodies": [{**SIDE}], "panels": None}, "does not support damping lids"),
     ({"corners": None, "want": ["damping_lid_power"]}, "a scene with damping_lids has"),
 ])  # fmt: skip
 def test_what_a_scene_may_not_say(change, said):

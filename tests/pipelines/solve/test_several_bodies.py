@@ -224,8 +224,8 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
 
 @pytest.mark.parametrize(
     ("more", "said"),
-    [({"method": "strip", "panels": None}, "knows one body alone"),
-     ({"method": "contour", "panels": None, "damping_lids": [{"damping": 0.05}]}, "knows no damping lids"),
+    [({"method": "strip", "panels": None}, "supports one body only"),
+     ({"method": "contour", "panels": None, "damping_lids": [{"damping": 0.05}]}, "does not support damping lids"),
      ({"method": "contour"}, "has no panels"),
      ({"method": "transfer", "panels": None}, "needs the circles around the bodies 0.18 m apart; those around barge "
       "and pier overlap by 1.6 m; method panel or contour can"),

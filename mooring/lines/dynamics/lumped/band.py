@@ -1,4 +1,4 @@
-"""Linear equations of a chain of nodes that also feels the next but one: block elimination of a band, in O(N).
+"""Linear equations of a chain of nodes coupled to the next two: block elimination of a band, in O(N).
 
 f[j−2] x[j−2] + (e[j−1] − B[j−1]) x[j−1] + D[j] x[j] + (e[j] − B[j]) x[j+1] + f[j] x[j+2] = r[j],   j = first … last
 

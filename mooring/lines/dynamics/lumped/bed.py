@@ -1,7 +1,7 @@
 """The bed under the nodes of a line: reaction, friction, and the energy in both.
 
 A plane, or hills and valleys along one course, z = f(d) with d = (r − r₀)·c: straight facets whose edges are rounded by
-parabolas, so that the normal n = (−f′c, 1)/√(1 + f′²) turns without a jump.  On either a node at r has the penetration
+parabolas, so that the normal n = (−f′c, 1)/√(1 + f′²) turns without a jump.  The penetration of a node at r is
 
     p = level + h − n·r
 
@@ -140,7 +140,7 @@ def bed_forces(s, work, slip, since, cq, cv):
 
 @kernel(inline=True, counted=False)
 def pressing(s, j, q, v):
-    """N, reaction of the bed on node j, its damping included; 0 above the bed"""
+    """N, reaction of the bed on node j, including its damping; 0 above the bed"""
     h = s.bed_thickness[j]
     n, level, _ = plane_at(s, q[0, j], q[1, j])
     p = level + h - (n[0] * q[0, j] + n[1] * q[1, j] + n[2] * q[2, j])
@@ -154,8 +154,8 @@ def pressing(s, j, q, v):
 def keep_slip(s, q, v, slip, since, before):
     """Friction displacement of all nodes after a step from `since` (3, w) m at `before` (3, w) m/s to q at v.
 
-    It is lost where a node has left the bed.  Returns the work against friction, J: that of the path from end to end
-    of the step, elastic to δ and sliding beyond, because the power at the stages misses what turns within a millimetre.
+    It is reset where a node has left the bed.  Returns the work against friction, J: that of the path from end to end
+    of the step, elastic to δ and sliding beyond, because the power at the stages misses reversals within a millimetre.
     """
     work = 0.0
     for j in range(s.mass.size):

@@ -1,4 +1,4 @@
-"""Bending of a line: the elements on both sides of a node turn against each other.
+"""Bending of a line: relative rotation of the elements on both sides of a node.
 
     V = Σ ½ k |c|²,   c = d₊/ℓ₊ − d₋/ℓ₋,   1/k = ½ (ℓ₋/EI₋ + ℓ₊/EI₊),   d = q[j+1] − q[j]
 
@@ -36,7 +36,7 @@ def bends(bending):
 
 @kernel(counted=False)
 def bend(bending, q, r, D, last, cq):
-    """Add what bending does to r, and its tangent to D and `bending`, as in `Work`."""
+    """Add the forces of bending to r, and its tangent to D and `bending`, as in `Work`."""
     if bends(bending):
         for j in range(last + 1):
             bending[NEXT, j], bending[OVERNEXT, j] = 0.0, 0.0

@@ -1,3 +1,3 @@
-"""Where the work done on a line goes: places in the arrays of powers and of works."""
+"""Balance of the work done on a line: places in the arrays of powers and of works."""
 
 WORK, DRAG, INERTIA, STRUCTURE, BED, FRICTION = range(6)

@@ -2,14 +2,14 @@
 
     v_i = v + h Σ a_ij k_j,   q_i = q + h Σ a_ij v_j,   m k_i = F(q_i, v_i, t + c_i h),   a_11 = 0, a_ii = d
 
-The scheme is stiffly accurate and L-stable: elastic waves shorter than the step die out instead of ringing, and
-there is no limit on the step from the length of the elements.  The difference e of the embedded solution is passed
-through the iteration matrix, S e* = m (e_q + h d e_v) (Hosea & Shampine 1996), because its raw axial part is not an
-error: the elements' stiffness takes it away.  Accepted are steps in which e* changes the tensions at the ends, and
-the root mean square of all, by no more than `tolerance` of the largest tension so far, and moves no node by more than
-`tolerance` of the control's distance.  Where a line snaps, elements fall slack and are taut again one by one: the
-largest of all errors is then that of one element at its kink, which no other feels.
-Work and losses are integrated with the weights of the scheme.
+The scheme is stiffly accurate and L-stable: elastic waves shorter than the step are damped instead of ringing, and the
+length of the elements does not limit the step.  The difference e of the embedded solution is passed through the
+iteration matrix, S e* = m (e_q + h d e_v) (Hosea & Shampine 1996), because its raw axial part is not an error: the
+elements' stiffness removes it.  A step is accepted if e* changes the tensions at the ends, and the root mean square of
+all, by no more than `tolerance` of the largest tension so far, and moves no node by more than `tolerance` of the
+control's distance.  Where a line snaps, elements become slack and taut again one by one: the largest of all errors is
+then that of one element at its kink, which does not affect the others. Work and losses are integrated with the weights
+of the scheme.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def mark(row, stations, T, elements):
 
 @kernel(counted=False)
 def lead(motion, t, room, q, v, a, last):
-    """Put the last node where the fairlead is at time t; room : (3, 3)"""
+    """Place the last node at the fairlead at time t; room : (3, 3)"""
     fairlead_at(motion, t, room[0], room[1], room[2])
     for i in range(3):
         q[i, last], v[i, last], a[i, last] = room[0, i], room[1, i], room[2, i]
@@ -105,7 +105,7 @@ def load_state(state, q, v, a, slip):
 
 @kernel(counted=False)
 def store_state(state, q, v, a, slip):
-    """The other way round"""
+    """The reverse of `load_state`"""
     write(state.position, q)
     write(state.velocity, v)
     write(state.acceleration, a)
@@ -218,7 +218,7 @@ def run(s, work, water, motion, control, scheme, state, until, rows, frame_times
         mark(station_rows[used], stations, work.T, last)
         used += 1
         keep(0, K, V, power, a, v, work.power)
-        if again:  # the same step would be refused again
+        if again:  # the same step would be rejected again
             factor_h, again = min(factor_h, 1.0), False
         h = max(h, step * factor_h) if step < h else step * factor_h
         h = min(h, control.longest)

@@ -111,7 +111,7 @@ def pull_elements(work, elements, cq, cv):
         across, turning = cq * pull * inverse, cq * b * inverse * short
         axial = (cq * k + cv * b) * short - across - turning * stretching
         ax, ay, az = axial * x + turning * wx, axial * y + turning * wy, axial * z + turning * wz
-        # tension along the element, and that it turns with it
+        # tension along the element, and its rotation with it
         store_three(B, w, slot, (x * ax + across, x * ay, x * az))
         store_three(B, w, 3 * w + slot, (y * ax, y * ay + across, y * az))
         store_three(B, w, 6 * w + slot, (z * ax, z * ay, z * az + across))

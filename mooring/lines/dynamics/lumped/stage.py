@@ -67,7 +67,7 @@ def change(work, elements, scale):
 
 @kernel(counted=False)
 def spread(work, elements):
-    """The same with the change of tension at either end, or the root mean square of all where that is larger."""
+    """The same with the change of tension at either end, or the root mean square of all if that is larger."""
     _, mean, ends, distance = changes(work, elements, 1.0)
     return ends if mean <= ends else mean, distance  # nan stays
 
@@ -101,7 +101,7 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
         node_forces(s, work, a, slip, since, cq, cv)
         if tension <= tension_limit and distance <= distance_limit:
             return CONVERGED, iteration + 1
-        # the residual with the present matrix shows whether another matrix is needed
+        # the residual with the present matrix shows whether a new matrix is needed
         left, astray = correction(work, last, cq)
         if left <= tension_limit and astray <= distance_limit:
             return CONVERGED, iteration + 1

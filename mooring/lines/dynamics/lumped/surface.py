@@ -1,14 +1,14 @@
-"""A line that rises out of the water: above the still level it weighs as in air and feels no water.
+"""A line that rises out of the water: above the still level it has its weight in air and no water loads.
 
 An element with ends at z₁ and z₂ whose water weighs B when it is wholly wet gains
 
     E = B b Q(x),   x = z̄/b,   b² = (z₂ − z₁)² + (πD/4)²,   Q = max(x, 0) + y³/6,   y = max(0, 1 − |x|)
 
-by being up; its dry share is dE/d(B z̄) = Q′.  Its neighbours on a straight line are z₂ − z₁ higher and lower, and the
-dry shares of all add up to the length that is out of the water.  A floating line that lies level has the stiffness of
-its waterline, ρgD.  Forces on the ends are the derivatives of E, which is C², so that the books of energy close
-and steps keep their order.  Drag, added mass and the push of accelerated water fade with the wet share 1 − Q′ of each
-element.
+when above the water; its dry share is dE/d(B z̄) = Q′.  Its neighbours on a straight line are z₂ − z₁ higher and lower,
+and the dry shares of all add up to the length that is out of the water.  A floating line that lies level has the
+stiffness of its waterline, ρgD.  Forces on the ends are the derivatives of E, which is C², so that the energy balance
+closes and steps keep their order.  Drag, added mass and the force of accelerated water decrease with the wet share 1 −
+Q′ of each element.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def dry_share(x, y):
 
 @kernel(counted=False)
 def wet(work, elements):
-    """Rows of drag, added mass and displaced water of all elements by how much of them is under water"""
+    """Rows of drag, added mass and displaced water of all elements, reduced by their wet shares"""
     w, q, known = work.q.shape[1], address(work.q), address(work.element)
     for e in range(0, elements, WIDTH):
         x, y, _, _ = place_of_surface(known, q, w, e)
@@ -51,7 +51,7 @@ def wet(work, elements):
 
 @kernel(counted=False)
 def weigh_dry(work, elements, cq):
-    """Add what elements out of the water weigh more than under it to residual and tangent."""
+    """Add the additional weight of elements out of the water to residual and tangent."""
     w, q, known = work.q.shape[1], address(work.q), address(work.element)
     r, D, B = address(work.r), address(work.D), address(work.B)
     for e in range(0, elements, WIDTH):
@@ -75,7 +75,7 @@ def weigh_dry(work, elements, cq):
 
 @kernel(counted=False)
 def energy_dry(s, e, q):
-    """J, that element e has gained by being out of the water"""
+    """J, energy gained by element e by being out of the water"""
     low, high = q[2, e], q[2, e + 1]
     b = ((high - low) ** 2 + s.waterline[e] ** 2) ** 0.5
     x = 0.5 * (low + high) / b

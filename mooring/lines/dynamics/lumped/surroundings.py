@@ -1,4 +1,4 @@
-"""Where the fairlead is and how the water moves: the given functions of time.
+"""Position of the fairlead and motion of the water: the given functions of time.
 
 Waves are linear (`bem.waves`): with θ = ωt − k·x − ε the elevation is a cos θ and the velocity
 
@@ -104,7 +104,7 @@ def moved_water(table, weights, part, n, j, d):
 def tabled_water(water, q, nodes, t, R, R1, u, du):
     """Add the water of the table at time t, with its ramp R and dR/dt, to u and du (3, w).
 
-    A current carries the waves past the nodes: to what changes at a place it adds what they bring along, (V·∇)u.
+    A current carries the waves past the nodes: to the change at a place it adds the convective part, (V·∇)u.
     """
     time_weights((t - water.clock[0]) / water.clock[1], water.weights)
     w, table, weights, slower = q.shape[1], address(water.table), address(water.weights), 1.0 / water.clock[1]
@@ -163,7 +163,7 @@ def add_waves(water, q, nodes, t, R, R1, u, du):
 
 @kernel(inline=True, counted=False)
 def moves(water):
-    """Whether anything moves the water; asked before `water_at` in steps, 2 % of which its call alone takes"""
+    """Whether anything moves the water; checked before `water_at` in steps, of which its call alone takes 2 %"""
     return water.level.size + water.omega.size + water.table.size > 0
 
 
@@ -171,7 +171,7 @@ def moves(water):
 def water_at(water, q, nodes, t, u, du):
     """Velocity u and acceleration du of the water at the first `nodes` points q, all (3, w), where it `moves`.
 
-    Each part in a kernel of its own: one loop for all took 5 µs for 21 nodes even where there was nothing to add.
+    Each part in a separate kernel: one loop for all took 5 µs for 21 nodes even without anything to add.
     """
     for i in range(3):
         for j in range(nodes):

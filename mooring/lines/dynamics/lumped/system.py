@@ -1,4 +1,4 @@
-"""What the kernels know of a line: arrays per element, per node, and of the bed, the water and the fairlead's motion.
+"""Data of a line for the kernels: arrays per element, per node, and of the bed, the water and the fairlead's motion.
 
 N elements join nodes 0 (anchor) to N (fairlead).  Each element gives half of its length to either end node.
 """
@@ -30,10 +30,10 @@ class System(NamedTuple):
     half_added_normal: np.ndarray  # kg
     half_added_tangential: np.ndarray
     half_displaced: np.ndarray  # kg of water
-    buoyancy: np.ndarray  # N, by which a whole element weighs more in air; all 0 where a line counts as under water
+    buoyancy: np.ndarray  # N, additional weight of a whole element in air; all 0 where a line counts as submerged
     waterline: np.ndarray  # m, πD/4, over which a level element leaves the water
     weight: np.ndarray  # N, submerged weight of the line plus dry weight of the body at the node
-    flexure: np.ndarray  # N m, against a turn of the elements on both sides, 0 where they are hinged; () without any
+    flexure: np.ndarray  # N m, against relative rotation of the elements on both sides, 0 for hinges; () without any
     mass: np.ndarray  # kg, line and body, without water
     inertia: np.ndarray  # kg, with all added mass: scale of the error estimate
     body_nodes: np.ndarray  # (b,) where the bodies are
@@ -57,7 +57,7 @@ class System(NamedTuple):
 class Water(NamedTuple):
     """Current at levels (k,), (k, 2) m/s, and waves: (w,) or (w, 2); depth may be inf.
 
-    In place of waves there may be a table of their sums at places of n nodes (`motion.moving_lines.sea`).
+    Instead of waves there may be a table of their sums at places of n nodes (`motion.moving_lines.sea`).
     """
 
     level: np.ndarray
@@ -70,7 +70,7 @@ class Water(NamedTuple):
     depth: float
     ramp: float  # s
     begin: float  # s, of the ramp
-    current_ramp: float  # s, 0 of a current that is there from the start
+    current_ramp: float  # s, 0 for a current that exists from the start
     table: np.ndarray  # (6 · 8 n,) velocity and gradient of all nodes at each of six times, and eight numbers more
     place: np.ndarray  # (3 n,) m, all x, y and z, and eight numbers more
     clock: np.ndarray  # (2,) s, first time and step

@@ -1,1 +1,1 @@
-"""Scripts that run in the interpreter of another program and know nothing of this one."""
+"""Scripts for the interpreter of another program, independent of this one."""

@@ -1,6 +1,6 @@
 """Frequencies solved once and then again for their times, for scripts that run beside any program.
 
-Only the standard library: the interpreter that runs this has the peer and need not have anything else.
+Only the standard library: the interpreter of this script has the other program and need not have anything else.
 """
 
 import json
@@ -8,7 +8,7 @@ import resource
 import sys
 import time
 
-SETTLE = 0.1  # s; threads of BLAS look for work for as long, and hold up what follows where two share a core
+SETTLE = 0.1  # s; threads of BLAS wait actively for this time, and delay other work where two share a core
 
 
 def job():
