@@ -31,7 +31,8 @@ def ah1(gravity=9.81, rest="", cog="COG\n 1 0 0 -1.0\n", coefficients=("ADDEDMAS
 def listing(gravity=9.81, water="WATER DEPTH", center="THE CENTRE OF GRAVITY AT ( 0.0, 0.0, -1.0)", sides=aqwa.SIDES):
     table = "\n".join(f"  {side} {SIX}" for side in sides)
     return (f" {water} = 70.0\n DENSITY OF WATER = 1025.0\n ACCELERATION DUE TO GRAVITY = {gravity}\n"
-            f" FOR STRUCTURE 1\n {center}\n WAVE FREQUENCY = 0.1\n ADDED MASS\n{table}\n DAMPING\n{table}\n")  # fmt: skip
+            f" FOR STRUCTURE 1\n {center}\n WAVE FREQUENCY = 0.1\n"
+            f" ADDED MASS\n{table}\n DAMPING\n{table}\n")  # fmt: skip
 
 
 def hdb(speed="0.0", bodies=1, first="ADDED_MASS_LINE_1", row=SIX):
@@ -210,8 +211,8 @@ LIMITS = {
         {"UnitsSystem: SI": "UnitsSystem: Imperial"}, "UnitsSystem is 'Imperial'; allowed: SI, US or User"),
     "length of OrcaFlex": (edited(orcaflex, "a.yml", "a.yml"), {"UnitsSystem: SI": "UnitsSystem: User\n  LengthUnits: "
         "ft"}, {"UnitsSystem: SI": "UnitsSystem: User\n  LengthUnits: yd"}, "LengthUnits is 'yd'; allowed: m, km, mm"),
-    "force of OrcaFlex": (edited(orcaflex, "a.yml", "a.yml"), {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: MN"},
-        {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: dyn"}, "ForceUnits is 'dyn'; allowed: kN, N, MN"),
+    "force of OrcaFlex": (edited(orcaflex, "a.yml", "a.yml"),
+        {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: MN"}, {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: dyn"}, "ForceUnits is 'dyn'; allowed: kN, N, MN"),
     "points of OrcaFlex": (edited(orcaflex, "a.yml", "a.yml"), {"RAOOrigin: [0.0,": "RAOOrigin: [0.9e-9,"},
         {"RAOOrigin: [0.0,": "RAOOrigin: [1.1e-9,"},
         "RAOOrigin of LoadRAOs is not ReferenceOrigin; allowed: one point for both"),
