@@ -212,7 +212,8 @@ LIMITS = {
     "length of OrcaFlex": (edited(orcaflex, "a.yml", "a.yml"), {"UnitsSystem: SI": "UnitsSystem: User\n  LengthUnits: "
         "ft"}, {"UnitsSystem: SI": "UnitsSystem: User\n  LengthUnits: yd"}, "LengthUnits is 'yd'; allowed: m, km, mm"),
     "force of OrcaFlex": (edited(orcaflex, "a.yml", "a.yml"),
-        {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: MN"}, {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: dyn"}, "ForceUnits is 'dyn'; allowed: kN, N, MN"),
+        {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: MN"},
+        {"UnitsSystem: SI": "UnitsSystem: User\n  ForceUnits: dyn"}, "ForceUnits is 'dyn'; allowed: kN, N, MN"),
     "points of OrcaFlex": (edited(orcaflex, "a.yml", "a.yml"), {"RAOOrigin: [0.0,": "RAOOrigin: [0.9e-9,"},
         {"RAOOrigin: [0.0,": "RAOOrigin: [1.1e-9,"},
         "RAOOrigin of LoadRAOs is not ReferenceOrigin; allowed: one point for both"),
