@@ -62,7 +62,7 @@ def test_plans_that_meet_are_refused(places, meet):
     for plans, order in (([RECTANGLE, CIRCLE], (0, 1)), ([CIRCLE, RECTANGLE], (1, 0))):
         own = [places[i] for i in order]
         if meet:
-            with pytest.raises(ValueError, match="bodies [12] and [12] lie in each other or touch; allowed: water"):
+            with pytest.raises(ValueError, match=r"bodies [12] and [12] lie in each other or touch; allowed: water"):
                 several._check_apart(plans, own)
         else:
             several._check_apart(plans, own)
@@ -141,7 +141,7 @@ def test_orders_that_underflow_go_with_the_power_of_the_distance():
 
 
 def test_a_sender_has_nodes_for_its_orders_and_points_inside_for_its_waves():
-    """Of a circle the larger of degree + 4 and digits ln 10/arccosh(1 + g/2R); 8 points and k times the size over 2, 4"""
+    """Of a circle the larger of degree + 4 and digits ln 10/arccosh(1 + g/2R); 8 points and k times size over 2 or 4"""
     far, close = sender(CIRCLE, 3, 0.0, 40.0, 3.0, 1.0), sender(CIRCLE, 3, 0.0, 0.1, 3.0, 1.0)
     assert len(far.contour.x) == len(CIRCLE.contour(0.0, 7, 1e-3).x)
     orders = int(np.ceil(3 * np.log(10) / np.arccosh(1 + 0.1 / 3)))
