@@ -28,7 +28,7 @@ def stiffness(heave):
     (0.0, (8e3, 4.0, 1.0, 1.0, 1.0, 0.0), 2.0),  # ∛ of the larger added volume of the sides
     (0.0, (4.0, 27e3, 1.0, 1.0, 1.0, 0.0), 3.0),
     (0.0, (0.0, 0.0, 64e3, 1.0, 1.0, 1.0), 4.0),  # of heave alone
-    (0.0, (0.0,) * 6, 1.0),
+    (0.0, (0.0,) * 6, 1.0), (-9e4, (8e3, 4.0, 1.0, 1.0, 1.0, 0.0), 2.0),
 ])  # fmt: skip
 def test_the_size_of_a_body_follows_from_its_waterplane_or_added_mass(heave, diagonal, size):
     assert laws.size_of(a_set(body=stiffness(heave), added_mass=spread(*diagonal))) == pytest.approx(size)
@@ -43,8 +43,8 @@ def test_without_a_waterplane_a_median_over_frequencies_tells_the_size():
     assert laws.size_of(a_set(omega=range(1, 6), added_mass=A)) == pytest.approx(8.0)
 
 
-@pytest.mark.parametrize("i, j, said", [(0, 4, "A_15 and A_51 differ by 12 %"), (3, 1, "A_42 and A_24 differ by 12 %")])
-@pytest.mark.parametrize("share, told", [(0.09, False), (0.12, True)])
+@pytest.mark.parametrize("i, j, said", [(0, 4, "A_15 and A_51 differ by 1"), (3, 1, "A_42 and A_24 differ by 1")])
+@pytest.mark.parametrize("share, told", [(0.098, False), (0.116, True), (-0.116, True)])
 def test_pairs_of_added_mass_differ_by_up_to_a_tenth_of_their_size(i, j, said, share, told):
     """√(AᵢᵢAⱼⱼ): 2 · 30"""
     A = spread(4, 4, 4, 900, 900, 900)
@@ -58,14 +58,14 @@ def test_pairs_of_added_mass_differ_by_up_to_a_tenth_of_their_size(i, j, said, s
 def test_a_mode_without_added_mass_is_of_a_hundredth_of_the_largest():
     """√(4 · 0.04) = 0.4 of sway beside surge; √(900 · 9) = 90 of rotations"""
     for i, j, size in ((0, 1, 0.4), (3, 4, 90.0)):
-        for share, told in ((0.09, False), (0.11, True)):
+        for share, told in ((0.098, False), (0.102, True)):
             A = spread(4, 0, 4, 900, 0, 900)
             A[0, i, j] = share * size
             assert bool(laws._reciprocity(a_set(added_mass=A))) is told
 
 
 @pytest.mark.parametrize("size, share, told", [
-    (-0.019, 1.0, False), (-0.021, 1.0, True), (-0.021, 0.1, False), (-0.021, 0.2, True),
+    (-0.0197, 1.0, False), (-0.0203, 1.0, True), (-0.021, 0.1, False), (-0.021, 0.2, True),
 ])  # fmt: skip
 def test_damping_below_zero_is_noise_up_to_a_fiftieth_of_added_mass_or_at_a_tenth_of_frequencies(size, share, told):
     omega = np.linspace(1.0, 2.0, 10)
@@ -73,6 +73,15 @@ def test_damping_below_zero_is_noise_up_to_a_fiftieth_of_added_mass_or_at_a_tent
     B[: round(10 * share), 1, 1] = size * omega[: round(10 * share)] * 50.0
     line = laws._energy(a_set(omega=omega, added_mass=spread(50, 50, 50, 50, 50, 50, n=10), radiation_damping=B))
     assert (line == ["B_22 is below 0: damping has the opposite sign"]) if told else line == []
+
+
+def test_two_of_nineteen_frequencies_are_more_than_a_tenth():
+    omega = np.linspace(1.0, 2.0, 19)
+    for count, told in ((1, False), (2, True)):
+        B = np.zeros((19, 6, 6))
+        B[:count, 0, 0] = -9.0
+        values = a_set(omega=omega, added_mass=spread(*[50] * 6, n=19), radiation_damping=B)
+        assert bool(laws._energy(values)) is told
 
 
 def test_damping_of_which_the_positive_part_is_more_has_its_sign():
@@ -94,7 +103,7 @@ def circle(headings, A=SYMMETRIC):
 
 def test_headings_all_round_have_half_of_the_gaps_beside_them():
     """In whichever order: 0°, 40°, …, 320° with one more at 20°"""
-    order = [320, 0, 20, 40, 80, 120, 160, 200, 240, 280]
+    order = [-40, 0, 20, 40, 80, 120, 160, 200, -120, 280]
     weights, step = circle(order)
     assert np.degrees(weights) == pytest.approx([40, 30, 20, 30, 40, 40, 40, 40, 40, 40]) and np.degrees(
         step
@@ -113,8 +122,8 @@ def test_headings_of_a_part_of_the_circle_stand_for_their_mirror_images(turn, co
 
 @pytest.mark.parametrize("headings, covered", [
     (np.arange(0, 360, 51.0), True), (np.arange(0, 360, 60.0), False),  # steps up to 0.9 rad, 51.6°
-    ([0, 30, 60, 90], True), ([0, 45, 90], False), ([0.05, 30, 60, 90], True), ([0.07, 30, 60, 90], False),
-    ([0, 30, 60, 89.95], True), ([0, 30, 60, 89.93], False), ([0, 15, 35, 90], False),
+    ([0, 30, 60, 90], True), ([0, 45, 90], False), ([0.0565, 30, 60, 90], True), ([0.0585, 30, 60, 90], False),
+    ([0, 30, 60, 89.9435], True), ([0, 30, 60, 89.9415], False), ([0, 15, 35, 90], False),
 ])  # fmt: skip
 def test_headings_cover_a_circle_in_steps_or_a_quarter_with_both_ends(headings, covered):
     assert (circle(headings) is not None) is covered
@@ -135,10 +144,24 @@ def test_pairs_of_added_mass_tell_how_symmetric_a_body_is(i, j, quarter, half):
         assert (circle([0, 45, 90, 135, 180], A) is not None) is (half or not large)
 
 
-def test_a_mode_that_is_not_there_tells_nothing_of_symmetry():
-    A = spread(4, 0, 4, 4, 4, 4)
-    A[0, 0, 1] = 1.0
-    assert circle([0, 30, 60, 90], A) is not None
+@pytest.mark.parametrize("i, j", [(0, 1), (0, 2), (2, 4)])
+def test_a_mode_that_is_not_there_tells_nothing_of_symmetry(i, j):
+    for missing in (i, j):
+        A = SYMMETRIC.copy()
+        A[0, missing, missing], A[0, i, j] = 0.0, 1.0
+        assert circle([0, 30, 60, 90], A) is not None
+
+
+def test_pairs_are_held_against_the_largest_of_all_frequencies_whatever_their_sign():
+    A = np.stack([0.1 * SYMMETRIC[0], SYMMETRIC[0]])
+    for share, symmetric in ((-0.029, True), (-0.031, False)):
+        A[0, 0, 2] = share * 4
+        assert (laws._circle(a_set((1.0, 2.0), [0, 30, 60, 90], added_mass=A)) is not None) is symmetric
+
+
+def test_a_heading_within_a_millionth_of_the_end_of_a_quarter_is_at_it():
+    weights, _ = circle([0, 30, 60, 90 + np.degrees(5e-7)])
+    assert np.degrees(weights) == pytest.approx([60, 120, 120, 60], rel=1e-5)
 
 
 @pytest.mark.parametrize("ratios, agrees", [
@@ -183,6 +206,8 @@ def test_a_factor_of_damping_is_named_within_a_quarter_of_its_logarithm(factor):
 def test_a_thousand_is_kilo_before_it_is_the_density(factor):
     for share in (1.2, 1 / 1.28):
         assert WHYS[factor] in laws._why(factor * share, 0.0, np.full(9, factor))
+    beyond = 1025.0 * 1.29 if factor > 1 else 1 / 1025.0 / 1.29
+    assert "units of damping" in laws._why(beyond, 0.0, np.full(9, beyond))
     other = 1025.0 if factor > 1 else 1 / 1025.0
     share = 1.283 if factor > 1 else 1 / 1.283  # beyond 1000 e^0.25, within 1025 e^0.25
     assert "the factor ρ" in laws._why(other * share, 0.0, np.full(9, other))
@@ -258,7 +283,11 @@ def test_heave_forces_that_nearly_cancel_tell_nothing():
 def test_a_law_of_few_headings_takes_two_frequencies():
     assert laws.haskind_ratios(few_headings(omega=LONG_WAVES[2:4])) is not None
     assert laws.haskind_ratios(few_headings(omega=LONG_WAVES[2:3])) is None
+    empty = few_headings()
+    empty.quantities["excitation_force"] = empty.quantities["excitation_force"][:, :0]
+    assert laws.haskind_ratios(empty) is None
     none = few_headings()
+    assert laws.depth_of(few_headings(omega=LONG_WAVES[2:3])) is None
     del none.quantities["excitation_force"]
     assert laws.haskind_ratios(none) is None
 
@@ -304,6 +333,7 @@ def test_five_ratios_tell_a_channel():
     ratio = 1 / (5 * omega**2 / G)
     assert laws._of_channel(a_set(), {2: (ratio, omega)}) != "" and laws._of_channel(a_set(), {1: (ratio, omega)}) == ""
     assert laws._of_channel(a_set(), {2: (ratio[:4], omega[:4])}) == ""
+    assert laws._of_channel(a_set(), {2: (ratio, omega), 0: (9 * ratio[:4], omega[:4])}) != ""
     assert laws._of_channel(a_set(), {2: (np.where(omega > 1.5, 1.5, 1.0) * ratio, omega)}) == ""
 
 
@@ -384,7 +414,7 @@ def test_conjugates_turn_the_small_part_of_heave_too():
 
 def test_of_a_body_that_hangs_under_water_surge_alone_tells():
     """C₃₃ at or below 1 % of ρ g L² is none; X₃ = −ω² m is at 180°"""
-    for C, floats in ((0.02 * RHO * G, True), (0.005 * RHO * G, False)):
+    for C, floats in ((0.0102 * RHO * G, True), (0.0098 * RHO * G, False)):
         values = long_wave(1.0, C=C, body={"hydrostatic_stiffness": np.diag([0, 0, C, 0, 0, 0])})
         values.quantities["added_mass"][0, 5, 5] = 0.25  # a body of 1 m by its yaw
         assert bool(laws._long_waves(values)) is floats
@@ -434,6 +464,38 @@ def test_causality_takes_twenty_frequencies_up_to_short_waves_and_damping_that_v
         with_end = falling(lambda w, e=end: np.where(w == w[-1], e * bell(w).max(), bell(w)))
         assert (laws._causality(with_end) is not None) is tested
     assert laws._causality(falling(lambda w: 0 * w, fall=1.0)) is None
+
+
+def test_sway_is_tested_beside_surge():
+    values = falling(bell, infinity=0.01)
+    for i in (0, 1):
+        values.quantities["radiation_damping"][:, 1, 1] = (1 + i) * values.quantities["radiation_damping"][:, 0, 0]
+        lines = laws._causality(values)
+        assert (lines[0][:13] == "A_22 falls by") if i else lines == []
+
+
+def followed(size=1.0, level=0.0, **more):
+    """Damping and added mass of surge of a memory (1 − ct) exp(−ct), without limits; damping `size` times"""
+    w, c = np.linspace(0.05, 60.0, 1200), 1.0
+    A, B = spread(*[1.0] * 5, 0.25, n=1200), np.zeros((1200, 6, 6))
+    B[:, 0, 0] = size * 2 * c * w**2 / (c**2 + w**2) ** 2
+    A[:, 0, 0] = level - (w**2 - c**2) / (c**2 + w**2) ** 2
+    return a_set(omega=w, added_mass=A, radiation_damping=B, **more)
+
+
+def test_added_mass_follows_damping_within_a_factor_of_two():
+    for size, told in ((0.52, False), (0.48, True), (1.9, False), (2.1, True)):
+        assert bool(laws._causality(followed(size))) is told
+        beside = laws._causality(followed(size, others=1))
+        assert beside == [] if not told else beside is None  # peaks between bodies say nothing
+
+
+def test_added_mass_that_changes_by_less_than_three_tenths_tells_nothing():
+    """Of its largest; it falls by 1.12 from c to the end"""
+    fall = np.ptp(followed().quantities["added_mass"][:, 0, 0])
+    lowest = followed().quantities["added_mass"][:, 0, 0].max()
+    for share, tested in ((0.31, True), (0.29, False)):
+        assert (laws._causality(followed(level=fall / share - lowest)) is not None) is tested
 
 
 def test_limits_closer_than_a_tenth_tell_nothing():

@@ -17,8 +17,8 @@ def revolved(profile, count, half):
     sides = np.arange(count // 2 + 1) - count / 4 if half else np.arange(count + 1)
     angle = 2 * np.pi / count * sides
     R, z = np.transpose(np.array(profile, float))
-    points = np.stack([np.outer(np.cos(angle), R), np.outer(np.sin(angle), R), np.broadcast_to(z, (len(angle), len(z)))],
-                      axis=-1)  # fmt: skip
+    height = np.broadcast_to(z, (len(angle), len(z)))
+    points = np.stack([np.outer(np.cos(angle), R), np.outer(np.sin(angle), R), height], axis=-1)
     if not half:
         points[-1] = points[0]
     made = structured(points[:, ::-1])
