@@ -1,4 +1,4 @@
-"""Every change of sign, heading, axes and factor that an import names, made by its meaning and taken back; limits of each.
+"""Every change of sign, heading, axes and factor that an import names, made by its meaning and taken back.
 
 Signs of axes follow from R = diag(±1, ±1, ±1): translations turn with R, rotations with R det R.
 """
@@ -45,7 +45,7 @@ def taken_back(wrong, words):
 @pytest.mark.parametrize("phase", PHASES)
 @pytest.mark.parametrize("heading", HEADINGS)
 def test_each_phase_with_each_sense_of_headings(phase, heading):
-    if not phase and not heading or (phase, heading) == ("forces have the opposite sign", ""):
+    if (not phase and not heading) or (phase, heading) == ("forces have the opposite sign", ""):
         return  # as it is, and told as a factor of −1
     wrong = changed(right(), FORCES, PHASES[phase])
     wrong = replace(wrong, wave_direction=HEADINGS[heading](wrong.wave_direction))
@@ -75,8 +75,10 @@ def test_motions_of_the_opposite_sign(words, names, end):
 
 NAMED = {1e3: "kilo instead of the unit", 1e-3: "the unit instead of kilo", 2.0: "per metre of wave height",
          0.5: "halved", 9.80665: "the factor g", 1 / 9.80665: "without the factor g", 9806.65: "tonnes-force",
-         1025.0: "the factor ρ", 1 / 1025.0: "without the factor ρ", 1e6: "mega", 1e-6: "mega as the unit", 4.4482: "pounds-force", 1 / 4.4482: "pounds-force as N",
-         4448.22: "kilopounds-force", 1 / 4448.22: "kips as N", 1 / 9806.65: "tonnes-force as N", 14.5939: "slugs",
+         1025.0: "the factor ρ", 1 / 1025.0: "without the factor ρ", 1e6: "mega", 1e-6: "mega as the unit",
+         4.4482: "pounds-force", 1 / 4.4482: "pounds-force as N",
+         4448.22: "kilopounds-force",
+         1 / 4448.22: "kips as N", 1 / 9806.65: "tonnes-force as N", 14.5939: "slugs",
          0.453592: "pounds", 1 / 0.453592: "pounds", 1 / 14.5939: "slugs", 0.3048: "feet", 1 / 0.3048: "feet",
          1025 * 9.80665: "the factor ρ g", 1 / (1025 * 9.80665): "without the factor ρ g", np.pi / 180: "per degree",
          180 / np.pi: "radians as degrees"}  # fmt: skip
