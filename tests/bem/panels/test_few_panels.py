@@ -185,3 +185,71 @@ def test_rate_and_force_of_the_memory_of_several_bodies(body):
     expected[3:5] += turn * states[5:]
     expected[5:] -= turn * states[3:5]
     assert rate == pytest.approx(expected) and force == pytest.approx(out[6 * body : 6 * body + 6] @ states)
+
+
+@pytest.mark.parametrize("mirror, per_panel", [(1.0, 4), (-1.0, 4), (1.0, 1)])
+def test_equations_are_those_of_hull_and_lid(mirror, per_panel):
+    """hull 2πφ − Dφ − K S φ' = −S V, lid 4πφ' + K S φ' + Dφ = S V, with 1/r₁ times `mirror`; A + iUVᵀ and b"""
+    omega, depth = 0.6, 20.0
+    corners = [[0, 3, 2, 1], [1, 2, 5, 4]]
+    g = influence.Geometry(PanelMesh(POINTS, corners, "x"), LID, depth, per_panel)
+    table = wave_table(omega, depth, GRAVITY, g.reach, g.draft)
+    Z, n = depth_values(table.k, depth), len(g.elements.nodes)
+    rng = np.random.default_rng(6)
+    velocities = [rng.normal(size=(2, g.hull)), rng.normal(size=(1, g.hull))]
+    found = influence.assembled(g, g.classes, mirror, table, Z, velocities)
+    S, D = influence.layers(g, np.arange(n), g.classes, mirror, table, Z)
+    on_hull = np.arange(n) < g.hull
+    assert g.hull == 2 * per_panel and n == 3 * per_panel
+    for c, V in enumerate(velocities):
+        A = np.where(on_hull, D[c], table.K * S[c])
+        A[on_hull] *= -1
+        A += np.diag(np.where(on_hull, 2 * np.pi, 4 * np.pi))
+        b = np.where(on_hull, -1.0, 1.0)[:, None] * (S[c][:, on_hull] @ V.T)
+        ours = found.matrices[c] + 1j * found.from_waves[c] @ found.to_waves[c].T
+        assert np.abs(ours - A).max() < 1e-6 * np.abs(A).max()
+        assert np.abs(found.sides[c][:, : len(V)] - b).max() < 1e-6 * np.abs(b).max()
+    assert not found.sides[1][:, 1].any()
+    whole, one = influence.rankine_of_panels(g.elements.nodes, g.elements, g.images, g.all_signs, depth), g.rankine
+    assert all(np.array_equal(a, b) for a, b in zip(whole, one, strict=True))
+    assert np.array_equal(g.rankine_of(np.array([1, 0]))[0], g.rankine[0][:, [1, 0]])
+    bare = g.without_lid
+    assert bare.larger is g and bare.without_lid is bare and len(bare.elements.nodes) == g.hull
+    assert np.array_equal(bare.rankine[3], g.rankine[3][:, : g.hull, : g.hull])
+
+
+def test_motions_belong_to_the_class_of_their_parity_and_shapes_to_that_of_theirs():
+    """Even and odd in x: surge, pitch and yaw are odd; a shape u_z = x² even, x odd, x² + x neither"""
+    from types import SimpleNamespace
+
+    from hakobune.bem.modes import Mode
+
+    def shape(f):
+        return SimpleNamespace(displacement=lambda p: np.stack([0 * p[..., 0], 0 * p[..., 0], f(p[..., 0])], axis=-1))
+
+    even, odd = Mode("even", shape=shape(lambda x: x**2)), Mode("odd", shape=shape(lambda x: x))
+    mesh = PanelMesh(POINTS, [[0, 3, 2, 1], [1, 2, 5, 4]], "x")
+    g = influence.Geometry(mesh, None, 20.0, modes=(even, odd))
+    assert g.classes == ((1, 1), (-1, 1))
+    assert g.members((1, 1)) == [1, 2, 3, 6] and g.members((-1, 1)) == [0, 4, 5, 7]
+    points, normals = g.elements.nodes, g.elements.normals
+    assert g.modes.shape == (8, 8)
+    assert g.modes[:, 6] == pytest.approx(points[:, 0] ** 2 * normals[:, 2]) and g.modes[:, :3] == pytest.approx(
+        normals
+    )
+    assert g.modes[:, 3:6] == pytest.approx(np.cross(points, normals))
+    both = influence.Geometry(mesh, None, 20.0, modes=(Mode("bent", shape=shape(lambda x: x**2 + x)),))
+    with pytest.raises(ValueError, match="bent is not its own image in x; allowed: a mesh without that plane"):
+        both.members((1, 1))
+    walled = influence.Geometry(mesh, None, 20.0, wall=4.0)
+    assert walled.origin.tolist() == [0.0, -4.0, 0.0] and walled.classes == ((1, 1), (-1, 1))
+    assert walled.members((1, 1)) == [1, 2, 3] and walled.copies == 2 and len(walled.images) == 4
+    assert walled.modes[:, 3:] == pytest.approx(g.modes[:, 3:6])  # about its own origin, not the wall's
+    assert walled.radius == pytest.approx(np.hypot(3.0, 1.0))
+
+
+def test_a_lid_is_needed_from_the_first_irregular_frequency_on():
+    mesh = PanelMesh(POINTS, [[0, 3, 2, 1], [1, 2, 5, 4]], "x")
+    g = influence.Geometry(mesh, LID, 20.0)
+    assert g.at(1.001 * g.lid_from) is g and g.at(0.999 * g.lid_from) is g.without_lid
+    assert influence.Geometry(mesh, None, 20.0).lid_from == np.inf
