@@ -15,11 +15,11 @@ WETTED = SimpleNamespace(area=12.0, left=-1.0, right=5.0, waterline=6.0, center=
 def test_a_section_at_rest_has_its_waterplane_and_weight():
     """Waterplane 6 m about 0.5 m to the right of the centre, ρ = 1000, g = 10; lever of weight −0.8 − (−0.3) m"""
     M, C = linked._at_rest(Floating(WETTED, 3.0, None, -0.3, 2.0), 1000.0, 10.0)
-    assert M == pytest.approx(np.diag([12e3, 12e3, 48e3]))
+    assert pytest.approx(np.diag([12e3, 12e3, 48e3])) == M
     roll = 1e4 * (6**3 / 12 + 6 * 0.25) + 12e4 * (-0.5)
-    assert C == pytest.approx(np.array([[0, 0, 0], [0, 6e4, 3e4], [0, 3e4, roll]]))
+    assert pytest.approx(np.array([[0, 0, 0], [0, 6e4, 3e4], [0, 3e4, roll]])) == C
     M, C = linked._at_rest(Floating(WETTED, 3.0, 9e3, -0.3, 2.0), 1000.0, 10.0)
-    assert M == pytest.approx(np.diag([9e3, 9e3, 36e3])) and C[2, 2] == pytest.approx(roll)  # buoyancy is as before
+    assert pytest.approx(np.diag([9e3, 9e3, 36e3])) == M and C[2, 2] == pytest.approx(roll)  # buoyancy is as before
 
 
 def test_a_hinge_holds_its_point_and_a_rigid_one_the_turn():
