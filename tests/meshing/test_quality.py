@@ -125,3 +125,13 @@ def test_errors_come_before_warnings():
 def test_points_that_are_not_welded_make_no_hole():
     loose = replace(HULL, points=HULL.vertices.reshape(-1, 3), corners=np.arange(4 * len(HULL)).reshape(-1, 4))
     assert findings(loose, depth=50.0) == []
+
+
+def test_a_wall_on_the_bed_looks_inwards_where_all_of_what_stands_there_does():
+    """Outside and pool of a ring together: the pool alone has the other sign and is right"""
+    wall = buoy(10, 20, bottom=False, symmetry="")
+    ring = joined([wall, buoy(5, 20, bottom=False, symmetry="").flipped()])
+    for hull in (wall, ring):
+        inwards = [found.text for found in findings(hull.flipped(), depth=20.0) if "point into the body" in found.text]
+        assert len(inwards) == 1 and f"the normals of {len(hull)} of {len(hull)} panels" in inwards[0]
+        assert not any("point into the body" in found.text for found in findings(hull, depth=20.0))
