@@ -1,4 +1,4 @@
-"""Pieces of the compressed equations by hand: sources of far blocks, groups, columns, products of near and far blocks."""
+"""Pieces of compressed equations by hand: sources of far blocks, groups, columns, products of near and far blocks."""
 
 from types import SimpleNamespace
 
@@ -16,8 +16,12 @@ def tree_of(sizes, lengths=4):
     elements = SimpleNamespace(sizes=np.array(sizes), nodes=rng.normal(size=(2 * n, 3)) - [0, 0, 5],
                                weights=rng.uniform(1, 2, 2 * n), normals=rng.normal(size=(2 * n, 3)))  # fmt: skip
     count = 4 + lengths
-    quadrature = SimpleNamespace(points=rng.normal(size=(n, count, 3)) - [0, 0, 5], weights=rng.uniform(size=(n, count)),
-                                 shape=rng.normal(size=(n, count, 2)))  # fmt: skip
+    points, weights, shape = (
+        rng.normal(size=(n, count, 3)),
+        rng.uniform(size=(n, count)),
+        rng.normal(size=(n, count, 2)),
+    )
+    quadrature = SimpleNamespace(points=points - [0, 0, 5], weights=weights, shape=shape)
     return SimpleNamespace(elements=elements, quadrature=quadrature, per_panel=2, hull=np.arange(2 * n) < 2 * n - 2,
                            geometry=SimpleNamespace(depth=3.0))  # fmt: skip
 
