@@ -18,15 +18,14 @@ def test_what_a_turned_body_says_along_its_own_axes_is_told_along_those_of_the_s
     A[0, 0, 0], A[0, 1, 0], A[0, 7, 0] = 5.0, 2.0, 3.0  # along own axes: surge and sway of surge; sway of the other
     X = np.zeros((1, 1, 12), complex)
     X[0, 0, [0, 3, 7]] = 1.0, 2.0, 4.0
-    rao = np.arange(6.0).reshape(1, 1, 6) + 0j
-    rao[0, 0, 5] = np.nan
+    rao = np.stack([np.arange(6.0).reshape(1, 6) + 0j, np.full((1, 6), np.nan)])  # the second is not solved
     limits = {"added_mass_zero": np.full((12, 6), np.inf), "added_mass_infinity": A[0]}
     body = {"inertia_matrix": np.eye(12, 6) * np.arange(1.0, 7.0), "mass": np.array([7.0])}
     quantities = {"added_mass": A, "excitation_force": X, "rao": rao} | limits
     found = module._along_scene(Values(np.ones(1), np.zeros(1), 9.0, 1e3, 10.0, quantities, body, bodies=BODIES))
     assert found.get("added_mass")[0, [1, 0, 7], 1] == pytest.approx([5.0, -2.0, 3.0])
     assert found.get("excitation_force")[0, 0, [1, 4, 7]] == pytest.approx([1.0, 2.0, 4.0])
-    assert np.isnan(found.get("rao")[0, 0, 5]) and found.get("rao")[0, 0, :2] == pytest.approx([-1.0, 0.0])
+    assert np.isnan(found.get("rao")[1]).all() and found.get("rao")[0, 0, :2] == pytest.approx([-1.0, 0.0])
     assert found.get("added_mass_zero") is None and found.get("added_mass_infinity")[1, 1] == pytest.approx(5.0)
     assert found.get("inertia_matrix").diagonal() == pytest.approx([2, 1, 3, 5, 4, 6])
 
