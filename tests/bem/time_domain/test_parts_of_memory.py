@@ -143,7 +143,7 @@ def test_a_run_at_one_frequency_has_no_states_and_the_added_mass_of_the_highest(
 
 @pytest.mark.parametrize("tolerance", [0.99e-5, 0.101])
 def test_a_tolerance_lies_between_a_hundred_thousandth_and_a_tenth(tolerance):
-    with pytest.raises(ValueError, match="tolerance of the memory is .*; allowed: 1e-5 to 0.1"):
+    with pytest.raises(ValueError, match=r"tolerance of the memory is .*; allowed: 1e-5 to 0.1"):
         memory_of_database(None, tolerance)
 
 
