@@ -143,7 +143,8 @@ def test_agreement_is_within_a_tenth():
 def test_factors_within_three_per_cent_of_a_known_one_are_that_and_of_one_are_none(number, kept):
     assert causes._apart([number]) == pytest.approx(kept)
     assert causes._apart([number, number * 1.0005, 5.0]) == pytest.approx([*kept, 5.0])
-    assert causes._apart([10.2], causes.LENGTHS) == [10.0] and causes._apart([10.4], causes.LENGTHS) == [10.4]
+    for length in (1e-3, 1e-2, 0.1, 0.3048, 1 / 0.3048, 10.0, 100.0, 1e3):
+        assert causes._apart([1.02 * length, 1.04 * length], causes.LENGTHS) == [length, 1.04 * length]
 
 
 def test_a_factor_is_the_least_squares_one_over_sizes_of_rows():
