@@ -195,3 +195,14 @@ def test_rims_half_a_side_apart_may_close_each_other(apart, close):
     one = _Ring([], 1.0, square, np.array([0, 0, 1.0]), 4.0)
     other = _Ring([], 1.0, square[::-1] + [0.0, 0.0, apart], np.array([0, 0, -1.0]), 4.0)
     assert (list(_pairs([one, other], np.arange(2))) == [(0, 1)]) is close
+
+
+def test_ends_of_edges_within_half_a_millionth_of_the_hull_are_one_point():
+    """Cells of a millionth of 4 m: 1.6 µm from the middle of one is in it, 2.4 µm is not"""
+    from hakobune.meshing.quality.seams import _whole
+
+    for off, count in ((1.6e-6, 3), (2.4e-6, 4)):
+        points = np.array([[0.0, 0, 0], [4.0, 0, 0], [0, 1.0, 0], [0, 1.0 + off, 0]])
+        found, start, end = _whole(points, np.array([0, 3]), np.array([2, 1]), "")
+        assert len(found) == count and found[start] == pytest.approx(points[[0, 3]], abs=1e-5)
+        assert found[end] == pytest.approx(points[[2, 1]], abs=1e-5)
