@@ -136,3 +136,23 @@ def test_a_closed_pipe_is_an_exception_after_meshing_and_not_the_end_of_the_prog
     )
     made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert (made.returncode, made.stdout) == (0, "told\n")
+
+
+def test_a_session_within_an_open_gmsh_takes_away_its_own_model_alone():
+    """Whichever is current at its end; the one before is current again, and as loud as it was"""
+    import gmsh
+
+    gmsh.initialize(readConfigFiles=False, interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.model.add("mine")
+        with session("ours") as inner:
+            assert inner.model.getCurrent() == "ours"
+            inner.model.add("beside")
+        assert set(gmsh.model.list()) >= {"mine", "beside"} and "ours" not in gmsh.model.list()
+        assert gmsh.model.getCurrent() == "mine" and gmsh.isInitialized()
+    finally:
+        gmsh.finalize()
+    with session("alone") as inner:
+        assert inner.model.getCurrent() == "alone"
+    assert not gmsh.isInitialized()

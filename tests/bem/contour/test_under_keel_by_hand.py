@@ -1,4 +1,4 @@
-"""Flow under the keel of a cylinder piece by piece: harmonics rᵐ cos mθ, the flow of the edge, Bessel's functions, radii."""
+"""Flow under the keel of a cylinder piece by piece: harmonics, the flow of the edge, Bessel functions, radii."""
 
 from types import SimpleNamespace
 
