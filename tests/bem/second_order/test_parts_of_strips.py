@@ -1,4 +1,4 @@
-"""Strips of water beside a hull piece by piece: rules, derivatives, angles at which they end, sides of the waterline."""
+"""Strips of water beside a hull piece by piece: rules, derivatives, angles where they end, sides of a waterline."""
 
 from types import SimpleNamespace
 
