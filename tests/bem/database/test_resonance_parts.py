@@ -117,3 +117,15 @@ def test_a_peak_below_a_thousandth_of_the_largest_motion_of_its_kind_is_none():
 def test_what_is_damped_or_driven_by_more_than_a_quarter_of_critical_is_no_resonance(ratio, peaks):
     """C/(M + A) = 1 rad²/s², B = 2ζω(M + A): beyond ζ 0.25 no peak stands out, whichever its sign"""
     assert len(resonances(OneMotion(ratio))) == peaks
+
+
+def test_frequencies_of_modes_are_found_beside_others_whose_bracket_grows():
+    """ω² = 4/(1 + ω) lies below its first guess, ω² = 1 + ω and ω² = 1 + 9ω far above theirs; −1 has none"""
+    from hakobune.bem.database.natural_periods import _own_frequencies
+
+    def eigenvalues(w):
+        w = np.asarray(w)
+        return np.stack([4 / (1 + w), 1 + w, 1 + 9 * w, -1 + 0 * w], axis=-1)
+
+    roots = [max(np.roots(p).real[np.abs(np.roots(p).imag) < 1e-9]) for p in ([1, 1, 0, -4], [1, -1, -1], [1, -9, -1])]
+    assert _own_frequencies(eigenvalues) == pytest.approx([*roots, -1.0], rel=1e-9)
