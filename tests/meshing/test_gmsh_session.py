@@ -156,3 +156,27 @@ def test_a_session_within_an_open_gmsh_takes_away_its_own_model_alone():
     with session("alone") as inner:
         assert inner.model.getCurrent() == "alone"
     assert not gmsh.isInitialized()
+
+
+def test_a_closed_pipe_is_python_s_again_once_gmsh_is_open(monkeypatch):
+    """gmsh takes SIGPIPE when it is initialised, and not when it is there already"""
+    asked = []
+    monkeypatch.setattr(gmsh_session, "_restore_sigpipe", lambda: asked.append("again"))
+    with session("outer"):
+        assert asked == ["again"]
+        asked.clear()
+    with session("next"):
+        assert asked == ["again"]
+    import gmsh
+
+    asked.clear()
+    gmsh.initialize(readConfigFiles=False, interruptible=False)
+    try:
+        with session("within"):
+            assert asked == []
+    finally:
+        gmsh.finalize()
+    monkeypatch.undo()
+    before = signal.getsignal(signal.SIGPIPE)
+    with session("last"):
+        assert signal.getsignal(signal.SIGPIPE) is before
