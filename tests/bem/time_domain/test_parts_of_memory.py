@@ -160,3 +160,31 @@ def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
     wanted = RNG.normal(size=(40, 1, 1)) + 1j * RNG.normal(size=(40, 1, 1))
     with pytest.raises(ValueError, match=r"the memory of b has an error of .*; the tolerance is 1e-05: allow a larger"):
         module._fitted(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
+
+
+def test_the_best_of_what_was_tried_is_told(monkeypatch):
+    """Poles that miss, and states of those that do not: 0.2, then 0.15 of a passive fit"""
+    offs = iter([0.5, 0.2, 0.3])
+    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
+    wanted, none = np.ones((4, 1, 1), complex), np.zeros((4, 1))
+    with pytest.raises(ValueError, match=r"the memory of sway has an error of 0\.2 with the best system tried; the"):
+        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+    tried = []
+
+    class Whole:
+        values = np.array([1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.005])
+
+        def reduced(self, states):
+            tried.append(states)
+            return "a", "b", None
+
+    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, 0.001))
+    monkeypatch.setattr(module, "balanced", lambda system: Whole())
+    errors = {6: 0.15, 7: 0.3}
+    monkeypatch.setattr(module, "passive_fit", lambda a, b, s, H, most, weight: (most, errors[tried[-1]]))
+    monkeypatch.setattr(module, "POLES", (8,))
+    with pytest.raises(ValueError, match=r"an error of 0\.15 with"):
+        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+    assert tried == [6, 7]  # as many as values above the tolerance, and more
+    errors[7] = 0.01
+    assert module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("a", "b")) == pytest.approx(0.0099)
