@@ -132,7 +132,7 @@ def test_frequencies_of_modes_are_found_beside_others_whose_bracket_grows():
 
 
 def test_natural_frequencies_within_the_stored_ones_are_called_by_kinetic_energy():
-    """Of three coupled motions, energy |q Mq| by motion, not q²: here they differ; a root beyond the band is left out"""
+    """Of three coupled motions, energy |q Mq| of each, not q²: here they differ; a root beyond the band is left out"""
     from hakobune.bem.database.resonances import _roots
 
     rng = np.random.default_rng(4)
