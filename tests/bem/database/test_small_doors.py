@@ -44,7 +44,7 @@ def test_echoes_are_each_a_share_of_the_one_before_and_one_in_all():
 
 
 def test_every_kind_of_quantity_is_read_by_its_own_way(monkeypatch):
-    """Motions and drift carry errors on; forces and far field have those of interpolation; pressure has stored headings"""
+    """Motions and drift carry errors on, forces and far field have those of interpolation; pressure: stored headings"""
     from hakobune.bem.database import reader
 
     monkeypatch.setattr(reader, "carried", lambda body, omega, headings, name, needed: f"carried {name}")
