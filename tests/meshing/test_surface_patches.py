@@ -90,3 +90,12 @@ def test_points_are_covered_within_a_hull_but_not_in_its_pool():
     )
     assert covered(points, ring).tolist() == [True, False, False, False, True, True, False, False]
     assert covered(points, box(20, 10, 3, panels=60)).tolist() == [True, False, True, True, True, True, False, False]
+
+
+def test_a_round_hull_covers_what_lies_within_its_sides():
+    """Points 4 % within and beyond the polygon's radius, all round"""
+    hull = buoy(10, 3, panels=400, symmetry="")
+    angle = np.linspace(0.05, 2 * np.pi, 23)
+    for radius, inside in ((9.6, True), (10.4, False), (3.0, True)):
+        points = radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        assert covered(points, hull).tolist() == [inside] * 23
