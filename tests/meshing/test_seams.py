@@ -214,7 +214,7 @@ def test_ends_of_edges_within_half_a_millionth_of_the_hull_are_one_point():
 
 @pytest.mark.parametrize("size", [1.0, 200.0, 0.005])
 def test_a_slit_is_a_tenth_of_the_side_of_the_longer_of_two_rims(size):
-    """Of a square of 4 m and one within it, 4 sides and 8: twice the area between them over both lengths, 0.36, 0.46 m"""
+    """A square of 4 m and one within it of 8 sides: twice the area between them over both lengths, 0.36 and 0.46 m"""
     from hakobune.meshing.quality.seams import rings
 
     coarse = size * np.array([[0.0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
