@@ -180,3 +180,11 @@ def test_a_closed_pipe_is_python_s_again_once_gmsh_is_open(monkeypatch):
     before = signal.getsignal(signal.SIGPIPE)
     with session("last"):
         assert signal.getsignal(signal.SIGPIPE) is before
+
+
+def test_triangles_about_several_poles_have_them_last_whichever_corner_they_are():
+    """Of two poles each with a triangle that has it first, second or third; quadrilaterals stay as they are"""
+    points = np.array([[0.0, 0, 0], [5.0, 0, 0], [1.0, 1, 0], [2.0, 0, 0], [3.0, 1, 0], [4.0, 2, 0]])
+    corners = [[0, 2, 3, 3], [2, 0, 3, 3], [2, 3, 0, 0], [1, 4, 5, 5], [4, 1, 5, 5], [4, 5, 1, 1], [0, 2, 3, 4]]
+    found = gmsh_session._poles_last(PanelMesh(points, corners), [points[0], points[1]]).corners.tolist()
+    assert found == [[2, 3, 0, 0], [3, 2, 0, 0], [2, 3, 0, 0], [4, 5, 1, 1], [5, 4, 1, 1], [4, 5, 1, 1], [0, 2, 3, 4]]

@@ -301,3 +301,9 @@ def test_what_is_no_hdf5_cannot_be_opened(module, tmp_path):
     (tmp_path / "a.h5").write_bytes(b"CDX")
     with pytest.raises(FormatError, match=r"a\.h5 cannot be opened: "):
         module.read(tmp_path / "a.h5")
+
+
+def test_a_limit_that_is_infinite_for_some_motions_is_no_row_of_orcaflex(tmp_path):
+    for limit, there in ((np.eye(6), True), (np.diag([1.0, 1, np.inf, 1, 1, 1]), False)):
+        orcaflex.write(one_body(added_mass_infinity=limit), tmp_path / "a.yml")
+        assert ("AMDPeriodOrFrequency: Infinity" in (tmp_path / "a.yml").read_text()) is there

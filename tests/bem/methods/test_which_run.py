@@ -80,3 +80,14 @@ def test_frequencies_beyond_the_tolerance_lie_between_probes_that_keep_it(coarse
     assert PreparedPanelProblem._beyond_tolerance.fget(body).tolist() == found
     body.problem.finer.omegas = omegas[:9]  # less than two for each probe
     assert PreparedPanelProblem._beyond_tolerance.fget(body).tolist() == []
+
+
+def test_the_contour_method_alone_has_a_sharper_run_up_to_its_last():
+    from hakobune.bem.methods.shape_run import ShapeRun
+
+    for method, sharper, there in (("contour", "sharper", True), ("contour", None, False), ("strip", "sharper", False)):
+        run = SimpleNamespace(problem=SimpleNamespace(method=method), solver=SimpleNamespace(sharper=sharper),
+                              prepared="prepared", question=(1, 2))  # fmt: skip
+        found = ShapeRun.sharper.fget(run)
+        assert (found is not None) is there
+        assert found is None or (found.func is ShapeRun and found.args == ("prepared", 1, 2, "sharper"))
