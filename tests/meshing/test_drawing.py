@@ -1,5 +1,7 @@
 """Hulls drawn from parts: the volumes of plane and solid geometry, panels without a finding, faults named."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -71,3 +73,23 @@ def test_what_cannot_be_drawn_is_named(tmp_path, change, words):
     (tmp_path / "a.toml").write_text("size = 1")
     with pytest.raises(ValueError, match=r"a\.toml: there are no parts; allowed"):
         read_mesh(tmp_path / "a.toml")
+
+
+@pytest.mark.parametrize("wrong", [[0], [5], [0, 1, 2, 3], list(range(1, 40)), "all", "odd"])
+def test_panels_turn_outwards_whichever_of_them_look_in(wrong):
+    """Each piece by itself; triangles keep their doubled corner at the end"""
+    from hakobune.meshing.drawing import outwards
+    from hakobune.meshing.panels import joined
+    from hakobune.meshing.shapes import box, buoy
+
+    right = joined([box(10, 6, 4, counts=(4, 3, 2)).whole(), buoy(3, 2, panels=32).whole().moved(dx=30)])
+    n = len(right)
+    number = {"all": np.arange(n), "odd": np.arange(1, n, 2)}.get(wrong if isinstance(wrong, str) else "", wrong)
+    corners = right.corners.copy()
+    flat = corners[:, 2] == corners[:, 3]
+    for i in number:
+        corners[i] = corners[i][[0, 2, 1, 1]] if flat[i] else corners[i][::-1]
+    found = outwards(replace(right, corners=corners))
+    assert found.area_vectors == pytest.approx(right.area_vectors)
+    assert found.volume == pytest.approx(right.volume)
+    assert flat.any() and np.all(found.corners[flat][:, 2] == found.corners[flat][:, 3])

@@ -136,3 +136,55 @@ def test_a_closed_pipe_is_an_exception_after_meshing_and_not_the_end_of_the_prog
     )
     made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert (made.returncode, made.stdout) == (0, "told\n")
+
+
+def test_a_session_within_an_open_gmsh_takes_away_its_own_model_alone():
+    """Whichever is current at its end; the one before is current again, and as loud as it was"""
+    import gmsh
+
+    gmsh.initialize(readConfigFiles=False, interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.model.add("mine")
+        with session("ours") as inner:
+            assert inner.model.getCurrent() == "ours"
+            inner.model.add("beside")
+        assert set(gmsh.model.list()) >= {"mine", "beside"} and "ours" not in gmsh.model.list()
+        assert gmsh.model.getCurrent() == "mine" and gmsh.isInitialized()
+    finally:
+        gmsh.finalize()
+    with session("alone") as inner:
+        assert inner.model.getCurrent() == "alone"
+    assert not gmsh.isInitialized()
+
+
+def test_a_closed_pipe_is_python_s_again_once_gmsh_is_open(monkeypatch):
+    """gmsh takes SIGPIPE when it is initialised, and not when it is there already"""
+    asked = []
+    monkeypatch.setattr(gmsh_session, "_restore_sigpipe", lambda: asked.append("again"))
+    with session("outer"):
+        assert asked == ["again"]
+        asked.clear()
+    with session("next"):
+        assert asked == ["again"]
+    import gmsh
+
+    asked.clear()
+    gmsh.initialize(readConfigFiles=False, interruptible=False)
+    try:
+        with session("within"):
+            assert asked == []
+    finally:
+        gmsh.finalize()
+    monkeypatch.undo()
+    before = signal.getsignal(signal.SIGPIPE)
+    with session("last"):
+        assert signal.getsignal(signal.SIGPIPE) is before
+
+
+def test_triangles_about_several_poles_have_them_last_whichever_corner_they_are():
+    """Of two poles each with a triangle that has it first, second or third; quadrilaterals stay as they are"""
+    points = np.array([[0.0, 0, 0], [5.0, 0, 0], [1.0, 1, 0], [2.0, 0, 0], [3.0, 1, 0], [4.0, 2, 0]])
+    corners = [[0, 2, 3, 3], [2, 0, 3, 3], [2, 3, 0, 0], [1, 4, 5, 5], [4, 1, 5, 5], [4, 5, 1, 1], [0, 2, 3, 4]]
+    found = gmsh_session._poles_last(PanelMesh(points, corners), [points[0], points[1]]).corners.tolist()
+    assert found == [[2, 3, 0, 0], [3, 2, 0, 0], [2, 3, 0, 0], [4, 5, 1, 1], [5, 4, 1, 1], [4, 5, 1, 1], [0, 2, 3, 4]]

@@ -286,3 +286,16 @@ def test_a_ring_of_equal_sides_is_regular_on_a_circle_alone():
     rhombus = np.array([[4.0, 1, 0], [2, 2, 0], [0, 1, 0], [2, 0, 0]])
     assert _regular(rhombus) == (None, None)
     assert _regular(np.insert(square, 1, [[3.0, 2.0, 0.0]], axis=0)) == (None, None)
+
+
+def test_a_place_where_two_edges_of_a_waterline_arrive_is_told():
+    """A panel of a side that looks the other way: its edge runs against those beside it"""
+    hull = box(10, 5, 2, counts=(1, 1, 1), symmetry="")
+    for number in range(len(hull)):
+        side = hull.vertices[number]
+        if np.ptp(side[:, 2]) == 0:
+            continue
+        corners = hull.corners.copy()
+        corners[number] = corners[number][::-1]
+        with pytest.raises(ValueError, match=r"lid: the waterline forks at x = -?[05], y = -?(0|2\.5) m; see the mesh"):
+            waterline(replace(hull, corners=corners))

@@ -125,3 +125,27 @@ def test_errors_come_before_warnings():
 def test_points_that_are_not_welded_make_no_hole():
     loose = replace(HULL, points=HULL.vertices.reshape(-1, 3), corners=np.arange(4 * len(HULL)).reshape(-1, 4))
     assert findings(loose, depth=50.0) == []
+
+
+def test_a_wall_on_the_bed_looks_inwards_where_all_of_what_stands_there_does():
+    """Outside and pool of a ring together: the pool alone has the other sign and is right"""
+    wall = buoy(10, 20, bottom=False, symmetry="")
+    ring = joined([wall, buoy(5, 20, bottom=False, symmetry="").flipped()])
+    for hull in (wall, ring):
+        inwards = [found.text for found in findings(hull.flipped(), depth=20.0) if "point into the body" in found.text]
+        assert len(inwards) == 1 and f"the normals of {len(hull)} of {len(hull)} panels" in inwards[0]
+        assert not any("point into the body" in found.text for found in findings(hull, depth=20.0))
+
+
+@pytest.mark.parametrize("name", [name for name in BROKEN if name not in ("nan", "infinite")])
+def test_what_is_found_is_the_same_of_a_hull_of_any_size(name):
+    """By kind, in order; numbers are those of its lengths"""
+    make, more, *_ = BROKEN[name]
+    kinds = []
+    for size in (1.0, 400.0, 0.003):
+        lengths = {key: replace(part, points=size * part.points) if hasattr(part, "points") else size * part
+                   for key, part in ({"depth": 50.0} | more).items()}  # fmt: skip
+        hull = make()
+        found = findings(replace(hull, points=size * hull.points), **lengths)
+        kinds.append([(one.severity, "".join(c for c in one.text.split(";")[0] if c.isalpha())[:12]) for one in found])
+    assert kinds[0] == kinds[1] == kinds[2]

@@ -78,13 +78,17 @@ def test_chords_of_unequal_length_leave_their_sagittas_and_no_hole():
     assert any("without sharing corners" in finding.text for finding in findings(hull))
 
 
-def test_rims_of_12_and_15_sides_with_no_corner_in_common_are_a_seam_and_an_open_tube_is_not():
+@pytest.mark.parametrize("size", [10.0, 2000.0, 0.02])
+def test_rims_of_12_and_15_sides_with_no_corner_in_common_are_a_seam_and_an_open_tube_is_not(size):
+    """Whatever the length of their sides"""
+
     def rim(sides, turn=0.0):
         angle = np.arange(sides + 1) * 2 * np.pi / sides + turn
-        return np.stack([10 * np.cos(angle), 10 * np.sin(angle), 0 * angle], axis=1)
+        return size * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
 
-    wall = structured(np.stack([rim(15, 0.1) + [0, 0, -4], rim(15, 0.1)], axis=1))
-    bottom = structured(np.stack([0 * rim(12) + [0, 0, -4], rim(12) + [0, 0, -4]], axis=1))
+    down = [0, 0, -0.4 * size]
+    wall = structured(np.stack([rim(15, 0.1) + down, rim(15, 0.1)], axis=1))
+    bottom = structured(np.stack([0 * rim(12) + down, rim(12) + down], axis=1))
     wall = wall if wall.normals[0] @ wall.centroids[0] > 0 else wall.flipped()
     bottom = bottom if bottom.normals[0, 2] < 0 else bottom.flipped()
     closed = [str(finding) for finding in findings(joined([wall, bottom]).merged(1e-9))]
@@ -195,3 +199,31 @@ def test_rims_half_a_side_apart_may_close_each_other(apart, close):
     one = _Ring([], 1.0, square, np.array([0, 0, 1.0]), 4.0)
     other = _Ring([], 1.0, square[::-1] + [0.0, 0.0, apart], np.array([0, 0, -1.0]), 4.0)
     assert (list(_pairs([one, other], np.arange(2))) == [(0, 1)]) is close
+
+
+def test_ends_of_edges_within_half_a_millionth_of_the_hull_are_one_point():
+    """Cells of a millionth of 4 m: 1.6 µm from the middle of one is in it, 2.4 µm is not"""
+    from hakobune.meshing.quality.seams import _whole
+
+    for off, count in ((1.6e-6, 3), (2.4e-6, 4)):
+        points = np.array([[0.0, 0, 0], [4.0, 0, 0], [0, 1.0, 0], [0, 1.0 + off, 0]])
+        found, start, end = _whole(points, np.array([0, 3]), np.array([2, 1]), "")
+        assert len(found) == count and found[start] == pytest.approx(points[[0, 3]], abs=1e-5)
+        assert found[end] == pytest.approx(points[[2, 1]], abs=1e-5)
+
+
+@pytest.mark.parametrize("size", [1.0, 200.0, 0.005])
+def test_a_slit_is_a_tenth_of_the_side_of_the_longer_of_two_rims(size):
+    """A square of 4 m and one within it of 8 sides: twice the area between them over both lengths, 0.36 and 0.46 m"""
+    from hakobune.meshing.quality.seams import rings
+
+    coarse = size * np.array([[0.0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
+    fine = np.concatenate([[a, (a + b) / 2] for a, b in zip(coarse, np.roll(coarse, -1, axis=0), strict=True)])
+    middle = size * np.array([2.0, 2.0, 0.0])
+    for share, seam in ((0.82, True), (0.77, False)):
+        inner = middle + share * (fine[::-1] - middle) + size * np.array([0.01, 0.013, 0.0])
+        points = np.concatenate([coarse, inner])
+        start = np.arange(12)
+        end = np.concatenate([np.roll(np.arange(4), -1), 4 + np.roll(np.arange(8), -1)])
+        found = rings(points, start, end)
+        assert found.seam.tolist() == [seam] * 2

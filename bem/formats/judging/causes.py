@@ -159,8 +159,13 @@ def scaled(values, names, rows=None):
 def _factor(pairs):
     """The real factor f that minimises Σ |file − f own|² / size² over pairs of (file, own, size)"""
     top = sum(float(np.sum((a * np.conj(b)).real / size**2)) for a, b, size in pairs)
-    factor = top / sum(float(np.sum(np.abs(b) ** 2 / size**2)) for _, b, size in pairs)
-    return next((known for known in FACTORS if abs(factor / known - 1) < NEARLY), factor)
+    return _identified(top / sum(float(np.sum(np.abs(b) ** 2 / size**2)) for _, b, size in pairs))
+
+
+def _identified(number, known=FACTORS):
+    """The known number nearest to one within `NEARLY`, else the number itself"""
+    nearest = min(known, key=lambda one: abs(number / one - 1))
+    return nearest if abs(number / nearest - 1) < NEARLY else number
 
 
 def _factors(pairs):
@@ -174,7 +179,7 @@ def _apart(numbers, known=FACTORS):
     """Those of numbers that differ from 1 and from each other by more than `NEARLY`, rounded to known ones"""
     kept = []
     for number in numbers:
-        number = next((one for one in known if abs(number / one - 1) < NEARLY), number)
+        number = _identified(number, known)
         if number and all(abs(number / one - 1) > NEARLY for one in (1.0, *kept)):
             kept.append(number)
     return kept

@@ -82,8 +82,6 @@ def _waves(values):
 
 def _reciprocity(values):
     A, lines = values.get("added_mass"), []
-    if len(values.omega) == 0:
-        return None
     d = np.abs(np.einsum("nii->ni", A)).max(axis=0)
     d[:3], d[3:] = np.maximum(d[:3], 0.01 * d[:3].max()), np.maximum(d[3:], 0.01 * d[3:].max())
     off = np.abs(A - A.swapaxes(1, 2)) / np.sqrt(np.outer(d, d))

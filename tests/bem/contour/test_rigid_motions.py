@@ -129,3 +129,18 @@ def test_on_the_bottom_of_a_circle_it_has_one_order_about_the_axis(dof, sign):
     assert found[0, :, 0] == pytest.approx(wanted * np.sqrt((2 if dof == 2 else 1) * np.pi * R))
     assert found[1] == pytest.approx((after[0] - before[0]) / (2 * h), abs=1e-8)
     assert np.all(found[:, :, 1:] == 0)
+
+
+@pytest.mark.parametrize("dof", [2, 3, 4])
+def test_over_a_rectangle_every_motion_has_its_own_share(dof):
+    """∬ ψ w dA at ζ = s over 6 × 4 m by Gauss points, with another α for heave, roll and pitch"""
+    x, w = np.polynomial.legendre.leggauss(6)
+    side = [1.5 * (1 + x), 1 + x]  # x of the long side, y of the end
+    ones = np.ones(6)
+    contour = Contour(
+        np.concatenate([3 * ones, side[0]]), np.concatenate([side[1], 2 * ones]), np.concatenate([ones, 0 * ones]),
+        np.concatenate([0 * ones, ones]), np.concatenate([w, 1.5 * w]),
+    )  # fmt: skip
+    X, Y = np.meshgrid(3 * x, 2 * x, indexing="ij")
+    true = np.sum(6 * np.outer(w, w) * psi(dof, X, Y, S) * W[dof](X, Y))
+    assert bottom_integral(dof, contour, S, ALPHAS) == pytest.approx(true)

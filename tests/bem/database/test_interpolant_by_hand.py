@@ -159,3 +159,18 @@ def test_the_next_node_is_where_most_is_left_open_and_then_the_farthest():
     assert chosen(x, y, 1) == [int(np.argmax(left))]
     short = places(np.array([0.5, 0.5004])), places(np.array([0.5001, 0.50022, 0.5003]))
     assert unknown(*short).max() < 2 * NUGGET and chosen(*short, 1) == [1]
+
+
+def test_the_next_place_is_where_most_is_unknown_or_else_the_farthest(monkeypatch):
+    """Twice the nugget of the kernel, 2e-9 of its variance, cannot be told from nothing"""
+    from hakobune.bem.database import interpolant
+
+    def at(*s):
+        return interpolant.Abscissa(*(np.array(s, float) for _ in interpolant.Abscissa._fields))
+
+    places, known = at(1.0, 2.0, 6.0), at(0.0, 10.0)
+    for most, first in ((2.1e-9, 0), (1.9e-9, 2)):
+        monkeypatch.setattr(interpolant, "unknown", lambda x, y, most=most: np.array([most, 1e-9, 0.0]))
+        assert interpolant.chosen(known, places, 1) == [first]
+    monkeypatch.setattr(interpolant, "unknown", lambda x, y: np.zeros(3))
+    assert interpolant.chosen(known, places, 3) == [2, 1, 0]

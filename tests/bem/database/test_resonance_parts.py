@@ -130,3 +130,42 @@ def test_a_peak_below_a_thousandth_of_the_largest_motion_of_its_kind_is_none():
 def test_what_is_damped_or_driven_by_more_than_a_quarter_of_critical_is_no_resonance(ratio, peaks):
     """C/(M + A) = 1 rad²/s², B = 2ζω(M + A): beyond ζ 0.25 no peak stands out, whichever its sign"""
     assert len(resonances(OneMotion(ratio))) == peaks
+
+
+def test_frequencies_of_modes_are_found_beside_others_whose_bracket_grows():
+    """ω² = 4/(1 + ω) lies below its first guess, ω² = 1 + ω and ω² = 1 + 9ω far above theirs; −1 has none"""
+    from hakobune.bem.database.natural_periods import _own_frequencies
+
+    def eigenvalues(w):
+        w = np.asarray(w)
+        return np.stack([4 / (1 + w), 1 + w, 1 + 9 * w, -1 + 0 * w], axis=-1)
+
+    roots = [max(np.roots(p).real[np.abs(np.roots(p).imag) < 1e-9]) for p in ([1, 1, 0, -4], [1, -1, -1], [1, -9, -1])]
+    assert _own_frequencies(eigenvalues) == pytest.approx([*roots, -1.0], rel=1e-9)
+
+
+def test_natural_frequencies_within_the_stored_ones_are_called_by_kinetic_energy():
+    """Of three coupled motions, energy |q Mq| of each, not q²: here they differ; a root beyond the band is left out"""
+    from hakobune.bem.database.resonances import _roots
+
+    rng = np.random.default_rng(4)
+    differ = 0
+    for _ in range(12):
+        M, C = (a @ a.T + 0.1 * np.eye(3) for a in rng.normal(size=(2, 3, 3)))
+        squares, vectors = eigh(C, M)
+        roots = np.sqrt(squares)
+        names = by_motion(np.abs(vectors.T * (M @ vectors).T))
+        differ += names.tolist() != by_motion(vectors.T**2).tolist()
+        high = 0.5 * (roots[1] + roots[2])
+        body = SimpleNamespace(omega=np.linspace(0.3 * roots[0], high, 9), inertia=M, stiffness=C, free=None,
+                               held_added_mass=lambda w: np.zeros((len(w), 3, 3)))  # fmt: skip
+        found = list(_roots(body))
+        assert [w for _, w, _ in found] == pytest.approx(roots[:2])
+        for (motion, _, q), number in zip(found, (0, 1), strict=True):
+            assert names[motion] == number
+            assert q / q[np.abs(q).argmax()] == pytest.approx(
+                vectors[:, number] / vectors[np.abs(q).argmax(), number], abs=1e-6
+            )
+    assert differ > 0
+    body.omega = np.linspace(1.5 * roots[2], 2 * roots[2], 9)
+    assert list(_roots(body)) == []

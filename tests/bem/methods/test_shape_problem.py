@@ -52,3 +52,43 @@ def test_the_force_of_the_undisturbed_wave_needs_no_solution(solved, monkeypatch
     run = body.run(0.6, HEADINGS, {"Froude_Krylov_force"}, None, DOFS)
     monkeypatch.setattr(type(run), "first_order", property(lambda _: pytest.fail("it was solved")))
     assert np.abs(run.result()["Froude_Krylov_force"]).max() > 0
+
+
+def test_several_shapes_reach_and_draw_as_the_farthest_and_the_deepest():
+    """Half diagonals 5 and 6.5 m of boxes, 13 m away, and a buoy of 2 m at 15 m; yaw of a buoy moves no water"""
+    from types import SimpleNamespace
+
+    from hakobune.bem.methods.shape_problem import PreparedShapeProblem
+
+    bodies = [SimpleNamespace(place=place) for place in ((0.0, 0.0), (5.0, 12.0), (-9.0, 12.0))]
+    shapes = (("box", (8.0, 6.0, 2.0)), ("box", (12.0, 5.0, 3.0)), ("buoy", (2.0, 7.0)))
+    several = PreparedShapeProblem(SimpleNamespace(shapes=shapes, bodies=bodies))
+    assert several.radius == pytest.approx(6.5 + 13.0) and several.draft == 7.0
+    assert several.displacing.tolist() == [True] * 12 + [True] * 5 + [False]
+    one = PreparedShapeProblem(SimpleNamespace(shapes=(), shape="buoy", sizes=(4.0, 9.0), bodies=()))
+    assert (one.radius, one.draft) == (4.0, 9.0) and one.displacing.tolist() == [True] * 5 + [False]
+    assert PreparedShapeProblem(SimpleNamespace(shapes=(), shape="box", sizes=(6.0, 8.0, 1.0))).radius == 5.0
+
+
+@pytest.mark.parametrize("method, count, few", [("contour", 4, True), ("contour", 3, False), ("strip", 9, False)])
+def test_four_frequencies_of_the_contour_method_share_their_estimates(method, count, few):
+    body = ShapeProblem(method=method, shape="buoy", sizes=(3.0, 2.0), depth=20.0, omegas=np.linspace(0.5, 1.0, count))
+    assert (body.prepared().few_estimates is not None) is few
+
+
+def test_added_mass_limits_of_several_have_columns_of_what_moves():
+    """ρ T A Tᵀ, infinite where both motions have a flux, of the sign of their product"""
+    from types import SimpleNamespace
+
+    from hakobune.bem.methods.shape_problem import PreparedShapeProblem
+
+    rng = np.random.default_rng(1)
+    A, T, flux = rng.normal(size=(12, 12)), np.eye(12), np.zeros(12)
+    T[0, 1], flux[[2, 8]] = 0.5, (4.0, -6.0)
+    problem = SimpleNamespace(shapes=("some",), density=1000.0, transform=T, moving=[0, 1, 2, 3, 4, 5])
+    body = PreparedShapeProblem(problem)
+    vars(body)["solver"] = SimpleNamespace(limit=lambda which: (A, flux))
+    found = body.added_mass_limit("zero")
+    assert found.shape == (12, 6) and found[2, 2] == np.inf and found[8, 2] == -np.inf
+    there = np.isfinite(found)
+    assert np.count_nonzero(~there) == 2 and found[there] == pytest.approx((1000 * T @ A @ T.T)[:, :6][there])

@@ -157,3 +157,23 @@ def test_polynomials_are_interpolated_exactly_across_mirror_planes(symmetry):
         for image, mirror in enumerate(mirrors):
             interpolated = np.einsum("nqa,na->nq", s.shape, phi[image ^ s.images, s.nodes])
             np.testing.assert_allclose(interpolated, polynomial(s.points * mirror), atol=1e-7)
+
+
+def test_a_product_stencil_is_there_where_the_rows_of_all_panels_cross():
+    """Panels of a 3 × 3 grid in rows and columns; one that has another neighbour across ends it"""
+    from types import SimpleNamespace
+
+    from hakobune.bem.panels.pressure_drift.edges import _alike
+
+    grid = np.arange(9).reshape(3, 3)
+    rows = np.array([grid[i // 3] for i in range(9)])  # (9, 3) panels of the row of each
+    columns = np.array([grid[:, i % 3] for i in range(9)])
+
+    def alike(rows, columns, same=lambda panel: np.ones(9, bool)):
+        return _alike(SimpleNamespace(panels=rows), SimpleNamespace(panels=columns, same_layout=same)).tolist()
+
+    assert alike(rows, columns) == [True] * 9
+    other = columns.copy()
+    other[4] = [1, 4, 8]
+    assert alike(rows, other) == [i // 3 != 1 for i in range(9)]  # those of its row look across it
+    assert alike(rows, columns, lambda panel: panel != 2) == [i // 3 != 0 for i in range(9)]

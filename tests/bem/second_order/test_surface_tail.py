@@ -117,3 +117,21 @@ def test_beyond_the_rings_each_interval_is_wider_by_the_same_share_until_all_ord
     assert made[:3].tolist() == edges and made[-2] < needed.max() <= made[-1]
     assert widths[2:] == pytest.approx(4.0 * 1.6 ** np.arange(1, len(widths) - 1))
     assert [made[end - 1] < need <= made[end] for end, need in zip(ends, needed, strict=True)] == [True, True]
+
+
+@pytest.mark.parametrize("kind", [DIFFERENCE, SUM])
+def test_a_pair_has_the_radii_of_its_first_wave_whatever_those_of_others(kind):
+    """With a beginning and an end of its own for each of three frequencies as with those of the first for all"""
+    edges, third = np.array([50.0, 70.0, 90.0, 250.0]), [float(wavenumber(w, DEPTH, G)) for w in (0.2, 1.8)]
+    begin, end = [2, 1, 0], [3, 2, 3]
+    mixed = Tails(WAVES, edges, begin, end, third, 8.0, G, kind)
+    assert mixed.ends == [(2, 3), (1, 2), (0, 3)]
+    for one, two in ((2, 1), (1, 0), (2, 0), (1, 1)):
+        psi = [made_up(kind.of(OMEGA[one], OMEGA[two]) or 0.2, 0.0)] * 6
+        pair = PairsOfOne(psi[0].omega, np.array([one]), np.array([two]), None, psi, None)
+        found = []
+        for tails in (mixed, Tails(WAVES, edges, [begin[one]] * 3, [end[one]] * 3, third, 8.0, G, kind)):
+            out = np.zeros((1, 6), complex)
+            tails.add(pair, out)
+            found.append(out[0, 0])
+        assert abs(found[0] - found[1]) < 1e-5 * abs(found[1])

@@ -134,3 +134,15 @@ def test_any_outline_takes_finite_depth_and_tolerances_from_a_ten_millionth():
             any_section(wetted, 9.0, 0.8, tolerance=tolerance)
     with pytest.raises(ValueError, match=r"the section needs .* panels at this frequency; allowed: 250"):
         any_section(wetted, 9.0, np.sqrt(G * 200.0), tolerance=1e-3)
+
+
+@pytest.mark.parametrize("lid", [True, False])
+def test_limits_are_sums_over_as_many_modes_as_the_gap_asks_for(lid):
+    """nπ/h under a lid, (n − ½)π/h under a surface without pressure, n from 1; norms h/2"""
+    from hakobune.bem.sections.frequency_limits import LimitFlow
+
+    flow = LimitFlow(8.0, 2.0, 5.0, lid, 4, 30)
+    count = flow.shape.gap.mode_count(0.0, 30)
+    n = np.arange(1, count + 1)
+    assert flow.modes.wavenumbers == pytest.approx((n if lid else n - 0.5) * np.pi / 5.0)
+    assert flow.modes.norms == pytest.approx(np.full(count, 2.5)) and flow.modes.rows.shape[1] == count

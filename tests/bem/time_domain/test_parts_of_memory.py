@@ -1,0 +1,190 @@
+"""Pieces of the memory by hand: which motions have none, sizes of errors, groups, and many systems joined into one."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.bem.time_domain import memory as module
+from hakobune.bem.time_domain.memory import Memory, memory_of_database, no_memory
+
+RNG = np.random.default_rng(7)
+
+
+def test_numbers_over_a_scale_are_nothing_where_there_is_none():
+    found = module._relative(np.array([[2.0, 3.0]]), np.array([[4.0, 0.0]]))
+    assert found.tolist() == [[0.5, 0.0]]
+
+
+@pytest.mark.parametrize("change, damping, still", [
+    (0.9e-3, 0.9e-4, True), (1.1e-3, 0.9e-4, False), (0.9e-3, 1.1e-4, False),
+])  # fmt: skip
+def test_a_motion_is_still_whose_coefficients_are_nothing_beside_its_inertia(change, damping, still):
+    """Added mass changes by less than a thousandth of M + A over the band, B/ω is below a tenth of that"""
+    omega = np.array([1.0, 2.0, 4.0])
+    A, B = np.zeros((3, 6, 6)), np.zeros((3, 6, 6))
+    A[:, range(6), range(6)], B[:, range(6), range(6)] = 100.0, 1.0
+    own = 300.0 + 100.0
+    A[:, 5, 5] += change * own * np.array([-0.5, 0.0, 0.5])
+    B[:, 5, 5] = damping * own * omega * np.array([0.1, 1.0, 0.2])
+    body = SimpleNamespace(inertia=np.diag([1.0] * 5 + [300.0]))
+    assert module._still(body, omega, A, B).tolist() == [False] * 5 + [still]
+    body.inertia[5, 5] = np.nan
+    assert not module._still(body, omega, A, B).any()
+    assert module._still(SimpleNamespace(inertia=None), omega, A, B).tolist() == [False] * 6
+
+
+def test_motions_that_are_coupled_through_others_are_one_group():
+    coupled = np.eye(6, dtype=bool)
+    for i, j in ((0, 4), (4, 2), (1, 3)):
+        coupled[i, j] = coupled[j, i] = True
+    coupled[5, 5] = False
+    assert module._groups(coupled) == ((0, 2, 4), (1, 3))
+    assert module._groups(np.zeros((6, 6), bool)) == ()
+
+
+def test_memory_is_fitted_from_a_thirtieth_of_the_band_to_eight_times_it():
+    taken = module._frequencies(SimpleNamespace(between=lambda at: at), (0.3, 2.0))
+    assert len(taken) == 19 + 150 + 24 and np.all(np.diff(taken) > 0)
+    assert taken[[0, 19, 168, -1]] == pytest.approx([0.01, 0.3, 2.0, 16.0])
+    ratio = taken[1:20] / taken[:19]
+    assert ratio == pytest.approx(np.full(19, 30 ** (1 / 19)))
+
+
+def test_deviations_count_by_the_largest_or_by_a_twentieth_of_inertia():
+    """|made − B − iω(A∞ − A)| at the middles, over √ of the scales or 0.05 ω √(M + A)(M + A) where that is more"""
+    omega = np.linspace(1.0, 3.0, 41)
+    A, B = np.ones((41, 2, 2)) * np.array([[4.0, 0], [0, 9.0]]), np.ones((41, 2, 2)) * np.array([[2.0, 0], [0, 3.0]])
+    axis = SimpleNamespace(added_mass_infinity=np.diag([5.0, 9.0]))
+    axis.transform = lambda at: np.array([[2.0, 0.1], [0.0, 3.0]]) + 1j * at[:, None, None] * np.diag([1.0, 0.0])
+    middles = 0.5 * (omega[1:] + omega[:-1])[2:-2:8]
+    inertia = np.diag([32.0, 16.0])
+    for scale, size in ((100.0, lambda w: np.full(len(w), 100.0)), (0.01, lambda w: 0.05 * w * 6 * 5)):
+        found = module._deviation(axis, omega, A, B, np.full((2, 2), scale), inertia)
+        assert found[0, 1] == pytest.approx((0.1 / size(middles)).max()) and found[0, 0] == pytest.approx(
+            0.0, abs=1e-12
+        )
+    zero = np.array([[0.01, 0.0], [0.0, 0.0]])
+    assert module._deviation(axis, omega, A, B, zero, inertia)[0, 1] == 0.0
+    unknown = module._deviation(axis, omega, A, B, np.full((2, 2), 2.0), np.full((2, 2), np.nan))
+    assert unknown[0, 1] == pytest.approx(0.05)
+
+
+def part(real, pairs, motions):
+    """A `Passive` of made-up numbers"""
+    n = real + 2 * pairs
+    return SimpleNamespace(
+        decay=RNG.uniform(0.1, 1.0, real).tolist() + np.tile(RNG.uniform(0.1, 1.0, pairs), 2).tolist(),
+        turn=RNG.uniform(1, 2, pairs), input=RNG.normal(size=(motions, n)), output=RNG.normal(size=(motions, n)),
+        storage=RNG.normal(size=(n, n)), loss=RNG.normal(size=(n, motions)),
+    )  # fmt: skip
+
+
+def joined():
+    groups, size = ((0, 4), (1,), (2, 3, 5)), np.array([2.0, 3.0, 5.0, 7.0, 11.0, 13.0])
+    parts = [part(1, 2, 2), part(2, 0, 1), part(0, 1, 3)]
+    return groups, size, parts, module._joined(parts, groups, size)
+
+
+def test_systems_of_groups_side_by_side_answer_as_each_by_itself():
+    """c (iω − a)⁻¹ b of each in its own units, what is stored and lost added up"""
+    groups, size, parts, (arrays, storage, loss) = joined()
+    assert len(arrays.decay) == 5 + 2 + 2 and len(arrays.turn) == 3
+    none = np.zeros((6, 6))
+    whole = Memory(arrays, storage, loss, none, none, none, (0.1, 1.0), groups)
+    a, b, c = whole.matrices
+    omega = np.array([0.3, 1.2])
+    made = np.array([c @ np.linalg.solve(1j * w * np.eye(9) - a, b) for w in omega])
+    true = np.zeros((2, 6, 6), complex)
+    for one, group in zip(parts, groups, strict=True):
+        n, p = len(one.decay), len(one.turn)
+        own = -np.diag(one.decay)
+        for i in range(p):
+            k = n - 2 * p + i
+            own[k, k + p], own[k + p, k] = one.turn[i], -one.turn[i]
+        units = size[list(group)]
+        for w, out in zip(omega, true, strict=True):
+            out[np.ix_(group, group)] = (
+                units[:, None] * (one.output @ np.linalg.solve(1j * w * np.eye(n) - own, one.input.T)) * units
+            )
+    assert made == pytest.approx(true) and module._transfer(arrays, omega) == pytest.approx(true)
+    assert whole.transform(omega) == pytest.approx(true.conj())
+    states = RNG.normal(size=(4, 9))
+    assert whole.stored_energy(states) == pytest.approx(0.5 * np.einsum("si,ij,sj->s", states, storage, states))
+    assert whole.lost_power(states) == pytest.approx(0.5 * np.sum((states @ loss) ** 2, axis=1))
+    assert loss.shape == (9, 6) and np.count_nonzero(loss) == 5 * 2 + 2 * 1 + 2 * 3
+    assert np.count_nonzero(storage) == 25 + 4 + 4
+    velocity = RNG.normal(size=6)
+    assert whole.rate(states[0], velocity) == pytest.approx(a @ states[0] + b @ velocity)
+    assert whole.force(states[0]) == pytest.approx(c @ states[0])
+    from scipy.linalg import expm
+
+    assert whole.retardation([0.0, 0.7])[1] == pytest.approx(c @ expm(0.7 * a) @ b)
+    assert repr(whole).startswith("<Memory 9 states (surge, pitch; sway; heave, roll, yaw), error 0.0e+00>")
+
+
+def test_states_are_those_that_decay_then_first_and_second_of_pairs():
+    _, _, parts, (arrays, *_) = joined()
+    alone, pairs = [part.decay[: len(part.decay) - 2 * len(part.turn)] for part in parts], [part.turn for part in parts]
+    assert arrays.decay[:3] == pytest.approx(np.concatenate(alone)) and arrays.turn == pytest.approx(
+        np.concatenate(pairs)
+    )
+    assert arrays.decay[3:6] == pytest.approx(arrays.decay[6:])
+
+
+def test_a_run_at_one_frequency_has_no_states_and_the_added_mass_of_the_highest():
+    body = SimpleNamespace(between=SimpleNamespace(span=(0.2, 1.5)), words=tuple("abcdef"),
+                           coefficients=lambda omega: (omega[:, None, None] * np.eye(6), None))  # fmt: skip
+    found = no_memory(body)
+    assert found.states == 0 and found.added_mass_infinity == pytest.approx(1.5 * np.eye(6))
+    assert found.band == (0.2, 1.5) and found.force(np.zeros(0)).tolist() == [0.0] * 6
+    assert found.transform([1.0]).shape == (1, 6, 6) and not found.transform([1.0]).any()
+
+
+@pytest.mark.parametrize("tolerance", [0.99e-5, 0.101])
+def test_a_tolerance_lies_between_a_hundred_thousandth_and_a_tenth(tolerance):
+    with pytest.raises(ValueError, match=r"tolerance of the memory is .*; allowed: 1e-5 to 0.1"):
+        memory_of_database(None, tolerance)
+
+
+def test_water_that_rings_is_told_what_helps():
+    rings = SimpleNamespace(between=SimpleNamespace(ringing=[1.0]))
+    assert module._ringing(rings) == "; give [[damping_lids]] to the moonpool or gap with resonant water"
+    assert module._ringing(SimpleNamespace(between=SimpleNamespace(ringing=[]))) == ""
+
+
+def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
+    """A transform without causality: white noise over the frequencies"""
+    monkeypatch.setattr(module, "POLES", (8,))
+    omega = np.linspace(0.1, 2.0, 40)
+    wanted = RNG.normal(size=(40, 1, 1)) + 1j * RNG.normal(size=(40, 1, 1))
+    with pytest.raises(ValueError, match=r"the memory of b has an error of .*; the tolerance is 1e-05: allow a larger"):
+        module._fitted(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
+
+
+def test_the_best_of_what_was_tried_is_told(monkeypatch):
+    """Poles that miss, and states of those that do not: 0.2, then 0.15 of a passive fit"""
+    offs = iter([0.5, 0.2, 0.3])
+    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
+    wanted, none = np.ones((4, 1, 1), complex), np.zeros((4, 1))
+    with pytest.raises(ValueError, match=r"the memory of sway has an error of 0\.2 with the best system tried; the"):
+        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+    tried = []
+
+    class Whole:
+        values = np.array([1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.005])
+
+        def reduced(self, states):
+            tried.append(states)
+            return "a", "b", None
+
+    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, 0.001))
+    monkeypatch.setattr(module, "balanced", lambda system: Whole())
+    errors = {6: 0.15, 7: 0.3}
+    monkeypatch.setattr(module, "passive_fit", lambda a, b, s, H, most, weight: (most, errors[tried[-1]]))
+    monkeypatch.setattr(module, "POLES", (8,))
+    with pytest.raises(ValueError, match=r"an error of 0\.15 with"):
+        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+    assert tried == [6, 7]  # as many as values above the tolerance, and more
+    errors[7] = 0.01
+    assert module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("a", "b")) == pytest.approx(0.0099)
