@@ -82,7 +82,7 @@ def _waves(room):
     grid = SimpleNamespace(x=np.array([0.0, 1.0]), y=np.array([5.0]))
     room.made = Made(grid, map=np.array([[1 + 2j, np.nan]]))
     status = of_waves.waves("body.h5", None, 0.8, 90.0, True, 200.0, ["3,-4"], Path("points.csv"), PNG)
-    (given, words) = room.asked[0]
+    _, words = room.asked[0]
     assert words["heading"] == pytest.approx(math.pi / 2) and (words["fixed"], words["width"]) == (True, 200.0)
     assert words["at"] == [[3.0, -4.0]] and (words["period"], words["omega"]) == (None, 0.8)
     assert Path("points.csv").read_text() == "x_m,y_m,elevation_real,elevation_imag\n0.0,5.0,1.0,2.0\n"
