@@ -68,8 +68,8 @@ def main():
     os.environ["NUMBA_DISABLE_JIT"] = "1"
     folder, places = Path(sys.argv[1]), sys.argv[2:] or ["tests/mooring", "tests/bem"]
     folder.mkdir(parents=True, exist_ok=True)
-    found = (path if path.is_file() else path.rglob("test_*.py") for path in map(Path, places))
-    files = sorted(str(file) for one in found for file in ([one] if isinstance(one, Path) else one))
+    paths = (path for place in map(Path, places) for path in ([place] if place.is_file() else place.rglob("test_*.py")))
+    files = sorted(map(str, paths))
     import coverage
     import h5py  # noqa: F401 - loaded once, for all forks
     import pytest  # noqa: F401
