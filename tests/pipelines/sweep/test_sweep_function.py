@@ -2,6 +2,7 @@
 
 import copy
 import dataclasses
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,7 +11,8 @@ import tomli_w
 
 import hakobune
 from hakobune.mooring.criteria.failing import fails
-from hakobune.pipelines.sweep import run
+from hakobune.pipelines.sweep import one_case, run
+from hakobune.pipelines.sweep.study import COMMANDS
 
 BERTH = {
     "depth": 25.0,
@@ -95,3 +97,37 @@ def test_cases_are_stored_together_every_half_second_and_at_the_end(monkeypatch)
             keep(case)
         assert stored == [[1, 2]]
     assert stored == [[1, 2], [3]]
+
+
+LINES = {
+    "water": {"depth": 60.0},
+    "types": {"chain": {"catalogue": "R3 studless 76 mm"}},
+    "anchors": [{"name": "A", "position": [-300.0, 0.0, -60.0]}, {"name": "B", "position": [0.0, 0.0, 0.0]}],
+    "lines": [{"name": "one", "type": "chain", "length": 320.0, "from": "A", "to": "B"}],
+}
+
+
+def test_lines_are_swept_like_any_study():
+    """Its file is called the system by the function and the file by the command"""
+    cases = hakobune.sweep({"command": "lines", "study": LINES, "keep": ["tension"],
+                            "vary": [{"key": "lines[0].length", "values": [315.0, 320.0]}]})  # fmt: skip
+    for number, length in enumerate([315.0, 320.0]):
+        study = copy.deepcopy(LINES)
+        study["lines"][0]["length"] = length
+        assert np.array_equal(cases["tension"][number], hakobune.lines(study)["tension"])
+    assert cases.status == 0
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_arguments_of_every_command_are_those_of_its_function_without_its_study(command):
+    """Numbers and paths as the command reads them; a file that is always written is no argument of a case"""
+    needed = ["--database", "x.h5"] if command in ("moor", "response", "simulate") else []
+    assert one_case.given_to(command, needed) == ({"database": Path("x.h5")} if needed else {})
+    if command in ("moor", "response"):
+        with pytest.raises(ValueError, match="arguments have --output; allowed in a sweep: those of hakobune"):
+            one_case.given_to(command, [*needed, "--output", "found.h5"])
+    if command == "simulate":
+        found = one_case.given_to(command, [*needed, "--seeds", "3", "--duration", "60"])
+        assert (found["seeds"], found["duration"]) == (3, 60.0)
+        with pytest.raises(ValueError, match="arguments have --methods"):
+            one_case.given_to(command, [*needed, "--methods"])
