@@ -109,12 +109,12 @@ LINES = {
 
 def test_lines_are_swept_like_any_study():
     """Its file is called the system by the function and the file by the command"""
-    cases = hakobune.sweep({"command": "lines", "study": LINES, "keep": ["tension"],
+    cases = hakobune.sweep({"command": "lines", "study": LINES, "keep": ["tension.b"],
                             "vary": [{"key": "lines[0].length", "values": [315.0, 320.0]}]})  # fmt: skip
     for number, length in enumerate([315.0, 320.0]):
         study = copy.deepcopy(LINES)
         study["lines"][0]["length"] = length
-        assert np.array_equal(cases["tension"][number], hakobune.lines(study)["tension"])
+        assert np.array_equal(cases["tension.b"][number], hakobune.lines(study)["tension.b"])
     assert cases.status == 0
 
 
