@@ -159,3 +159,15 @@ def test_a_line_without_tension_slides_down_what_is_steeper_than_its_friction(fa
     bed = np.array([[0.0, 0.0, math.atan(slope)]] * 2)
     one = line(**{"kept": np.zeros((0, 4)), "bed": bed, "loads": loads} | more)
     assert friction.slides_down(one, at, facet, 0.0) == slides
+
+
+@pytest.mark.parametrize("facet, tension, held, slides", [
+    (0, 100.0, 2, False), (0, 101.0, 2, True), (1, 100.0, 2, True), (0, 100.0, 1, True),
+])  # fmt: skip
+def test_what_a_slack_line_leaves_at_its_anchor_lies_in_a_heap(facet, tension, held, slides):
+    """Up to a hundred times the least tension, on the first facet, further down the line than its lowest buoy"""
+    bed = np.array([[0.0, 0.0, math.atan(0.6)]] * 2)
+    one = line(kept=np.zeros((0, 4)), bed=bed, loads=np.array([[40.0, -1e4, -1e4]]), held=held)
+    assert friction.slides_down(one, [0, -1], facet, tension) == slides
+    one.lowest_buoy = 1  # no buoy
+    assert friction.slides_down(one, [0, -1], facet, tension)
