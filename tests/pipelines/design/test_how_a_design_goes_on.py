@@ -539,3 +539,17 @@ def test_a_page_is_drawn_again_where_any_file_of_the_code_changes(tmp_path, monk
         change()
         seen.append(digest())
     assert seen[0] == seen[1] and len(set(seen)) == 4 and len(seen[0]) == 64
+
+
+def test_a_rope_pulls_at_its_bollard_along_the_straight_way(monkeypatch):
+    """Of fenders 1, 2 and ropes 30, 70 N the second rope; from its bollard 3 m ahead, 4 m aside, 12 m up: 5/13 along"""
+    monkeypatch.setattr("hakobune.mooring.motion.contacts.contact_forces", lambda berth, place: [1.0, 2.0, 30.0, 70.0])
+    rope = SimpleNamespace(fairlead=np.array([10.0, 1.0, 2.0]), bollard=np.array([7.5, -2.75, -9.5]))
+    held = SimpleNamespace(fenders=[1, 2], ropes=[None, rope])
+    db = SimpleNamespace(rotation_center=(10.0, 1.0, 2.0))
+    tension, along, up = in_time._held_rope(held, db, 1, np.array([0.5, 0.25, 0.5, 0.0, 0.0, 0.0]))
+    assert (tension, along, up) == pytest.approx((70.0, 70 * 5 / 13, 70 * 12 / 13))
+    turned = SimpleNamespace(fairlead=np.array([11.0, 1.0, 2.0]), bollard=np.array([10.0, -2.0, 2.0]))
+    held.ropes = [turned, None]
+    tension, along, up = in_time._held_rope(held, db, 0, np.array([0, 0, 0, 0, 0, math.pi / 2]))
+    assert (tension, along, up) == pytest.approx((30.0, 30.0, 0.0))

@@ -12,7 +12,7 @@ import tomli_w
 import hakobune
 from hakobune.mooring.criteria.failing import fails
 from hakobune.pipelines.sweep import one_case, run
-from hakobune.pipelines.sweep.study import COMMANDS
+from hakobune.pipelines.sweep.study import COMMANDS, read_sweep
 
 BERTH = {
     "depth": 25.0,
@@ -131,3 +131,34 @@ def test_arguments_of_every_command_are_those_of_its_function_without_its_study(
         assert (found["seeds"], found["duration"]) == (3, 60.0)
         with pytest.raises(ValueError, match="arguments have --methods"):
             one_case.given_to(command, [*needed, "--methods"])
+
+
+def test_cases_whose_worker_is_lost_are_counted_and_the_first_is_told(tmp_path):
+    """Two of three are lost; what is left is stored, and a second run has the two to do"""
+    (tmp_path / "berth.toml").write_text(tomli_w.dumps(BERTH))
+    table, text = read_sweep(_written(tmp_path, "berth.toml"))
+    said, output = [], tmp_path / "cases.h5"
+
+    class Executor:
+        count = 1
+
+        def submit(self, function, command, case, *more):
+            class Future:
+                def result(self):
+                    if case["approach"]["speed"] > 0.12:
+                        raise RuntimeError("worker\n gone")
+                    return function(command, case, *more)
+
+            return Future()
+
+    outcome = run.sweep(table, text, tmp_path, output, Executor(), said.append)
+    assert outcome.cases == 3 and outcome.lost == (2, "case 1: worker gone") and outcome.failed == []
+    assert said == ["3 cases, 0 of them stored already", *[f"{done} of 3 cases" for done in (1, 1, 1)]]
+    assert run.file.pending(output) == [1, 2]
+    with pytest.raises(ValueError, match="belongs to another sweep; give --fresh"):
+        run.sweep(table, f"{text}# more", tmp_path, output, Executor(), said.append)
+
+
+def _written(folder, study):
+    (folder / "sweep.toml").write_text(tomli_w.dumps({**SWEEP, "study": study}))
+    return folder / "sweep.toml"
