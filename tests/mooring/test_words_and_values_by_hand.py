@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.breakwater.exact import free_exact
-from hakobune.mooring.criteria.verdict import judge
+from hakobune.mooring.criteria.verdict import Case, judge
 from hakobune.mooring.downtime import planes as of_planes
 from hakobune.mooring.downtime.every_hour import _of_spreading
 from hakobune.mooring.downtime.hindcast import Hindcast, WaveHours
@@ -128,6 +128,25 @@ def test_a_quantity_that_only_partial_cases_could_have_is_named(monkeypatch):
     assert one.missing == "no load case is extreme, lines lost"
     (one,) = judge([left_out], [])
     assert one.missing == "no load case could be run"
+
+
+@pytest.mark.parametrize("parts", [None, {}, {"strain": {"F1": 0.2, "F2": 0.6}}])
+def test_what_a_criterion_is_of_is_sought_among_parts_motions_and_the_rest(parts):
+    """The worst part; a motion from side to side is twice its amplitude; of none of them the case says so"""
+    case = Case("c", "extreme", "intact", "any", {}, {"surge": 1.5}, {"life": 50.0}, parts)
+    values = {}
+    for quantity, statistic in (("strain", ""), ("surge", ""), ("surge", "peak to peak"), ("life", "")):
+        one = criterion(quantity=quantity, statistic=statistic, motion_factor=1.0, utilisation=lambda value: value / 2)
+        (found,) = judge([one], [case])
+        values[quantity + statistic] = found.missing or (
+            found.uses[0].item,
+            found.uses[0].value,
+            found.uses[0].utilisation,
+        )
+    assert values == {
+        "strain": ("F2", 0.6, 0.3) if parts else "c has no strain", "surge": ("surge", 1.5, 0.75),
+        "surgepeak to peak": ("surge", 3.0, 1.5), "life": ("life", 50.0, 25.0),
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize("section, title", [("control", "CONTROL"), ("external", "EXTERNAL LOADS")])
