@@ -604,3 +604,15 @@ def test_drift_of_each_of_several_bodies_has_to_be_known_in_irregular_waves():
     reader.knows_drift = False
     with pytest.raises(wave_effects.BetweenError, match=r"^drift_force must be stored for waves"):
         wave_effects._irregular(reader, SimpleNamespace(sea="sea", waves=None))
+
+
+def test_elements_pull_by_the_rows_of_their_own_table():
+    """EA (T₀ + s (e − e₀)) of the row in which the strain lies: 10 of 0.05; of a table 0, 1 + 3 · 0.02 and 2 + 5 · 0.1"""
+    from hakobune.mooring.lines.dynamics.lumped.system import elastic_tension
+
+    table = np.array([[0.0, 0.0, 10.0, 0], [0.0, 0.0, 2.0, 0], [0.1, 1.0, 3.0, 0], [0.2, 2.0, 5.0, 0]])
+    system = SimpleNamespace(length=np.array([1.0, 1.0, 2.0, 1.0]), stiffness=np.array([1.0, 10.0, 100.0, 1000.0]),
+                             elongation=table, elongation_rows=np.array([[0, 1], [1, 4], [1, 4], [1, 4]]))  # fmt: skip
+    q = np.zeros((5, 3))
+    q[1:, 0] = np.cumsum([1.05, 0.9, 2 * 1.12, 1.3])
+    assert elastic_tension(system, q) == pytest.approx([0.5, 0.0, 100 * 1.06, 1000 * 2.5])
