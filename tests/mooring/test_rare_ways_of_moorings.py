@@ -607,7 +607,7 @@ def test_drift_of_each_of_several_bodies_has_to_be_known_in_irregular_waves():
 
 
 def test_elements_pull_by_the_rows_of_their_own_table():
-    """EA (T₀ + s (e − e₀)) of the row in which the strain lies: 10 of 0.05; of a table 0, 1 + 3 · 0.02 and 2 + 5 · 0.1"""
+    """EA (T₀ + s (e − e₀)) of the row of its strain: 10 · 0.05; of a table 0, 1 + 3 · 0.02 and 2 + 5 · 0.1"""
     from hakobune.mooring.lines.dynamics.lumped.system import elastic_tension
 
     table = np.array([[0.0, 0.0, 10.0, 0], [0.0, 0.0, 2.0, 0], [0.1, 1.0, 3.0, 0], [0.2, 2.0, 5.0, 0]])
