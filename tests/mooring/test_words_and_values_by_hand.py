@@ -21,9 +21,12 @@ from hakobune.mooring.formats.moordyn_left_out import left_out
 from hakobune.mooring.formats.moordyn_ropes import largest_tensions
 from hakobune.mooring.formats.moordyn_writing import _positive
 from hakobune.mooring.formats.orcaflex import _line, _named, _number, column
+from hakobune.mooring.lines.multi_segment.segments import Segment
 from hakobune.mooring.lines.system.bodies import places_along
+from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
 from hakobune.mooring.lines.system.parts import CompositeLine, LineType, UniformLine
 from hakobune.mooring.single_point.equilibria import Equilibrium
+from hakobune.mooring.studies.in_air import _weighs_as_in_water
 
 CELL = fender_of_points("cell", 2.0, [0.0, 0.5, 1.0], [0.0, 5e5, 1e6], rated=0.5)
 
@@ -220,3 +223,18 @@ def test_places_of_bodies_turn_with_their_headings_and_their_turns_do_not():
     assert sway[:3] == pytest.approx([-1, 0, 0], abs=1e-12) and roll[:6] == pytest.approx([0, 0, 0, 1, 0, 0])
     assert turn[6:9, 6:9] == pytest.approx(np.diag([-1.0, -1.0, 1.0]), abs=1e-12)
     assert turn[9:, 9:] == pytest.approx(np.eye(3)) and not turn[6:, :6].any()
+
+
+@pytest.mark.parametrize("line, wet", [
+    (UniformLine("n", LineType("t", 900.0, 1e8, 100.0), 30.0, "a", "b"), True),
+    (UniformLine("n", LineType("t", 900.0, 1e8, 100.0), 30.0, "a", "b", weight_in_air=981.0), False),
+    (UniformLine("n", LineType("t", 900.0, 1e8), 30.0, "a", "b"), True),
+    (UniformLine("n", LineType("t", 981.0, 1e8, 100.0), 30.0, "a", "b"), False),
+    (UniformLine("n", LineType("t", 979.9, 1e8, 100.0), 30.0, "a", "b"), True),
+    (UniformLine("n", LineType("t", -20.0, 1e8, 100.0), 30.0, "a", "b"), False),
+    (CompositeLine("n", (Segment(30.0, 900.0),), "a", "b"), True),
+    (Hawser("n", pull_of_points("r", [0.0, 4.0], [0.0, 4e5]), 30.0, "a", "b"), False),
+])  # fmt: skip
+def test_a_line_weighs_above_the_water_as_in_it_unless_it_is_told_or_dry(line, wet):
+    """100 kg/m weigh 981 N/m in air at 9.81 m/s², to a thousandth; what floats and a hawser are no matter of it"""
+    assert _weighs_as_in_water(line, 9.81) is wet
