@@ -334,3 +334,19 @@ def test_behind_a_breakwater_twice_the_crest_height_passes_between_its_periods(m
     read.keel = 1
     with pytest.raises(StudyError, match=r"keel is given with \[lee\]; it needs a body"):
         lee.lee(read, Path())
+
+
+@pytest.mark.parametrize("names", [(), ("p", "q", "r")])
+def test_every_quantity_of_every_body_stands_in_the_table(names, monkeypatch):
+    from hakobune.pipelines.solve import report
+
+    rows = {
+        name: [("mass", f"1{name}", "t"), ("draft", f"2{name}", "m"), ("GM", f"3{name}", "m")] for name in names or "x"
+    }
+    monkeypatch.setattr(report, "each_body", lambda db: [SimpleNamespace(name=name) for name in names or "x"])
+    monkeypatch.setattr(report, "_body_rows", lambda body: rows[body.name])
+    table = report.body_table(SimpleNamespace(bodies=names))
+    assert [column.header for column in table.columns] == ["quantity", *(names or ["value"]), "unit"]
+    cells = [list(column.cells) for column in table.columns]
+    assert cells[0] == ["mass", "draft", "GM"] and cells[-1] == ["t", "m", "m"]
+    assert cells[1:-1] == [[value for _, value, _ in rows[name]] for name in names or "x"]
