@@ -318,7 +318,8 @@ def main(arguments=None):
         print(f"{name}: {_one_line(error, command)}", file=sys.stderr)
         return 2
     except MemoryError as error:
-        print(f"{name}: there is not enough memory: {error or 'the request exceeds the free memory'}", file=sys.stderr)
+        reason = str(error) or "the request exceeds the free memory"
+        print(f"{name}: there is not enough memory: {reason}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as stop:
         print(f"{name}: {str(stop) or interrupted(command, arguments)}", file=sys.stderr)

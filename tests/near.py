@@ -1,8 +1,8 @@
 """Which tests are near a change, by the imports between tests and modules.
 
-A test that imports a changed module has distance 1, one that imports a module that imports it 2, and so on; the
-conftest.py of a folder counts as imported by its tests.  Commands import everything: what mirrors the folder of
-the change, and what names the changed function, comes before others at the same distance.
+A test that imports a changed module, or names it in a text, has distance 1, one that imports a module that imports it
+2, and so on; the conftest.py of a folder counts as imported by its tests.  Commands import everything: what mirrors
+the folder of the change, and what names the changed function, comes before others at the same distance.
 """
 
 import re
@@ -14,6 +14,7 @@ from hakobune.bem.kernels.sources import imported
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("meshing", "bem", "mooring", "pipelines")
 MIRRORED, NAMED = 3, 2  # imports that these are worth
+NAMES = re.compile(rf'"(?:hakobune\.)?((?:{"|".join(PACKAGES)})\.[\w.]+)"')  # of modules, in texts of tests
 
 
 @cache
@@ -36,8 +37,16 @@ def _imports(file, root):
     tests = root / "tests"
     both = {*imported(file, root), *imported(file, tests)}
     if tests in file.parents:
+        both |= {module for name in NAMES.findall(file.read_text(encoding="utf-8")) if (module := _module(name, root))}
         both |= {place / "conftest.py" for place in file.parents if tests == place or tests in place.parents}
     return both - {file}
+
+
+def _module(name, root):
+    """The file of a module, or of what is in it, by its name below `hakobune`; None for other names"""
+    parts = name.split(".")
+    paths = (root.joinpath(*parts[:n]).with_suffix(".py") for n in range(len(parts), 0, -1))
+    return next((path for path in paths if path.is_file()), None)
 
 
 def distances(changed, root=ROOT):
@@ -50,13 +59,19 @@ def distances(changed, root=ROOT):
     return found
 
 
+def mirrored(file, root=ROOT):
+    """The folder of tests that mirrors that of a file, or the next above: rooms within rooms have none of their own"""
+    folder = root / "tests" / file.relative_to(root).parent
+    return next(one for one in (folder, *folder.parents) if one.is_dir())
+
+
 def nearest(changed, names=(), root=ROOT):
     """Test files that changed files can reach, the nearest first.
 
     changed : Paths below `root`; names : words, as of changed functions, whose mention brings a test nearer
     """
     far = distances(changed, root)
-    folders = {root / "tests" / file.relative_to(root).parent for file in changed}
+    folders = {mirrored(file, root) for file in changed}
     words = re.compile("|".join(rf"\b{re.escape(name)}\b" for name in names)) if names else None
 
     def rank(test):

@@ -7,6 +7,7 @@ the modules of its folder; pages are tested by the tests of the guide.
 """
 
 import argparse
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -30,6 +31,12 @@ def changed(against):
     return [ROOT / name for name in names]
 
 
+def functions(against):
+    """Names of the functions and classes in which something differs, whose mention brings a test nearer"""
+    text = git("diff", "-U0", git("merge-base", against, "HEAD").strip())
+    return sorted(set(re.findall(r"^(?:@@.*@@|[+-])\s*(?:def|class) (\w+)", text, re.MULTILINE)))
+
+
 def sources(files):
     """Modules that files stand for: themselves, or those of their folder for data"""
     found = set()
@@ -40,8 +47,8 @@ def sources(files):
     return found
 
 
-def chosen(files):
-    tests = nearest(sources(files))
+def chosen(files, names=()):
+    tests = nearest(sources(files), names)
     if any(file.suffix == ".md" for file in files):
         tests += [ROOT / "tests" / page for page in PAGES if ROOT / "tests" / page not in tests]
     return tests
@@ -57,7 +64,7 @@ def main():
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--list", action="store_true", help="only print the files of tests, the nearest first")
     given = parser.parse_args()
-    tests = [str(test.relative_to(ROOT)) for test in chosen(changed(given.against))]
+    tests = [str(test.relative_to(ROOT)) for test in chosen(changed(given.against), functions(given.against))]
     left_out, tests = tests[given.files :], tests[: given.files]
     if given.list or not tests:
         print("\n".join(tests) or f"no test is near what differs from {given.against}")

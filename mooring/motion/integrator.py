@@ -133,6 +133,8 @@ def take_step(scene, buoy, clock, t, h):
             total = 0.0
             for j in range(7):
                 total += E[j] * k[j, BLOCK * b + i]
+            if not np.isfinite(total):
+                return np.inf, good  # `max` leaves out what is not a number
             worst = max(worst, abs(total) / clock.scale[b, i])  # h·total over scale·h
     for g in range(clock.bent_scale.shape[0]):
         for i in range(12):
@@ -145,6 +147,8 @@ def take_step(scene, buoy, clock, t, h):
             total = 0.0
             for j in range(7):
                 total += E[j] * k[j, BLOCK * count + i]
+            if not np.isfinite(total):
+                return np.inf, good
             worst = max(worst, abs(total) / clock.float_scale[i])
     return worst, good
 

@@ -93,9 +93,6 @@ def intrinsic_frequency(omega, along, depth, gravity):
         one = along == speed
         grid = np.linspace(0.0, 1.0, FINE)[1:] * 4 * omega[one].max()
         there = absolute_frequency(grid, speed, depth, gravity)
-        while speed > 0 and there[-1] < omega[one].max():
-            grid = 2 * grid
-            there = absolute_frequency(grid, speed, depth, gravity)
         passes = slice(0, int(np.argmax(there)) + 1)
         found = np.interp(omega[one], np.r_[0.0, there[passes]], np.r_[0.0, grid[passes]])
         for _ in range(3):

@@ -26,8 +26,9 @@ def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
     if "output" in _needed(app, command) and "--output" not in arguments:
         words += ["--output", "none.h5"]  # file name for a command that always writes a file
     _, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
+    study = next(iter(bound.arguments))  # what the command calls it: study, system, file …
     taken = inspect.signature(function_of(command)).parameters
-    given = {name: value for name, value in bound.arguments.items() if name not in ("study", "scene", "system")}
+    given = {name: value for name, value in bound.arguments.items() if name != study}
     wrong = [name for name in given if name not in taken or (name in DRAWS and f"--{name}" in arguments)]
     if wrong:
         raise StudyError(f"arguments have --{wrong[0]}; allowed in a sweep: those of hakobune.{command}, without files")

@@ -379,7 +379,7 @@ def judged(clone, row, given, sound, covered=None, plain=None):
             by = f"it hangs in {by or 'the collection'}"
         else:
             by = _stopped(status, output) or "it does not import"
-        passes = _is_sound(clone, by.removeprefix("it hangs in "), given, sound, as_plain)
+        passes = not _unknown(output) and _is_sound(clone, by.removeprefix("it hangs in "), given, sound, as_plain)
         if not passes and as_plain and by in tests:  # a test that needs compiled kernels says nothing here
             more.append((seconds, [test for test in tests if test != by], True))
             continue
@@ -395,6 +395,11 @@ def _stopped(status, output):
         return failed[0] if failed else None
     running = [line for line in output if "::" in line]
     return re.sub(r"( [A-Z]+ .*)?\s*$", "", running[-1]) if running else None
+
+
+def _unknown(output):
+    """Whether pytest did not find a test that a map of another commit names, and ran none"""
+    return any(line.startswith("ERROR: not found") for line in output) and not _stopped(1, output)
 
 
 def _is_sound(clone, by, given, sound, plain):

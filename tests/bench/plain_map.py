@@ -1,6 +1,6 @@
 """A map of the tests that execute lines of kernels, made with kernels as plain Python, which coverage.py can see.
 
-    PYTHONPATH=.:tests:build/coverage python tests/bench/plain_map.py FOLDER [tests/mooring tests/bem ...]
+    PYTHONPATH=.:tests:build/coverage python tests/bench/plain_map.py FOLDER [tests/mooring tests/bem/test_waves.py ...]
 
 FOLDER gets `.coverage` and `times.xml`, as `covered.py` reads them.  A test that has not ended after two seconds is
 left out, and so is what needs its fixture: as plain Python a kernel takes a hundred times as long.  Each file of tests
@@ -68,7 +68,8 @@ def main():
     os.environ["NUMBA_DISABLE_JIT"] = "1"
     folder, places = Path(sys.argv[1]), sys.argv[2:] or ["tests/mooring", "tests/bem"]
     folder.mkdir(parents=True, exist_ok=True)
-    files = sorted(str(file) for place in places for file in Path(place).rglob("test_*.py"))
+    paths = (path for place in map(Path, places) for path in ([place] if place.is_file() else place.rglob("test_*.py")))
+    files = sorted(map(str, paths))
     import coverage
     import h5py  # noqa: F401 - loaded once, for all forks
     import pytest  # noqa: F401

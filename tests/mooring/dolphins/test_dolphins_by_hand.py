@@ -245,3 +245,14 @@ def test_a_body_between_springs_that_the_ground_drags_by_hand():
     assert found.body == pytest.approx(v * t + u, abs=1e-6)
     assert found.reaction == pytest.approx(k * u, abs=1e-3 * k * v)
     assert found.deflection == pytest.approx(np.abs(u), abs=1e-6)
+
+
+def test_a_loop_of_fenders_on_both_sides_goes_by_what_they_return():
+    """2e6 N/m pressed, 1e6 released, from one to the other over 0.1 m; two of a side with 0.2 m of clearance
+
+    Pressed to 0.5 m, back to 0.45 half way between, to 0.35 released; 0.05 m further half way back
+    """
+    fender = fender_of_points("f", 2.0, [0.0, 1.0], [0.0, 2e6], [0.0, 1e6], return_length=0.1)
+    path = np.array([0.0, 0.3, 0.7, 0.65, 0.55, 0.6, 0.1, -0.3, -0.7, -0.65, -0.1])
+    of_one = np.array([0.0, 2e5, 1e6, 6.75e5, 3.5e5, 6e5, 0.0, -2e5, -1e6, -6.75e5, 0.0])
+    assert both_sides(Fenders(fender, 2, 0.2))(path) == pytest.approx(2 * of_one, abs=1.0)

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from plain import plain
 
-MODULE = "mooring.lines.multi_segment."
-line, search, newton = plain(MODULE + "line"), plain(MODULE + "search"), plain(MODULE + "newton")
+line, search = plain("mooring.lines.multi_segment.line"), plain("mooring.lines.multi_segment.search")
+newton = plain("mooring.lines.multi_segment.newton")
 Bed, Line, Load, Segment = line.Bed, line.StaticLine, line.PointLoad, line.Segment
 line._search = lambda: search
 

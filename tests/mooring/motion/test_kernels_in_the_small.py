@@ -304,13 +304,14 @@ def test_water_of_a_table_goes_on_from_its_places_by_its_slopes_and_is_carried_p
         u, (xx, xy, yy, xz, yz), (x, y, z) = now[:3], now[3:], d
         return u + np.array([xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y - (xx + yy) * z])
 
-    u, du = np.ones((3, w)), np.ones((3, w))
+    before, changing = np.arange(3.0 * w).reshape(3, w), -np.arange(3.0 * w).reshape(3, w)
+    u, du = before.copy(), changing.copy()
     water.tabled_water(given, q, n, t, R, R1, u, du)
     d = q[:, :n] - place
     d[2] = np.minimum(q[2, :n], 0.0) - place[2]
     flow, there = values(t - 3.0, d), values(t - 3.0, d + np.array([*current, 0.0])[:, None])
-    assert u[:, :n] == pytest.approx(1 + R * flow)
-    assert du[:, :n] == pytest.approx(1 + R * values(t - 3.0, d, True) + R1 * flow + R * (there - flow))
+    assert u[:, :n] == pytest.approx(before[:, :n] + R * flow)
+    assert du[:, :n] == pytest.approx(changing[:, :n] + R * values(t - 3.0, d, True) + R1 * flow + R * (there - flow))
 
 
 # ------------------------------------------------------------------ the sea around moving lines

@@ -168,3 +168,14 @@ def test_a_track_that_is_none_is_refused(change):
 
 def test_largest_section_of_a_box_is_beam_times_draft():
     assert largest_section(box(20.0, 6.0, 2.0, panels=60).whole()) == pytest.approx(12.0)
+
+
+def test_what_lies_beyond_the_last_image_is_summed_too():
+    """G = Σ (R² + 4n²h²)^(−1/2) over 400 000 images and the integral of what is left: slopes to eight digits"""
+    from hakobune.mooring.passing.slender import _by_images
+
+    R, depth = np.array([[0.7, 1.2]]), 4.0
+    r = np.sqrt(R[..., None] ** 2 + (2 * depth * np.arange(1, 400_001)) ** 2)
+    slope, second = _by_images(R, depth)
+    assert slope == pytest.approx(-1 / R**3 - 2 * (r**-3.0).sum(axis=-1), rel=2e-8)
+    assert second == pytest.approx(3 / R**5 + 6 * (r**-5.0).sum(axis=-1), rel=2e-8)

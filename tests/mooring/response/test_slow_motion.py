@@ -55,6 +55,10 @@ def test_cross_spectra_have_the_spectra_on_their_diagonal_and_no_more_than_they_
 def test_a_lightly_damped_mode_moves_as_in_a_flat_spectrum(box_body):
     """σ → √(πS/2NC) as damping falls: the spectrum of the force is smooth, and at 1 % it is flat over the resonance"""
     found = slow_motion(box_body, held(box_body, 0.01), SEA, 3 * HOUR)
+    m0, m2 = (part[[0, 1, 5]] for part in (found.fast.moments.m0, found.fast.moments.m2))
+    assert found.fast_sigma == pytest.approx(np.sqrt(m0)) and found.fast_period == pytest.approx(
+        2 * np.pi * np.sqrt(m0 / m2)
+    )
     surge = found.slow[0] / found.estimates[0, 0]
     heavy = slow_motion(box_body, held(box_body, 0.3), SEA, 3 * HOUR)
     assert abs(surge - 1) < 0.05 < abs(heavy.slow[0] / heavy.estimates[0, 0] - 1)

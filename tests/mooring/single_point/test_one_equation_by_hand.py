@@ -37,11 +37,12 @@ def test_lines_of_a_contact_buoy_end_on_the_body_where_they_ended_on_the_buoy(af
 def test_a_hawser_that_pulls_is_longer_and_leads_the_body_away_from_its_buoy():
     """30 m at 3 % and a buoy that yields 0.4 m: 1.3 m along the way from buoy to bow, here (3, 4)/5"""
     heading = math.radians(90)
-    point = SimpleNamespace(apex=np.array([50.0, 0.0]), lengths=np.array([30.0, 29.0]), system="lines")
+    point = SimpleNamespace(apex=np.array([50.0, 7.0]), lengths=np.array([30.0, 29.0]), system="lines")
     steady = SimpleNamespace(point=point, hawser=np.array([4e4, 5e4]), buoy=np.array([10.0, 20.0]))
     rope = SimpleNamespace(strain_at=lambda T: 0.03 * T / 5e4)
     buoy = SimpleNamespace(yields=lambda T, system: 0.4 * T / 9e4)
-    state = np.array([10.0 + 18.0, 20.0 + 24.0 - 50.0, heading])  # bow at buoy + (18, 24)
+    state = np.array([10.0 + 18.0, 20.0 + 24.0 - 50.0, heading])
+    state[0] += 7.0  # bow at buoy + (18, 24): (50, 7) of the body lie at (−7, 50)
     assert _stretch(steady, state, rope, buoy) == pytest.approx([0.6 * 1.3, 0.8 * 1.3, 0.0])
     steady.hawser = np.zeros(2)
     assert not _stretch(steady, state, rope, buoy).any()

@@ -27,6 +27,7 @@ from hakobune.mooring.single_point.loads import (
 )
 from hakobune.mooring.single_point.rings import Ring, angles
 from hakobune.mooring.single_point.scope import highest_third, length_without_uplift, peak, significant
+from hakobune.mooring.single_point.slewing import _record as slow_record
 from hakobune.mooring.single_point.slewing import accelerations, at_rest_state, turned_state
 from hakobune.mooring.single_point.waves import (
     RING,
@@ -299,3 +300,24 @@ def test_components_of_a_sea_lie_between_the_stored_frequencies_and_no_more_than
     for ends in ([0.3, 0.97], [0.53, 2.0]):
         with pytest.raises(ValueError, match=r"^6 % of the waves' energy .* 5 %; solve 0.5 to 1 rad/s as well"):
             runs.sea_components(sea, 7, 3, SimpleNamespace(omega=np.array(ends), depth=20.0))
+
+
+@pytest.mark.parametrize("wind, gusts, wanted", [
+    (None, None, [0.0, 0.0]), (20.0, None, [20.0, 20.0]), (20.0, lambda t: 20.0 + t, [20.0, 25.0]),
+])  # fmt: skip
+def test_a_record_of_slow_motion_has_its_wind_and_what_holds_the_body(wind, gusts, wanted):
+    """Each hold is sought from where the buoy was before"""
+    seen = []
+
+    def hold(place, heading, near):
+        seen.append(near)
+        return SimpleNamespace(buoy=place + 1.0, tension=np.array([10 * heading]))
+
+    of_wind = None if wind is None else SimpleNamespace(speed=wind)
+    point = SimpleNamespace(hold=hold, ends=np.zeros((1, 2)), loads=SimpleNamespace(wind=of_wind))
+    states = np.array([[1.0, 2.0, 0.3, 4.0, 5.0, 6.0], [7.0, 8.0, 0.9, 10.0, 11.0, 12.0]])
+    record = slow_record(point, np.array([0.0, 5.0]), states, gusts)
+    assert record.wind_speed.tolist() == wanted and record.time.tolist() == [0.0, 5.0]
+    assert record.place.tolist() == [[1, 2], [7, 8]] and record.heading.tolist() == [0.3, 0.9]
+    assert record.buoy.tolist() == [[2, 3], [8, 9]] and record.hawser[:, 0] == pytest.approx([3.0, 9.0])
+    assert seen[0] is None and seen[1].tolist() == [2.0, 3.0]

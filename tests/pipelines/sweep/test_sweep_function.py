@@ -2,6 +2,7 @@
 
 import copy
 import dataclasses
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,7 +11,8 @@ import tomli_w
 
 import hakobune
 from hakobune.mooring.criteria.failing import fails
-from hakobune.pipelines.sweep import run
+from hakobune.pipelines.sweep import one_case, run
+from hakobune.pipelines.sweep.study import COMMANDS, read_sweep
 
 BERTH = {
     "depth": 25.0,
@@ -95,3 +97,68 @@ def test_cases_are_stored_together_every_half_second_and_at_the_end(monkeypatch)
             keep(case)
         assert stored == [[1, 2]]
     assert stored == [[1, 2], [3]]
+
+
+LINES = {
+    "water": {"depth": 60.0},
+    "types": {"chain": {"catalogue": "R3 studless 76 mm"}},
+    "anchors": [{"name": "A", "position": [-300.0, 0.0, -60.0]}, {"name": "B", "position": [0.0, 0.0, 0.0]}],
+    "lines": [{"name": "one", "type": "chain", "length": 320.0, "from": "A", "to": "B"}],
+}
+
+
+def test_lines_are_swept_like_any_study():
+    """Its file is called the system by the function and the file by the command"""
+    cases = hakobune.sweep({"command": "lines", "study": LINES, "keep": ["tension.b"],
+                            "vary": [{"key": "lines[0].length", "values": [315.0, 320.0]}]})  # fmt: skip
+    for number, length in enumerate([315.0, 320.0]):
+        study = copy.deepcopy(LINES)
+        study["lines"][0]["length"] = length
+        assert np.array_equal(cases["tension.b"][number], hakobune.lines(study)["tension.b"])
+    assert cases.status == 0
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_arguments_of_every_command_are_those_of_its_function_without_its_study(command):
+    """Numbers and paths as the command reads them; a file that is always written is no argument of a case"""
+    needed = ["--database", "x.h5"] if command in ("moor", "response", "simulate") else []
+    assert one_case.given_to(command, needed) == ({"database": Path("x.h5")} if needed else {})
+    if command in ("moor", "response"):
+        with pytest.raises(ValueError, match="arguments have --output; allowed in a sweep: those of hakobune"):
+            one_case.given_to(command, [*needed, "--output", "found.h5"])
+    if command == "simulate":
+        found = one_case.given_to(command, [*needed, "--seeds", "3", "--duration", "60"])
+        assert (found["seeds"], found["duration"]) == (3, 60.0)
+        with pytest.raises(ValueError, match="arguments have --methods"):
+            one_case.given_to(command, [*needed, "--methods"])
+
+
+def test_cases_whose_worker_is_lost_are_counted_and_the_first_is_told(tmp_path):
+    """Two of three are lost; what is left is stored, and a second run has the two to do"""
+    (tmp_path / "berth.toml").write_text(tomli_w.dumps(BERTH))
+    table, text = read_sweep(_written(tmp_path, "berth.toml"))
+    said, output = [], tmp_path / "cases.h5"
+
+    class Executor:
+        count = 1
+
+        def submit(self, function, command, case, *more):
+            class Future:
+                def result(self):
+                    if case["approach"]["speed"] > 0.12:
+                        raise RuntimeError("worker\n gone")
+                    return function(command, case, *more)
+
+            return Future()
+
+    outcome = run.sweep(table, text, tmp_path, output, Executor(), said.append)
+    assert outcome.cases == 3 and outcome.lost == (2, "case 1: worker gone") and outcome.failed == []
+    assert said == ["3 cases, 0 of them stored already", *[f"{done} of 3 cases" for done in (1, 1, 1)]]
+    assert run.file.pending(output) == [1, 2]
+    with pytest.raises(ValueError, match="belongs to another sweep; give --fresh"):
+        run.sweep(table, f"{text}# more", tmp_path, output, Executor(), said.append)
+
+
+def _written(folder, study):
+    (folder / "sweep.toml").write_text(tomli_w.dumps({**SWEEP, "study": study}))
+    return folder / "sweep.toml"

@@ -71,6 +71,7 @@ def test_tables_have_a_row_for_each_case_frequency_and_heading():
     assert [waves[1][key] for key in ("chi_deg", "F3", "eps3_deg")] == pytest.approx([90.0, 0.3, 90.0])
     drift = tables.drift_rows([made, results()])
     assert len(drift) == 12 and drift[0]["D_y"] == pytest.approx(-0.2)
+    assert [row["chi_deg"] for row in drift[:3]] == [0, 90, 0] and drift[2]["xi_B"] == pytest.approx(made.xi[1])
     made.forces[:, 1, 3] = 0  # beam waves that do not roll it
     assert np.isnan(next(row for row in tables.wave_rows([made], "forces") if row["chi_deg"] == 90.0)["F4"])
     drawn = panels.wave_panels([panels.Line(made, "one", {})], "forces", False, [0, 90])

@@ -1,0 +1,210 @@
+"""How a run goes on in time, as plain Python: steps, windows, breaks and samples of motions with a known solution."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from plain import plain
+
+integrator = plain("mooring.motion.integrator")
+BLOCK, SLOW, RATE = integrator.BLOCK, integrator.SLOW, integrator.SLOW_RATE
+END, WINDOW = 5.0, 2.0
+
+
+class Run:
+    """Bodies that swing at 1 rad/s from 1 m, 2 m …; said : what the loop called, in order
+
+    follows : whether lines can follow at a time and a step; the slow pose moves by (0.1, 0.2, 0.3) a second
+    """
+
+    def __init__(self, monkeypatch, bodies=1, fixed=0.0, tolerance=1e-6, lost=(math.inf,), sample=0.4, buoy=None):
+        self.said, self.bodies, self.buoy, self.times = [], bodies, buoy, []
+        self.follows, self.force = (lambda t: True), (lambda t, x: -x)
+        y = np.zeros(BLOCK * bodies + (6 if buoy else 0))
+        for b in range(bodies):
+            y[BLOCK * b : BLOCK * b + 6] = 1.0 + b
+            y[BLOCK * b + RATE : BLOCK * b + RATE + 3] = 0.1, 0.2, 0.3
+        if buoy:
+            y[-6:-3] = 5.0
+        self.clock = integrator.clock_at_rest(y, END, sample, fixed, np.full((bodies, 12), tolerance))
+        self.scene = SimpleNamespace(
+            lines=SimpleNamespace(lost=np.array(lost)), line_work="line work", links="links",
+            work=SimpleNamespace(window=[f"window {b}" for b in range(bodies)], span=np.zeros(2)),
+            contact_work=SimpleNamespace(beyond=np.array([-1])),
+        )  # fmt: skip
+        table = SimpleNamespace(window=WINDOW, step=0.5)
+        self.waves = SimpleNamespace(table=table, rows=np.array([[f"row {b}", ""] for b in range(bodies)]))
+        self.samples = np.full((int(END / sample) + 1, 18 * bodies + (6 if buoy else 0)), np.nan)
+        note = self.note
+        monkeypatch.setattr(integrator, "rates", self.rates)
+        monkeypatch.setattr(integrator, "settle", note("settle"))
+        monkeypatch.setattr(integrator, "hold", note("hold"))
+        monkeypatch.setattr(integrator, "fill_rows", note("rows"))
+        monkeypatch.setattr(integrator, "fill_window", note("window"))
+        monkeypatch.setattr(integrator, "keep_links", note("links"))
+        monkeypatch.setattr(integrator, "open_water", note("water"))
+        monkeypatch.setattr(integrator, "keep_pulls", note("pulls"))
+
+    def note(self, name):
+        return lambda *given: self.said.append((name, *(np.copy(x) if isinstance(x, np.ndarray) else x for x in given)))
+
+    def of(self, name):
+        return [given[1:] for given in self.said if given[0] == name]
+
+    def rates(self, scene, buoy, t, y, k):
+        self.times.append(t)
+        k[:] = 0.0
+        for n in [BLOCK * b for b in range(self.bodies)]:
+            k[n : n + 6], k[n + 6 : n + 12] = y[n + 6 : n + 12], self.force(t, y[n : n + 6])
+            k[n + SLOW : n + SLOW + 3] = y[n + RATE : n + RATE + 3]
+        if self.buoy:
+            k[-6:-3], k[-3:] = y[-3:], -y[-6:-3]
+        return self.follows(t)
+
+    def __call__(self, most=10_000):
+        return integrator.advance(self.scene, self.waves, self.clock, self.samples, most, self.buoy, None)
+
+
+def exact(time, size):
+    return size * np.cos(time), -size * np.sin(time)
+
+
+@pytest.mark.parametrize("bodies, buoy", [(1, None), (2, None), (1, ("buoy", "water"))])
+def test_a_swing_is_followed_to_the_tolerance_and_sampled_at_its_times(bodies, buoy, monkeypatch):
+    """Samples of places and velocities, polynomials of fifth degree and cubics between steps; and of the buoy"""
+    run = Run(monkeypatch, bodies, buoy=buoy)
+    assert run() == integrator.DONE
+    time = 0.4 * np.arange(13)
+    assert run.clock.counts[integrator.SAMPLES] == 13 and run.clock.now[integrator.TIME] == END
+    for b in range(bodies):
+        x, v = exact(time, 1.0 + b)
+        own = run.samples[:, 18 * b : 18 * b + 18]
+        assert own[:, :6] == pytest.approx(np.tile(x, (6, 1)).T, abs=2e-5)
+        assert own[:, 6:12] == pytest.approx(np.tile(v, (6, 1)).T, abs=5e-4)
+        assert own[:, 12:15] == pytest.approx(np.outer(time, [0.1, 0.2, 0.3]))
+    if buoy:
+        assert run.samples[:, 18:21] == pytest.approx(np.tile(exact(time, 5.0)[0], (3, 1)).T, abs=2e-3)
+        assert len(run.of("pulls")) == run.clock.counts[integrator.STEPS]
+        firsts, lasts = np.array([given[1:] for given in run.of("pulls")]).T
+        assert firsts[0] == 0 and lasts[-1] == 13 and np.array_equal(firsts[1:], lasts[:-1])
+        water = run.of("water")
+        assert [(given[4], given[5]) for given in water] == [(0, 0.0), (1, 2.0), (2, 4.0)]
+        assert water[1][3] == pytest.approx([5 * math.cos(2.0)] * 3, abs=1e-3) and water[0][1:3] == buoy
+
+
+def test_every_step_begins_where_the_last_ended_and_ends_with_the_window(monkeypatch):
+    """Windows begin at 0, 2 and 4 s with the pose foreseen for their end: slow pose + 2 s · its rate"""
+    run = Run(monkeypatch, bodies=2)
+    run()
+    steps = run.of("links")
+    begins, lengths, ends = np.array([given[4:] for given in steps]).T
+    assert begins[0] == 0.0 and np.array_equal(begins[1:], ends[:-1]) and ends[-1] == END
+    assert begins + lengths == pytest.approx(ends, abs=1e-12) and {2.0, 4.0} <= set(ends)
+    assert len(run.of("settle")) == len(steps) == run.clock.counts[integrator.STEPS]
+    windows = run.of("window")
+    assert [(given[2], given[4], given[5]) for given in windows] == [
+        (n, 2.0 * n, b) for n in range(3) for b in range(2)
+    ]  # fmt: skip
+    assert [given[1] for given in windows[:2]] == ["window 0", "window 1"]
+    assert windows[2][3] == pytest.approx([0.4, 0.8, 1.2]) and windows[4][3] == pytest.approx([0.6, 1.2, 1.8])
+    rows = run.of("rows")
+    assert [(given[1], given[3], given[4]) for given in rows] == [("row 0", 0.0, 0), ("row 1", 0.0, 1)]
+    assert run.clock.counts[integrator.WINDOWS] == 3 and run.scene.work.span.tolist() == [4.0, 0.5]
+
+
+def test_a_step_ends_where_a_line_breaks_and_rates_begin_anew_there(monkeypatch):
+    run = Run(monkeypatch, lost=(3.3, 1.3, 0.0, 9.0))
+    assert run() == integrator.DONE
+    assert [given for given in run.of("hold")] == [(run.scene.lines, "line work", t) for t in (1.3, 3.3)]
+    assert {1.3, 3.3} <= {given[-1] for given in run.of("links")}
+    assert [integrator.next_break(run.scene.lines, t) for t in (0.0, 1.3, 3.3, 9.0)] == [1.3, 3.3, 9.0, math.inf]
+
+
+def test_a_force_that_a_break_changes_is_that_after_it(monkeypatch):
+    """Pushed by 1 m/s² from 2.5 s on: x = 1 + ½ (t − 2.5)²"""
+    run = Run(monkeypatch, lost=(2.5,))
+    run.force = lambda t, x: 0.0 if not run.of("hold") else 1.0
+    run()
+    time = 0.4 * np.arange(13)
+    assert run.samples[:, 0] == pytest.approx(1 + 0.5 * np.maximum(time - 2.5, 0) ** 2, abs=1e-6)
+
+
+def test_given_steps_are_kept_and_their_error_is_of_fifth_order(monkeypatch):
+    """x″ = x from 1 m at rest is cosh t"""
+    errors = []
+    for step in (0.25, 0.125):
+        run = Run(monkeypatch, fixed=step)
+        run.force = lambda t, x: x
+        assert run() == integrator.DONE and run.clock.counts[integrator.STEPS] == END / step
+        errors.append(abs(run.clock.y[0] - math.cosh(END)))
+    assert math.log2(errors[0] / errors[1]) == pytest.approx(5, abs=0.4) and errors[1] < 1e-4
+
+
+def test_the_error_of_a_step_is_that_of_both_orders_over_what_is_allowed(monkeypatch):
+    """Dormand and Prince (1980): weights of fifth and fourth order of the same stages; x″ = −x by powers of a matrix"""
+    run, h = Run(monkeypatch, 2, tolerance=1e-3), 0.7
+    run.clock.scale[1, 9] = 1e-5
+    fifth = np.array([35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84, 0])
+    fourth = np.array([5179 / 57600, 0, 7571 / 16695, 393 / 640, -92097 / 339200, 187 / 2100, 1 / 40])
+    integrator.rates(run.scene, None, 0.0, run.clock.y, run.clock.stages[0])
+    worst, good = integrator.take_step(run.scene, None, run.clock, 0.0, h)
+    off = h * np.tensordot(fifth - fourth, run.clock.stages, 1) / h
+    wanted = max(
+        np.abs(off[:12]).max() / 1e-3, np.abs(off[BLOCK : BLOCK + 12]).max() / 1e-3, abs(off[BLOCK + 9]) / 1e-5
+    )
+    assert worst == pytest.approx(wanted) and good
+    assert run.clock.trial[0] == pytest.approx(math.cos(h), abs=1e-4)
+    assert run.times[1:7] == pytest.approx([h / 5, 0.3 * h, 0.8 * h, 8 * h / 9, h, h])
+
+
+def test_a_step_grows_by_its_error_at_most_four_times_and_shrinks_to_a_fifth_at_least(monkeypatch):
+    run = Run(monkeypatch)
+    given = iter([0.5, 1e-9, 1e9, 2.0, 0.5])
+    seen, whole = [], integrator.take_step
+
+    def step(scene, buoy, clock, t, h):
+        seen.append((t, h))
+        whole(scene, buoy, clock, t, h)
+        return next(given), True
+
+    monkeypatch.setattr(integrator, "take_step", step)
+    run(5)
+    (a, b, c, d, e) = (h for _, h in seen)
+    assert a == 0.05 and b == pytest.approx(0.05 * 0.85 * 0.5**-0.25)
+    assert c == pytest.approx(4 * b) and d == pytest.approx(0.2 * c)
+    assert run.clock.counts[integrator.REFUSED] == 2 and run.clock.counts[integrator.STEPS] == 3
+    assert seen[2][0] == seen[3][0] == seen[4][0] == pytest.approx(a + b)
+    assert e < d
+
+
+@pytest.mark.parametrize("change, fixed, why", [
+    ({"follows": lambda t: t < 1.0}, 0.25, "NO_LINE"), ({"follows": lambda t: t < 1.0}, 0.0, "NO_LINE"),
+    ({"force": lambda t, x: math.nan if t > 1.0 else -x}, 0.25, "NOT_FINITE"),
+    ({"force": lambda t, x: math.nan if t > 1.0 else -x}, 0.0, "NOT_FINITE"),
+    ({"force": lambda t, x: math.copysign(1e9, math.sin(1e9 * t))}, 0.0, "TOO_SHORT"),
+])  # fmt: skip
+def test_a_run_that_cannot_go_on_says_why(change, fixed, why, monkeypatch):
+    run = Run(monkeypatch, fixed=fixed)
+    for name, value in change.items():
+        setattr(run, name, value)
+    assert run() == getattr(integrator, why)
+    if why != "TOO_SHORT":
+        assert run.clock.now[integrator.TIME] == pytest.approx(1.0, abs=0.25 if fixed else 1e-4)
+
+
+def test_a_run_ends_where_a_fender_is_pressed_beyond_its_table_and_waits_after_so_many_steps(monkeypatch):
+    run = Run(monkeypatch, fixed=0.25)
+    assert run(3) == integrator.RUNNING and run.clock.now[integrator.TIME] == pytest.approx(0.75)
+    run.scene.contact_work.beyond[0] = 0
+    assert run() == integrator.BEYOND and run.clock.now[integrator.TIME] == pytest.approx(0.75)
+
+
+def test_the_usual_step_is_a_mean_over_twenty_of_them(monkeypatch):
+    """u grows by h/20u of what a step is longer; of steps of 0.25 from 0.25 it stays"""
+    run = Run(monkeypatch, fixed=0.25)
+    run(4)
+    assert run.clock.now[integrator.USUAL] == pytest.approx(0.25)
+    run.clock.now[integrator.USUAL] = 0.1
+    run(1)
+    assert run.clock.now[integrator.USUAL] == pytest.approx(0.1 + 0.25 / 2.0 * 0.15)
