@@ -430,7 +430,7 @@ def same_heading(a, b):
 
 
 def places_on(file, values, axis):
-    """Numbers of `values` on an axis of the file, or of {axis: its values}.  Raises DatabaseError for one not there."""
+    """Indices at which an axis of the file has the given `values`.  Raises DatabaseError for one not there."""
     same = same_omega if axis == "omega" else same_heading
     known = file[axis][()]
     places = []

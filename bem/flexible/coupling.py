@@ -4,10 +4,10 @@
     C_ij = −ρg ∬ {(w_i + z ∇·u_i) u_j·n + z (u_ij − (u_j·∇) u_i)·n} dS + g ∫ w_ij dm
 
 n out of the body, w vertical: the second derivatives of the potential energy of water and weight, so that C = Cᵀ.  The
-first part is that of J. N. Newman (Wave effects on deformable bodies, Applied Ocean Research 16, 1994), z ∇·u that of a
-wetted surface that deforms.  With a rotation about e, u_ij = e × u_j and the second part is zero; for rigid motions C
-is the classical matrix.  Beams provide their u_ij (`beams.second`): pressure on their ends compresses them.  For shapes
-from files u_ij is unknown, and ½ {(u_j·∇) u_i + (u_i·∇) u_j} is used.
+first part is that of J. N. Newman (Wave effects on deformable bodies, Applied Ocean Research 16, 1994); its term z ∇·u
+is that of a wetted surface that deforms.  With a rotation about e, u_ij = e × u_j and the second part is zero; for
+rigid motions C is the classical matrix.  Beams provide their u_ij (`beams.second`): pressure on their ends compresses
+them.  For shapes from files u_ij is unknown, and ½ {(u_j·∇) u_i + (u_i·∇) u_j} is used.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """AQWA's NAME.AH1, of numbers alone, and NAME.LIS, its listing (Aqwa Reference Manual, "AH1 file", "Listing file").
 
     .AH1   structures, headings, frequencies; GENERAL depth ρ g; COG, MASS, HYDSTIFFNESS, DISPLACEMENT of each structure
-           ADDEDMASS, DAMPING   structure twice, frequency, A (6, 6);  FORCERAO  structure, heading, frequency, F, φ
+           ADDEDMASS, DAMPING   two structures, frequency, A (6, 6);  FORCERAO  structure, heading, frequency, F, φ
     .LIS   the same in tables of each structure
 
 SI, exp(−iωt), directions that waves travel to, as ours; everything, including phases, is about the centre of gravity.

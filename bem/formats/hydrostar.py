@@ -107,7 +107,7 @@ def _file(path):
         beta = np.radians(np.array(re.search(r"#HEADING\s+(.*)", text)[1].split(), float))
     except (TypeError, ValueError):
         raise FormatError(
-            f"{path} has not the head and the rows of HydroStar; allowed: as its files of one quantity"
+            f"{path} has another head, or other rows, than HydroStar writes; allowed: its files of one quantity each"
         ) from None
     if rows.ndim != 2:
         raise FormatError(f"{path} has a head and no rows; allowed: a row for each frequency")

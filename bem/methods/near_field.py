@@ -65,7 +65,9 @@ def _method(run, moving):
     """The module of the run's method"""
     if not (run.far_field and run.diffracts and (run.free or not moving)):
         name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
-        raise ValueError(f"near-field drift from a run that wants {', '.join(sorted(run.want))}; it has to want {name}")
+        raise ValueError(
+            f"near-field drift from a run with want = {', '.join(sorted(run.want))}; allowed: want with {name}"
+        )
     if hasattr(run, "geometry"):
         from ..panels.pressure_drift import mean_drift as panel_drift
 

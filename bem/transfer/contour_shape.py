@@ -102,7 +102,7 @@ class _OneShape:
 
     @cached_property
     def rows(self):
-        """[(r,)] ⟨·, Zₙ⟩ of the profiles and of 1 and z on the side"""
+        """[(r,)] Projections on the depth mode Zₙ, over the side, of the velocity profiles, of 1 and of z"""
         known = self.modes.rows[:, : self.decaying].T
         first = [self.modes.wave_rows] if self.decaying < len(self.waves) else []
         return [self.body.profiles.combinations @ one for one in (*first, *known)]

@@ -275,7 +275,7 @@ class Coupled:
 
     @cached_property
     def radiation(self):
-        """(6N, 6N) ∬ φⱼ nᵢ dS about the axes, in own axes"""
+        """(6N, 6N) ∬ φⱼ nᵢ dS: moments about the axis of each body, components along its own axes"""
         from scipy.linalg import block_diag
 
         return block_diag(*(self.alone[body].radiation for body in self.bodies.bodies)) + self.pressed(self.moved)

@@ -100,7 +100,7 @@ def at_fenders(beam, dolphins, stiffness, loss):
 
 
 def deflection_at(fender, force):
-    """m, smallest deflection at which a fender reacts with a force, N.  Raises DolphinError if it never does."""
+    """m, smallest deflection at which the reaction of a fender is `force`, N.  Raises DolphinError if it never does."""
     grid = np.linspace(0.0, fender.limit, 2001)
     above = np.flatnonzero(fender.loading(grid) >= force)
     if not len(above):

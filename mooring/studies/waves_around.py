@@ -86,7 +86,10 @@ def remarks(around, db, amplitude=None):
         height = 2 * (viscous.wave_amplitude if amplitude is None else amplitude)
         yield f"the body's motion has its viscous damping in waves of {height:.3g} m"
     if db.bodies:
-        yield "between the bodies, within the line around all, the water is not in their far field: nothing is said"
+        yield (
+            "no elevation is computed between the bodies, inside their common outline, where the far field "
+            "does not hold"
+        )
     if around.missed > MISSED:
         yield fails(
             f"the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}; take the waves "

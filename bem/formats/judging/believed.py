@@ -13,8 +13,8 @@ WAY_OUT = "import with --correct to store the set so corrected"
 def believed(values, mesh, correct=False):
     """Values, messages on agreement, and messages on uncorrected contradictions.
 
-    correct : whether to correct a cause that is found
-    raises : FormatError, which names the cause if there is one and it is not to be corrected
+    correct : whether to correct a recognised error of the files, such as a wrong unit or reference point
+    raises : FormatError naming a recognised error, unless it is corrected
     """
     doubts, tested = laws.doubts(values)
     own = own_of(values, mesh)

@@ -378,5 +378,5 @@ def test_a_folder_of_hydrostar_has_a_triangle_and_the_other_time_factor(tmp_path
     with pytest.raises(FormatError, match="has a head and no rows"):
         hydrostar.read(tmp_path)
     (tmp_path / "ADDED-MASS_11.rao").write_text("#RAOTYPE : ADDED-MASS\n#COMPONENT : 11\n1.0 1.0 0.0\n")
-    with pytest.raises(FormatError, match="has not the head and the rows of HydroStar"):
+    with pytest.raises(FormatError, match="has another head, or other rows, than HydroStar"):
         hydrostar.read(tmp_path / "LOAD_1.rao")

@@ -323,7 +323,7 @@ def test_a_run_that_wants_too_little_is_refused():
         (floating, {"excitation_force", "rao"}, False),
     ):
         for question in (near_field_drift, near_field_error):
-            with pytest.raises(ValueError, match="it has to want drift_force"):
+            with pytest.raises(ValueError, match="allowed: want with drift_force"):
                 question(body.run(0.7, [0.0], want, None, DOFS), moving)
 
 
