@@ -76,9 +76,7 @@ def drawing_of(raw):
     unknown = set(raw) - {"size", "symmetry", "around", "parts"}
     if unknown or not isinstance(raw.get("parts"), list) or not 1 <= len(raw["parts"]) <= MOST_PARTS:
         what = f"{min(unknown)} is unknown" if unknown else "there are no parts"
-        raise ValueError(
-            f"{what} in the drawing; allowed: size, symmetry, around, and 1 to {MOST_PARTS} tables [[parts]]"
-        )
+        raise ValueError(f"{what}; allowed: size, symmetry, around, and 1 to {MOST_PARTS} tables [[parts]]")
     out = Drawing(_number(raw, "size", "the drawing"), raw.get("symmetry", ""), raw.get("around", 24))
     if not (isinstance(out.around, int) and 8 <= out.around <= 200):
         raise ValueError(f"around is {out.around}; allowed: 8 to 200 panels on a circle")

@@ -25,8 +25,8 @@ def largest_of_hours(m0, m2, duration):
     sigma = np.sqrt(m0)
     with np.errstate(invalid="ignore", divide="ignore"):
         count = duration / (2 * np.pi) * np.sqrt(m2 / m0)
-    s = np.sqrt(2 * np.log(np.maximum(count, np.e)))
-    return np.where(m0 > 0, sigma * (s + EULER / s), sigma)
+        s = np.sqrt(2 * np.log(np.maximum(count, np.e)))
+        return np.where(m0 > 0, sigma * (s + EULER / s), sigma)
 
 
 def drawn_of_years(m0, m2, year, step):

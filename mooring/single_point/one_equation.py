@@ -47,11 +47,14 @@ class PlanarBody:
     knows_drift: bool = False
     words: tuple = words_of(())
     links: tuple = ()
+    modes: tuple = ()
+    rigid: int = 6
     free: np.ndarray = None
 
     def __post_init__(self):
         object.__setattr__(self, "stiffness", np.zeros((6, 6)))
         object.__setattr__(self, "rotation_center", np.zeros(3))
+        object.__setattr__(self, "damping", np.zeros((6, 6)))
         object.__setattr__(self, "axes_at_rest", np.zeros((1, 6)))
 
 

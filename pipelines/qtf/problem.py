@@ -62,12 +62,11 @@ def bodies(db, method, highest, of_force):
 
 def _damping_lids(db):
     """`DampingLid`s of the scene of a database"""
-    from ..common.typed import typed
-    from ..scene.scene import Scene, SceneError
+    from ..scene.scene import make_scene
     from ..solve.gaps.damping_lids import damping_lids_of
 
     scene = tomllib.loads(db.header.scene)
-    return damping_lids_of(typed(scene, Scene, SceneError), db.mesh) if "damping_lids" in scene else ()
+    return damping_lids_of(make_scene(scene), db.mesh) if "damping_lids" in scene else ()
 
 
 def _with_lid(problem, highest):

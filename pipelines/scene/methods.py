@@ -125,7 +125,7 @@ def _obstacles(scene, method):
     out = []
     unknown = [body.shape for body in scene.bodies if body.shape not in method.shapes]
     if len(scene.bodies) > method.most:
-        out.append("knows one body alone")
+        out.append("supports one body only")
     elif len(scene.bodies) < method.fewest:
         out.append("is for several bodies")
     elif unknown:

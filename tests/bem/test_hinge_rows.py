@@ -30,6 +30,7 @@ class Water:
     bodies, words = (ONE, TWO), ("",) * 12
     damping, stiffness = np.zeros((12, 12)), np.zeros((12, 12))
     rotation_center = (1.0, 2.0, 3.0)
+    modes, rigid = (), 12
 
     def __init__(self, *links):
         self.links = links

@@ -165,7 +165,7 @@ def test_hinged_bodies_rest_where_forces_and_their_hinge_balance(monkeypatch):
 
 def test_hinged_bodies_that_are_pulled_apart_have_no_equilibrium(monkeypatch):
     Links(monkeypatch)
-    monkeypatch.setattr(contacts, "_balanced", lambda residual, x: SimpleNamespace(fun=np.array([0.5]), x=x))
+    monkeypatch.setattr(contacts, "balanced", lambda residual, x: SimpleNamespace(fun=np.array([0.5]), x=x))
     push = np.zeros(12)
     push[1] = 1.0
     with pytest.raises(
@@ -248,8 +248,8 @@ def test_a_trial_that_fails_one_way_goes_the_other(monkeypatch):
 
     asked = []
     system = SimpleNamespace(lines=[1, 2, 3])
-    moored = SimpleNamespace(system=system)
-    monkeypatch.setattr(trial, "able_to_move", lambda system, settings: (("a", "b"), ("left out: c",)))
+    moored = SimpleNamespace(system=system, reader=SimpleNamespace(modes=()))
+    monkeypatch.setattr(trial, "able_to_move", lambda system, settings, bends: (("a", "b"), ("left out: c",)))
     monkeypatch.setattr(trial, "_drives", lambda weather: True)
     monkeypatch.setattr(trial, "_nudged", lambda moored: "nudged")
     monkeypatch.setattr(trial, "_of_tension", lambda *given: SimpleNamespace(share=0.5, words="tension"))
@@ -266,7 +266,7 @@ def test_a_trial_that_fails_one_way_goes_the_other(monkeypatch):
         return trial.chosen(run, moored, "weather", Asked())
 
     found = choice()
-    assert asked == [("nudged", (), trial.LONGEST, 0), ("nudged", ("a", "b"), trial.LONGEST, 0)]
+    assert asked == [("nudged", (), trial.SHORT, 0), ("nudged", ("a", "b"), trial.SHORT, 0)]
     assert found[0].dynamic_lines == ("a", "b") and "2 of 3 lines have a motion of their own" in found[1][0]
     failing.add(("a", "b"))
     found = choice()
@@ -279,6 +279,12 @@ def test_a_trial_that_fails_one_way_goes_the_other(monkeypatch):
     failing.add(("a", "b"))
     with pytest.raises(trial.SimulationError, match=r"no way with \('a', 'b'\)"):
         choice()
+    failing.clear()
+    asked.clear()
+    unclear = SimpleNamespace(share=0.99 * trial.CLEAR, words="tension")  # a short trial does not decide it
+    monkeypatch.setattr(trial, "_of_tension", lambda *given: unclear)
+    assert choice()[0].dynamic_lines == ("a", "b") and "in a trial of 600 s" in choice()[1][0]
+    assert [length for _, _, length, _ in asked] == [100.0, 100.0, 600.0, 600.0] * 2
 
 
 # ------------------------------------------------------------------ seas
@@ -338,7 +344,7 @@ def test_bound_waves_that_do_not_count_are_told_in_per_cent(ratio, words, monkey
 def test_pairs_of_a_spread_sea_are_of_the_headings_that_it_sends_waves_to(monkeypatch):
     """Shares 0.5, 0 and 0.5 of three headings: four pairs, each with the drift of its own"""
     drift = np.array([[[1.0], [2.0], [3.0]]])
-    monkeypatch.setattr(pair_levels, "_drift", lambda db, forces, headings: ("ω", drift))
+    monkeypatch.setattr(pair_levels, "_drift", lambda db, forces, headings, body: ("ω", drift))
     monkeypatch.setattr(pair_levels, "PairForces", lambda *given: given)
     monkeypatch.setattr(pair_levels, "SpreadPairForces", lambda *given: given)
     monkeypatch.setattr("hakobune.bem.second_order.stored.BetweenPairs", lambda *given: given)
@@ -346,7 +352,7 @@ def test_pairs_of_a_spread_sea_are_of_the_headings_that_it_sends_waves_to(monkey
     values = np.arange(9.0).reshape(1, 1, 3, 3)
     db = SimpleNamespace(path="x.h5")
     sea = SimpleNamespace(directional=lambda headings: np.array([0.5, 0.0, 0.5]))
-    pairs, headings, of, level = pair_levels._of_headings(db, sea, forces, values, "full")
+    pairs, headings, of, level = pair_levels._of_headings(db, sea, forces, values, "full", None)
     assert set(pairs) == {(0, 0), (0, 2), (2, 0), (2, 2)} and (headings, of, level) == (forces.headings, sea, "full")
     between, omega, one, _, two = pairs[0, 2]
     assert between[2].item() == 2.0 and omega == "ω" and (one.item(), two.item()) == (1.0, 3.0)
@@ -356,7 +362,7 @@ def test_pairs_of_a_spread_sea_are_of_the_headings_that_it_sends_waves_to(monkey
 
     sea.directional = refused
     with pytest.raises(ValueError, match=r"pairs in x.h5: too few; 'hakobune qtf x.h5 --heading' computes them"):
-        pair_levels._of_headings(db, sea, forces, values, "full")
+        pair_levels._of_headings(db, sea, forces, values, "full", None)
 
 
 def test_slow_forces_by_pairs_on_a_current_are_of_the_frequencies_that_are_met():
@@ -393,6 +399,7 @@ def test_viscous_damping_in_regular_waves_is_of_their_height(monkeypatch):
 
     class Reader:
         names, rebuilds_drift = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"), True
+        modes, rigid = (), 6
 
         def floating(self):
             return self
@@ -480,7 +487,7 @@ def test_waves_at_an_angle_come_along_the_normal_of_a_section_that_is_no_rectang
     sea = SimpleNamespace(direction=0.3, spreading=None)
     study = SimpleNamespace(sea=sea, section=SimpleNamespace(shape="circle"))
     omega = np.ones(3)
-    with pytest.warns(UserWarning, match="waves at an angle are told for rectangles"):
+    with pytest.warns(UserWarning, match="waves at an angle are supported for rectangles"):
         assert not in_sea.ways_of(study, omega).any()
     assert in_sea.ways_of(study, omega, any_section=True).tolist() == [[0.3] * 3]
     study.section.shape = "rectangle"
@@ -592,7 +599,9 @@ def test_a_map_of_waves_damps_its_body_in_waves_of_the_height_asked_for(monkeypa
     assert not list(waves_around.remarks(around, db))
     around.missed, db.bodies = 1.01 * waves_around.MISSED, [1, 2]
     between, missed = waves_around.remarks(around, db)
-    assert between.startswith("between the bodies") and missed.startswith("FAILS: the sources in the hull miss")
+    assert between.startswith("no elevation is computed between the bodies") and missed.startswith(
+        "FAILS: the sources in the hull miss"
+    )
     with pytest.raises(ValueError, match="heading is not a number"):
         waves_around.around_body(db, 0.8, math.nan, False)
 

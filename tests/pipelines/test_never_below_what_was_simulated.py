@@ -166,7 +166,7 @@ def below_a_buoy(folder):
     """Of a line in time the pull on the body is recorded; below a buoy under water it pulls more, by hand"""
     made = make_study(tomllib.loads(BUOY_UNDER_WATER))
     system = made.system(made.hull_of({}), np.zeros(3), 1025.0, 9.80665)
-    reader = SimpleNamespace(axes_at_rest=np.zeros((1, 6)))
+    reader = SimpleNamespace(axes_at_rest=np.zeros((1, 6)), rigid=6, modes=())
     body = SimpleNamespace(system=system, berth=SimpleNamespace(ropes=()), reader=reader)
     (hull,) = system.bodies
     at = rest(held_at(system, {hull.name: hull.position})).lines

@@ -350,7 +350,7 @@ def long_wave(ratio=1.0, surge=-1j, k=0.1, headings=(0.0,), C=RHO * G, volume=1.
 
 
 @pytest.mark.parametrize("ratio, words", [
-    (1.0, ""), (1.24, ""), (1.26, "is 1.26 times what C₃₃ makes of it"), (1 / 1.24, ""), (1 / 1.26, "is 0.794 times"),
+    (1.0, ""), (1.24, ""), (1.26, "is 1.26 times the value from C₃₃"), (1 / 1.24, ""), (1 / 1.26, "is 0.794 times"),
     (np.exp(0.59j), ""), (np.exp(0.61j), "is at 35°, at 0° where it follows the crest"), (np.exp(-0.61j), "is at -35°"),
     (-1.0, "is at 180°"), (2.0, "forces are for each metre of wave height"),
 ])  # fmt: skip

@@ -13,7 +13,7 @@ def prepared(nodes=9, sectors=None, **more):
     given = {"zero_draft": False, "damping_lids": (), "band": None, "gravity": 10.0, "nodes_per_panel": 4} | more
     body, asked = object.__new__(PreparedPanelProblem), []
     geometry = SimpleNamespace(
-        elements=SimpleNamespace(nodes=range(nodes)), without_lid=SimpleNamespace(sectors=sectors),
+        elements=SimpleNamespace(nodes=range(nodes)), classes=[(1, 1)], without_lid=SimpleNamespace(sectors=sectors),
         at=lambda K: asked.append(K) or SimpleNamespace(sectors=sectors),
     )  # fmt: skip
     for name, value in (

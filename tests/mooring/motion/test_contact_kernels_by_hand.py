@@ -37,7 +37,8 @@ def contact(monkeypatch, rope=False, other=-1, a=(4.0, 9.0, 1.0), offset=7.0, li
     marks = np.array([[0.1, 2.0, limit]])
     arm = (1.0, 2.0, 0.5) if rope else NORMAL
     numbers = np.array([[*a, *arm, offset, FRICTION, SHEAR, float(rope)]])
-    made = contacts.Contacts(SimpleNamespace(marks=marks), numbers, np.array([0]), np.array([other]), PLACE)
+    ends = np.array([0]), np.array([other])
+    made = contacts.Contacts(SimpleNamespace(marks=marks), numbers, *ends, PLACE, np.zeros((2, 1, 0, 3)))
     return made, contacts.contact_work(made)
 
 
@@ -219,8 +220,10 @@ def test_a_moment_about_a_hinge_is_told_behind_its_forces():
 
 def scene(bodies=2, window=1, given=1, hull=0):
     numbers = SimpleNamespace
+    rigid = numbers(owner=np.zeros(0, np.int64), place=np.zeros(0, np.int64))
     body = numbers(heading=np.zeros(bodies), wave_ramp=np.array([2.0, 10.0]), ramp=20.0, drift_damping=["d"] * bodies,
-                   given=np.zeros((6 * bodies, given)), given_step=0.5, mass_inverse="W")  # fmt: skip
+                   given=np.zeros((6 * bodies, given)), given_step=0.5, mass_inverse="W",
+                   shapes=rigid)  # fmt: skip
     work = numbers(window=np.zeros((bodies, 9, window)), span=np.array([0.0, 0.5]), weights="w", waves=np.zeros(9),
                    part=np.zeros(6), drag=np.zeros(6), moving=np.zeros(4), powers=None, stream=np.zeros(3), value=None,
                    arm=np.zeros(3), place=np.zeros((bodies, 6)), force=np.zeros(6 * bodies), R=None,

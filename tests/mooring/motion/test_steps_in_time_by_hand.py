@@ -32,6 +32,7 @@ class Run:
             lines=SimpleNamespace(lost=np.array(lost)), line_work="line work", links="links",
             work=SimpleNamespace(window=[f"window {b}" for b in range(bodies)], span=np.zeros(2)),
             contact_work=SimpleNamespace(beyond=np.array([-1])),
+            body=SimpleNamespace(shapes=SimpleNamespace(owner=np.zeros(0, np.int64))),
         )  # fmt: skip
         table = SimpleNamespace(window=WINDOW, step=0.5)
         self.waves = SimpleNamespace(table=table, rows=np.array([[f"row {b}", ""] for b in range(bodies)]))

@@ -26,7 +26,9 @@ def work(lines=3, rows=9):
 
 
 MOVING = SimpleNamespace(number=np.array([4, 0, 2]), nodes=NODES, tolerance=1e-3, tension=np.array([10.0, 20.0, 30.0]),
-                         distance=np.array([1.0, 2.0, 3.0]), water="water")  # fmt: skip
+                         distance=np.array([1.0, 2.0, 3.0]), systems=["line 0", "line 1", "line 2"],
+                         rooms=["room 0", "room 1", "room 2"],
+                         waters=[("water", *ends) for ends in pairwise(NODES)])  # fmt: skip
 
 
 def test_lines_go_on_trial_from_where_the_body_left_them(monkeypatch):
@@ -34,8 +36,8 @@ def test_lines_go_on_trial_from_where_the_body_left_them(monkeypatch):
     asked, own = [], work()
     before = {name: getattr(own, name).copy() for name in ("position", "velocity", "acceleration", "slip", "course")}
 
-    def run(system, sea, motion, control, scheme, state, until, rows, *more):
-        asked.append((system, sea, control, state.time, state.step, until, [part.copy() for part in state[1:5]]))
+    def run(system, room, sea, motion, control, scheme, state, until, rows, *more):
+        asked.append((system, room, sea, control, state.time, state.step, until, [part.copy() for part in state[1:5]]))
         assert not rows[0, 7:13].any()
         rows[:3, 0] = T0, T0 + 0.3, until
         rows[:3, 1:4] = len(asked) * np.arange(1.0, 4.0)[:, None]
@@ -45,15 +47,14 @@ def test_lines_go_on_trial_from_where_the_body_left_them(monkeypatch):
 
     cubics, sloped = [], []
     monkeypatch.setattr(steps, "run", run)
-    monkeypatch.setattr(steps, "line_system", lambda moving, i: f"line {i}")
-    monkeypatch.setattr(steps, "line_water", lambda water, first, last: (water, first, last))
     monkeypatch.setattr(steps, "slopes", lambda work, i: sloped.append(i))
     whole = np.array([True, False, False, False, True])
     assert steps.advance_lines(MOVING, own, whole, T0, H)
     assert own.stuck.tolist() == [-1] and sloped == [0, 1] and own.used.tolist() == [3, 3, 0]
-    for i, (system, sea, control, time, step, until, parts) in enumerate(asked):
+    for i, (system, room, sea, control, time, step, until, parts) in enumerate(asked):
         at = slice(NODES[i], NODES[i + 1])
-        assert (system, sea, time, until) == (f"line {i}", ("water", NODES[i], NODES[i + 1]), T0, T0 + H)
+        assert (system, room, sea) == (f"line {i}", f"room {i}", ("water", NODES[i], NODES[i + 1]))
+        assert (time, until) == (T0, T0 + H)
         assert step == own.step[0, i] and own.step[1, i] == pytest.approx(0.05 * (i + 1))
         for part, name in zip(parts, ("position", "velocity", "acceleration", "slip"), strict=True):
             assert np.array_equal(part, before[name][0, at]) and np.array_equal(getattr(own, name)[1, at], part)
@@ -69,8 +70,7 @@ def test_lines_go_on_trial_from_where_the_body_left_them(monkeypatch):
 
 
 def test_a_line_that_cannot_follow_is_named_by_its_number(monkeypatch):
-    for name in ("line_system", "line_water", "slopes"):
-        monkeypatch.setattr(steps, name, lambda *_: None)
+    monkeypatch.setattr(steps, "slopes", lambda *_: None)
     answers = iter([steps.DONE, steps.DONE + 1])
     monkeypatch.setattr(steps, "run", lambda *_: (next(answers), 1, 0, 0.0, 0.1, 0, 0, 0))
     own = work()

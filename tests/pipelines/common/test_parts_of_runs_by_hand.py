@@ -47,10 +47,10 @@ def test_gaps_and_hinges_of_runs_are_those_of_their_rows():
         "gap.mean": [0, 20], "gap.smallest": [2, 22], "gap.largest": [3, 23],
     }  # fmt: skip
     assert result._of_gaps(["surge"], values) == {}
-    made = result._of_hinges([("h x", "N"), ("h m", "N m")], values)
+    made = result._at_places("hinge", "", ["h x", "h m"], {"h x": "N", "h m": "N m"}, values)
     assert made["hinge.sigma"].values.tolist() == [31, 41] and made["hinge.sigma"].unit == ("N", "N m")
     assert set(made) == {"hinge.mean", "hinge.sigma", "hinge.smallest", "hinge.largest"}
-    assert result._of_hinges([], values) == {}
+    assert result._at_places("hinge", "", [], {}, values) == {}
 
 
 def test_fenders_of_runs_are_told_with_what_they_use_of_their_rating(monkeypatch):
@@ -242,8 +242,8 @@ def test_a_cylinder_near_the_bed_is_solved_by_contours(change, fits, monkeypatch
 
     monkeypatch.setattr("hakobune.bem.contour.short_waves.too_many", lambda sizes, k: sizes != (8.0, 5.0))
     most = METHODS["contour"].highest_gap
-    db = {"is_round": True, "dimensions": {"radius": 8.0, "draft": 5.0}, "water_depth": 5.0 + 5.0 * most * 0.999,
-          "gravity": 9.81} | change  # fmt: skip
+    db = {"bodies": (), "is_round": True, "dimensions": {"radius": 8.0, "draft": 5.0}, "gravity": 9.81,
+          "water_depth": 5.0 + 5.0 * most * 0.999} | change  # fmt: skip
     if "water_depth" in change and math.isfinite(change["water_depth"]):
         db["water_depth"] = 5.0 + 5.0 * most * 1.01
     assert of_pairs._fits_contour(SimpleNamespace(**db), 1.0) == fits

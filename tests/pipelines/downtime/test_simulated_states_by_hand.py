@@ -91,7 +91,7 @@ def test_the_body_of_states_is_prepared_once_for_an_hour_of_its_study(monkeypatc
     monkeypatch.setattr(simulated, "make_study", lambda raw: raw["simulation"]["seeds"])
     monkeypatch.setattr(simulated, "prepared", prepared)
     monkeypatch.setattr(simulated, "names_of", lambda body: ["surge"])
-    db = SimpleNamespace(path="db.h5")
+    db = SimpleNamespace(path="db.h5", require_rigid=lambda: None)
     for moving, kept in ((("a", "b"), ("a", "b")), (False, None), (True, None)):
         plan.dynamic_lines = moving
         ready = simulated.prepared_of(SimpleNamespace(study="s.toml", duration_hours=0.5), tmp_path, db)

@@ -110,7 +110,9 @@ def test_capytaine_has_all_bodies_along_the_axes_of_the_scene(database, tmp_path
     barge = capytaine.read(place, {"body": 1})
     assert barge.quantities["added_mass"] == pytest.approx(db["added_mass"][:, :6])
     assert barge.body["mass"] == pytest.approx(1025 * 90) and barge.rotation_center == pytest.approx([0, 4, 0.2])
-    with pytest.raises(ValueError, match="which --to nemoh cannot write; allowed: --to wamit, capytaine"):
+    with pytest.raises(
+        ValueError, match="which --to nemoh cannot write; allowed: --to wamit, bemio, hydrochrono, capytaine"
+    ):
         export(database, "nemoh", None, False)
 
 
