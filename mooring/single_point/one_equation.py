@@ -47,6 +47,7 @@ class PlanarBody:
     knows_drift: bool = False
     words: tuple = words_of(())
     links: tuple = ()
+    bodies: tuple = ()
     modes: tuple = ()
     rigid: int = 6
     free: np.ndarray = None
