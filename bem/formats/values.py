@@ -274,7 +274,9 @@ def gridded(path, coordinates, values, modes=()):
     if np.any(twice | (counts == 0)):  # a place filled again with the same value counts once
         where = np.argwhere(twice | (counts == 0))[0]
         said = ", ".join(f"{axis[i]:.6g}" for axis, i in zip(axes, where, strict=True))
-        raise FormatError(f"{path}: {counts[tuple(where)]} values for {said}; allowed: one for each, of a full table")
+        raise FormatError(
+            f"{path}: {counts[tuple(where)]} values for {said}; allowed: one value for each place of a full table"
+        )
     return axes, grid
 
 

@@ -17,7 +17,7 @@ from .influence import assembled
 
 
 def added_mass_limit(prepared, which):
-    """A (6, 6) about the rotation centre, of several bodies (6N, moving), for ω → `which`, "zero" or "infinity".
+    """Added mass about the rotation centre at ω → `which`, "zero" or "infinity": (6, 6), or (6N, moving modes).
 
     returns : kg, kg m, kg m²; entries between two modes with net flux are +inf or −inf at zero in finite depth
     """

@@ -216,7 +216,7 @@ def rest_together(links, forces, start, unit, headings):
 
 
 def stiffness_together(links, forces, place, mu, headings):
-    """(n, n) along the axes of the bodies, of forces as in `rest_together`, springs and link forces μ (r,)"""
+    """(n, n) stiffness along the axes of the bodies, of forces (`rest_together`), springs and link forces μ (r,)"""
     out, along = np.empty((len(place), len(place))), places_along(headings)
 
     def total(at):
@@ -229,7 +229,8 @@ def stiffness_together(links, forces, place, mu, headings):
 
 
 def rest_between(system, berth, links, water, load):
-    """(n,) places in space where lines of a `System`, fenders, ropes, links, water and a load balance, μ (r,) of links
+    """(n,) positions in space at which lines of a `System`, fenders, ropes, links, water and a load are in equilibrium,
+    and (r,) forces μ of the links
 
     links : `links.Links`, or None; water : (n, n) stiffness along the axes of the bodies; load : (n,) in space
     raises : ValueError without a balance

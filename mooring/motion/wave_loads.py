@@ -7,8 +7,8 @@ Newman's approximation with the root of both diagonals (`mooring.response.slow_d
 have ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
 windows. A slow pose is predicted for the end of each window, and forces change linearly from those of the pose at its
 begin to those of the pose at its end, so that they are continuous for any motion. Within a window exp(−iωt) at equal
-steps is always the same matrix: a window costs two products of small real matrices. Between the steps forces are
-polynomials of fifth degree through six of them.
+steps is always the same matrix: a window costs two products of small real matrices. Between two steps a force
+is the polynomial of fifth degree through its values at the six nearest steps.
 
 Each of several bodies has its own slow pose, and the origin moves with it: the waves scattered by the other bodies are
 those of the positions at rest, which is valid while the distances change little.

@@ -34,7 +34,7 @@ def line_command(output, plot, **words):
 
 
 def draw(one, span, found, output):
-    """Profile of a OneLine at a span, m, with its LineSolution, and its tension over spans"""
+    """Draw the profile of a `OneLine` at a span (m), from its `LineSolution`, and its tension over a range of spans"""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(12, 4.6), layout="constrained")

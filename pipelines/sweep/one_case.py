@@ -31,7 +31,9 @@ def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
     given = {name: value for name, value in bound.arguments.items() if name != study}
     wrong = [name for name in given if name not in taken or (name in DRAWS and f"--{name}" in arguments)]
     if wrong:
-        raise StudyError(f"arguments have --{wrong[0]}; allowed in a sweep: those of hakobune.{command}, without files")
+        raise StudyError(
+            f"arguments have --{wrong[0]}; allowed in a sweep: those of hakobune.{command} that name no file"
+        )
     return {name: value for name, value in given.items() if name not in DRAWS}
 
 

@@ -248,7 +248,7 @@ LIMITS = {
         for b in (0.0, 80.0)), ".2": "".join(f" {T} {b} 1 1.0 0.0 1.0 0.0\n" for T in (6.283185, 3.141593)
         for b in (0.0, 90.0))}, "has other periods or headings than the files beside it"),
     "places of WAMIT": (of_wamit, {".hst": " 1 1 1.0\n 1 1 1.0\n"}, {".hst": " 1 1 1.0\n 1 1 1.1\n"},
-        "a.hst: 2 values for 1, 1; allowed: one for each, of a full table"),
+        "a.hst: 2 values for 1, 1; allowed: one value for each place of a full"),
     "depth of WAMIT": (of_wamit_alone, {".pot": POT.format("0 0 0 0")}, {}, "--depth is missing; "),
     "ULEN of WAMIT": (of_wamit_alone, {".gdf": GDF.format(1.0), ".pot": POT.format("0 0 0 0")},
         {".gdf": GDF.format(0.0)}, "a.gdf, line 2: ULEN is missing; allowed: a length above 0, or give --length-unit"),
