@@ -6,6 +6,9 @@ BASE : a commit; it is cloned into FOLDER, where both versions run each job belo
 the other, and keep what they compile.  A job that has run is not run again.  Printed for each job: how many quantities
 both have, the largest difference over the largest value of its quantity, where that is, and what one side alone has.
 Status 1 if a difference is above 1e-12 or a quantity is gone.
+
+Runs of a body between fenders with gaps are chaotic: one part in 10¹³ of the wind changes the largest deflection of one
+run of `simulate_dolphins_B.toml` by half.  There a difference says that the last digits changed, not by how much.
 """
 
 import argparse
@@ -66,7 +69,6 @@ STUDIES = (
     "simulate simulate_quay.toml --database barge.h5 --output quay.h5 --seeds 1 --duration 600",
     "simulate simulate_dolphins.toml --database barge.h5 --output dolphins.h5 --seeds 1 --duration 600",
     "simulate simulate_dolphins_B.toml --database floater_B.h5 --output dolphins_B.h5 --seeds 1 --duration 600",
-    "simulate simulate_model_M3B.toml --database model.h5 --output tank.h5 --seeds 1 --duration 60",
 )
 JOBS = {name: f"{words} --output {name}.h5" for name, words in SOLVED.items()}
 JOBS |= {f"{number + 1:02d} {words}": words for number, words in enumerate(STUDIES)}
