@@ -148,7 +148,7 @@ def test_a_table_is_put_on_its_grid_in_any_order_and_a_place_twice_is_damage():
     assert grid.tolist() == [[11, 0, 13], [21, 0, 23]]
     twice = gridded("a", [np.append(w, 1.0), np.append(i, 3.0)], np.array([21.0, 13.0, 23.0, 11.0, 13.0]))[1]
     assert twice.tolist() == [[11, 13], [21, 23]]  # of one value both times
-    with pytest.raises(FormatError, match="a: 2 values for 1, 3; allowed: one for each"):
+    with pytest.raises(FormatError, match="a: 2 values for 1, 3; allowed: one value for each place"):
         gridded("a", [np.append(w, 1.0), np.append(i, 3.0)], np.arange(5.0))
     with pytest.raises(FormatError, match="a: 0 values for 2, 3"):
         gridded("a", [w[[0, 1, 3]], i[[0, 1, 3]]], np.arange(3.0), modes=((1, 2, 3),))
