@@ -154,7 +154,10 @@ class WavesOfBodies(PanelWaves):
         if lines is not None:
             raise ValueError("wave pairs of several bodies on lines; allowed: floating freely, or --fixed")
         super().__init__(problem, omega, headings, moving, of_force, swayed=swayed, kind=kind)
-        self.each, self.free = of_each_body.surfaces_of_each(self.prepared.geometry), self._all_free()
+        self.each, self.free = (
+            of_each_body.surfaces_of_each(self.surfaces, self.prepared.geometry.mesh),
+            self._all_free(),
+        )
         self.again = [], []  # flows and loads in the motions `swayed`
 
     def _all_free(self):

@@ -34,7 +34,8 @@ def drift_of_each(run, moving):
     own = own_motions(run, moving)
     load, out = first_order_loads(run, own), np.zeros((waves, len(bodies), 3))
     motions = own @ run.problem.transform
-    for i, (body, surface) in enumerate(zip(bodies, surfaces_of_each(run.geometry), strict=True)):
+    surfaces = surfaces_of_each(hull_surfaces(run.geometry), run.geometry.mesh)
+    for i, (body, surface) in enumerate(zip(bodies, surfaces, strict=True)):
         six, T = slice(6 * i, 6 * i + 6), axes_of((body,))
         if run.problem.modes:
             out[:, i] = (_bent_load(run, surface, motions, own[:, six] @ T, i) @ T.T)[:, MEAN]
@@ -93,9 +94,8 @@ def first_order_loads(run, motions):
     return load
 
 
-def surfaces_of_each(geometry):
-    """[`hull_flow.HullSurfaces`] of each body of a geometry: the points of all, with weights on its own alone"""
-    whole, mesh = hull_surfaces(geometry), geometry.mesh
+def surfaces_of_each(whole, mesh):
+    """[`hull_flow.HullSurfaces`] of each body of a mesh: the points of the whole, with weights on its own alone"""
     parts = whole.hull, whole.waterline
     return [HullSurfaces(*(_of_body(part, mesh.body, i) for part in parts)) for i in range(mesh.bodies)]
 
