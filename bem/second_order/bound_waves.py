@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..waves import group_factor, wavenumber
+from ..waves import wavenumber
 
 NEAREST = 1e-9  # smallest relative frequency difference; smaller ones use this value, since s is even in Ω
 
@@ -78,13 +78,3 @@ def _wavenumbers(one, two, middle, half, depth, gravity):
         slope = sum(t + y * (1 - t * t) for y, t in ((a, ta), (b, tb)))
         e = e + (jump - value) / slope
     return k, l, 2 * e
-
-
-def set_down(omega, depth, gravity=9.80665):
-    """m per m²: mean elevation under a long group, −g (2n − ½) / 2(gh − C_g²), of waves of amplitude 1 m
-
-    Longuet-Higgins and Stewart (1962): the radiation stress ½ρg(2n − ½) against the mean level.
-    """
-    k = wavenumber(omega, depth, gravity)
-    n = group_factor(k, depth)
-    return -gravity * (2 * n - 0.5) / (2 * (gravity * depth - (n * omega / k) ** 2))

@@ -89,12 +89,6 @@ def eccentricity(offset, gyration):
     return 1 / (1 + (offset / gyration) ** 2)
 
 
-def eccentricity_oblique(distance, angle, gyration):
-    """C_e = (K² + R² cos²φ)/(K² + R²), R m from the centre of gravity to the contact, φ rad between R and the velocity
-    (PIANC 2002); `eccentricity` is for a contact abeam, of which only l lies across the velocity"""
-    return (gyration**2 + (distance * math.cos(angle)) ** 2) / (gyration**2 + distance**2)
-
-
 def offset_of(coefficient, gyration):
     """m, l of an eccentricity coefficient"""
     if not 0 < coefficient <= 1:

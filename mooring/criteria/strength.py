@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from ..lines.catalogue import CHAIN, CHAIN_SIZES, line_type
+from ..lines.catalogue import CHAIN
 
 SIZES = {  # mm, available sizes
     "chain": (*range(20, 100, 2), *range(100, 220, 5)),
@@ -40,34 +40,6 @@ def worn_breaking_load(breaking_load, diameter, allowance, years):
             "at least half of the diameter"
         )
     return breaking_load * chain_factor(left) / chain_factor(diameter)
-
-
-def smallest(kind, tension, safety_factor, allowance=0.0, years=0.0):
-    """The smallest size of a kind of line that carries `tension`, N, with a safety factor on its breaking load.
-
-    kind : a name of the catalogue without its size, "R3 studless", "grade 3", "wire 6x36 IWRC 1960", "polyester"
-    allowance, years : of wear, chain only
-    returns : (name with its size, its breaking load in N, worn)
-    raises : ValueError where no size does
-    """
-    chain = _is_chain(kind)
-    last = 0.0
-    for size in SIZES["chain" if chain else "rope"]:
-        if chain and not CHAIN_SIZES[0] <= size <= CHAIN_SIZES[1]:
-            continue
-        name = f"{kind} {size:g} mm"
-        load = line_type(name).breaking_load
-        if chain and allowance * years > 0:
-            if allowance * years > 0.5 * size:
-                continue
-            load = worn_breaking_load(load, size, allowance, years)
-        last = max(last, load)
-        if load >= safety_factor * tension:
-            return name, load
-    raise ValueError(
-        f"no {kind} of the catalogue carries {tension / 1e3:.4g} kN with a safety factor of {safety_factor:g}; "
-        f"the largest has a breaking load of {last / 1e3:.4g} kN; use more lines or another kind"
-    )
 
 
 def larger_sizes(name, most):

@@ -17,7 +17,6 @@ import numpy as np
 from ..fenders.hysteresis import followed
 
 POINTS = 4096  # points of a cycle; a corner of the characteristic then costs 1e-7
-ROOTS = 2000  # amplitudes between which roots of the response are sought
 
 
 class Equivalent(NamedTuple):
@@ -49,27 +48,3 @@ def _steady(fender, path):
     if np.array_equal(fender.loading.coefficients, fender.unloading.coefficients):
         return fender.loading(path)
     return followed(fender, np.concatenate([path, path]))[0][len(path) :]
-
-
-def amplitudes(law, mass, damping, omega, force, largest, mean=0.0):
-    """Amplitudes (r,) m up to `largest` of the oscillator m ÿ + c ẏ + G = F cos ωt, rising; three at a jump.
-
-    damping : c N s/m besides that of the law; force : F N
-    """
-    A = largest * (np.arange(1, ROOTS + 1) / ROOTS)
-
-    def excess(a):
-        e = equivalent(law, mean, a, points=256)
-        return (e.stiffness - omega**2 * mass) ** 2 * a * a + (omega * damping + e.loss) ** 2 * a * a - force**2
-
-    values = np.array([excess(a) for a in A])
-    found = []
-    for i in np.flatnonzero(np.diff(np.sign(values)) != 0):
-        low, high = A[i], A[i + 1]
-        for _ in range(50):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if (excess(middle) > 0) == (values[i] > 0) else (low, middle)
-        found.append(0.5 * (low + high))
-    if values[0] > 0:  # the root below the first amplitude
-        found.insert(0, float(A[0] * abs(force) / np.sqrt(values[0] + force**2)))
-    return np.array(found)

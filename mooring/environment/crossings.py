@@ -59,19 +59,9 @@ class Crossings:
         return self.highest(1 / 3)[1]
 
     @property
-    def tenth_height(self):
-        """H1/10, m"""
-        return self.highest(1 / 10)[0]
-
-    @property
     def maximum_height(self):
         """Hmax, m"""
         return float(self.heights.max())
-
-    @property
-    def mean_height(self):
-        """m"""
-        return float(self.heights.mean())
 
     @property
     def mean_period(self):

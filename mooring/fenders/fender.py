@@ -127,22 +127,6 @@ class Fender:
             overload=None if self.overload is None else self.overload * factor,
         )
 
-    def sized(self, height, name=None):
-        """The similar fender of another height, m: R ∝ H², E ∝ H³"""
-        if not 0 < height < np.inf:
-            raise FenderError(f"{self.name}: its height is {height:g} m; allowed: above 0, finite")
-        along = height / self.height
-        return replace(
-            self,
-            name=name or self.name,
-            height=height,
-            loading=self.loading.scaled(along, along**2),
-            unloading=self.unloading.scaled(along, along**2),
-            return_length=self.return_length * along,
-            limit=self.limit * along,
-            overload=None if self.overload is None else self.overload * along,
-        )
-
     def _grid(self, deflection):
         knots = self.loading.knots
         return np.unique(np.concatenate([np.linspace(0.0, deflection, 400), knots[knots < deflection]]))

@@ -2,8 +2,7 @@
 
     R = f(δ) Π factors;    softest Π smallest,  stiffest Π largest
 
-(1 − γ of the SR179 report (1982), eq. 3.7.1.11; bands of its chapter 3.4, `tables/variation.csv`.)  `drawn` draws each
-factor from its band at random, uniformly and independently: the share of softer or stiffer fenders follows.
+(1 − γ of the SR179 report (1982), eq. 3.7.1.11; bands of its chapter 3.4, `tables/variation.csv`.)
 """
 
 from __future__ import annotations
@@ -41,17 +40,3 @@ def extremes(table):
     """Factors of the softest and of the stiffest fender of bands {cause: (smallest, largest)}"""
     low, high = np.array(list(table.values())).T
     return float(low.prod()), float(high.prod())
-
-
-def drawn(table, count, seed):
-    """(count,) factors of fenders whose causes are drawn uniformly from their bands"""
-    low, high = np.array(list(table.values())).T
-    return np.prod(np.random.default_rng(seed).uniform(low, high, (count, len(low))), axis=1)
-
-
-def velocity_factor(period):
-    """Factor on the reaction of a cycle of `period` s: 1.1 at 1 s and below, 1 at 10 s and above, linear in log T.
-
-    SR179 report (1982), chapter 3.4: +10 % at 1 s, notable below 5 s, none above 10 s.
-    """
-    return 1.1 - 0.1 * np.clip(np.log10(np.asarray(period, float)), 0.0, 1.0)

@@ -13,15 +13,12 @@ from pathlib import Path
 
 import numpy as np
 
-from hakobune.meshing.text_files import read_text
-
 from ..lines.system.graph import System
 from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineType, MooredBody, UniformLine
 from .fault import FormatError
 from .moordyn_system import read_moordyn_system
 from .orcaflex import is_orcaflex, system_of_orcaflex
 from .windio import is_windio, raft_of_windio
-from .yaml_text import parse_yaml
 
 LARGEST = 1.0  # MB; a parser in Python takes some seconds
 KNOWN = {
@@ -32,11 +29,6 @@ KNOWN = {
 }  # fmt: skip
 FAMODEL = {"mooring_line_configs", "mooring_systems", "array_mooring_systems", "mooring_line_types"}
 READ = ("water_depth", "depth", "water_density", "rho_water", "rho", *KNOWN, "anchor_types", "bodies", "file")
-
-
-def read_moorpy(path, depth=None) -> System:
-    """The System of a MoorPy or RAFT file; depth : m, for files that do not give it."""
-    return system_of_moorpy(parse_yaml(read_text(path, FormatError, largest=LARGEST), path), path, depth)
 
 
 def system_of_moorpy(data, path="YAML file", depth=None) -> System:

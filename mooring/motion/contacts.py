@@ -15,7 +15,6 @@ from .line_loads import generalized
 from .links import rows_at, springs_at
 from .tables.groups import moved_by_shapes
 
-SIDES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0)}
 STEP = np.array([1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6])  # m, rad, of a difference quotient
 RESTS = 1e-6  # residual over the largest force of a fender or rope
 TOGETHER = 1e-12  # m, rad: apart by less is rounding

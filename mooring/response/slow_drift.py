@@ -23,8 +23,7 @@ narrow spectrum its mean is 2∫SD dω.  In a broad one it is not: ζ² of the e
 (ISSC; 8 to 10 % JONSWAP), and half waves lie at other frequencies than their energy.  For a box of 100 × 50 × 10 m in
 20 m of water, whose drift has a peak at 10 s, the mean deviates from the integral by +16, +27, +2 % in head seas and by
 +19, +17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 % (JONSWAP, Tp 11 s), means of four records of three
-hours. `half_waves(…, amplitude="energy")` removes the first part; `with_mean` scales the record to the mean of the
-integral, and returns the factor.
+hours. `half_waves(…, amplitude="energy")` removes the first part.
 """
 
 from __future__ import annotations
@@ -272,7 +271,7 @@ def half_wave_drift(waves, omega, drift, t):
     """(s, 3) drift force record at times t (s,), N, N, N m; zero outside the half waves.
 
     waves : from `half_waves`; omega : (q,) rad/s, drift : (q, 3) mean drift there.  Beyond omega D keeps its end
-    values: half waves scatter far more in frequency than the spectrum; `half_waves_outside` gives their share.
+    values: half waves scatter far more in frequency than the spectrum.
     """
     force = np.stack([np.interp(waves.omega, omega, column) for column in np.transpose(drift)], axis=-1)
     force *= waves.amplitude[:, None] ** 2
@@ -280,28 +279,6 @@ def half_wave_drift(waves, omega, drift, t):
     place = np.searchsorted(waves.start, t, side="right") - 1
     inside = (place >= 0) & (t < waves.end)
     return np.where(inside[:, None], force[np.maximum(place, 0)], 0.0)
-
-
-def with_mean(force, mean):
-    """A force record (s, n) scaled so that its means are `mean` (n,), and the factors (n,).
-
-    For records made half wave by half wave, whose mean is not that of the integral; a component without mean is
-    unchanged. Raises ValueError where the record's mean has the other sign: no factor can correct that.
-    """
-    found, mean = np.mean(force, axis=0), np.asarray(mean, float)
-    scale = np.abs(force).max(axis=0)
-    idle = np.maximum(np.abs(found), np.abs(mean)) <= 1e-6 * np.maximum(scale, np.abs(mean).max())
-    if np.any(found[~idle] * mean[~idle] <= 0):
-        raise ValueError(f"slow drift: means of the record are {found} N, wanted are {mean} N; no factor joins signs")
-    factor = np.where(idle, 1.0, mean / np.where(idle, 1.0, found))
-    return force * factor, factor
-
-
-def half_waves_outside(waves, omega):
-    """Share of ζ²Δt, the time-weighted energy, in half waves beyond the frequencies omega (q,) rad/s."""
-    energy = waves.amplitude**2 / waves.omega
-    outside = (waves.omega < omega[0]) | (waves.omega > omega[-1])
-    return float(energy[outside].sum() / energy.sum())
 
 
 def _own(body, omega, direction):

@@ -11,7 +11,6 @@ from .shallow import tma
 from .two_peaks import ochi_hubble, torsethaugen
 
 PEAKED = ("jonswap", "tma")  # spectra with a gamma
-NAMES = (*spectra.FAMILIES, "tma", "ochi_hubble", "torsethaugen")
 
 
 def families(depth):

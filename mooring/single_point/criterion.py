@@ -60,21 +60,6 @@ def moored_quartic(m: Lateral):
     return np.stack(np.broadcast_arrays(1.0, A, B, C, D), axis=-1)
 
 
-def towed_quartic(m: Lateral, speed):
-    """(…, 5) coefficients of a body towed at `speed`, m/s, in water at rest (3.6.17); its loads depend on v/U, not ψ
-
-    Y_r of the motion is that of the water minus the centripetal M U; Y_psi and N_psi are not included.
-    """
-    M, I, F, a, L = m.mass, m.inertia, m.pull, m.arm, m.length
-    Y_r = m.Y_r - M * speed
-    A = -m.Y_v / M - m.N_r / I
-    B = (m.Y_v * m.N_r - Y_r * m.N_v) / (M * I) + F / (L * I) * (I / M + a * a + a * L)
-    lever = m.N_v - a * m.Y_v
-    C = F / (M * I) * (lever + a / L * (Y_r + M * speed) + a / L * lever - m.N_r / L)
-    D = F / (M * I) * speed * lever / L
-    return np.stack(np.broadcast_arrays(1.0, A, B, C, D), axis=-1)
-
-
 def undamped(quartic):
     """The same quartic with A = C = 0: the body oscillates without decay, or it slews (3.6.19)"""
     return np.asarray(quartic) * np.array([1.0, 0.0, 1.0, 0.0, 1.0])

@@ -16,12 +16,6 @@ from ..common.quantities import StudyError
 MARK = "# hakobune downtime states "
 
 
-def is_states(path):
-    """Whether a file is one of states"""
-    with Path(path).open("rb") as file:
-        return file.read(len(MARK)) == MARK.encode()
-
-
 def read(path, identity):
     """{index of the hour: results of its seeds} in a file, without a last line that was cut; {} without a file.
 

@@ -165,10 +165,11 @@ def _read(path, depth):
     from hakobune.meshing.text_files import read_text
     from hakobune.mooring.formats import moordyn, moorpy
     from hakobune.mooring.formats.fault import FormatError
+    from hakobune.mooring.formats.yaml_text import parse_yaml
 
     if path.suffix.lower() in YAML:
         text = read_text(path, FormatError, largest=moorpy.LARGEST)
-        return moorpy.system_of_moorpy(moorpy.parse_yaml(text, path), path, depth), text, None
+        return moorpy.system_of_moorpy(parse_yaml(text, path), path, depth), text, None
     from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 
     if path.suffix.lower() == ".fstf":

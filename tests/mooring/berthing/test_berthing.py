@@ -69,7 +69,6 @@ def test_methods_have_the_order_and_the_limits_of_their_sources():
     assert found["Vasco Costa"] == pytest.approx(1 + 2 * 19.7 / 53.6)
     assert [energy.virtual_mass_pianc(TANKER, 19.7 * k) for k in (1.05, 1.3, 2.0)] == pytest.approx([1.8, 1.65, 1.5])
     assert energy.eccentricity(energy.offset_of(0.7, 80.0), 80.0) == pytest.approx(0.7)
-    assert energy.eccentricity_oblique(50.0, math.pi / 2, 80.0) == pytest.approx(energy.eccentricity(50.0, 80.0))
 
 
 def test_speeds_have_the_moments_asked_for_and_return():

@@ -28,10 +28,8 @@ def test_energy_is_half_of_six_factors():
     assert energy.berthing_energy(SHIP, 0.15, 1.6, 0.5) == pytest.approx(found / 0.72, rel=1e-12)
 
 
-def test_an_oblique_contact_keeps_what_does_not_turn_the_ship():
-    """K = 50 m, R = 30 m: all of it for a velocity through the centre, (K² + R²/4)/(K² + R²) at 60°"""
-    assert energy.eccentricity_oblique(30.0, 0.0, 50.0) == pytest.approx(1.0, rel=1e-12)
-    assert energy.eccentricity_oblique(30.0, math.pi / 3, 50.0) == pytest.approx((2500 + 225) / 3400, rel=1e-12)
+def test_a_share_that_does_not_turn_the_ship_has_its_offset():
+    """K = 50 m, R = 30 m: K²/(K² + R²)"""
     assert energy.offset_of(1 / (1 + 0.36), 50.0) == pytest.approx(30.0, rel=1e-12)
 
 

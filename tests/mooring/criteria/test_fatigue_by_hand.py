@@ -12,10 +12,8 @@ from hakobune.mooring.criteria.strength import (
     equipment_of_box,
     kind_and_size,
     larger_sizes,
-    smallest,
     worn_breaking_load,
 )
-from hakobune.mooring.lines.catalogue import line_type
 
 ROPE = Curve("rope", "share", 4.0, 2000.0, -3.0)
 
@@ -38,21 +36,6 @@ def test_stress_of_a_rope_is_over_its_circle_and_of_a_chain_over_both_legs():
     assert curves()["DNV stranded rope"].reference(80.0, 5e6) == pytest.approx(math.pi / 4 * 6400)
     assert curves()["DNV studless chain"].reference(80.0, 5e6) == pytest.approx(math.pi / 2 * 6400)
     assert curves()["DNV polyester"].reference(80.0, 5e6) == 5e6
-
-
-def test_wear_makes_the_smallest_size_larger_by_what_it_takes():
-    """0.4 mm a year for 15 years is 6 mm: by d² (44 − 0.08 d) of what is left, and the size before does not carry"""
-    tension, factor = 1.5e6, 2.0
-    name, load = smallest("grade 3", tension, factor, 0.4, 15.0)
-    kind, size = kind_and_size(name)
-    assert kind == "grade 3" and load >= factor * tension
-
-    def left(d):
-        new = line_type(f"grade 3 {d:g} mm").breaking_load
-        return new * ((d - 6) / d) ** 2 * (44 - 0.08 * (d - 6)) / (44 - 0.08 * d)
-
-    assert load == pytest.approx(left(size), rel=1e-12) and left(size - 2) < factor * tension
-    assert size > kind_and_size(smallest("grade 3", tension, factor)[0])[1]
 
 
 def test_wear_leaves_at_least_half_of_a_chain():

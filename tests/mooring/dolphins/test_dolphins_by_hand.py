@@ -27,7 +27,7 @@ from hakobune.mooring.dolphins.earthquake import (
     ground_of_record,
     response_spectrum,
 )
-from hakobune.mooring.dolphins.linearised import amplitudes, equivalent
+from hakobune.mooring.dolphins.linearised import equivalent
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.fenders.fender import fender_of_points
 
@@ -156,18 +156,6 @@ def test_the_limit_of_the_wave_height_is_where_the_strain_is_reached():
     assert found == pytest.approx(0.30 * 4 / LARGEST / 0.05, rel=3e-3)
     assert limit_height(body, dolphins, 5e5, issc, 8.0, highest=3.0) == 3.0
     assert limit_height(body, dolphins, 1.1e6, issc, 8.0) == 0.0
-
-
-def test_an_amplitude_on_a_spring_is_that_of_the_linear_oscillator_with_its_damping():
-    """F/√((k − mω²)² + (cω)²), below and above resonance; a lossy law adds its h"""
-    k, m, c, F = 3.0, 2.0, 0.4, 0.5
-    for omega in (0.5, 1.2, 2.0):
-        (found,) = amplitudes(lambda y: k * y, m, c, omega, F, 3.0)
-        assert found == pytest.approx(F / math.hypot(k - m * omega**2, c * omega), rel=1e-6)
-    (tiny,) = amplitudes(lambda y: k * y, m, c, 0.5, 1e-4, 3.0)
-    assert tiny == pytest.approx(1e-4 / math.hypot(k - 0.5, 0.2), rel=1e-3)
-    (other,) = amplitudes(lambda y: k * y - 6.0, m, c, 0.5, F, 3.0, mean=2.0)
-    assert other == pytest.approx(F / math.hypot(2.5, 0.2), rel=1e-6)
 
 
 def test_an_equivalent_spring_about_a_mean_has_the_mean_force():

@@ -12,7 +12,7 @@ from hakobune.mooring.fenders.dolphin import bilinear, in_series
 from hakobune.mooring.fenders.families import families, fender_of_family, fender_of_file, names
 from hakobune.mooring.fenders.fender import FenderError, fender_of_points
 from hakobune.mooring.fenders.hysteresis import advanced, contact_table, followed, reaction_of
-from hakobune.mooring.fenders.variability import bands, chosen, drawn, extremes, velocity_factor
+from hakobune.mooring.fenders.variability import bands, chosen, extremes
 
 MEASURED = Path(__file__).parents[2] / "published" / "fender_curves.csv"
 CELL = fender_of_family("cell", 2.0)
@@ -64,7 +64,7 @@ def test_reaction_is_the_slope_of_energy_and_continuous(family):
 
 
 def test_similar_fenders_scale_with_the_square_and_the_cube_of_height():
-    large = CELL.sized(3.0)
+    large = fender_of_family("cell", 1.5 * CELL.height)
     assert large.rated_reaction / CELL.rated_reaction == pytest.approx(1.5**2, rel=1e-12)
     assert large.rated_energy / CELL.rated_energy == pytest.approx(1.5**3, rel=1e-12)
     assert CELL.times(0.8).rated_energy == pytest.approx(0.8 * CELL.rated_energy, rel=1e-12)
@@ -112,7 +112,6 @@ def test_dolphin_and_fender_in_series_share_force_and_add_deflection_and_energy(
         off.append(np.abs(pair.energy(y2 + force / k) / both - 1).max())
     assert np.all(np.log2(np.divide(off[:-1], off[1:])) > 1.7) and off[-1] < 2e-5, off
     assert [pair.own(y) for y in y2 + force / k] == pytest.approx(list(y2), rel=1e-4)
-    assert pair.sized(2 * pair.height).own(2 * (y2 + force / k)[1]) == pytest.approx(2 * y2[1], rel=1e-4)
     with pytest.raises(FenderError, match="becomes unstable"):
         in_series(CELL, bilinear(3e5))
 
@@ -124,13 +123,9 @@ def test_gas_law_is_within_three_per_cent_of_the_ratios_of_the_report():
     assert 1.25 < float(fender.reaction(1.375) / fender.reaction(1.25)) < 1.31 * 1.03
 
 
-def test_softest_and_stiffest_bound_all_that_chance_draws():
-    low, high = extremes(bands())
-    factors = drawn(bands(), 20_000, seed=3)
-    assert low <= factors.min() < factors.max() <= high
-    assert (low, high) == pytest.approx((0.9 * 0.8 * 0.95, 1.1 * 1.05 * 1.1 * 0.9 * 1.25))
+def test_softest_and_stiffest_are_the_products_of_all_bands():
+    assert extremes(bands()) == pytest.approx((0.9 * 0.8 * 0.95, 1.1 * 1.05 * 1.1 * 0.9 * 1.25))
     assert chosen(["manufacture"]) == {"manufacture": (0.9, 1.1)}
-    assert velocity_factor(1.0) == pytest.approx(1.1) and velocity_factor(20.0) == 1.0
 
 
 def test_state_is_held_between_the_curves():

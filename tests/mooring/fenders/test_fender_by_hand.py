@@ -10,7 +10,7 @@ from hakobune.mooring.fenders.families import families, fender_of_family
 from hakobune.mooring.fenders.fender import FenderError, fender_of_points
 from hakobune.mooring.fenders.hysteresis import advanced, advanced_one, contact_table, followed, reaction_of
 from hakobune.mooring.fenders.pneumatic import gas_reaction, pneumatic
-from hakobune.mooring.fenders.variability import chosen, velocity_factor
+from hakobune.mooring.fenders.variability import chosen
 
 K, U = 4e6, 1e6  # N/m of loading and of unloading
 LENGTH = 0.1  # m of a return
@@ -84,15 +84,8 @@ def test_a_fender_that_buckles_has_passed_its_peak():
     assert buckling().return_length == pytest.approx(0.05 * 2.0)
 
 
-def test_a_larger_fender_and_two_side_by_side_keep_their_laws_in_all_that_they_have():
-    """Strains as before; forces with the square of the height, stiffness with the height"""
-    made, large = spring(overload=2e7), spring(overload=2e7).sized(3.0)
-    assert (large.height, large.limit, large.return_length) == pytest.approx((3.0, 1.5, 0.3))
-    assert large.overload == pytest.approx(6e7) and (large.rated, large.allowable) == (0.4, 0.45)
-    assert float(large.loading(0.9)) == pytest.approx(9 * K * 0.3, rel=1e-12)
-    assert float(large.unloading(0.9)) == pytest.approx(9 * U * 0.3, rel=1e-12)
-    assert float(large.loading(1.6)) == pytest.approx(9 * K * 0.5 + 0.1 * 6e7, rel=1e-12)
-    twice = made.times(2.0)
+def test_two_fenders_side_by_side_keep_their_laws_in_all_that_they_have():
+    twice = spring(overload=2e7).times(2.0)
     assert (twice.height, twice.limit, twice.return_length) == (1.0, 0.5, LENGTH)
     assert twice.overload == pytest.approx(4e7)
     assert float(twice.unloading(0.3)) == pytest.approx(2 * U * 0.3, rel=1e-12)
@@ -175,13 +168,6 @@ def test_an_ordinary_fender_has_its_intensity_times_height_and_length_or_height(
         )
 
 
-def test_quick_cycles_are_stiffer_by_a_tenth_of_the_decade():
-    """1.1 at 1 s, 1 at 10 s, straight in log T: 1.05 at √10 s, 1.03 at 10^0.7 s"""
-    assert velocity_factor([0.5, 1.0, math.sqrt(10), 10**0.7, 10.0, 30.0]) == pytest.approx(
-        [1.1, 1.1, 1.05, 1.03, 1, 1]
-    )
-
-
 X = [0.0, 0.2, 0.5]
 
 
@@ -206,7 +192,6 @@ X = [0.0, 0.2, 0.5]
         (lambda v: spring().largest_reaction(v), 0.5, 0.501, "beyond its table"),
         (lambda v: spring(overload=1e6).reaction(v), 9.0, math.nan, "deflection is nan m"),
         (lambda v: spring().times(v), 1e-3, 0.0, "factor on its reaction is 0"),
-        (lambda v: spring().sized(v), 1e-3, math.inf, "height is inf m"),
         (lambda v: pneumatic("p", 2.0, v, 5e4), 2.0, 1.99, "length is 1.99 m; allowed: at least its diameter of 2 m"),
         (lambda v: pneumatic("p", v, 9.0, 5e4), 0.1, 0.0, "diameter is 0"),
         (lambda v: pneumatic("p", 2.0, 9.0, v), 1.0, 0.0, "pressure is 0"),

@@ -10,7 +10,7 @@ from hakobune.mooring.formats.fault import FormatError
 from hakobune.mooring.formats.moordyn import MoorDynFile, moordyn_text, parse_moordyn, read_moordyn, write_moordyn
 from hakobune.mooring.formats.moordyn_system import system_of_moordyn
 from hakobune.mooring.formats.moordyn_writing import moordyn_of_system
-from hakobune.mooring.formats.moorpy import read_moorpy, system_of_moorpy
+from hakobune.mooring.formats.moorpy import system_of_moorpy
 from hakobune.mooring.formats.yaml_text import parse_yaml
 from hakobune.mooring.lines.catalogue import line_type
 from hakobune.mooring.lines.system.equilibrium import rest
@@ -440,9 +440,8 @@ def test_an_empty_or_missing_file_is_one_line(tmp_path):
             read_moordyn(tmp_path / path)
 
 
-def test_yaml_of_moorpy_is_understood(tmp_path):
-    (tmp_path / "leg.yaml").write_text(YAML)
-    system = read_moorpy(tmp_path / "leg.yaml")
+def test_yaml_of_moorpy_is_understood():
+    system = system_of_moorpy(parse_yaml(YAML))
     assert (system.depth, len(system.lines), system.points[1].position) == (200.0, 2, (-300.5, 0.0, -120.0))
     assert system.lines[0].type.name == "chain 84" and system.lines[1].type.breaking_load == 7e6
     state = rest(system)

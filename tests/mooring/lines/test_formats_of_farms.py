@@ -8,7 +8,8 @@ import pytest
 from hakobune.mooring.formats.fast_farm import read_fast_farm
 from hakobune.mooring.formats.fault import FormatError
 from hakobune.mooring.formats.moordyn_system import read_moordyn_system
-from hakobune.mooring.formats.moorpy import read_moorpy
+from hakobune.mooring.formats.moorpy import system_of_moorpy
+from hakobune.mooring.formats.yaml_text import parse_yaml
 from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.pipelines.lines.system_file import read_system
 
@@ -122,9 +123,8 @@ def test_what_a_model_of_orcaflex_lacks_is_named(tmp_path):
         (tmp_path / "a.yml").write_text(good.replace(old, new))
         with pytest.raises(ValueError, match=says):
             read_system(tmp_path / "a.yml")
-    (tmp_path / "b.yml").write_text("BaseFile: base.dat\nVariableData: {}\n")
     with pytest.raises(FormatError, match=r"no Lines in it: it holds what differs from base\.dat"):
-        read_moorpy(tmp_path / "b.yml")
+        system_of_moorpy(parse_yaml("BaseFile: base.dat\nVariableData: {}\n"))
 
 
 FARM = """Lines between two turbines
@@ -182,15 +182,14 @@ def test_a_line_between_turbines_hangs_where_the_farm_has_them(tmp_path):
         read_fast_farm(tmp_path / "none.fstf")
 
 
-def test_what_holds_no_system_is_told_for_what_it_is(tmp_path):
+def test_what_holds_no_system_is_told_for_what_it_is():
     for text, says in (
         ("site: {}\nmooring_line_configs: {}\nmooring_systems: {}\n", "is an ontology of FAModel"),
         ("modeling_options: {}\n", "has no mooring: .* it has modeling_options"),
         ("array_mooring:\n  file: a.dat\narray: {keys: [x]}\n", "array has no x_location and y_location"),
     ):
-        (tmp_path / "a.yaml").write_text(text)
         with pytest.raises(FormatError, match=says):
-            read_moorpy(tmp_path / "a.yaml")
+            system_of_moorpy(parse_yaml(text))
 
 
 def test_columns_of_lines_in_another_order_are_known_or_refused(tmp_path):

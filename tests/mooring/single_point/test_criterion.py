@@ -14,7 +14,6 @@ from hakobune.mooring.single_point.criterion import (
     proportions,
     roots,
     routh_hurwitz,
-    towed_quartic,
     undamped,
     undamped_stable,
 )
@@ -38,25 +37,23 @@ def random_lateral(rng):
     )  # fmt: skip
 
 
-def linear_equations(m, towed_at=0.0):
-    """(4, 4) of (y, ψ, ẏ, ψ̇) as forces and moments act, in axes that do not turn; towed: the loads follow v = ẏ − Uψ"""
-    U, K, B = towed_at, np.zeros((2, 2)), np.zeros((2, 2))
+def linear_equations(m):
+    """(4, 4) of (y, ψ, ẏ, ψ̇) as forces and moments act, in axes that do not turn"""
+    K, B = np.zeros((2, 2)), np.zeros((2, 2))
     pull_y, pull_psi = -m.pull / m.length, -m.pull * (m.arm / m.length + 1)
     K[0], K[1] = (pull_y, pull_psi), (m.arm * pull_y, m.arm * pull_psi)
-    K[:, 1] += (m.Y_psi, m.N_psi) if not U else (-U * m.Y_v, -U * m.N_v)
+    K[:, 1] += m.Y_psi, m.N_psi
     B[0], B[1] = (m.Y_v, m.Y_r), (m.N_v, m.N_r)
     M = np.diag([m.mass, m.inertia])
     return np.block([[np.zeros((2, 2)), np.eye(2)], [np.linalg.solve(M, K), np.linalg.solve(M, B)]])
 
 
-@pytest.mark.parametrize("speed", [0.0, 1.5])
-def test_the_quartic_is_the_characteristic_polynomial_of_the_linear_equations(speed):
+def test_the_quartic_is_the_characteristic_polynomial_of_the_linear_equations():
     """Determinants at points off the axis, where no root is hit"""
     rng = np.random.default_rng(1)
     for _ in range(200):
         m = random_lateral(rng)
-        quartic = towed_quartic(m, speed) if speed else moored_quartic(m)
-        J = linear_equations(m, speed)
+        quartic, J = moored_quartic(m), linear_equations(m)
         for point in rng.uniform(0.5, 2.0, 3) * np.sqrt(np.abs(np.linalg.eigvals(J)).max()):
             wanted = np.linalg.det(point * np.eye(4) - J)
             assert abs(np.polyval(quartic, point) / wanted - 1) < 1e-9

@@ -163,7 +163,7 @@ def test_a_body_has_motions_and_what_is_known_of_its_lines_and_fenders(breaking,
 
 def test_a_file_of_states_begins_with_its_mark_and_is_read_back(tmp_path):
     path = tmp_path / "s.jsonl"
-    assert states_file.read(path, "me") == {} and states_file.is_states(path)
+    assert states_file.read(path, "me") == {}
     assert path.read_text() == f"{states_file.MARK}me\n"
     states_file.append(path, {"hour": 7, "used": [0.5]})
     states_file.append(path, {"hour": 9, "used": [0.25]})
@@ -175,7 +175,6 @@ def test_a_file_of_states_begins_with_its_mark_and_is_read_back(tmp_path):
     assert states_file.read(path, "me") == {} and path.read_text() == f"{states_file.MARK}me\n"
     other = tmp_path / "other"
     other.write_bytes(b"# hakobune downtime statistics\n")
-    assert not states_file.is_states(other)
     for content, says in (
         (whole.replace(b"0.25", b"0.26"), "line 3, is damaged"),
         (b"notes\n", "is not a file of simul"),
