@@ -16,8 +16,6 @@ waves from rest, N periods long, the variance of the resonant motion is ∝ (1 �
 for B ≤ b₀ = ωA / πN: an error of b₀ε changes its standard deviation by ε/3 at most (tests/bench/damping_floor.py).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .drift import energy_defect

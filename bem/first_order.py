@@ -1,7 +1,5 @@
 """First-order quantities of one frequency, for all methods."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -6,8 +6,6 @@ with added mass A, damping B, excitation F and Kochin functions H that do not de
 gravity and viscous damping B' (`bem.motions`, `bem.viscous`, `bem.drift`).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .drift import about, mean_drift, slope_and_ahead

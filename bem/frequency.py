@@ -1,7 +1,5 @@
 """One frequency of one problem: the wanted quantities, with no more computation than they need."""
 
-from __future__ import annotations
-
 import time
 from functools import cached_property
 

@@ -9,8 +9,6 @@ per unit of ρg and amplitude, for sway, heave and roll about the origin (y to p
 In oblique waves κ = k sinβ < k.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.special import gammainc
 

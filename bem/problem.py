@@ -1,7 +1,5 @@
 """Data of a radiation–diffraction problem for all methods: water, gravity, inertia and stiffness."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -9,8 +9,6 @@ The signs are those of `bem.kochin`, `bem.motions` and `bem.drift`.  A doubled n
 violates one of the laws.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -20,8 +20,6 @@ Flat panels with corners on a circle enclose less volume than the circle: all ra
 the panels enclose the volume of the drawing.
 """
 
-from __future__ import annotations
-
 import math
 import tomllib
 from dataclasses import dataclass, field, replace

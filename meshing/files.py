@@ -5,8 +5,6 @@ written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat o
 .toml, a drawing that gmsh meshes (`drawing`).
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import math

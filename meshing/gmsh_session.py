@@ -4,8 +4,6 @@ gmsh keeps one global state per process.  A session therefore holds a lock, read
 restores any state that the caller had opened before.
 """
 
-from __future__ import annotations
-
 import signal
 import threading
 from contextlib import contextmanager

@@ -5,8 +5,6 @@ hull.  Additional unknowns on the inner free surface remove them; the exact dens
 be coarse and need not share points with the hull.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import pairwise

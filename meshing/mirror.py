@@ -3,8 +3,6 @@
 Two planes split a problem into four of a quarter the size, which takes a sixteenth of the work on dense systems.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

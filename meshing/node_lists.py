@@ -10,8 +10,6 @@
 Corners run counter-clockwise seen from the water in all of them.  Readers change no orientation.
 """
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

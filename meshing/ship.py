@@ -15,8 +15,6 @@ is not enough.  Panels are graded towards both ends, the bilge and the waterline
 volume is L B d C_B, by a factor that tends to 1 with the square of the panel size.  x points to the bow.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -5,8 +5,6 @@ order of PanelMesh: normals keep the direction of the file, into the water.  Rea
 `meshing.quality.findings` reports wrong ones.
 """
 
-from __future__ import annotations
-
 import math
 import re
 

@@ -1,7 +1,5 @@
 """A picture of a mesh: whole hull with panel edges, normals, waterline, lid and a field on the panels."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

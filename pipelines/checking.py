@@ -1,7 +1,5 @@
 """`hakobune check`: whether a result and its database are unchanged; for a database, its physics."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from functools import partial

@@ -1,7 +1,5 @@
 """`hakobune doctor --compile`: compile every kernel ahead, by small studies in a temporary folder."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

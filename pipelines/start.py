@@ -1,7 +1,5 @@
 """Start of the `hakobune` command: Ctrl-C gives one line from the first moment, before anything else is loaded."""
 
-from __future__ import annotations
-
 import os
 import signal
 import sys

@@ -18,8 +18,6 @@ Those bodies were a hundred waves long at most, most of them a few.  With fifty 
 one digit had an error of 10^(−1) and a table of none 10^(−2): the least are three and one digits, at no cost in time.
 """
 
-from __future__ import annotations
-
 from math import ceil, log10
 from typing import NamedTuple
 

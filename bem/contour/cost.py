@@ -6,8 +6,6 @@ on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along them) within a factor of two
     table        4e-9 c p³ s,  65 c p² bytes           frequency    2e-8 p'³ s,  1000 p'² bytes
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from .one_frequency import degrees

@@ -9,8 +9,6 @@ so that the cost hardly depends on the number of modes.  Beyond the last node M 
 slope there.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Number of waves along a body that methods without panels resolve."""
 
-from __future__ import annotations
-
 import numpy as np
 
 MOST_WAVES = {"box": 200, "buoy": 400}  # along the body: a box then takes 30 s, a buoy 10 s

@@ -8,8 +8,6 @@ the powers are those of water at a fixed edge of 270°.  c₁, c₂, c₃ follow
 singular like r^(−2/3), is integrated without error up to the edge.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -6,8 +6,6 @@ truncation error of the sums over modes.  With 8 T² modes per gap height, T fun
 24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6 with fewer.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -6,8 +6,6 @@ With mass, centre of mass and radii of gyration, which the file lacks, the motio
 about the rotation centre, stiffness of the hull with the weight.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

@@ -7,8 +7,6 @@
 SI, exp(−iωt), directions that waves travel to, as ours; everything, including phases, is about the centre of gravity.
 """
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import NamedTuple

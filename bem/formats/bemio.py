@@ -11,8 +11,6 @@ are by the trapezoidal rule between the lowest and the highest stored frequency,
 for WEC-Sim, limited by the band.  Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
 """
 
-from __future__ import annotations
-
 from contextlib import contextmanager
 from pathlib import Path
 

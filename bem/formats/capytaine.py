@@ -7,8 +7,6 @@ which follow Capytaine's; modes are labelled, so that their order does not matte
 netCDF 3 files, which Capytaine writes without netCDF4, are read too.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import h5py

@@ -9,8 +9,6 @@ SI, with F = i |F| exp(iφ) in exp(−iωt).  AQUA+ has [FROUDE-KRYLOV_FORCES_AN
 no sum.  Everything is about the centre of gravity.  Depth, density and gravity are not in the file.
 """
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

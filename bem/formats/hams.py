@@ -6,8 +6,6 @@ a first column given by Output_frequency_type (`PERIOD_KINDS`); here it is writt
 HullMesh_1.pnl and Hydrostatic_1.in on, hulls in axes whose position in the water LCS_1 … give.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -8,8 +8,6 @@ SI, with exp(+iωt): the conjugates of ours; waves travel to the heading.  Matri
 Derived from files of HydroStar 8 and of HAMS, whose numbers are also in WAMIT's files beside them.
 """
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

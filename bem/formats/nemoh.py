@@ -7,8 +7,6 @@ calls those of the excitation "Diffraction force" too.  File names are accepted 
 G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
 """
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import NamedTuple

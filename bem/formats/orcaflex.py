@@ -12,8 +12,6 @@
 Matrices are written symmetric, as OrcaFlex requires: (A + Aᵀ)/2.  A model also contains the water depth and density.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Content of another program's file for a database: the solved frequencies, in the conventions of `bem`."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 
 import numpy as np

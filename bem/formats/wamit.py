@@ -16,8 +16,6 @@ to 12 and so on, it is omitted.  These files contain neither depth, density, gra
 moments are in the inputs beside them (`wamit_inputs`).
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import NamedTuple
 

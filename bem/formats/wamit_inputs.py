@@ -10,8 +10,6 @@ too.  Lengths are in feet where GRAV is; wavenumbers in the first column are tim
 in Fortran: text after the wanted numbers of a line is a remark.
 """
 
-from __future__ import annotations
-
 import re
 from math import inf
 from pathlib import Path

@@ -13,8 +13,6 @@ Modes beyond the six of a body are ignored, as are damping and stiffness of line
 as of a run without motions, gives the mass alone. User manual, version 7.4, section 4.9 and chapter 5.
 """
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

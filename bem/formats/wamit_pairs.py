@@ -8,8 +8,6 @@ travel to, phases in degrees: the conjugates of ours.  Pairs of the other order 
 the files have those with PER₁ ≤ PER₂.  I counts the forces of several bodies from 1 to 6N.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

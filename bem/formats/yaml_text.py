@@ -1,7 +1,5 @@
 """YAML as dictionaries, lists and scalars; content that is not plain data is refused with its line."""
 
-from __future__ import annotations
-
 
 class YamlFault(ValueError):
     """A text is not YAML of plain data; line : from 1, or None where it has none."""

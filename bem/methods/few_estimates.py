@@ -9,8 +9,6 @@ by `MARGIN` times the largest of them.
 The choice of these frequencies depends only on the list of frequencies, not on the order of solution.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import NamedTuple
 

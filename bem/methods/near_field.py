@@ -13,8 +13,6 @@ A surface in the water around the hull would be no check: every flow by Green's 
 same momentum flux through it as far away, right or wrong.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..panels.pressure_drift.turned_loads import rotated_pairs

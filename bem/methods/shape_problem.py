@@ -1,7 +1,5 @@
 """The radiation–diffraction problem of boxes and vertical cylinders, for the methods without panels."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """One frequency of a box or vertical cylinder by a method without panels."""
 
-from __future__ import annotations
-
 import time
 from functools import cached_property, partial
 

@@ -1,7 +1,5 @@
 """The panel method at one frequency for an axisymmetric body, harmonic by harmonic (`bem.panels.axisymmetric`)."""
 
-from __future__ import annotations
-
 import time
 from functools import cached_property
 

@@ -15,8 +15,6 @@ integrals over F.  With n out of the bodies and ψ = φ + φ_I on F the equation
 sources of the strength iεKψ; the exchange of waves (Haskind) and the balance of energy include both.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import NamedTuple
 

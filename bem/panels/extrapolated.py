@@ -6,8 +6,6 @@ random bodies; in short waves more, for panels a fifth of a wave long a third an
 no time, whereas twice as many panels, which leave 0.45 of the error, take three times as long.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cached_property
 

@@ -4,8 +4,6 @@ In finite depth a mode with net flux q = ∬ n dS (heave; roll and pitch of an a
 ω → 0 like a source in plan, φ ~ ln kR: A ~ −ρ q²/(2πh) ln kR, so that its zero-frequency added mass is infinite.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..green.tables import limit_table

@@ -6,8 +6,6 @@ X is cos(kx cos β) in a class even in x, i sin(kx cos β) in an odd one, X itse
 likewise. A vertical wall, the plane y = 0, reflects the wave: twice the part even in y.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..waves import depth_values, real_part

@@ -1,7 +1,5 @@
 """The panel method at one frequency: potentials on the hull and derived results."""
 
-from __future__ import annotations
-
 import time
 from functools import cached_property, partial
 

@@ -10,8 +10,6 @@ for w = ζ.
 Heave, roll and pitch radiate waves, surge, sway and yaw do not.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -13,8 +13,6 @@ Products of wave pairs have T as defined in `bem.panels.pressure_drift.mean_drif
 products of first-order waves is not included.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..panels.pressure_drift.hull_flow import unit_displacements

@@ -16,8 +16,6 @@ At the sum frequency the second wave has −ωⱼ and −kⱼ (`kinds`): Ω = ω
 2kh / sinh⁴kh, that of Stokes (1847); in deep water it vanishes for waves in one direction.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -6,8 +6,6 @@ on r > R, c_m from the potential of the propagating mode on the side.  The local
 (`surface_waves`), which begin at the side.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.special import hankel1, jv, kve
 

@@ -6,8 +6,6 @@ Integrals over sides and bottom contain the edge's flow exactly, that of the bou
 loads are unknown, and so is the forcing of the surface around it.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .. import DOFS

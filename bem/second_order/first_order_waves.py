@@ -1,7 +1,5 @@
 """First-order waves of one problem for forces of wave pairs, collected frequency by frequency."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -7,8 +7,6 @@ effect of the first and of the second, so written, at the difference.  A formula
 with −ωⱼ for ωⱼ and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

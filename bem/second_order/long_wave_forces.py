@@ -9,8 +9,6 @@ the excitation force; as Ω → 0 with κ kept it is finite.  The lid against ir
 to waves as short as the body.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 

@@ -13,8 +13,6 @@ surface : the potential that products of first-order waves make on the surface a
 Frequencies are at even steps, so that all differences and sums fall on a few values.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -11,8 +11,6 @@ over the waterplane, x from the rotation centre, w = C_44 − ρg ∬ y² dA the
 and yaw have none.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..panels.pressure_drift.turned_loads import products

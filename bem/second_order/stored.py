@@ -4,8 +4,6 @@ Between stored pairs T is interpolated over the mean (ω₁ + ω₂)/2, cubicall
 difference, in which its real part is even and its imaginary part odd.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

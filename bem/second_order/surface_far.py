@@ -6,8 +6,6 @@ c_m of the Kochin function H(θ) = Σ c_m e^{imθ} of the far field; the rest of
 decays over the depth, or in deep water over some wave lengths, is interpolated between rings.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

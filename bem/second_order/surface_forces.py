@@ -15,8 +15,6 @@ those of its panels (`surface_near`), beyond it sums of Hankel functions with a 
 then without it (`surface_tail`).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

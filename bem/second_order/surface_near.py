@@ -8,8 +8,6 @@ normal derivative V on the panels,
     4πφ = ∬ (φ ∂G/∂n − V G) dS.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

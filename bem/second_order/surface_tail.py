@@ -17,8 +17,6 @@ At the sum of two frequencies (`kinds`) κ > k + q, and all products decay along
 in place of Σ c̄ₙ H̄_n e^{−inθ}.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """First-order waves on the free surface around a hull: from its panels near it, by orders beyond a circle."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -14,8 +14,6 @@ Panels shrink four times each towards corners, where φ is like distance^(π/β)
 points (`product_integration`).  Conventions and `Section` are those of `coefficients`.
 """
 
-from __future__ import annotations
-
 from functools import cached_property, lru_cache
 from itertools import pairwise
 

@@ -6,8 +6,6 @@ over heave, roll and the free-free shapes of `bem.flexible.beams` along y, per m
 that of `bem.flexible.coupling`.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -15,8 +15,6 @@ the normal, the motions too with exp(ikx sinθ) along the body, n cosθ stands f
 the SR179 report (1982) follow from a `Section` by `report_row`.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -13,8 +13,6 @@ towards the edge, where φ is like distance^(2/3), and towards the waterline; ev
 - Points inside, on the waterline, remove the irregular frequencies (Schenck, J. Acoust. Soc. Am. 44, 1968).
 """
 
-from __future__ import annotations
-
 from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import NamedTuple

@@ -28,8 +28,6 @@ Garrett, J. Fluid Mech. 46 (1971) for the method, Porter and Evans, J. Fluid Mec
 gap.
 """
 
-from __future__ import annotations
-
 from functools import cached_property, lru_cache
 from typing import NamedTuple
 

@@ -8,8 +8,6 @@ They are the limits of `coefficients.section`: at ω → 0 the wave's part 1/ik 
 added mass of heave stays finite, other than in deep water.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..depth_modes.gap import OuterModes, mode_sum

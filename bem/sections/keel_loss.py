@@ -11,8 +11,6 @@ the head, ½ (4/3π) ρ C |U|³ s.  The symmetric flow (heave) has no flux from 
 `mooring.breakwater.loss`, which applies to any section but only to the propagating wave.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -7,8 +7,6 @@ of a hinge on one section moves as on the other, or, for a rigid hinge, that bot
 three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

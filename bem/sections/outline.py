@@ -6,8 +6,6 @@ s, e the ends of an edge and b its bulge, the tangent of a quarter of the arc's 
 the left, as in DXF files; points are complex, y + iz.  Outlines run counterclockwise, the body on their left.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, pairwise

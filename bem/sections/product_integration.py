@@ -10,8 +10,6 @@ Legendre's polynomials against 1/(t₀ − t) and ln(t₀ − t), with t₀ the 
 Helsing and Ojala, J. Comput. Phys. 227 (2008), for the use of polynomials in a complex parameter.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

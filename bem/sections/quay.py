@@ -16,8 +16,6 @@ beam, so that only waves cross it.  The panel method with a wall (`bem.methods.p
 limit.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

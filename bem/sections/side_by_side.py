@@ -5,8 +5,6 @@ potential flow only radiated waves damp it, and the computed rise is several tim
 water, 0.02 to 0.07 by tests with sharp bilges, replaces the effect of eddies (`bem.panels.damping_lid`).
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import NamedTuple
 

@@ -21,8 +21,6 @@ Against a panel method in water of twice the draft, B/d = 5, L/B = 2, 4, 8, wave
 exciting force in heave is 28, 6, 4 %, in sway 5, 2, 1 %, in roll 5, 2, 1 %.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ The SR179 report (1982) gives twenty, 2.1.3.1-20: H/d in the outer, B/d in the i
 guideline interpolates them in B/d and H/d.  Here any shape is solved in milliseconds, without interpolation.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .coefficients import TOLERANCE, frequency_of, report_row, section

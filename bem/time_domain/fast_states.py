@@ -6,8 +6,6 @@ a damping and an inertia; the neglected part is (ω/|a|)² of their force.  Othe
 steps of 3/|a|, whatever the motion.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

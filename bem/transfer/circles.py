@@ -5,8 +5,6 @@ with 6 m, circles that overlap by 2.3 m, no number of orders leaves less than 3e
 the depth, the more modes get across a gap the narrower it is.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 SHARE_OF_DEPTH = 0.02  # least water between two circles; of a tolerance of 1e-2 some 50 modes get across

@@ -6,8 +6,6 @@ With q partial waves, and N bodies of s shapes that answer to q/4 combinations o
     frequency    s (4e-4 q + 5e-10 q³) + 1e-4 N² + 4e-10 (Nq/4)³ s,    64 s q² + 48 (Nq/4)² bytes
 """
 
-from __future__ import annotations
-
 from ..contour.cost import Cost
 
 

@@ -13,8 +13,6 @@ Hₘ or of Iₘ and Kₘ with coefficients a, b and α, β, and Wronskians are w
 The water inside has the same momentum after a period: body held or afloat, nothing else acts on it.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.special import ive
 

@@ -13,8 +13,6 @@ regular waves of another, at points nearer to that one than the first is: with R
     Hₘ e^{imθ} = Σ_q Hₘ₋q(kR) e^{i(m−q)α} J_q e^{iqθ′},    Kₘ e^{imθ} = Σ_q (−1)^q Kₘ₋q(κR) e^{i(m−q)α} I_q e^{iqθ′}
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

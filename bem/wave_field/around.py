@@ -7,8 +7,6 @@ moves, of its radiation times its motion (`sources`).  Local waves, which decay 
 the hull, are neglected.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

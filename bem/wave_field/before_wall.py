@@ -21,8 +21,6 @@ to 0.95 rad/s) forces differ by 0.4 % of the largest with 25 m between hull and 
 60 % with 3 m; in 100 m of water 4 % and 33 %.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -12,8 +12,6 @@ long body, detail finer than half a wave length is smoothed. Waves that decay ov
 out. Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import numpy as np

@@ -7,8 +7,6 @@ sources of v on the contour of u, G their least-squares fit by plane waves, H(β
 these, its motion on its lines included.  Waves that decay over the depth do not pass from unit to unit.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

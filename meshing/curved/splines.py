@@ -7,8 +7,6 @@ xᵢⱼ, i first.  Each patch is cut evenly in u and v, so that its panels are n
 normals u × v point into the body, normals of a PanelMesh into the water.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 PANELS = 2000  # approximate number of panels for all patches of a file

@@ -9,8 +9,6 @@ coincide leave zero, and chords of unequal length on a curved side leave their s
 without a common corner, such as rims of 12 and 16 sides, are one seam by the sum of their areas.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from typing import NamedTuple
 

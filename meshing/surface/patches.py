@@ -1,7 +1,5 @@
 """Panels on the water surface outside a hull: in a gap between bodies, in a moonpool."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..lid import AT_SURFACE, panelled, rings_of

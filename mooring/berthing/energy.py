@@ -9,8 +9,6 @@ Ueda (1981), Report of the Port and Harbour Research Institute 20(2): eq. 2.8, 2
 PIANC (2002), Guidelines for the design of fender systems, as publicly quoted.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Ueda (1981), tables 2.1, 2.2, 2.3 and 2.5 (`tables/field.csv`).  The tables cut 
 which causes most of the scatter of absorbed over effective energy; weights in tonf with g = 9.8 m/s² and 1.03 tonf/m³.
 """
 
-from __future__ import annotations
-
 from importlib.resources import files
 from typing import NamedTuple
 

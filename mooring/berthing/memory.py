@@ -13,8 +13,6 @@ power in the time integration.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtua
 gives the same energy (α² of Ueda 1981, eq. 3.2, for a linear fender).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import repeat
 from typing import NamedTuple

@@ -6,8 +6,6 @@
 period is exceeded once in so many contacts: 50 ships a year with two contacts each make 1000 contacts in 10 years.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

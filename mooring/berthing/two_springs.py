@@ -8,8 +8,6 @@
 Ueda (1981), eq. 2.7 to 2.21; misprints of 2.12, 2.13, 2.16 and 2.20 are corrected here.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

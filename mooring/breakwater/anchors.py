@@ -9,8 +9,6 @@ greatest leeward tension, printed 24.3, is 14.6 + 3.5 + 7.2 = 25.3 t/m.  A sinke
 for one line the vertical part of the tension is neglected, unless `sinker` is called with `lifted`.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 PILE_SAFETY = 3.0

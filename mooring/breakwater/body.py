@@ -6,8 +6,6 @@ A displaced area about z_B, B_w width at the waterline, z₀ centre of gravity; 
 `taut`, which has the source.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -6,8 +6,6 @@ u from a line's end on the body to its anchor, r that end from the centre of gra
 P₀ on a line that turns, the last one the end's way round the centre of gravity.  EA/S → ∞ is the constraint of `taut`.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -7,8 +7,6 @@ the equation is projected on m, the mode of `body.OnTautLines`; the residual is 
 + |K_R|² = 1 for any mooring.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A breakwater over frequencies for each holding: fixed, free, on taut lines or on elastic lines."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -9,8 +9,6 @@ the water under the body; of the waves outside only the propagating mode is incl
 Kihara, Kitatani & Todoroki (1975), eq. 3.1 to 3.13 and 4.7.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -14,8 +14,6 @@ than the head: `bem.sections.keel_loss` has the same loss for rectangles in the 
 The lost power is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -7,8 +7,6 @@ square root of EA: the four periods of Table 3.2 of Kihara, Kitatani & Todoroki 
 of 1e4 N per metre, less than chains have, as if the gauges yielded (`tests/bench/breakwater.py snap`).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -16,8 +16,6 @@ cos α)
 Kihara, Kitatani & Todoroki (1975), eq. 4.1 to 4.10; 4.9 prints a_T without its i.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import dataclass
 from typing import NamedTuple

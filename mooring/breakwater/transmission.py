@@ -5,8 +5,6 @@
 Kihara, Kitatani & Todoroki (1975), eq. 6.1 to 6.4; crests of a narrow spectrum (Longuet-Higgins 1952).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

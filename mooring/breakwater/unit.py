@@ -8,8 +8,6 @@ same per metre as `elastic` in sway, heave and roll.  Moments are about (0, 0, z
 have EA/S so that they are `STIFF` times as stiff as the water, which the constraint differs from by its inverse.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 STIFF = 1e6

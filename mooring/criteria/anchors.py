@@ -8,8 +8,6 @@ UFC 4-159-03 (2005), equation 26, of drag anchors by type and soil, `tables/drag
 chapter 6, of sinkers and piles.  A drag anchor has no capacity for a pull upwards in any chart: it is told.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from importlib.resources import files
 from typing import NamedTuple

@@ -5,8 +5,6 @@ or tolerance set by the user or by default; it names the thing, the number, the 
 remark.  The mark is part of the text, so that files, pages and other processes keep it.
 """
 
-from __future__ import annotations
-
 FAILS = "FAILS: "
 
 

@@ -1,7 +1,5 @@
 """Lines that part, or use more of their breaking load than is allowable: a line of text each, with names and shares."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..response.findings import LINES_NAMED, some

@@ -17,8 +17,6 @@ A table has a row for each criterion:
 The tables beside this module contain the rules quoted by SR179 (1982), chapter 4, and later ones as publicly quoted.
 """
 
-from __future__ import annotations
-
 import math
 from importlib.resources import files
 from pathlib import Path

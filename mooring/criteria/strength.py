@@ -5,8 +5,6 @@ Chain loses diameter by wear and corrosion; break and proof loads follow d² (44
 5-3810-305-10, table 4, with steel or fibre core; hand splices, 0.86 there at 13 mm, lose more in thicker rope.
 """
 
-from __future__ import annotations
-
 import re
 
 from ..lines.catalogue import CHAIN

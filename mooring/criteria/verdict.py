@@ -6,8 +6,6 @@
 A criterion is met where u ≤ 1.  One that no case has the quantity for is reported as not judged, never as met.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The design spectrum method for a body held by fenders alone, at a quay or with dolphins on one side."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

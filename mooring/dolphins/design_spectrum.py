@@ -9,8 +9,6 @@ the equivalent one of its curve and hysteresis about δ₀ with the amplitude �
 SR179 report (1982), sections 3.7.1.1 and 3.7.5.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -15,8 +15,6 @@ response spectrum S_a gives R = (M + a) S_a(T, ζ), with period and damping of t
 spectrum of one damping is taken to another by √(0.10/(0.05 + ζ)), at least 0.55 (EN 1998-1, 3.2.2.2).
 """
 
-from __future__ import annotations
-
 from itertools import islice
 from typing import NamedTuple
 

@@ -8,8 +8,6 @@ In a steady motion y = y₀ + A cos θ, θ = ωt, the law G has the mean and the
 period at εA²/k = 0.5, 7.7e-3 at 2, 2.2e-2 with ε alone.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

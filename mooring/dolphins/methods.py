@@ -1,7 +1,5 @@
 """A floating body between dolphins in an earthquake, by each available method, side by side."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

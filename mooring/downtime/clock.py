@@ -4,8 +4,6 @@ In autumn an hour of local time occurs twice: first in summer time, then in wint
 occur.  A record marked UTC with both is in local time.
 """
 
-from __future__ import annotations
-
 import datetime
 import re
 import zoneinfo

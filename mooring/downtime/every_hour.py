@@ -17,8 +17,6 @@ p_k and r_k those of |X|² and of the spreading; cos²ˢ(θ/2) has r_k = Π_{j�
 between periods 1 % apart by the six nearest.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import NamedTuple

@@ -5,8 +5,6 @@ in files of NDBC (`#YY MM DD hh mm WDIR â€¦`) and tables of SWAN (`% Time Hsig â
 units are m, s, degrees, m/s.
 """
 
-from __future__ import annotations
-
 import csv
 import re
 from pathlib import Path

@@ -4,8 +4,6 @@ A missing value is nan.  Where the sea is frozen a hindcast has no waves: hours 
 calm.  Hours missing from the record are excluded from all shares, and end a weather window.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import NamedTuple
 

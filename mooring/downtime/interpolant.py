@@ -11,8 +11,6 @@ where s is the error of the interpolant in μ.  The effect of that error on the 
 joint draws of f at the undecided hours.  The process is that of scikit-learn, its lengths by maximum likelihood.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import dataclass
 

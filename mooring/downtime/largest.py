@@ -7,8 +7,6 @@ One largest value is drawn from each year's law, as a measurement would give it:
 in the yearly maxima, and so in the interval of the return value (`site.extremes`).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..response.extremes import EULER

@@ -5,8 +5,6 @@ A plane of densities is linear between its rows, so that moments of all hours ar
     W_ij = ∬ ωⁿ h_i(ω) h_j(θ) |X|² dω dθ,    h_i, h_j the linear hat functions that are 1 at row i and 0 at the others.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -6,8 +6,6 @@ in features scaled to 0 … 1; a direction is a point on a circle of diameter 1.
 states lie first at the edges of the cloud of hours, then ever closer inside.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

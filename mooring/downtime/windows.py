@@ -4,8 +4,6 @@ A ship that arrives at any hour waits until the first hour at which a window of 
 unknown hours end a window, and waits across them are excluded.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -6,8 +6,6 @@ d_y down hours and n_y known hours of year y, t of Student's law with Y − 1 de
 with years as blocks, Tukey 1958).  Hours of one storm are not independent, years nearly are.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 CONFIDENCE = 0.9

@@ -7,8 +7,6 @@
 added: `power_law(…) + wind_drift(…)`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -6,8 +6,6 @@ The first four follow from the spectrum.  T1/3 belongs to a record; it is known 
 to the peak.
 """
 
-from __future__ import annotations
-
 from .allowed import positive
 
 KINDS = {

@@ -9,8 +9,6 @@ The first word names the kind of period, the row has the middles of the classes 
 the significant height (m).  Empty fields count as 0.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

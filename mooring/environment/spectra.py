@@ -19,8 +19,6 @@ A family accepts one period of any kind, by name; a kind other than the printed 
 own shape.  T̄ of the paper of 1975 is the mean of a record, not T01 of the spectrum, which is 0.81 T1/3.
 """
 
-from __future__ import annotations
-
 import warnings
 from pathlib import Path
 

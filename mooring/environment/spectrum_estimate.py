@@ -6,8 +6,6 @@
 with K segments of N values shifted by D.  νŜ/S is distributed as χ² with ν degrees of freedom.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -10,8 +10,6 @@ excludes its upper bound; in the middle of the bands α varies from 1/17 at 23 m
 about 1/12 to 1/14).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .allowed import positive, within

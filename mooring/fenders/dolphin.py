@@ -7,8 +7,6 @@ through, and no static characteristic exists: this is refused with the required 
 unloading: at equal force the dolphin returns all of its energy.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields
 
 import numpy as np

@@ -6,8 +6,6 @@ in `tables/families.csv` and their sources in both.  A maker's table is a CSV wi
     strain (of the height) or deflection_m,  reaction_kN,  and, if measured, unloading_kN.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from importlib.resources import files
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Clear water between hulls, represented by the boxes around them, seen from above."""
 
-from __future__ import annotations
-
 from itertools import combinations
 from typing import NamedTuple
 

@@ -9,8 +9,6 @@ or cone an estimate.  SR179 report (1982), chapter 3.4, requires the maker's cur
 force exceeds a tenth of the axial one, and prints none.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -9,8 +9,6 @@ where the ends are hemispheres, flattened over half an ellipse each of the half 
 compression of seconds (adiabatic), 1 for one of minutes.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .fender import FenderError, fender_of_points

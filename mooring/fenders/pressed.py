@@ -4,8 +4,6 @@ By Gauss's method with two stages: fourth order, stable for any decay in A, quad
 Its stages z_i = F z + G R, with the reactions of both, are found by iteration.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .fender import FenderError

@@ -1,7 +1,5 @@
 """Effect of an energy on fenders: the deflection of each, and its largest reaction on the way."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from .fender import FenderError

@@ -5,8 +5,6 @@
 (1 − γ of the SR179 report (1982), eq. 3.7.1.11; bands of its chapter 3.4, `tables/variation.csv`.)
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

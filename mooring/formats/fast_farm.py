@@ -3,8 +3,6 @@
 value   NumTurbines, then WT_X WT_Y WT_Z … in m;   value   SharedMoorFile (OpenFAST documentation, FAST.Farm)
 """
 
-from __future__ import annotations
-
 import re
 import shlex
 from pathlib import Path

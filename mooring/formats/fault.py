@@ -1,7 +1,5 @@
 """The error of all readers: file, line and section, and the fault there."""
 
-from __future__ import annotations
-
 
 class FormatError(ValueError):
     """A file cannot be read or written; the message gives the place and the reason."""

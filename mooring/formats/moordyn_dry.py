@@ -6,8 +6,6 @@ end above the water have it for their parts above the water (`mooring.lines.syst
 a table of stiffness keep their weight in water there, which a warning reports.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

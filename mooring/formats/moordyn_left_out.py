@@ -5,8 +5,6 @@ damping) have no effect at rest and are not named; bending stiffness is named fo
 documentation, "Inputs" and "Features".
 """
 
-from __future__ import annotations
-
 from math import isfinite
 
 from .moordyn_ropes import is_syrope

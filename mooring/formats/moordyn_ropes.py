@@ -13,8 +13,6 @@ documentation, "Inputs", Nonlinear Stiffness and Syrope Model for Polyester Line
 Moordyn Solver and Validation Report" (2026).
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import NamedTuple
 

@@ -3,8 +3,6 @@
 MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).  Values keep MoorDyn's units.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 # kinds of attachment of a point, rod or body, in lower case

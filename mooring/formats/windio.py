@@ -9,8 +9,6 @@ A type that has the word chain and a diameter alone is refused: files have the d
 bar of the same volume, twice as large.  windIO's schema of turbines, version 2.
 """
 
-from __future__ import annotations
-
 import math
 
 from .fault import FormatError

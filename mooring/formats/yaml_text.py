@@ -1,7 +1,5 @@
 """YAML as dictionaries, lists and scalars, with the errors of this package."""
 
-from __future__ import annotations
-
 from hakobune.bem.formats.yaml_text import YamlFault, parse
 
 from .fault import fault

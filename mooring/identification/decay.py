@@ -8,8 +8,6 @@
 and Ω are those whose solution fits the record best.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import NamedTuple
 

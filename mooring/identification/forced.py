@@ -14,8 +14,6 @@ the fit and s its residual: no unbiased estimate has less (Cramér and Rao).  No
 with it a share A ω δφ of the inertia into B₁.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Records of a test: evenly spaced times, and the sine that best fits a motion."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

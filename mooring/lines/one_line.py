@@ -3,8 +3,6 @@
 It lies on a bed, level or a plane; lighter than water, it floats in the sea surface instead.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

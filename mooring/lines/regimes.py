@@ -15,8 +15,6 @@ The print has 3λ for 3π in (3.2.1); (3.2.10) confirms π.  In (3.2.9) both tex
 effects at inertia of twice the static restoring force; a fifth would be expected: `onset` is that factor.
 """
 
-from __future__ import annotations
-
 from enum import IntEnum
 from typing import NamedTuple
 

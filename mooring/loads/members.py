@@ -5,8 +5,6 @@
 A is the area projected along the wind, U(z) the wind at the height of its centre.  Shielding is neglected.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

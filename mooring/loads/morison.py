@@ -7,8 +7,6 @@ a_b those of the member, V the displaced volume and A that of the added mass, pe
 section 5.3 (there for a member at rest); the drag uses one velocity for waves and current, since |w| w is not additive.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import NamedTuple
 

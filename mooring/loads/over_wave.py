@@ -1,7 +1,5 @@
 """Forces on straight members over one regular wave, each on its part below the instantaneous surface."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

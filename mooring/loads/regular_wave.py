@@ -7,8 +7,6 @@ water at the crest moves as at z = 0 in linear theory.  The current profile is s
 change the wave length.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

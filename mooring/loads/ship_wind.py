@@ -7,8 +7,6 @@
 is assumed amidships.  Coefficients and their source are in `tables/ship_wind.csv`; the wind is uniform over the height.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .coefficients import hull_coefficients

@@ -22,8 +22,6 @@ Beyond the end of the tests, |r'| = 0.5, force and moment are those at 0.5: a ki
 of r'⁴ would soon drive the box instead of damping it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Fenders and ropes of bodies at a berth or side by side, as values, and where bodies rest between them, or hinged."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -12,8 +12,6 @@ snap in few runs come from two populations, and slow motion has peaks in cluster
 shows the effect on fitted distributions).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -6,8 +6,6 @@ wave frequency, as in the SR179 report (1982), the damping at that frequency rep
 water has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .tables.interpolation import ring_table

@@ -12,8 +12,6 @@ with D of 1000 mean wave periods in the report, for Gaussian records: only for c
 `extremes` treats the largest values of runs.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Loads on a body in time, and settings of a run."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

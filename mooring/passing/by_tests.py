@@ -12,8 +12,6 @@ Passing Ships, eq. 10).  At a vertical quay the forces are 1.4, 0.4 and 0.5 time
 peaks of `slender.wang`; those of the printed curves may be given.  The course over ξ is Wang's, scaled.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -4,8 +4,6 @@ Axes are those of the moored ship: x to the bow, y to port, from its middle in t
 which the middle of the passing ship is ahead of that of the moored one, η the distance to port.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -11,8 +11,6 @@ Images in the bed, n from −∞ to ∞, are summed in shallow water as 1/h [−
 keel by S₁ is neglected.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -12,8 +12,6 @@ distribution, ε = 1 the normal one.  SR179 report (1982), eqs 3.5.1.3 to 3.5.1.
 n√(1−ε²) is the number of zero crossings, so X_max needs no fourth moment.  Amplitudes throughout, not heights.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 EULER = 0.5772156649015329

@@ -1,7 +1,5 @@
 """Findings on a response: energy beyond the stored waves, and errors between stored waves."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

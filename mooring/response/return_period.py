@@ -5,8 +5,6 @@
 SR179 report (1982), design guideline 3.2 and 3.3.  Laws of yearly maxima are in `mooring.site.extremes`.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

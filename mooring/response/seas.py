@@ -7,8 +7,6 @@ harmonics beyond 2kR.  The steps are those of the circle, not of the sea, so tha
 headings, and a force that symmetry makes zero at 0° or 90° changes its sign at a heading.
 """
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

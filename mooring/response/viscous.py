@@ -9,8 +9,6 @@ Every study uses the laws of a database's scene here: in a sea (`in_sea`), in re
 damping with the same dissipation per cycle), in time (`in_time`, where a drag remains quadratic).
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

@@ -5,8 +5,6 @@ H_s = 0.6 h               a sea saturated with breakers, from H_rms = 0.42 h (Th
 H_max = 1.86 H_s          expected highest of 1000 waves (Rayleigh)
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.waves import wavenumber

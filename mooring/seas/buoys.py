@@ -15,8 +15,6 @@
 If a file states a height, its spectrum is checked against it.
 """
 
-from __future__ import annotations
-
 import csv
 import re
 from datetime import UTC, datetime

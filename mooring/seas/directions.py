@@ -8,8 +8,6 @@ Krogstad 1986, J. Phys. Oceanogr. 16).  From a spread σ alone it is cos²ˢ{(α
 Angles α are directions that waves come from, clockwise from north.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 ROWS = 180  # directions

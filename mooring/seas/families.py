@@ -1,7 +1,5 @@
 """All families of spectra by name: those of `environment.spectra`, and those that need a depth or have two peaks."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

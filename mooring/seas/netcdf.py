@@ -15,8 +15,6 @@
 Directions are clockwise from north: towards if the standard name has "to_direction", else from.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..environment.tables import TableError

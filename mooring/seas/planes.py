@@ -1,7 +1,5 @@
 """A sea given as densities over frequency and direction, interpolated linearly."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

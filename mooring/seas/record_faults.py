@@ -6,8 +6,6 @@ variance of waves; more is tide, trend or drift of the instrument, which enters 
 wave is steeper than H/L = 1/7, L = gT²/2π (Michell, 1893): steeper heights and periods are in other units.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 LARGEST = 8.0  # robust deviations

@@ -6,8 +6,6 @@ which tends to ω²h/2g in long waves, where the tail is then ω⁻³, and to 1 
 JONSWAP form; the spectrum is scaled to a height, or by fetch to the height possible in this depth.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -8,8 +8,6 @@ the compass waves travel to β = ψ − (N + 180°).  Cartesian ones are directi
 model, which is assumed to be the body's after a turn by the given heading.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from hakobune.meshing.text_files import read_text

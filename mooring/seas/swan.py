@@ -6,8 +6,6 @@ AcDens, in the restart file, is VaDens over ω.
 used (SWAN user manual, appendix D).  Remarks follow single numbers.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.meshing.text_files import numbers_of

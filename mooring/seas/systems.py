@@ -5,8 +5,6 @@
 Systems are independent: energies add, and so do mean forces.  Slow forces include pairs of all waves.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

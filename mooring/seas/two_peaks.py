@@ -15,8 +15,6 @@ T_f = 6.6 H^(1/3) the peak period of a fully developed sea at a fetch of 370 km.
 γ at least 1; the height of the enhanced system is preserved by integration.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -9,8 +9,6 @@
 Directions are where waves travel to, clockwise from north: with the x axis towards ψ of the compass β = ψ − direction.
 """
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

@@ -4,8 +4,6 @@ Zeros of a ring are those of its cubics, so that a search finds all of them; the
 function, and an extremum that just touches 0 is examined closely.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 COUNT = 720  # half a degree; tables of coefficients have nodes every 5° or more

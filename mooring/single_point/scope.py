@@ -7,8 +7,6 @@ its vertex at the anchor.  The report's smallest scope is S₀ over the water de
 the peak T_static + (T_significant − T_static)/(2/3), not the 1.3 times significant of its text.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 SIGNIFICANT = 2 / 3  # fraction of the amplitude that is added to the steady value

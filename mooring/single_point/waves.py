@@ -1,7 +1,5 @@
 """Waves at a slewing body: forces of each component and mean drift over the headings; growth of waves at the start."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..motion.wave_loads import HEADINGS, drift_damping

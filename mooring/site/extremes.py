@@ -13,8 +13,6 @@ and κ̂, and the quantiles are those of its x_R (the generalised fiducial distr
 and scale, and to the order of few years in κ.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

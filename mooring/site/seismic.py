@@ -8,8 +8,6 @@ The user gives the factors; the report prints no tables.  Rules B and D have no 
 coefficient; by C and F of the weight without or with surcharge, the worse, at its centroid.
 """
 
-from __future__ import annotations
-
 import math
 
 from ..environment.allowed import positive, within

@@ -1,7 +1,5 @@
 """Water levels of a site, and the current of a long wave that rises by a:  a √(g/h)."""
 
-from __future__ import annotations
-
 import numpy as np
 
 LONG = 20  # depths in a wavelength, from which a wave is long

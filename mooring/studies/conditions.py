@@ -1,7 +1,5 @@
 """Input of a study of moored hulls: each hull as a box in its place, with its wind, current and waves."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple

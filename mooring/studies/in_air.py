@@ -1,7 +1,5 @@
 """Lines partly above the water at rest, whose weight is computed there as if submerged."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..lines.system.hawser import Hawser

@@ -11,8 +11,6 @@ mass of ω₀.  N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velo
 (statistical linearisation, Caughey 1963), of wave drift damping, and of radiation at ω₀.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Parts of a line out of the water whose weight counts as submerged, at rest or during a run."""
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

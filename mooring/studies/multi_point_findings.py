@@ -1,7 +1,5 @@
 """Findings on a multi-point study: one line each, with the number and its limit."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.database.resonances import resonances as known_resonances

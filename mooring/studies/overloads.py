@@ -1,7 +1,5 @@
 """Lines of a system beyond their breaking load: one message for each state, with the number and its limit."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..criteria.failing import fails

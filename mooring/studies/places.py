@@ -1,7 +1,5 @@
 """Whether line ends lie on their hull and anchor, and whether each line reaches from one to the other."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..lines.system.findings import LONGEST_STRAIN

@@ -6,8 +6,6 @@ Slow drift by Newman's approximation with its cross spectra; gusts of a wind of 
 phase over the hull; first-order waves of low frequency, E their exciting force.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Steady forces of wind, current and wave drift on a hull, at its heading at rest."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -7,8 +7,6 @@ height as its height and the mean period as its period.  It has twice their ener
 drift may be several times that of the sea, its motions between a quarter and twice the largest.
 """
 
-from __future__ import annotations
-
 from contextlib import suppress
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Wave elevation around a body of a database in regular waves of 1 m amplitude, on a map and at places."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """`hakobune berth`: the result as tables, the course in time as a file and a picture."""
 
-from __future__ import annotations
-
 from ..common.picture import PLOTS, check_picture
 from ..results.records import check_records, write_records
 from ..results.tables import printed

@@ -1,7 +1,5 @@
 """The fifty berthings of Ueda (1981), compared with the kinetic-energy method."""
 
-from __future__ import annotations
-
 from hakobune.mooring.berthing.field import compared, contacts
 
 from ..results.quantity import quantities

@@ -1,7 +1,5 @@
 """Picture of a berthing in time: forces and deflections of the fenders, energies."""
 
-from __future__ import annotations
-
 from ..common.picture import save
 from ..common.units import KN
 

@@ -9,8 +9,6 @@ block = 0.795             abnormal = 1.5             dolphin = 34000.0     # kN/
                                                      gap = 0.0             # m behind the foremost
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

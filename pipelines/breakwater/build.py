@@ -1,7 +1,5 @@
 """From a study of a breakwater to `mooring.studies.breakwater`, in SI."""
 
-from __future__ import annotations
-
 import math
 
 from hakobune.mooring.studies.breakwater.anchors import Anchors, Holding, Pile, Sinker

@@ -1,7 +1,5 @@
 """Failures of a breakwater, and the wanted design."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails

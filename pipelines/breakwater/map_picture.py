@@ -1,7 +1,5 @@
 """Picture of the waves around the units of a breakwater."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import save

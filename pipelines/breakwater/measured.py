@@ -3,8 +3,6 @@
 `front_kN_per_m2` and `back_kN_per_m2`, if known, are amplitudes of tension per metre and m of amplitude.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

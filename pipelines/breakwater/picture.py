@@ -1,7 +1,5 @@
 """Picture of a breakwater: transmission and tensions over period with measurements, the section, the sea behind."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.studies.breakwater.breakwater import KN

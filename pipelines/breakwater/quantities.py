@@ -1,7 +1,5 @@
 """Quantities of a breakwater: (quantities, labels of their axes) of each of its parts."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.breakwater.holdings import mean_drift

@@ -1,7 +1,5 @@
 """A study of a breakwater, read and checked; every fault is one line with the key, the value and the allowed values."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

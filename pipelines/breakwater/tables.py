@@ -1,7 +1,5 @@
 """A floating breakwater as typed TOML, per metre of its length; `pipelines/scenes/breakwater_rectangle.toml` is one."""
 
-from __future__ import annotations
-
 import msgspec
 
 from hakobune.mooring.studies.breakwater.breakwater import THEORIES

@@ -1,7 +1,5 @@
 """Anchors at implausible heights: high above the water, or between water and bed."""
 
-from __future__ import annotations
-
 import warnings
 
 HIGHEST = 30.0  # m above the water, of a bollard on a quay or of a tower

@@ -3,8 +3,6 @@
 Estimates are within a factor of about three; refused work would exceed any available machine.
 """
 
-from __future__ import annotations
-
 import math
 import sys
 import time

@@ -1,7 +1,5 @@
 """A fender as a table of a study file or as flags, the same words in both."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

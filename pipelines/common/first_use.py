@@ -1,7 +1,5 @@
 """Kernels compiled by numba are announced at a terminal and timed; kernels loaded from disk are not."""
 
-from __future__ import annotations
-
 import sys
 from contextlib import ExitStack
 

@@ -1,7 +1,5 @@
 """Missing parts of a database: unsolved frequencies and unknown numbers, in one line each."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

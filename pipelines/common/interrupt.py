@@ -1,7 +1,5 @@
 """Ctrl-C between frequencies, and the message of an interrupted command."""
 
-from __future__ import annotations
-
 import signal
 import time
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Places where a result may be written: in an existing folder, over a result of the same kind or over nothing."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

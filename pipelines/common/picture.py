@@ -1,7 +1,5 @@
 """Whether a picture can be written: format, folder, a display for a window."""
 
-from __future__ import annotations
-
 import base64
 import io
 import os

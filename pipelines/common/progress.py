@@ -1,7 +1,5 @@
 """Lines that report the progress of a run."""
 
-from __future__ import annotations
-
 import math
 import time
 from itertools import takewhile

@@ -5,8 +5,6 @@ A quantity outside SI has its unit in the key: `speed_knots`, `pretension_tonf`.
 incidence + 180°.
 """
 
-from __future__ import annotations
-
 import math
 
 import msgspec

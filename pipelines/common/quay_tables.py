@@ -14,8 +14,6 @@ several bodies `body` is the one that touches it, or has the fairlead; `to` is t
 whose place is in its coordinates; without `to` the fender or bollard is fixed, in coordinates of the scene.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

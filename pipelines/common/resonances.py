@@ -1,7 +1,5 @@
 """Resonances of a body in words: period, mode, peak, damping ratio, and the causes of its uncertainty."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..printing.number import significant

@@ -5,8 +5,6 @@ in doubling steps, then between the last that failed and the first that passed. 
 was therefore run, and failed.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import msgspec

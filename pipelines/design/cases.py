@@ -1,7 +1,5 @@
 """Load cases of a project, each a study of its own that the command of its kind can also run (`kinds`)."""
 
-from __future__ import annotations
-
 import re
 from copy import deepcopy
 from itertools import product

@@ -4,8 +4,6 @@ The list follows the report's comparison of rules: a hull in three dimensions, l
 characteristics, directional spectra, gusts, a steady current, slow drift in finite depth, earthquakes.
 """
 
-from __future__ import annotations
-
 import tomllib
 from typing import NamedTuple
 

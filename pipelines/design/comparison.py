@@ -5,8 +5,6 @@ row if the study has such a part.  Limits on motions apply to a ship with its ca
 chosen them.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from hakobune.bem import DOFS

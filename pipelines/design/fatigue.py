@@ -10,8 +10,6 @@ No 90 % interval is computed if fewer cycles than `mooring.motion.extremes.FEWES
 few slow oscillations, or for a regular wave, whose cycles are not those of a sea.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.criteria.fatigue import YEAR, Curve, curves, miner

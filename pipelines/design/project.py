@@ -39,8 +39,6 @@ source = "the owner"
 Paths are relative to the folder of the project.  Every fault is one line that names key, value and allowed values.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from pathlib import Path

@@ -3,8 +3,6 @@
 Its content is independent of time and place: the same inputs give the same report.
 """
 
-from __future__ import annotations
-
 import os
 from importlib.resources import files
 

@@ -3,8 +3,6 @@
 They are stored in `pictures/` next to the report.
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

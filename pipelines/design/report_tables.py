@@ -1,7 +1,5 @@
 """Tables of a report as CSV: load cases, criteria, results of fenders, anchors and waves, with their origin."""
 
-from __future__ import annotations
-
 import csv
 import io
 

@@ -1,7 +1,5 @@
 """Words and rows of a report: verdict, states, lines, criteria, cases."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

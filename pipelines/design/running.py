@@ -5,8 +5,6 @@ cases/NAME.toml, .h5   the study of a case, and its result as the command of its
 cases/NAME_runs.h5     its runs in time as `hakobune simulate` writes them, where the project has [simulation]
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

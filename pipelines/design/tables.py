@@ -1,7 +1,5 @@
 """Tables of a design project as typed TOML; `project` reads and checks them."""
 
-from __future__ import annotations
-
 import msgspec
 
 from ..common.quantities import Table

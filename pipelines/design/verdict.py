@@ -1,7 +1,5 @@
 """The judgement of a whole project: cases, criteria, governing cases, whether it can be signed."""
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Hours of downtime by year, month, direction and cause, windows of weather and waiting, as quantities of a result."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Wave height behind a floating breakwater in every hour:  S_t = K_T² S_i  of waves from all directions alike."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.downtime.every_hour import RING, Response

@@ -6,8 +6,6 @@ hour, minus the largest drop of the bottom; the least simulated               mo
 body, with [simulation], in place of all these the hindcast            significant height, and each of its columns
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

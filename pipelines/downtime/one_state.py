@@ -1,7 +1,5 @@
 """One state of the weather, simulated with its seeds, by an executor."""
 
-from __future__ import annotations
-
 from copy import deepcopy
 from dataclasses import replace
 

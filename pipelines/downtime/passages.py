@@ -4,8 +4,6 @@ Under a rigid surface forces are proportional to the square of the speed, so tha
 with log-linear interpolation between them.
 """
 
-from __future__ import annotations
-
 import msgspec
 import numpy as np
 

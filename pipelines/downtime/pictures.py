@@ -1,7 +1,5 @@
 """Pictures of downtime: months, years, the rose of directions, windows, waiting, and limiting seas."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import save

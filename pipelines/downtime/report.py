@@ -1,7 +1,5 @@
 """The page of a downtime study: results in words, tables and pictures; without external files."""
 
-from __future__ import annotations
-
 import html
 from functools import partial
 from importlib.resources import files

@@ -1,7 +1,5 @@
 """Limits on a moored body: simulated states, added until the hours are known, and probabilities of hours."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import tomllib

@@ -4,8 +4,6 @@ The first line describes the states; each further one is JSON with its CRC-32.  
 damaged line is an error.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import zlib

@@ -1,7 +1,5 @@
 """A downtime study from its file: checked tables, the hindcast in axes of the body, shapes of its spectra."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections import Counter

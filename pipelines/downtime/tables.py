@@ -20,8 +20,6 @@ window_hours = 12
 limits = [{ quantity = "roll", at_most = 1.0 }, { quantity = "wind speed", at_most = 15.0 }]
 """
 
-from __future__ import annotations
-
 import msgspec
 
 from ..common.quantities import Table

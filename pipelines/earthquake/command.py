@@ -1,7 +1,5 @@
 """`hakobune earthquake`: the result as tables, the course in time as a file, a picture."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import PLOTS, check_picture, save

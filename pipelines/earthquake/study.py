@@ -12,8 +12,6 @@ rule = "A"
 factors = { coefficient = 0.2 }
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

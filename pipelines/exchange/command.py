@@ -1,7 +1,5 @@
 """Export of databases to files of other programs, and import; messages report omitted data."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """The executor named by a text, an executor that works in the calling process, and results in order."""
 
-from __future__ import annotations
-
 import time
 from concurrent.futures import Future
 

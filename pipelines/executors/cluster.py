@@ -4,8 +4,6 @@ The loss of a worker costs only time: another one repeats its work (dask, up to 
 the same hakobune and, for studies, the same folders.
 """
 
-from __future__ import annotations
-
 import logging
 
 LOST = 3  # workers lost by one piece of work before it counts as failed

@@ -1,7 +1,5 @@
 """An executor of processes of this computer, loaded only if it is used."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import signal

@@ -1,7 +1,5 @@
 """`hakobune fender`: the result as tables, and a picture."""
 
-from __future__ import annotations
-
 from ..common.picture import PLOTS, check_picture
 from ..results.tables import printed
 from .result import fender as found

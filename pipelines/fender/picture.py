@@ -1,7 +1,5 @@
 """Picture of a fender: reaction and energy over its deflection, between softest and stiffest."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import save

@@ -1,7 +1,5 @@
 """A film as a file, frame by frame, and its common parts."""
 
-from __future__ import annotations
-
 import io
 
 from hakobune.meshing.whole_files import write_whole

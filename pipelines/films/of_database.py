@@ -1,7 +1,5 @@
 """One period of regular waves as a film: the moving body, and its scattered and radiated waves."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

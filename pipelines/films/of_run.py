@@ -4,8 +4,6 @@ Bodies follow their stored motion, lines hang in their static shape at every fra
 undisturbed waves of the seed.
 """
 
-from __future__ import annotations
-
 import tomllib
 from functools import partial
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """Several bodies of a simulation as `of_run` shows them: hulls as boxes, lines and ropes between them, fixed bodies."""
 
-from __future__ import annotations
-
 import tomllib
 from functools import partial
 from typing import NamedTuple

@@ -4,8 +4,6 @@ Lines have their static shape under the buoy, which is drawn at the height in th
 file contains neither that height over time nor the waves.
 """
 
-from __future__ import annotations
-
 import tomllib
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Scene of a film of a moored body: hull, lines, fenders, a buoy, the bed and the surface, frame by frame."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """A file to begin with: the shipped example of a kind, with each key explained at its first use."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import tomllib

@@ -1,7 +1,5 @@
 """Kinds of files, the commands that read them, and an example of each."""
 
-from __future__ import annotations
-
 import importlib
 import tomllib
 from functools import cache

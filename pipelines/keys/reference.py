@@ -5,8 +5,6 @@ The docstring of a table begins with a description; then each line `key, key : u
 that contains a table has the meaning of that table.
 """
 
-from __future__ import annotations
-
 import inspect
 import re
 import types

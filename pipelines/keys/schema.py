@@ -6,8 +6,6 @@ An editor with a TOML language server (taplo, Even Better TOML) reads the schema
     #:schema schemas/study.schema.json
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

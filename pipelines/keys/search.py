@@ -1,7 +1,5 @@
 """Search of the keys of all files by words: first in their names, then in their meanings."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from .kinds import KINDS

@@ -1,7 +1,5 @@
 """The reference of keys as text in the terminal's width, as JSON and as Markdown."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import textwrap

@@ -1,7 +1,5 @@
 """Keys with the same meaning in all files, their names in other programs, and the units in names of keys."""
 
-from __future__ import annotations
-
 COMMON = {
     "angle_deg": "degrees, angle",
     "count": "number of values, both ends included",

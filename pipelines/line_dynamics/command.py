@@ -1,7 +1,5 @@
 """`hakobune line-dynamics`: one line with a moving fairlead → tensions, slack, work, regime, and its statics."""
 
-from __future__ import annotations
-
 import sys
 import time
 

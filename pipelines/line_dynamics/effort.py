@@ -1,7 +1,5 @@
 """Cost of a run of a dynamic line, and whether its line reaches all positions of its fairlead."""
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Findings on a run of a dynamic line."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails

@@ -6,8 +6,6 @@ meaning in MoorDyn, a fraction of critical damping.  Parts out of the water have
 as in MoorDyn.
 """
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 from pathlib import Path

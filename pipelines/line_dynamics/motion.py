@@ -1,7 +1,5 @@
 """Motion, cycle and duration of the fairlead of a dynamic line: from a study or a table of positions."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A run of a dynamic line as a picture: the history of its tensions, and a strip of its shapes in the last cycle."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import save

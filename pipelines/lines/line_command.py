@@ -1,7 +1,5 @@
 """`hakobune line`: one uniform line, its forces on the terminal, its profile and tension–offset curve as a picture."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.lines.one_line import tension_curve

@@ -1,7 +1,5 @@
 """`hakobune lines`: a system of lines from a file → its result, a picture, a MoorDyn file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from hakobune.bem.database.file import check_place

@@ -1,7 +1,5 @@
 """Quantities of a system of lines at rest, at offsets, with a line lost, and of a line from slack to taut."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..results.quantity import Quantity, quantities

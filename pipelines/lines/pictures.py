@@ -1,7 +1,5 @@
 """Plan and profile of a system of lines at rest, offset curves, and frames of a dynamic line."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.lines.system.shapes import beds_of_lines, line_shapes, loads_on_lines

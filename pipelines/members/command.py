@@ -1,7 +1,5 @@
 """`hakobune members`: the result as tables, and a picture of the forces over the wave."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import PLOTS, check_picture, save

@@ -10,8 +10,6 @@ direction_deg = 0  [wind]                  end = [0.0, 0.0, 3.0]
                    direction_deg = 0       growth = 0.05
 """
 
-from __future__ import annotations
-
 import msgspec
 import numpy as np
 

@@ -9,8 +9,6 @@ mass = 9000.0              lines = ["fore 1"]          safety = 2.0
 Without mass or weight_kN an anchor is sized: the result has the size required by its pull.
 """
 
-from __future__ import annotations
-
 import msgspec
 import numpy as np
 

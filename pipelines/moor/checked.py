@@ -1,7 +1,5 @@
 """A mooring study checked whole before any work: every name in it, and what its weather needs on its hull."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`hakobune moor`: a study on a database → results file, tables on the terminal, plan of the lines."""
 
-from __future__ import annotations
-
 from hakobune.bem.database import open_database
 
 from ..results.output import check_result, write_result

@@ -1,7 +1,5 @@
 """Findings and notes on a mooring study, in addition to its tables."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.database.resonances import resonances

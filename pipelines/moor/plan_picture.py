@@ -1,7 +1,5 @@
 """Plan of a moored body: hull and lines at rest and under steady forces, lines coloured by utilisation."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.bodies.one_of_several import body_named

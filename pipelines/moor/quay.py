@@ -1,7 +1,5 @@
 """The body of a study before its quay: by the far field of open water, or from a database solved with the wall."""
 
-from __future__ import annotations
-
 from ..common.quantities import StudyError
 
 METHODS = ("far-field", "panels")

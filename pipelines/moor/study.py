@@ -7,8 +7,6 @@ A key contains its unit if it is not SI: `speed_knots`, `pretension_tonf`.  Wind
 direction = incidence + 180°.  Every fault is one line with the key, the value and the allowed values.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

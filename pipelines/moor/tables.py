@@ -1,7 +1,5 @@
 """Tables of a mooring study in TOML, with their keys, units and defaults (`study.Study` joins them)."""
 
-from __future__ import annotations
-
 import msgspec
 
 from ..common.line_tables import LineTable

@@ -1,7 +1,5 @@
 """`hakobune passing`: the result as tables, a picture of the forces, and a table for `hakobune simulate`."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.outputs import check_ending

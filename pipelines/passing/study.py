@@ -10,8 +10,6 @@ depth = 20.0           shape = "ship"         shape = "ship"         distance = 
                        block = 0.8            block = 0.75
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

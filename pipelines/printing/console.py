@@ -5,8 +5,6 @@ of lines, its names first, or one line {"title", "rows": [{name: text or number}
 Cells made by `number` have all their digits; a number that is not finite is empty in CSV and null in JSON.
 """
 
-from __future__ import annotations
-
 import contextlib
 import csv
 import io

@@ -1,7 +1,5 @@
 """A number in a table: printed with significant digits, with full precision for --csv, --json and a sweep."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

@@ -1,7 +1,5 @@
 """Words for letters that a terminal cannot write, such as ω (cp1252, cp932), so that no message is lost."""
 
-from __future__ import annotations
-
 import codecs
 import unicodedata
 

@@ -4,8 +4,6 @@ The time of a phase excludes that of phases within it, so that all add up to the
 separate phase wherever it happens (`pipelines.common.first_use`).
 """
 
-from __future__ import annotations
-
 import time
 from contextlib import contextmanager, nullcontext
 

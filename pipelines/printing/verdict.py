@@ -9,8 +9,6 @@
 docs/commands.md lists the failures of each command.
 """
 
-from __future__ import annotations
-
 from hakobune.mooring.criteria.failing import FAILS, failing
 
 

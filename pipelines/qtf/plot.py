@@ -1,7 +1,5 @@
 """Picture of forces of pairs: level lines over both frequencies, Newman's rule over them, sizes by level or part."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.second_order.kinds import SUM

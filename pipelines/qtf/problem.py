@@ -1,7 +1,5 @@
 """The body for wave pairs, at two resolutions for the error estimate: on its panels or by the contour method."""
 
-from __future__ import annotations
-
 import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass, replace

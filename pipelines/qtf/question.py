@@ -1,7 +1,5 @@
 """A request for forces of wave pairs: which waves, largest difference, body and parts."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Report on forces of wave pairs: size of each part, deviation of Newman's approximation, errors."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.second_order.kinds import SUM

@@ -1,7 +1,5 @@
 """Wave pairs solved and stored for some force frequencies at a time: the next run continues from them."""
 
-from __future__ import annotations
-
 import sys
 import time
 import warnings

@@ -1,7 +1,5 @@
 """Cost of a study of responses: memory and seconds, from its points, directions and sea states."""
 
-from __future__ import annotations
-
 from ..common.bounds import check_memory, check_seconds, told
 
 RESPONSES = 18, 13  # responses of a body, and of a point

@@ -1,7 +1,5 @@
 """Findings on a response: failures, and limits of its tables."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.modes import words_of

@@ -1,7 +1,5 @@
 """Points of a response study: named points, pairs of them on two bodies, and points of the bottom."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 

@@ -1,7 +1,5 @@
 """Pictures of a response: spectra in a sea state, or long-term exceedance in a climate."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.response.long_term import YEAR

@@ -1,7 +1,5 @@
 """A response study on a database: a SeaState, a Climate, or a body on its lines."""
 
-from __future__ import annotations
-
 import warnings
 
 FRACTILE = 0.9  # probability that the value is not exceeded

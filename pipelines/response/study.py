@@ -41,8 +41,6 @@
 Directions have either `direction_deg`, travelled to, or `incidence_deg`, the angle χ of the reports, 0 from ahead.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import msgspec

@@ -3,8 +3,6 @@
 Long records are in the file and in xarray alone.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """Reading the HDF5 file of a result (`writing`)."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A result in notebooks: xarray, pandas, and a page of tables."""
 
-from __future__ import annotations
-
 import html
 
 from .tables import rich_table, tables

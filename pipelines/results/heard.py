@@ -1,7 +1,5 @@
 """Warnings during the reading or the run of a study, collected as findings of its result."""
 
-from __future__ import annotations
-
 import warnings
 from contextlib import contextmanager
 

@@ -1,7 +1,5 @@
 """The output file of a result."""
 
-from __future__ import annotations
-
 from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import DATABASE, check_output, opening

@@ -1,7 +1,5 @@
 """Origin of a result: its input, the seal of its database, the version of the program."""
 
-from __future__ import annotations
-
 import hashlib
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The records of a result, as time series, in a file: CSV of those on one axis, or HDF5 of the whole result."""
 
-from __future__ import annotations
-
 import csv
 import io
 

@@ -1,7 +1,5 @@
 """The study functions of the program: the module of each, imported on its first call."""
 
-from __future__ import annotations
-
 from importlib import import_module
 
 MODULES = {

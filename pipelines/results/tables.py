@@ -5,8 +5,6 @@ columns.  Quantities without axes are rows of a table of names, values and units
 digits, in print units; --csv and --json give all digits, in SI.
 """
 
-from __future__ import annotations
-
 import itertools
 import textwrap
 from typing import NamedTuple

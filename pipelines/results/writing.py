@@ -4,8 +4,6 @@ Datasets have the names of quantities and of axes, with dimension scales, units 
 are its kind, findings, notes and provenance.
 """
 
-from __future__ import annotations
-
 import json
 
 from hakobune.bem.database.file import beside

@@ -1,7 +1,5 @@
 """Flags of the commands: the same keys as in a scene file, which they replace."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated

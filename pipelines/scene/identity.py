@@ -4,8 +4,6 @@ The parsed scenes are compared, not their texts: a key added after a file was ma
 counts by its content, in any place: by a stored hash, or in older files by its panels.
 """
 
-from __future__ import annotations
-
 import hashlib
 import re
 import tomllib

@@ -1,7 +1,5 @@
 """Checks of a scene's tables [[modes]], and the file of a shape."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Places of the bodies of a scene: coordinates of the scene and of each body."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A scene as TOML text."""
 
-from __future__ import annotations
-
 import msgspec
 
 

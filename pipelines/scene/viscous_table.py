@@ -1,7 +1,5 @@
 """Meaning of a scene's table [viscous] for its body, after a check of the needed data."""
 
-from __future__ import annotations
-
 import math
 
 import msgspec

@@ -1,7 +1,5 @@
 """Flags of `hakobune sea`: the spectrum, the record generated from it, and the reading of a given record."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated

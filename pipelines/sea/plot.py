@@ -1,7 +1,5 @@
 """Picture of a sea: its spectrum, with the estimate from a record, and the record."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import save

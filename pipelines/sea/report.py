@@ -1,7 +1,5 @@
 """The spectrum of a sea as CSV, and the recognition of files written here."""
 
-from __future__ import annotations
-
 from hakobune.meshing.seals import write_sealed
 
 from ..common.outputs import opening

@@ -1,7 +1,5 @@
 """The result of `pipelines.sections.study`: waves, motions and hinge forces, over the frequency."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

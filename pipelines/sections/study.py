@@ -7,8 +7,6 @@ omegas = [0.5]       [water]            [[sections]]        [[hinges]]
                                         y = -16.5
 """
 
-from __future__ import annotations
-
 import math
 
 import msgspec

@@ -1,7 +1,5 @@
 """Results for a ship at a berth: natural periods next to those of the harbour, fenders, windows of a record."""
 
-from __future__ import annotations
-
 import json
 from functools import partial
 

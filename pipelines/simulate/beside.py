@@ -3,8 +3,6 @@
 All of them are computed before the first run and stored with it.
 """
 
-from __future__ import annotations
-
 import json
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Whether the file of a simulation is unchanged, row by row."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.database.integrity import DatabaseError, VersionError

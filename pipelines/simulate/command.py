@@ -1,7 +1,5 @@
 """`hakobune simulate`: runs into the file, tables on the terminal, pictures beside the file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from ..common.quantities import StudyError

@@ -5,8 +5,6 @@ same command runs the seeds without a mark.  A checksum of the file covers all o
 more seeds a wider file takes over the rows of the old one.  Statistics of all seeds are stored, records of the first.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Findings on the runs of a simulation: their length, slow motion, and which method applies."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.response.findings import large_rotations

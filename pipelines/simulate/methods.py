@@ -10,8 +10,6 @@ The paper computes 3 and 4 from strips by multipole expansion; here they come fr
 differ only in the memory.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import replace
 

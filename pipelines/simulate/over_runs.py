@@ -1,7 +1,5 @@
 """Statistics over all runs of a simulation: the largest value, its utilisation, the number of runs, the uncertainty."""
 
-from __future__ import annotations
-
 import json
 import tomllib
 

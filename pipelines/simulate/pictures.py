@@ -1,7 +1,5 @@
 """Pictures of a simulation: records, spectra, watch circle, tension against offset, exceedance."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

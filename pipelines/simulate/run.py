@@ -1,7 +1,5 @@
 """A simulation into its file: missing seeds are run one by one, and each is stored when it is finished."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

@@ -1,7 +1,5 @@
 """Beams that bend, in time: their shapes among the motions, and what they deflect and carry at stations."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.flexible.beams import Beam

@@ -11,8 +11,6 @@ seeds = 20                       period = 10.0       # mean           direction_
 file = "tug.csv"                 # beside the study: t, Fx, Fy, Fz, Mx, My, Mz
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from pathlib import Path

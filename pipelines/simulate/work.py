@@ -1,7 +1,5 @@
 """One seed of a simulation, run by an executor: the run, its statistics, its row of the file."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from functools import partial

@@ -1,7 +1,5 @@
 """Checks of a whole single-point study before the computation, with the properties of its body known by then."""
 
-from __future__ import annotations
-
 import msgspec
 
 from ..common.weather.seas import sea_with_swell

@@ -1,7 +1,5 @@
 """`hakobune single-point`: statics and criterion on the terminal, maps, a run in time, results and pictures."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from ..common.picture import PLOTS, check_picture

@@ -1,7 +1,5 @@
 """Findings on a single-point study, and its failures."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.criteria.overuse import overused

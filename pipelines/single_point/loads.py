@@ -1,7 +1,5 @@
 """Loads of a single-point study: wind, current and drift in the form of `mooring.single_point.loads`."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Plan of a body at a single point: its position, the lines of its buoy, wind, current and waves."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.single_point.equilibria import bow, preferred

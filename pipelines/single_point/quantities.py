@@ -1,7 +1,5 @@
 """Quantities of a single-point study: (quantities, labels of their axes) of each of its parts."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.lines.system.parts import UniformLine

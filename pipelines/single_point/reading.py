@@ -1,7 +1,5 @@
 """Reading of a single-point study, with its maps checked."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from ..common.weather.streams import with_files

@@ -18,8 +18,6 @@ Angles are those of `moor`: direction_deg travelled to from +x, or incidence_deg
 Water and weather may come from the values of a site, [site] with file, state and level (`pipelines.site.link`).
 """
 
-from __future__ import annotations
-
 import msgspec
 
 from ..common.line_tables import LineTable, TypeTable

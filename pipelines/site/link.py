@@ -10,8 +10,6 @@ A value has one source: a value in both study and site is a fault.  The resultin
 site, so that a stored result shows them, and a change of site changes the study.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import msgspec

@@ -1,7 +1,5 @@
 """The page of a site and the file of its values; the same site gives the same bytes."""
 
-from __future__ import annotations
-
 from importlib.resources import files
 
 import numpy as np

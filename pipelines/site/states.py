@@ -1,7 +1,5 @@
 """States of weather and levels of a site, as studies take them: waves have the mean period of the law's median."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import NamedTuple
 

@@ -7,8 +7,6 @@
 SR179 report (1982), chapter 4, sections 3.2 to 3.10.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import NamedTuple
 

@@ -9,8 +9,6 @@ it.  Resonances (`bem.database.resonances`) are therefore solved too; for drift 
 error ε of the radiated waves beyond the tolerance, if no frequency lies within their width.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`hakobune check`: whether the physics of a database and its mesh are correct."""
 
-from __future__ import annotations
-
 import tomllib
 from functools import partial
 

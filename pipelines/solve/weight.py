@@ -7,8 +7,6 @@ The body is solved in the position of its mesh.  Turned by 2° a hull of the len
 larger by L/57, for a barge a sixth of its draft: the mesh is then not that of the floating body.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..scene.scene import SceneError

@@ -4,8 +4,6 @@ Everything here can be sent to another process.  A process keeps the geometry of
 and cheap for every later frequency.
 """
 
-from __future__ import annotations
-
 import hashlib
 from dataclasses import fields, is_dataclass
 

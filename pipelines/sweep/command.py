@@ -1,7 +1,5 @@
 """`hakobune sweep`: its file, its executor, its table and picture, and its last lines."""
 
-from __future__ import annotations
-
 import sys
 from dataclasses import replace
 

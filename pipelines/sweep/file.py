@@ -5,8 +5,6 @@ the quantities of each case's result, or the arrays of its database, with all th
 status is written last.
 """
 
-from __future__ import annotations
-
 import json
 
 import h5py

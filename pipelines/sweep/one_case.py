@@ -1,7 +1,5 @@
 """One case of a sweep: a call of its study function, and the requested quantities of its result."""
 
-from __future__ import annotations
-
 import inspect
 import tempfile
 from importlib import import_module

@@ -1,7 +1,5 @@
 """A picture of a sweep: quantities over the first key, a line for each value of the others."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..common.picture import save

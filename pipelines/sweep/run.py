@@ -1,7 +1,5 @@
 """The cases of a sweep, run by any executor, stored as they finish."""
 
-from __future__ import annotations
-
 import contextlib
 import time
 import tomllib

@@ -1,7 +1,5 @@
 """One case of a sweep of scenes: solved in a separate file, whose arrays are copied to the file of all cases."""
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 

@@ -12,8 +12,6 @@ sampling = "grid"                 values = [0.1, 0.15, 0.2]
 A grid has every combination; a Latin hypercube `samples` of them, evenly in each range (scipy.stats.qmc).
 """
 
-from __future__ import annotations
-
 import copy
 import itertools
 import re

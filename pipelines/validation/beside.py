@@ -3,8 +3,6 @@
 Numbers remain in the units of the publication, which are at the end of a column's name (height_m, static_tonf).
 """
 
-from __future__ import annotations
-
 import csv
 import sys
 

@@ -1,7 +1,5 @@
 """A picture of curves in panels, as the reports print them."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -5,8 +5,6 @@ right side of the picture, of slope t, if x − c ≤ t (D − z).  Both sides o
 + tz) + max(−x + sz) = (t + s) D, and the place c across; likewise the upper and the lower side.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

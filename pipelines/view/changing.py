@@ -1,7 +1,5 @@
 """`hakobune mesh`: a mesh file scaled, turned, moved, turned inside out, mirrored, cut at the surface, folded."""
 
-from __future__ import annotations
-
 import math
 
 from hakobune.meshing.files import WRITABLE, read_mesh, write_mesh

@@ -1,7 +1,5 @@
 """A picture of the bending of a beam: the rise of its axis along it, in waves of a few frequencies."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.database import DatabaseError

@@ -1,7 +1,5 @@
 """`hakobune look`: the mesh of a database, a scene or a mesh file, and a value on its panels."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

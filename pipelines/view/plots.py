@@ -4,8 +4,6 @@ Curves are those of `bem.database.reader` between the stored frequencies, with a
 lines between a dozen frequencies, chosen for smooth coefficients, would not show them.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`hakobune waves`: the result as tables, and its map as a picture or as points."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Picture of the waves around a body: their height, and their elevation at one moment."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -8,8 +8,6 @@ identity: p and ψ are harmonic below and at rest on the bed.  ψ and ψ_ν are 
     ∫ cosh κζ / cosh κh f dζ = (κ tanh κh − K) f(h) / (κ² − k²)        of a mode f with f″ = k²f,  f′(h) = K f(h).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ...froude_krylov import side_integrals

@@ -11,8 +11,6 @@ and the wave exp(ik(x cosβ + y sinβ)) with its diffraction by the rigid wall i
 on the wall (MacCamy and Fuchs, 1954).  Time factor exp(−iωt).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -5,8 +5,6 @@
 in products, so that no class is the small difference of others in long waves.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

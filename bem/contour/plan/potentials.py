@@ -8,8 +8,6 @@ to the panels of the frequency, which resolve its waves.
 Slopes ∂/∂s run counterclockwise, along (−n₂, n₁), on the quarter x > 0, y > 0.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

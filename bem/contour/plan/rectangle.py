@@ -11,8 +11,6 @@ k² = π²(1/L² + 1/B²)).  The exterior representation vanishes inside: this i
 addition, by least squares (Schenck 1968).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple

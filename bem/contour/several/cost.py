@@ -6,8 +6,6 @@ which the plans interact, on two boxes 1 and 4 m apart, 430 to 1 300 nodes, with
     table        c (1.1e-7 N² + 3e-11 N³) s,  16 c n² bytes      frequency    4e-7 N'² + 4e-10 N'³ s,  150 N'² bytes
 """
 
-from __future__ import annotations
-
 from ..cost import Cost
 
 

@@ -7,8 +7,6 @@ Each plan has the nodes of its quarter contour in its own axes and four symmetry
 of all plans are coupled.  Waves that decay over the depth hardly reach the next plan: beyond `REACH` there is nothing.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple

@@ -11,8 +11,6 @@ integrated (`plan.layers`).  On a circle they are closed forms of the m orders t
 times cos mθ or sin mθ; at r < R, waves only, J and H change places.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import NamedTuple
 

@@ -10,8 +10,6 @@ heave and surge in long waves replace it: |X₃| is equal for all headings, X₁
 sign is tested: conjugates and opposite headings reverse it, the former also the imaginary part of X₃, −ωB₃₃.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Memory and time of a large panel problem: memory by counting, time from short measurements."""
 
-from __future__ import annotations
-
 import time
 from typing import NamedTuple
 

@@ -15,8 +15,6 @@ is a real system of the size of the lid; eliminating φ by the Woodbury identity
 rank of W.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -5,8 +5,6 @@ that a few test points are enough.  The error there is a sum over all nodes, whi
 them, each weighted with the inverse of its probability.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

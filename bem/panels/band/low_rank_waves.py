@@ -12,8 +12,6 @@ interpolation matrices.  They are computed from snapshots, the matrices themselv
 columns weighted as in the L² norm (`bem.kernels.interpolative_decomposition`).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The panel method at one frequency of a band, by the reduced equations of `bem.panels.band.equations`."""
 
-from __future__ import annotations
-
 import time
 from functools import cached_property
 from typing import NamedTuple

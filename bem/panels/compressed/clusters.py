@@ -1,7 +1,5 @@
 """Clusters of neighbouring panels, and pairs of clusters far enough apart for a block of low rank."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Solutions of the compressed equations, and the possible errors by the compression."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """GMRES for several right-hand sides at once, each in its own space (Saad & Schultz 1986)."""
 
-from __future__ import annotations
-
 import numpy as np
 
 RESTART = 40

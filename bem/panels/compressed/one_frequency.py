@@ -1,7 +1,5 @@
 """The panel method at one frequency on very many panels, by compressed equations."""
 
-from __future__ import annotations
-
 import time
 from functools import cached_property
 

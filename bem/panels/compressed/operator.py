@@ -4,8 +4,6 @@ Blocks belong to a mirror image of the sources, not to a class: an image lies fa
 themselves, and all classes use the same blocks, with columns multiplied by the signs of the class.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import NamedTuple
 

@@ -9,8 +9,6 @@ diagonal blocks of the leaves and Â = R A P for each symmetry class
 above the bed, which need many iterations, vary over more than a cell.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 MOST_FUNCTIONS = 2500  # approximate number of functions on all cells; their equations are solved directly

@@ -16,8 +16,6 @@ a = (2s/3π)^(2/3), which tends to ±r^(2/3) at the edge, ln r far up the side a
 bed has images of both faces.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

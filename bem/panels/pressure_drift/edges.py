@@ -4,8 +4,6 @@ At an edge where the hull turns by α the water fills the angle π + α; at a di
 of powers of r^μ, μ = π / (π + α): 2/3 at the edges of a box.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -5,8 +5,6 @@ together with the uniform flow of the incident waves relative to the moving edge
 that of the body.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

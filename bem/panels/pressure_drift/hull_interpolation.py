@@ -8,8 +8,6 @@ collocation error of the nodal values there (`edge_flow`).  With fewer panels in
 On the panel at the edge the points are at r ~ t³, t Gauss points, which makes the integrand smooth for μ = 2/3.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

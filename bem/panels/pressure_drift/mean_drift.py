@@ -10,8 +10,6 @@ The singularity at edges is integrated by `hull_interpolation`; the remaining er
 potentials, mainly of the motions.
 """
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

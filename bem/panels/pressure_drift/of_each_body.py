@@ -9,8 +9,6 @@ a rotation.  With the dynamic pressure p = −ρφ_t alone, whose hydrostatic re
     F = −½ρg ∮ (ζ² − 2ζ u_z) n dl + ½ρ ∬ |∇φ|² n dS − ∬ (u·∇p) n + p {n ∇·u − (∇u)ᵀn} dS,        M likewise and −u × pn
 """
 
-from __future__ import annotations
-
 from copy import copy
 
 import numpy as np

@@ -3,8 +3,6 @@
 T_ij = ¼ {αᵢ × F̄ⱼ + ᾱⱼ × Fᵢ},    moments  ¼ {αᵢ × M̄ⱼ + X_cᵢ × F̄ⱼ + conjugates with i and j exchanged}
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

@@ -7,8 +7,6 @@ value may be small by chance; it is less likely for the largest of each tenth of
 inside counts.  `tests/bench/line_peaks.py` counts how often this holds.
 """
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

@@ -5,8 +5,6 @@ one, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are over t
 those of whole cycles.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

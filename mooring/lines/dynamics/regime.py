@@ -1,7 +1,5 @@
 """Regime of the simplified method in which a line moves, for lines to which the method applies."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..regimes import harmonic_tension

@@ -8,8 +8,6 @@ Energy balance: work at the fairlead = energy stored in the line + work lost to 
 damping, and damping and friction of the bed.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import replace
 

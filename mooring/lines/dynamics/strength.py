@@ -1,7 +1,5 @@
 """Tensions of a moving line relative to the breaking loads of its segments, each place relative to its own."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

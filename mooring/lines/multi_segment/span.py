@@ -1,7 +1,5 @@
 """Position of the fairlead of a line for a given horizontal tension: Newton's method on the exact stiffness."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..catenary.state import LineError

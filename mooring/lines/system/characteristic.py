@@ -4,8 +4,6 @@ The end at the anchor, or end a of a line without one, is fixed; the other moves
 from the position where the line is slack to the one where it carries a given tension.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

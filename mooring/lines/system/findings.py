@@ -1,7 +1,5 @@
 """Warnings of effects that a system of lines neglects; the line or freedom at fault if no equilibrium is found."""
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

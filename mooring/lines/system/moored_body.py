@@ -1,7 +1,5 @@
 """A System of bodies from their mooring legs, each a line from an anchor to a fairlead, and the layout of a spread."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

@@ -6,8 +6,6 @@ hangs and 0 on the bed, and  dx/ds = H/T (1 + T/EA),  dz/ds = N/T (1 + T/EA):
     x = (H/w) [asinh N/H] + H s/EA,    z = [T]/w + [N²]/2wEA.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..catenary.state import State

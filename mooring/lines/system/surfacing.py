@@ -6,8 +6,6 @@ its energy to first order (both weights times the height 0), so its forces are t
 are differences.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Bodies that bend, before a run: whether their shapes can be followed in time, and how lines and fenders bend them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`equation.Body` of a run: mass, restoring forces, damping, memory of the water, and forces given in time."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.time_domain.fast_states import slow_memory

@@ -1,7 +1,5 @@
 """Response of a linear body to the same waves: the scale of errors."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..tables.groups import groups_of

@@ -1,7 +1,5 @@
 """Reason of a run's stop, in one line: time, place, fault, and remedy."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from .. import integrator

@@ -1,7 +1,5 @@
 """Bodies with hinges between them: stability of their rest, and valid starts of a run."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..links import rows_at

@@ -1,7 +1,5 @@
 """The memory of the water of a run: to the smallest tolerance possible with its states."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.time_domain.memory import memory_of_database

@@ -1,7 +1,5 @@
 """Results of a run in time: records, work of the loads, and errors of its motions."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

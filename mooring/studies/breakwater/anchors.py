@@ -1,7 +1,5 @@
 """Anchors required for the greatest tension of a breakwater's lines, beside the given ones."""
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 

@@ -3,8 +3,6 @@
 From its section to bodies on their lines and floating bodies, at every water level.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Transmission, motions and tensions of a breakwater over frequency, by holding, theory and level of the water."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 

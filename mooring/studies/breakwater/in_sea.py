@@ -1,7 +1,5 @@
 """A breakwater in its sea: transmitted waves, and tensions at the worst level."""
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 

@@ -6,8 +6,6 @@ x along the row of units, y to leeward; a unit is the study's section over the d
 (`mooring.breakwater.unit`), separated from its neighbours by a gap (`bem.wave_field.units`).
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

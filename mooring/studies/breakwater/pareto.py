@@ -4,8 +4,6 @@ Sobol's points over the given ranges; then, for tension limits between the best 
 wave behind under each limit; designs with slack lines, and unstable or impossible ones, are excluded.
 """
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Results of a breakwater: curves over period, the sea behind it, pretension over the tide, anchors."""
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Tensions over the tidal levels in regular waves, and the required pretension."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Gusts of a study's wind."""
 
-from __future__ import annotations
-
 from hakobune.mooring.environment import gusts
 
 from ..quantities import StudyError, speed

@@ -1,7 +1,5 @@
 """Seas in the words of studies and flags: families of spectra, their shape, spreading over directions."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

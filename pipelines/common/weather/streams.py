@@ -5,8 +5,6 @@ OCIMF's, or, for wind, of a type of ship.  A file is read relative to its study 
 state of a design and a result contain them.
 """
 
-from __future__ import annotations
-
 import math
 import zlib
 from functools import partial

@@ -1,7 +1,5 @@
 """Tables of water and of regular waves that several studies use."""
 
-from __future__ import annotations
-
 import math
 
 from ..quantities import StudyError, Table

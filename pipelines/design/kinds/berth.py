@@ -5,8 +5,6 @@ largest mean of ten minutes in the kept records (the report's limit is of "perio
                  longer", SR179 1982, chapter 4, 3.2.5)
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.fenders.fender import FenderError

@@ -4,8 +4,6 @@ Names are in rows, those of ropes beyond the bollards of their side and those of
 do not overlap.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .needs import OF_ALLOWABLE

@@ -5,8 +5,6 @@ H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the 
 study's tide.
 """
 
-from __future__ import annotations
-
 from copy import deepcopy
 from pathlib import Path
 

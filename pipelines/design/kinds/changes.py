@@ -5,8 +5,6 @@ its breaking load, is strengthened in steps of a tenth at the same strain.  Line
 keep their pretension and their number.
 """
 
-from __future__ import annotations
-
 from copy import deepcopy
 from typing import NamedTuple
 

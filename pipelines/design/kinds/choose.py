@@ -1,7 +1,5 @@
 """The kind of study in a file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from ...common.quantities import StudyError

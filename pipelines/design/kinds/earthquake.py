@@ -5,8 +5,6 @@ and the deflection of the fenders of one side; criteria are judged by all of the
 no motions, so criteria on those are not judged by it.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -6,8 +6,6 @@ times the ratio of the largest simulated tension to the static tension at the di
 never gives less than the simulated tension.
 """
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 

@@ -5,8 +5,6 @@ anchors, bollards and lengths are unchanged: every case gives its lines by fairl
 adjusted to their pretension; a berth has no simplified method and is simulated.
 """
 
-from __future__ import annotations
-
 import hashlib
 from contextlib import suppress
 from copy import deepcopy

@@ -3,8 +3,6 @@
 A mooring with criteria for none of them would pass without a check of its lines, fenders or anchors.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from hakobune.mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, PRETENSION, SHARE

@@ -1,7 +1,5 @@
 """Results of a load case for report and criteria, the same for every kind of study."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -4,8 +4,6 @@ The lines are laid once, in the water of the study; at another level they end at
 hull in wind, current and waves (coefficients, turning tests, drift) come from the study, the weather from the project.
 """
 
-from __future__ import annotations
-
 from copy import deepcopy
 from pathlib import Path
 

@@ -4,8 +4,6 @@ A stored file names its inputs (texts, databases, results, versions of the libra
 checksum.  With other inputs, other code, or damage, it is computed again.
 """
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import json

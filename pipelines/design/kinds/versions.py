@@ -1,7 +1,5 @@
 """Versions of the libraries that results and pictures depend on, and of the code that reads and draws them."""
 
-from __future__ import annotations
-
 import hashlib
 from functools import cache
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Bending shapes of the bodies of a scene: the modes for `bem`, and their mass, stiffness and damping."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Damping lids of a scene: their places on the water, and the mirror planes that a mesh keeps with them."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.panels.damping_lid import DampingLid

@@ -8,8 +8,6 @@ Its natural frequency, from the mass of the water and of the water below that mo
 The first formula is for two dimensions and deep water; in water twice as deep as the draft it is 5 % too high.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

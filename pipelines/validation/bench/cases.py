@@ -4,8 +4,6 @@ Six frequencies for each body, from long waves to beyond its first irregular fre
 are excited.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

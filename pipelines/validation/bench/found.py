@@ -1,7 +1,5 @@
 """What a bench found, as a result: all jobs, the best of each program, programs at equal panels, one thread and two."""
 
-from __future__ import annotations
-
 import math
 
 from ..beside import result

@@ -1,7 +1,5 @@
 """One job of a bench: a process with its threads, its caches and its peak memory, and the error of its result."""
 
-from __future__ import annotations
-
 import json
 import math
 import os

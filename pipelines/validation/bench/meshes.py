@@ -1,7 +1,5 @@
 """Panels for other programs: uniform or graded, one part of the hull with its lid, or a wedge of a cylinder."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -8,8 +8,6 @@ scene, as the
 commands do; the estimate of the error is made, and timed, after everything else.
 """
 
-from __future__ import annotations
-
 import time
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Selection of solver and body: the list of measurements of a bench."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 TOLERANCES, PANELS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6), (60, 120, 250, 500, 1000)

@@ -8,8 +8,6 @@ below a hundredth of √(A_ii A_jj), A_ii and B_ii below a ten-thousandth and X_
 tests/bench/solver_references.py: cylinders exactly, boxes by the contour method.
 """
 
-from __future__ import annotations
-
 import csv
 from functools import cache
 from pathlib import Path

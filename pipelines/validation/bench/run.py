@@ -1,7 +1,5 @@
 """A whole bench: one job after another, each written when it is finished."""
 
-from __future__ import annotations
-
 import os
 import platform
 import sys

@@ -1,7 +1,5 @@
 """The scenes of the comparisons: the boxes of Tables 2.1.5.1 and 2.4.1.1, the models of Table 2.4.4.1."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from pathlib import Path

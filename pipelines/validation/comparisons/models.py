@@ -3,8 +3,6 @@
 Table 2.4.4.1 of the SR179 report (1982): L/B = 1.2 and 2, water 1.2 m deep; regular waves of 13 and 10 cm.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.database.natural_periods import natural_periods

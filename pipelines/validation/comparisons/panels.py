@@ -1,7 +1,5 @@
 """Panels of comparisons: curves over ξ_B of cases."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

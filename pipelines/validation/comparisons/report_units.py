@@ -11,8 +11,6 @@ origin.  Axes and signs are those of `bem`, with which the signs of the report's
 A51 have the sign of a right-handed pitch, bow down.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

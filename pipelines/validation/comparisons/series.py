@@ -1,7 +1,5 @@
 """Series over depth and over length, their sectional limit, and motions: Tables 2.1.5.1-2 and 2.4.1.1."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

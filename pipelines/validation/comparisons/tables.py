@@ -5,8 +5,6 @@ D_x, D_y = F/(½ρgLζ_a²), D_yaw = M/(½ρgL²ζ_a²), floating freely.  chi_d
 χ + 180°; |X| cos(ωt − ε), ε = 0 when the crest passes the origin; NaN where symmetry makes it zero.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .report_units import PAIRS, lag

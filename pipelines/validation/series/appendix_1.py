@@ -21,8 +21,6 @@ tenth of critical damping beside that of waves, linear σ of heave is 1.61 and 1
 1.90.
 """
 
-from __future__ import annotations
-
 import warnings
 from pathlib import Path
 from typing import NamedTuple

@@ -14,8 +14,6 @@ are the ends of what a contact buoy can do; on an intermediate one 15 to 19 % mo
 than the free model does in any sea of that spectrum, and its hawsers are too weak to lift it there.
 """
 
-from __future__ import annotations
-
 import warnings
 from pathlib import Path
 

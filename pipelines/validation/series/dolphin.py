@@ -6,8 +6,6 @@ two dolphins at a quarter of the length from each end, `fenders` on each; the re
 behind them the rows of the design spectrum method stand before it, by the far field, those of open water beside.
 """
 
-from __future__ import annotations
-
 import math
 from itertools import product
 

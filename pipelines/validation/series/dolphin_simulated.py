@@ -20,8 +20,6 @@ row, as in waves of 0.64 to 0.86 times the printed mean period: that reading of 
 A return at 0.65 of the loading, as the generic fender has, moves the mean of B by a tenth to a fifth, and two verdicts.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import replace
 from pathlib import Path

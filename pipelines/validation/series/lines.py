@@ -6,8 +6,6 @@ judges.  Chosen here: friction, hills of steepness 1/10, sinker and buoys at hal
 4000: wire rope that breaks at T/wL of 20 to 23 with a strain of 1 to 1.5 % has about 2000.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine

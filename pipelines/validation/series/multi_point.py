@@ -1,7 +1,5 @@
 """`hakobune series multi-point`: cases by the simplified method and in time, Table 3.5.5.5 beside its print."""
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

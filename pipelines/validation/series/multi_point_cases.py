@@ -12,8 +12,6 @@ water; the area that goes with E = 7000 kgf/mm², both legs of the link; pretens
 50 m.  24 and 36 lines are, as in the report, 12 of two and three times the weight, stiffness and strength.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

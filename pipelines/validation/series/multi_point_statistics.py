@@ -11,8 +11,6 @@ printed   both legs and one leg: the fairleads move with the printed means and Ï
 The report's force is not a largest value but mean + X of eq. 3.5.1.5, as here; the largest of a record is more.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """`hakobune series single-point`: every case solved, run in time, and compared with the printed results."""
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

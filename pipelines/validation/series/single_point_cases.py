@@ -9,8 +9,6 @@ larger than printed.  Head-on forces that are printed for B at 40 m hold a curre
 tests at H/d = 2 (76.8 t at 1.5 kn against 68.5 t), so that its tensions at 3 kn are computed 4 to 8 % too low.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import NamedTuple
 

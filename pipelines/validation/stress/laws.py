@@ -12,8 +12,6 @@ Smooth: of three values at equal steps δ of a parameter's logarithm the second 
 and four errors.  Powers of a parameter and waves whose phase moves by δ have a curvature of a few times their size.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 FLOOR = 1e-8

@@ -10,8 +10,6 @@ irregular one: with φ = 0 or the walls' resonances of the water inside the hull
 κ² = π²(m²/L² + n²/B²) for the box, Jₘ(κR) = 0 for the buoy.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 
