@@ -14,22 +14,22 @@ from cyclopts import App, CycloptsError, MissingArgumentError, Parameter
 from hakobune.bem import __version__
 from hakobune.mooring.criteria.failing import fails
 
-from .berth.flags import berth
+from .berth.command import berth
 from .breakwater.command import breakwater
 from .common.interrupt import interrupted
 from .damping.command import damping
 from .design.command import design
 from .doctor import doctor
 from .downtime.command import downtime
-from .earthquake.flags import earthquake
+from .earthquake.command import earthquake
 from .exchange.flags import body_, export, import_
-from .fender.flags import fender
+from .fender.command import fender
 from .films.flags import animate
 from .keys.command import keys, new
-from .line_dynamics.flags import line_dynamics
+from .line_dynamics.command import line_dynamics
 from .lines.flags import line, lines
-from .members.flags import members
-from .passing.flags import passing
+from .members.command import members
+from .passing.command import passing
 from .printing import timing
 from .printing.console import new_console, tables_as, taken
 from .printing.verdict import tell
@@ -39,13 +39,13 @@ from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
 from .sections.command import sections
 from .simulate.flags import simulate
-from .single_point.flags import single_point
+from .single_point.command import single_point
 from .site.command import site
 from .validation.bench.command import bench
 from .validation.comparisons.command import compare
 from .validation.series.flags import series
 from .validation.stress.command import stress
-from .waves.flags import waves
+from .waves.command import waves
 
 OWN_FORMS = ("keys",)  # commands that write their own JSON
 app = App(

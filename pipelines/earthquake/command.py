@@ -1,23 +1,37 @@
 """`hakobune earthquake`: the result as tables, the course in time as a file, a picture."""
 
-import numpy as np
+from __future__ import annotations
 
-from ..common.picture import PLOTS, check_picture, save
-from ..common.quantities import StudyError
-from ..common.units import KN
-from ..results.records import check_records, is_hdf5, write_records
-from ..results.tables import printed
-from .result import earthquake as found
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
 
 
-def earthquake(study, database, output, plot):
-    """Print a study; output : course in time, .csv, or all, .h5; plot : picture.  Returns the exit status.
+def earthquake(
+    study: Annotated[Path, Parameter(help="body, fenders and the earthquake (TOML)")],
+    /,
+    *,
+    database: Annotated[
+        Path | None, Parameter(help="database of the body, for its mass and the memory of the water")
+    ] = None,
+    output: Annotated[Path | None, Parameter(help="time series, .csv, or all results, .h5")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+):
+    """Compute the reaction of the fenders of a floating body when the ground under its dolphins moves.
 
-    raises : ValueError, one line
+    It compares the seismic coefficient of a rule, a response spectrum and a record in time, and shows the normalised
+    reaction over frequency.  hakobune earthquake earthquake_box.toml --plot earthquake.png
     """
+    from ..common.picture import PLOTS, check_picture
+    from ..common.quantities import StudyError
+    from ..results.records import check_records, is_hdf5, write_records
+    from ..results.tables import printed
+    from .result import earthquake
+
     check_records(output, "earthquake", [study, *([database] if database else [])])
     check_picture(plot, PLOTS)
-    result = found(study, database)
+    result = earthquake(study, database)
     run = "course.body" in result
     if output is not None and not is_hdf5(output) and result.detail.ground is None:
         raise StudyError("--output is a time series, which needs [record] in the study; give it, or an .h5 file")
@@ -36,7 +50,11 @@ def earthquake(study, database, output, plot):
 
 def _draw(result, path):
     """Normalised reaction over the period; with a record, body, ground and reaction over time"""
+    import numpy as np
     from matplotlib.figure import Figure
+
+    from ..common.picture import save
+    from ..common.units import KN
 
     run, quake, T = "course.body" in result, result.detail, np.geomspace(0.1, 50.0, 400)
     figure = Figure(figsize=(8.0, 9.0 if run else 4.5), layout="constrained")

@@ -1,41 +1,54 @@
 """`hakobune line-dynamics`: one line with a moving fairlead → tensions, slack, work, regime, and its statics."""
 
+from __future__ import annotations
+
+import math
 import sys
 import time
+from pathlib import Path
+from typing import Annotated
 
-import numpy as np
+from cyclopts import Parameter
 
-from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
-from ..results.output import check_result, write_result
-from ..results.tables import printed
-from .result import line_dynamics
 
 EVERY = 2.0  # s between two lines of progress
 
 
-def line_dynamics_command(file, duration, tolerance, output, picture):
-    """Run the line of a study.  Returns the exit status; raises ValueError, one line."""
+def line_dynamics(
+    study: Annotated[Path, Parameter(help="a line in motion (TOML)")],
+    /,
+    *,
+    duration: Annotated[float | None, Parameter(help="s, in place of the study's")] = None,
+    tolerance: Annotated[float | None, Parameter(help="error of a time step over the largest tension")] = None,
+    output: Annotated[Path | None, Parameter(help="time series and frames, .h5")] = None,
+    plot: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
+):
+    """Compute tension, slack and work of one mooring line whose fairlead moves, beside its quasi-static tension."""
+    from ..common.picture import PLOTS, check_picture
     from ..printing.console import new_console
+    from ..results.output import check_result, write_result
+    from ..results.tables import printed
+    from .result import line_dynamics
 
-    check_picture(picture, PLOTS)
-    check_result(output, "line-dynamics", [file])
+    check_picture(plot, PLOTS)
+    check_result(output, "line-dynamics", [study])
     console = new_console()
     try:
         result = line_dynamics(
-            file, duration=duration, tolerance=tolerance, progress=lambda until: Progress(console, until)
+            study, duration=duration, tolerance=tolerance, progress=lambda until: Progress(console, until)
         )
     except KeyboardInterrupt:
         print("hakobune line-dynamics: interrupted; nothing was written", file=sys.stderr)
         return 130
     if output is not None:
         write_result(result, output)
-    if picture is not None:
+    if plot is not None:
         from .picture import draw_run
 
-        draw_run(picture, *result.detail)
+        draw_run(plot, *result.detail)
     status = printed(result, console)
-    for path in (path for path in (output, picture) if path is not None):
+    for path in (path for path in (output, plot) if path is not None):
         console.print(f"written: {path}", highlight=False, soft_wrap=True)
     return status
 
@@ -46,7 +59,7 @@ class Progress:
     CHECKS = "", "with fewer elements: ", "with longer steps: "
 
     def __init__(self, console, until):
-        self.console, self.until, self.reached, self.run = console, until, np.inf, -1
+        self.console, self.until, self.reached, self.run = console, until, math.inf, -1
         self.begin, self.started = 0.0, time.perf_counter()
         self.printed = self.started
 

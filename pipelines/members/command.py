@@ -1,20 +1,29 @@
 """`hakobune members`: the result as tables, and a picture of the forces over the wave."""
 
-import numpy as np
+from __future__ import annotations
 
-from ..common.picture import PLOTS, check_picture, save
-from ..common.units import KN
-from ..results.tables import printed
-from .result import ALL, IN_WATER
-from .result import members as found
+from pathlib import Path
+from typing import Annotated
 
-COLOUR = {IN_WATER: "grey", ALL: "black"}
+from cyclopts import Parameter
 
 
-def members(path, plot):
-    """Print a study of members, draw it to `plot`; returns the exit status.  Raises ValueError, one line."""
+def members(
+    study: Annotated[Path, Parameter(help="members, water, wave, current, wind (TOML)")],
+    /,
+    *,
+    plot: Annotated[Path | None, Parameter(help="forces over the wave: .png, .svg or .pdf")] = None,
+):
+    """Compute water and wind loads on slender members, piles and frames over a regular wave.
+
+    It uses Morison's formula and includes marine growth.  hakobune members members_dolphin.toml --plot forces.png
+    """
+    from ..common.picture import PLOTS, check_picture
+    from ..results.tables import printed
+    from .result import members
+
     check_picture(plot, PLOTS)
-    result = found(path)
+    result = members(study)
     if plot is not None:
         _draw(result, plot)
     status = printed(result)
@@ -25,14 +34,20 @@ def members(path, plot):
 
 def _draw(result, path):
     """Force over the phase of each member in the water and of all together"""
+    import numpy as np
     from matplotlib.figure import Figure
 
+    from ..common.picture import save
+    from ..common.units import KN
+    from .result import ALL, IN_WATER
+
+    colours = {IN_WATER: "grey", ALL: "black"}
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     axis = figure.add_subplot()
     degrees, size = np.degrees(result.labels["phase"].values), np.linalg.norm(result["course.force"], axis=2) / KN
     for k, name in enumerate(result.labels["member"].values):
-        if name in COLOUR:
-            axis.plot(degrees, size[:, k], COLOUR[name], linewidth=2, label=name)
+        if name in colours:
+            axis.plot(degrees, size[:, k], colours[name], linewidth=2, label=name)
         elif not name.endswith(", wind"):
             style = ("-", (0, (4, 4)))[k % 2]  # piles side by side have the same force: dashes show both
             axis.plot(degrees, size[:, k], linestyle=style, label=name)

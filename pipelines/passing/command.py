@@ -1,28 +1,41 @@
 """`hakobune passing`: the result as tables, a picture of the forces, and a table for `hakobune simulate`."""
 
-import numpy as np
+from __future__ import annotations
 
-from ..common.outputs import check_ending
-from ..common.picture import PLOTS, check_picture, save
-from ..common.units import KN
-from ..results.tables import printed
-from .result import LARGEST
-from .result import passing as found
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
 
 
-def passing(study, forces, output, plot):
-    """Print a passage, write it to files; returns the exit status.  Raises ValueError, one line."""
+def passing(
+    study: Annotated[Path, Parameter(help="water, moored and passing ship, track (TOML)")],
+    /,
+    *,
+    forces: Annotated[Path | None, Parameter(help="force over time for [[simulation.force]]: .csv")] = None,
+    output: Annotated[Path | None, Parameter(help="result: .h5")] = None,
+    plot: Annotated[Path | None, Parameter(help="forces along the track: .png, .svg or .pdf")] = None,
+):
+    """Compute the forces on a moored ship while another ship passes on a parallel track.
+
+    Both hulls are solved by panels in water of any depth, with or without a wall.  The study may ask for the faster
+    methods of Wang (1975) or Kriebel (2005).
+    hakobune passing passing_tanker.toml --plot passing.png --forces passing.csv
+    """
+    from hakobune.bem.database.file import check_place
+
+    from ..common.outputs import check_ending
+    from ..common.picture import PLOTS, check_picture
+    from ..results.output import check_result
+    from ..results.tables import printed
+    from .result import passing
+
     check_picture(plot, PLOTS)
     if forces is not None:
-        from hakobune.bem.database.file import check_place
-
         check_ending(forces, (".csv",))
         check_place(forces)
-    if output is not None:
-        from ..results.output import check_result
-
-        check_result(output, "passing", [study])
-    result = found(study)
+    check_result(output, "passing", [study])
+    result = passing(study)
     if forces is not None:
         _table(result.detail.in_time, forces)
     if output is not None:
@@ -37,6 +50,8 @@ def passing(study, forces, output, plot):
 
 def _table(given, path):
     """A CSV file that `[[simulation.force]]` reads"""
+    import numpy as np
+
     from hakobune.meshing.whole_files import write_whole
     from hakobune.mooring.motion.given_forces import COLUMNS
 
@@ -48,6 +63,10 @@ def _table(given, path):
 def _draw(passage, path):
     """Surge and sway over the place of the passing ship, yaw below"""
     from matplotlib.figure import Figure
+
+    from ..common.picture import save
+    from ..common.units import KN
+    from .result import LARGEST
 
     figure = Figure(figsize=(8.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True)

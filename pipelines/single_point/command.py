@@ -1,19 +1,34 @@
 """`hakobune single-point`: statics and criterion on the terminal, maps, a run in time, results and pictures."""
 
+from __future__ import annotations
+
 from pathlib import Path
+from typing import Annotated
 
-from ..common.picture import PLOTS, check_picture
-from ..results.output import check_result, write_result
-from ..results.tables import printed
-from .result import single_point
+from cyclopts import Parameter
 
 
-def single_point_command(study, database, output, picture):
-    """Exit status.  Raises ValueError, one line, before anything is written."""
+def single_point(
+    study: Annotated[Path, Parameter(help="study of a body on a buoy or turret (TOML)")],
+    /,
+    *,
+    database: Annotated[Path | None, Parameter(help="database of the body, for its masses and wave drift")] = None,
+    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: plan of all equilibria, .png, .svg or .pdf")] = None,
+):
+    """Find all headings of rest of a body on a buoy or turret, whether it slews (fishtails), and its line loads.
+
+    [[maps]] of the study draw the growth of slewing over its numbers; [slewing] runs it in time.
+    """
+    from ..common.picture import PLOTS, check_picture
+    from ..results.output import check_result, write_result
+    from ..results.tables import printed
+    from .result import single_point
+
     check_result(output, "single-point", (study, *(() if database is None else (database,))))
-    check_picture(picture, PLOTS)
+    check_picture(plot, PLOTS)
     result = single_point(study, database)
-    written = [*_pictures(result.detail, (study, output), picture), *((output,) if output is not None else ())]
+    written = [*_pictures(result.detail, (study, output), plot), *((output,) if output is not None else ())]
     if output is not None:
         write_result(result, output)
     status = printed(result)
@@ -43,6 +58,8 @@ def _pictures(found, names, picture):
 
 def _beside(study_path, output, word):
     """Path of a picture: beside the results, or in the current folder, named by the study.  Raises ValueError."""
+    from ..common.picture import PLOTS, check_picture
+
     path = Path(f"{Path(study_path).stem}_{word}.png")
     path = path if output is None else output.with_name(f"{output.stem}_{word}.png")
     check_picture(path, PLOTS)

@@ -1,33 +1,50 @@
 """`hakobune waves`: the result as tables, and its map as a picture or as points."""
 
-import math
+from __future__ import annotations
 
-import numpy as np
+from pathlib import Path
+from typing import Annotated
 
-from ..common.outputs import DATABASE, check_ending
-from ..common.picture import PLOTS, check_picture
-from ..results.tables import printed
-from .result import waves as found
+from cyclopts import Parameter
 
 
-def waves(database, period, omega, heading, fixed, width, at, output, plot):
-    """Tell, and draw to `plot`, write its points to `output`, the waves around a database's body.
+def waves(
+    database: Annotated[Path, Parameter(help="database of the body, .h5")],
+    /,
+    *,
+    period: Annotated[float | None, Parameter(help="s, of the waves")] = None,
+    omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
+    heading: Annotated[float, Parameter(help="degrees, direction they travel to", allow_leading_hyphen=True)] = 180.0,
+    fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
+    width: Annotated[float | None, Parameter(help="m, of the map")] = None,
+    at: Annotated[
+        tuple[str, ...], Parameter(help="m, x,y of a point whose wave is printed", allow_leading_hyphen=True)
+    ] = (),
+    output: Annotated[Path | None, Parameter(help="points of the map, .csv, or all results, .h5")] = None,
+    plot: Annotated[Path | None, Parameter(help="map: .png, .svg or .pdf")] = None,
+):
+    """Compute the water around a body in regular waves, with the waves that it scatters and radiates.
 
-    heading : degrees; at : texts x,y m; returns the exit status; raises ValueError, one line
+    hakobune waves box.h5 --period 9 --heading 180 --plot waves.png
     """
+    import math
+
+    from hakobune.bem.database.file import check_place
+
+    from ..common.outputs import DATABASE, check_ending
+    from ..common.picture import PLOTS, check_picture
+    from ..results.output import check_result
+    from ..results.tables import printed
+    from .result import waves
+
     if output is not None:
-        from hakobune.bem.database.file import check_place
-
-        from ..results.output import check_result
-
         check_ending(output, (".csv", *DATABASE))
         if output.suffix.lower() in DATABASE:
             check_result(output, "waves", [database])
         check_place(output)
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    check_picture(plot, PLOTS)
     spots = [_spot(text) for text in at]
-    result = found(
+    result = waves(
         database, period=period, omega=omega, heading=math.radians(heading), fixed=fixed, width=width, at=spots
     )
     if output is not None:
@@ -43,6 +60,9 @@ def waves(database, period, omega, heading, fixed, width, at, output, plot):
 
 
 def _spot(text):
+    """[x, y] m of a text "x,y".  Raises ValueError."""
+    import numpy as np
+
     from ..scene.scene import numbers
 
     values = numbers("--at", text)
@@ -52,6 +72,11 @@ def _spot(text):
 
 
 def _write(output, result):
+    """The points of the map as CSV, or the whole result"""
+    import numpy as np
+
+    from ..common.outputs import DATABASE
+
     if output.suffix.lower() in DATABASE:
         result.write(output)
     else:

@@ -77,11 +77,12 @@ def room(monkeypatch, tmp_path):
 
 
 def _waves(room):
-    room.of(of_waves, found=room.found)
-    room.at(waves__picture__draw=room.draw)
+    room.at(waves__result__waves=room.found, waves__picture__draw=room.draw)
     grid = SimpleNamespace(x=np.array([0.0, 1.0]), y=np.array([5.0]))
     room.made = Made(grid, map=np.array([[1 + 2j, np.nan]]))
-    status = of_waves.waves("body.h5", None, 0.8, 90.0, True, 200.0, ["3,-4"], Path("points.csv"), PNG)
+    status = of_waves.waves(
+        "body.h5", omega=0.8, heading=90.0, fixed=True, width=200.0, at=["3,-4"], output=Path("points.csv"), plot=PNG
+    )
     _, words = room.asked[0]
     assert words["heading"] == pytest.approx(math.pi / 2) and (words["fixed"], words["width"]) == (True, 200.0)
     assert words["at"] == [[3.0, -4.0]] and (words["period"], words["omega"]) == (None, 0.8)
@@ -90,11 +91,11 @@ def _waves(room):
 
 
 def _passing(room):
-    room.of(of_passing, found=room.found, _draw=room.draw)
+    room.at(passing__result__passing=room.found)
     given = SimpleNamespace(times=np.array([0.0, 2.5]), force=np.array([[1.0] * 6, [2.0] * 6]))
     room.made = Made(SimpleNamespace(in_time=given))
     room.patch.setattr(of_passing, "_draw", lambda detail, plot: room.drawn.append(plot))
-    status = of_passing.passing(STUDY, Path("force.csv"), H5, PNG)
+    status = of_passing.passing(STUDY, forces=Path("force.csv"), output=H5, plot=PNG)
     assert Path("force.csv").read_text().splitlines()[1:] == ["0,1,1,1,1,1,1", "2.5,2,2,2,2,2,2"]
     assert room.made.files == [H5]
     return status, ["force.csv", "found.h5", "plan.png"]
@@ -111,23 +112,26 @@ def _damping(room):
 
 
 def _members(room):
-    room.of(of_members, found=room.found, _draw=lambda result, plot: room.drawn.append(plot))
-    return of_members.members(STUDY, PNG), ["plan.png"]
+    room.at(members__result__members=room.found)
+    room.of(of_members, _draw=lambda result, plot: room.drawn.append(plot))
+    return of_members.members(STUDY, plot=PNG), ["plan.png"]
 
 
 def _fender(room):
-    room.of(of_fender, found=room.found)
-    room.at(fender__picture__draw=lambda detail, plot: room.drawn.append(plot))
-    status = of_fender.fender("table", 0.3, None, 900.0, PNG)
-    assert room.asked[0] == (("table",), {"strain": 0.3, "deflection": None, "energy": 9e5})
+    room.at(fender__result__fender=room.found)
+    room.of(of_fender, _draw=lambda detail, plot: room.drawn.append(plot))
+    status = of_fender.fender(family="cell", height=2.0, strain=0.3, energy=900.0, plot=PNG)
+    (table,), words = room.asked[0]
+    assert (table.family, table.height) == ("cell", 2.0)
+    assert words == {"strain": 0.3, "deflection": None, "energy": 9e5}
     return status, ["plan.png"]
 
 
 def _earthquake(room):
-    room.of(of_earthquake, found=room.found, _draw=lambda result, plot: room.drawn.append(plot),
-            write_records=room.write)  # fmt: skip
+    room.at(earthquake__result__earthquake=room.found, results__records__write_records=room.write)
+    room.of(of_earthquake, _draw=lambda result, plot: room.drawn.append(plot))
     room.made = Made(SimpleNamespace(ground=None), **{"course.body": 0})
-    status = of_earthquake.earthquake(STUDY, None, H5, PNG)
+    status = of_earthquake.earthquake(STUDY, output=H5, plot=PNG)
     assert room.made.files == [H5]
     return status, ["found.h5", "plan.png"]
 
@@ -162,15 +166,15 @@ def _moor(room):
 def _single_point(room):
     maps = [1, 2]
     room.made = Made(SimpleNamespace(study=0, point=0, rest=0, run=1, maps=maps))
-    room.of(of_single_point, single_point=room.found)
+    room.at(single_point__result__single_point=room.found)
     room.at(single_point__pictures__draw_plan=room.draw, single_point__running__draw=room.draw,
             single_point__maps__draw=room.draw)  # fmt: skip
-    status = of_single_point.single_point_command(STUDY, None, H5, PNG)
+    status = of_single_point.single_point(STUDY, output=H5, plot=PNG)
     names = ["plan.png", "found_run.png", "found_slewing_1.png", "found_slewing_2.png"]
     assert list(map(str, room.drawn)) == names and room.made.files == [H5]
     del maps[0]
     room.drawn.clear()
-    of_single_point.single_point_command(STUDY, None, None, None)
+    of_single_point.single_point(STUDY)
     assert list(map(str, room.drawn)) == ["study_run.png", "study_slewing.png"]
     return status, [f"written: {name}" for name in (*names, "found.h5")]
 
@@ -195,9 +199,8 @@ def _lines(room):
 
 def _line_dynamics(room):
     room.made = Made((1, 2))
-    room.of(of_line_dynamics, line_dynamics=room.found)
-    room.at(line_dynamics__picture__draw_run=room.draw)
-    status = of_line_dynamics.line_dynamics_command(STUDY, 20.0, 1e-3, H5, PNG)
+    room.at(line_dynamics__result__line_dynamics=room.found, line_dynamics__picture__draw_run=room.draw)
+    status = of_line_dynamics.line_dynamics(STUDY, duration=20.0, tolerance=1e-3, output=H5, plot=PNG)
     words = room.asked[0][1]
     assert (words["duration"], words["tolerance"]) == (20.0, 1e-3) and room.made.files == [H5]
     return status, ["written: found.h5", "written: plan.png"]
