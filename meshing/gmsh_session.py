@@ -163,7 +163,8 @@ class _Builder:
         self.points, self.lines = {}, {}
 
     def point(self, xyz, size=0.0):
-        key = tuple(float(c) + 0.0 for c in xyz)  # + 0.0: minus zero is zero
+        """Tag of the point at xyz (3,) m, with elements of about `size` m around it"""
+        key = tuple((np.asarray(xyz, float) + 0.0).tolist())  # + 0.0: minus zero is zero
         if key not in self.points:
             self.points[key] = self.geo.addPoint(*key, size)
         return self.points[key]
@@ -177,6 +178,7 @@ class _Builder:
         return self.lines[a, b]
 
     def patch(self, sides):
+        """Tag of a surface of one element between each two points of its sides, as of `graded_patches`"""
         tags = [[self.point(xyz) for xyz in side] for side in sides]
         chain = [tag for side in tags for tag in side[:-1]]
         lines = [self.line(a, b) for a, b in zip(chain, chain[1:] + chain[:1], strict=True)]
@@ -188,6 +190,7 @@ class _Builder:
         return surface
 
     def loop(self, ring, size):
+        """Tag of the loop of a closed polygon (k, 3) m"""
         tags = [self.point(xyz, size) for xyz in ring]
         return self.geo.addCurveLoop([self.line(a, b) for a, b in zip(tags, tags[1:] + tags[:1], strict=True)])
 
@@ -211,4 +214,5 @@ def _ring_vector(ring):
 
 
 def _loop_vector(sides):
+    """(3,) vector area of the loop of the sides of a patch"""
     return _ring_vector(np.concatenate([np.asarray(side)[:-1] for side in sides]))

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
@@ -173,12 +172,8 @@ def _towards_both(n, grading):
 
 def _rectangle(place, s, t):
     """Four sides of the rectangle of points place(s, t), in the order s, t, −s, −t"""
-    return [
-        np.array([place(a, t[0]) for a in s]),
-        np.array([place(s[-1], b) for b in t]),
-        np.array([place(a, t[-1]) for a in s[::-1]]),
-        np.array([place(s[0], b) for b in t[::-1]]),
-    ]
+    sides = (s, t[0]), (s[-1], t), (s[::-1], t[-1]), (s[0], t[::-1])
+    return [np.stack(np.broadcast_arrays(*place(*side)), axis=1) for side in sides]
 
 
 def _quarter_rim(radius, n):
@@ -194,8 +189,8 @@ def _facets(rim, z):
     """Plane patches of the wall, one per side of the polygon, one panel wide"""
     upward = z[::-1]
     facets = []
-    for p, q in pairwise(rim):
-        facets.append(_rectangle(lambda s, t, p=p, q=q: (*(p if s == 0 else q), t), (0, 1), upward))
+    for ends in np.stack([rim[:-1], rim[1:]], axis=1):
+        facets.append(_rectangle(lambda s, t, ends=ends: (*ends[s].T, t), np.arange(2), upward))
     return facets
 
 

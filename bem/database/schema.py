@@ -91,4 +91,4 @@ def labels(bodies, modes=()):
 
 def cell_axes(name):
     """Axes along which a quantity is filled piece by piece: (), ("omega",) or ("omega", "wave_direction")."""
-    return tuple(axis for axis in QUANTITIES[name][0] if axis in ("omega", "wave_direction"))
+    return tuple([axis for axis in QUANTITIES[name][0] if axis in ("omega", "wave_direction")])

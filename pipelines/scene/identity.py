@@ -54,7 +54,7 @@ def fixed_part(scene, mesh_file=None):
     for mode in raw["modes"] or ():
         if mode["file"] is not None:
             mode["file"] = next(contents, "") or content(mode["file"])
-    return {key: repr(value) for key, value in _flat(raw) if value is not None}
+    return {key: repr(value) for key, value in _flat(raw).items() if value is not None}
 
 
 def scene_hash(fixed):
@@ -124,11 +124,10 @@ def _phrase(key, old, new):
 
 
 def _flat(value, path=""):
-    if isinstance(value, dict):
-        for key, part in value.items():
-            yield from _flat(part, f"{path}.{key}" if path else key)
-    elif isinstance(value, list):
-        for i, part in enumerate(value):
-            yield from _flat(part, f"{path}[{i}]")
-    else:
-        yield path, value
+    """{key: number, text …} of nested dictionaries and lists, as in bodies[0].length"""
+    ends = [f"[{i}]" for i in range(len(value))] if isinstance(value, list) else [f".{key}" for key in value]
+    found = {}
+    for end, part in zip(ends, value if isinstance(value, list) else value.values(), strict=True):
+        key = (path + end).removeprefix(".")
+        found |= _flat(part, key) if isinstance(part, dict | list) else {key: part}
+    return found

@@ -78,7 +78,7 @@ def names_given(scene, names, named):
         raise ValueError(
             f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
         )
-    kept = tuple(name for name in names if name not in missing)
+    kept = tuple([name for name in names if name not in missing])
     if not kept:
         raise ValueError(f"want is {', '.join(named)}, none of which method {method} computes here; try another method")
     return kept

@@ -39,4 +39,4 @@ def expand(want, motions_known):
         if named:
             raise ValueError(f"{named[0]} needs the radii of gyration (m); give gyration (--gyration)")
         asked -= set(NEEDS_MOTION)
-    return tuple(name for name in QUANTITIES if name in asked)
+    return tuple([name for name in QUANTITIES if name in asked])

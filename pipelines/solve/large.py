@@ -132,7 +132,7 @@ def check_database(header, frequencies, headings, names):
     cells = 0
     for name in names:
         axes, _, kind = QUANTITIES[name]
-        size = np.dtype(kind).itemsize * math.prod(lengths[axis] for axis in axes)
+        size = np.dtype(kind).itemsize * math.prod([lengths[axis] for axis in axes])
         cells += size * (2 if name in ESTIMATES else 1)
     check_memory(
         f"{frequencies} frequencies and {headings} headings need",
