@@ -11,6 +11,7 @@ import numpy as np
 from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.criteria.strength import equipment_of_box
 
+from ..printing.number import fixed
 from . import report_words as words
 from .checklist import checklist
 from .kinds.versions import versions
@@ -131,8 +132,8 @@ def _body_words(db):
 
 
 def _whole(value):
-    """Four digits, thousands apart"""
-    return f"{float(f'{value:.4g}'):,.0f}".replace(",", " ")
+    """Four digits, of a number below 100 three, thousands apart"""
+    return f"{float(fixed(float(f'{value:.4g}'), 0)):,.15g}".replace(",", " ")
 
 
 def _checks(paths):

@@ -8,6 +8,7 @@ from hakobune.mooring.criteria.failing import FAILS as MARKED
 from hakobune.mooring.criteria.rules import read_rules
 
 from ..common.weather.seas import period_of
+from ..printing.number import fixed
 from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row
 from .verdict import FAILS, NUMBER, OPEN
@@ -189,7 +190,7 @@ def part_table(read, verdict):
 
 
 def _place(point):
-    return ", ".join(f"{round(float(x), 1) + 0.0:g}" for x in point)
+    return ", ".join(f"{float(fixed(float(x), 1)):g}" for x in point)
 
 
 def criterion(one, found_in):
@@ -274,8 +275,7 @@ def motion_rows(verdict):
 
 def _place_words(row):
     """Offset, yaw and excursion of a row of cases, dashes for a method without them"""
-    values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"]])
-    return [f"{value:.2f}" if np.isfinite(value) else "–" for value in np.round(values, 2) + 0.0]  # no −0.00
+    return [fixed(value) for value in (np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"])]
 
 
 def warnings(verdict):

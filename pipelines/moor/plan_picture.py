@@ -7,6 +7,7 @@ from hakobune.mooring.lines.system.shapes import joints_of_lines, loads_on_lines
 from hakobune.mooring.studies.multi_point import line_ends
 
 from ..common.picture import draw_streams, save
+from ..printing.number import fixed
 
 LABEL = 0.3  # place of a label on a line from its anchor, where lines are far apart
 SHORT = 0.1  # length of a short line over the plan
@@ -101,5 +102,5 @@ def _words(share):
 def _title(result):
     if len(result.displacement) > 3:
         return "dashed: at rest"
-    x, y, turn = np.round([*result.displacement[:2], np.degrees(result.displacement[2])], 2) + 0.0  # no −0.00
-    return f"offset {x:.2f} m, {y:.2f} m, yaw {turn:.2f}°; dashed: at rest"
+    x, y, turn = map(fixed, (*result.displacement[:2], np.degrees(result.displacement[2])))
+    return f"offset {x} m, {y} m, yaw {turn}°; dashed: at rest"

@@ -5,6 +5,7 @@ from functools import cache
 
 DIGITS = 4
 NOTHING = "–"
+LEAST = 1e-9  # size below which a number with fixed decimals is 0
 
 
 def number(value, factor=1.0, digits=DIGITS):
@@ -34,3 +35,11 @@ def significant(value, digits=DIGITS):
         return NOTHING
     whole = 10**digits - 0.5 <= abs(value) < 1e15  # the format g would print a power of ten here
     return f"{value + 0.0:.0f}" if whole else f"{value + 0.0:.{digits}g}"
+
+
+def fixed(value, decimals=2):
+    """A number as text with these decimals, or with three significant digits where those are more: 12.35, 0.0123"""
+    small = LEAST < abs(value) < 10.0 ** (2 - decimals)
+    return (
+        significant(value, 3) if small or not math.isfinite(value) else f"{round(value, decimals) + 0.0:.{decimals}f}"
+    )

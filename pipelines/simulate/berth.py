@@ -9,6 +9,7 @@ from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.dolphin import led_on
 from hakobune.mooring.motion.statistics import FEWEST_IN_WINDOW, PLANE
 
+from ..printing.number import fixed
 from .file import fender_names, summary_of
 
 NEAR = 0.2  # relative distance within which a natural period is near that of a harbour
@@ -81,7 +82,7 @@ def by_design_spectrum(study, db, body, hull, fenders):
     return (
         f"design spectrum method, {found.count} fenders: static {s.static:.3g} m ({100 * s.static_strain:.3g} %), "
         f"σ {s.sigma:.3g} m, largest {s.largest:.3g} m ({100 * s.strain:.3g} %); allowed: {100 * STATIC:g} and "
-        f"{100 * TOTAL:g} %, up to a significant height of {found.limit:.2f} m"
+        f"{100 * TOTAL:g} %, up to a significant height of {fixed(found.limit)} m"
     )
 
 

@@ -8,6 +8,7 @@ from ..common.picture import draw_streams, save
 from ..common.quantities import direction
 from ..common.units import KN
 from ..common.weather.seas import sea_with_swell
+from ..printing.number import fixed
 
 NAMED = 0.15  # place of a name on a line, from its anchor
 
@@ -32,7 +33,7 @@ def draw_plan(study, point, found, path):
     s = best.slewing
     state = "stable" if s.stable else "slews" if np.isfinite(s.period) else "turns away"
     period = f", period {s.period:.0f} s" if np.isfinite(s.period) else ""
-    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"{state}{period}, pull {best.pull / KN:.0f} kN")
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"{state}{period}, pull {fixed(best.pull / KN, 0)} kN")
     figure.legend(loc="outside lower center", ncols=4, fontsize=8)
     save(figure, path, 150)
 

@@ -8,6 +8,7 @@ from hakobune.mooring.environment.wind_profile import speed_at
 from hakobune.mooring.site.extremes import plotting_positions
 
 from ..common.picture import data_address
+from ..printing.number import fixed
 
 HEAD = "# Values of a site, by hakobune site; studies read it by [site] file, state, level"
 
@@ -67,14 +68,14 @@ def _profile(study, values):
     if study.wind is None:
         return []
     heights = study.wind.heights
-    return [(f"{z:g}", f"{float(speed_at(z, values.wind_10, study.wind.exponent)):.2f}") for z in heights]
+    return [(f"{z:g}", fixed(float(speed_at(z, values.wind_10, study.wind.exponent)))) for z in heights]
 
 
 def _current(study, values):
     """(depth, speed) in words of the current of the extreme state"""
     if values.profile is None:
         return []
-    return [(f"{z:g}", f"{float(values.profile.velocity(-z)[0]):.2f}") for z in study.current.depths]
+    return [(f"{z:g}", fixed(float(values.profile.velocity(-z)[0]))) for z in study.current.depths]
 
 
 def _climate(values):

@@ -6,6 +6,7 @@ do not overlap.
 
 import numpy as np
 
+from ...printing.number import fixed
 from .needs import OF_ALLOWABLE
 
 LETTER, ROW = 0.06, 0.15  # inches: width of a letter of a name, height of a row of names
@@ -47,7 +48,7 @@ def draw_berth(made, db, numbers, path):
     turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
     axes.plot(*(corners @ turned.T + [x, y]).T, color="k", label="mean place")
     figure.colorbar(colours, ax=axes, shrink=0.8, label="tension / breaking load,\nstrain / allowable strain")
-    at = "mean place {:.2f} m, {:.2f} m, yaw {:.2f}°".format(*(np.round([x, y, np.degrees(turn)], 2) + 0.0))
+    at = "mean place {} m, {} m, yaw {}°".format(*map(fixed, (x, y, np.degrees(turn))))
     free = MARGIN * (right - left)
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=at, xlim=(left - free, right + free), ylim=(low, high))
     figure.legend(loc="outside lower center", ncols=2, fontsize=8)

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from hakobune.pipelines.design.report import _body_words, _checks, _levels, _whole
+from hakobune.pipelines.design.report_words import _place, _place_words
 
 
 def test_every_check_that_fails_is_told_with_its_number_and_limit(monkeypatch):
@@ -36,6 +37,16 @@ def test_a_body_is_told_in_tonnes_metres_and_seconds():
     )
     assert _body_words(SimpleNamespace(**vars(db) | {"dimensions": {}})).startswith("A body from a mesh file; ")
     assert (_whole(1234567.0), _whole(999.4)) == ("1 235 000", "999")
+
+
+def test_a_page_at_model_scale_has_three_digits_of_displacement_places_and_offsets():
+    """51 250 t/70³, lines of 310 m/70 from a depth of 50 m/70, an offset of 2.5 m/70 with 4 m/70 of excursion"""
+    assert _whole(51250 / 70**3) == "0.149"
+    assert _place([-310 / 70, 20 / 70, -50 / 70]) == "-4.43, 0.286, -0.714"
+    assert _place([-310.04, 1e-15, -50.0]) == "-310, 0, -50"
+    row = {"x_m": 1.5 / 70, "y_m": 2.0 / 70, "yaw_deg": 12.345, "excursion_m": 4.0 / 70}
+    assert _place_words(row) == ["0.0357", "12.35", "0.0571"]
+    assert _place_words(row | {"x_m": 0.0, "y_m": 0.0, "excursion_m": np.nan}) == ["0.00", "12.35", "–"]
 
 
 def test_levels_are_told_as_depths_of_water_over_the_bed():

@@ -8,7 +8,7 @@ import math
 import pytest
 
 from hakobune.pipelines.printing.console import new_console, tables_as
-from hakobune.pipelines.printing.number import number, significant
+from hakobune.pipelines.printing.number import fixed, number, significant
 
 
 def wide_table():
@@ -64,3 +64,13 @@ def test_columns_of_one_name_are_all_in_a_row_by_names(capsys):
 def test_a_small_number_keeps_four_digits_and_a_large_one_its_whole_part(value, text):
     assert significant(value) == text
     assert significant(2420.4, 3) == "2420" and significant(9999.7) == "10000" and significant(999.4, 3) == "999"
+
+
+@pytest.mark.parametrize(
+    ("value", "decimals", "text"),
+    [(12.346, 2, "12.35"), (1.0, 2, "1.00"), (0.99951, 2, "1"), (0.012345, 2, "0.0123"), (-0.0357, 2, "-0.0357"),
+     (0.0, 2, "0.00"), (-3e-17, 2, "0.00"), (-300.46, 1, "-300.5"), (0.1734, 1, "0.173"), (4217.6, 0, "4218"),
+     (12.31, 0, "12.3"), (math.inf, 2, "–"), (math.nan, 0, "–")],
+)  # fmt: skip
+def test_fixed_decimals_leave_three_digits_of_a_small_number_and_none_of_rounding(value, decimals, text):
+    assert fixed(value, decimals) == text

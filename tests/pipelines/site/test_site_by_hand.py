@@ -72,7 +72,7 @@ def test_profiles_of_the_page_are_those_of_the_wind_and_the_current(tmp_path):
         ("40", f"{30 * 1.095:.2f}"),
         ("150", f"{30 * 1.265:.2f}"),
     ]
-    assert report._current(study, values) == [("0", "1.10"), ("8", f"{0.8 * 0.5**0.2 + 0.15:.2f}")]
+    assert report._current(study, values) == [("0", "1.10"), ("8", f"{0.8 * 0.5**0.2 + 0.15:.3g}")]
     study, values = made(tmp_path, ("height = 10.0\n", "height = 10.0\nexponent = 0.14\n"))
     assert report._profile(study, values)[1] == ("40", f"{30 * 4**0.14:.2f}")
 
