@@ -39,38 +39,27 @@ source = "the owner"
 Paths are relative to the folder of the project.  Every fault is one line that names key, value and allowed values.
 """
 
-import math
-from functools import partial
 from pathlib import Path
 from types import ModuleType
 
 import msgspec
 
-from hakobune.bem import DOFS
 from hakobune.mooring.criteria.rules import LINES as KNOWN_LINES
 from hakobune.mooring.criteria.rules import OWN, Criterion, of_rule, read_rules, unit_of
 from hakobune.mooring.criteria.rules import STATES as KNOWN_STATES
-from hakobune.mooring.criteria.strength import kind_and_size, worn_breaking_load
-from hakobune.mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
+from hakobune.mooring.criteria.strength import kind_and_size
+from hakobune.mooring.criteria.verdict import HAWSER
 
-from ..common.quantities import StudyError, positive, speed
+from ..common.quantities import StudyError, positive
 from ..common.typed import read_toml, typed
-from ..common.weather.seas import spectrum_of
-from ..common.weather.streams import coefficients_of, wind_table, with_files
+from ..common.weather.streams import with_files
 from ..site.link import laid_in, named, site_file
 from .cases import check_cases
 from .kinds.choose import kind_of
-from .kinds.needs import SCOPE
+from .project_checks import check_among, check_criteria, check_tables, check_worn
 from .tables import MEAN, Project
 
-STATES = ("normal", "abnormal")
-LINES = ("intact", "one lost")
-KNOWN_OF_PROJECT = "service life", "return period", SCOPE
-# quantities computed by load cases or given by the project
-FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), *KNOWN_OF_PROJECT)
 STATISTICS = ("largest", "amplitude", "peak to peak")
-USED = {"wear": WORN, "anchors": HOLDING}  # tables that only one quantity uses
-DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
 class Read(msgspec.Struct, frozen=True):
@@ -102,36 +91,13 @@ def read_project(path):
     folder = path.parent
     kind = kind_of(folder / own.study)
     study, study_text = kind.read(folder / own.study)
-    _check_bodies(own, kind)
-    _check_numbers(project)
-    _check_states(project, study["water"]["depth"])
-    kind.check(project, study)
-    _check_wear(project, study)
-    _check_fatigue(project, study)
+    check_tables(project, study, kind)
     criteria = _criteria(project, folder)
-    _check_limits(project, kind.finds(study))
-    _check_own_rules(project, kind.finds(study), folder)
-    _check_needs(kind.needs(study), criteria)
-    _check_hawsers(project, kind.needs(study))
-    _check_used(project, criteria)
-    _check_values(project, criteria)
-    _check_earthquakes(project, study, folder)
+    check_criteria(project, study, kind, criteria, folder)
     read = Read(project, raw, text, study, study_text, criteria, folder, kind)
-    _check_worn(worn_diameters(project, study))
+    check_worn(worn_diameters(project, study))
     check_cases(read, scenes(read))
     return read
-
-
-def _check_bodies(own, kind):
-    if own.scene is not None and own.database is not None:
-        raise StudyError("project: scene and database are both given; give one of them")
-    given = own.scene is not None or own.database is not None
-    if kind.DATABASE == "needed" and not given:
-        raise StudyError("project: neither scene nor database is given; give one of them")
-    if kind.DATABASE == "none" and given:
-        raise StudyError(
-            f"project.{'scene' if own.scene else 'database'} is given; a {kind.NAME} defines its own section"
-        )
 
 
 def _at_site(raw, folder):
@@ -205,219 +171,6 @@ def worn_diameters(project, study):
     return found
 
 
-def _check_numbers(project):
-    """Raises StudyError for numbers that are invalid for any study."""
-    own = project.project
-    if own.service_life is not None:
-        positive("project.service_life", own.service_life)
-    if own.probability is not None and not 0 < own.probability < 1:
-        raise StudyError(f"project.probability is {own.probability:g}; allowed: above 0, below 1")
-    for name, rise in project.levels.items():
-        if not math.isfinite(rise):
-            raise StudyError(f"levels.{name} is {rise:g} m; allowed: finite")
-    if project.anchors is not None:
-        positive("anchors.holding_kN", project.anchors.holding_kN)
-        for name, holding in project.anchors.lines.items():
-            positive(f"anchors.lines.{name}", holding)
-
-
-def _check_worn(worn):
-    """Raises StudyError for wear that leaves too little of a type; worn : from `worn_diameters`"""
-    for name, (diameter, loss) in worn.items():
-        try:
-            worn_breaking_load(1.0, diameter, loss, 1.0)
-        except ValueError as error:
-            raise StudyError(f"wear of type {name!r}: {error}") from None
-
-
-def _check_states(project, depth):
-    if not project.states:
-        raise StudyError("the project has no states; give at least one [[states]]")
-    if not project.rules and not project.limits:
-        raise StudyError("the project has no rules; give at least one [[rules]] or [[limits]]")
-    known = (MEAN, *project.levels)
-    names = [state.name for state in project.states]
-    for i, state in enumerate(project.states):
-        where = f"states[{i}]"
-        if names.count(state.name) > 1:
-            raise StudyError(
-                f"{where}.name is {state.name!r}, which another state has too; give each state a name of its own"
-            )
-        _one(f"{where}.state", state.state, STATES)
-        _one(f"{where}.lost", state.lost, ("worst", "each"))
-        for key, allowed in (("lines", LINES), ("levels", known)):
-            if not getattr(state, key):
-                raise StudyError(f"{where}.{key} is empty; allowed: {', '.join(allowed)}")
-            for value in getattr(state, key):
-                _one(f"{where}.{key}", value, allowed)
-        for key in ("incidence_deg", "wind_off_deg", "current_off_deg"):
-            values = getattr(state, key)
-            if not values or any(not -360 <= value <= 360 for value in values):
-                raise StudyError(f"{where}.{key} is {values}; allowed: at least one, −360 to 360")
-        if state.wind is state.current is state.waves is None:
-            raise StudyError(f"{where} has neither wind, current nor waves; allowed: at least one")
-        for key in ("wind", "current", "waves"):
-            table = getattr(state, key)
-            given = [name for name in DIRECTION_KEYS if table is not None and getattr(table, name) is not None]
-            if given:
-                raise StudyError(f"{where}.{key}.{given[0]} is given; allowed: directions in {where}.incidence_deg")
-        _check_streams(where, state)
-        if state.waves is not None:
-            _check_waves(f"{where}.waves", state.waves, depth)
-
-
-def _check_waves(where, waves, depth):
-    """Raises StudyError for waves that are invalid in every case"""
-    if waves.file is None:
-        spectrum_of(where, waves, depth)
-    for i, one in enumerate(waves.swell):
-        one.sea(f"{where}.swell[{i}]", depth)
-
-
-def _check_streams(where, state):
-    """Raises StudyError for wind or current that is invalid in every case"""
-    for key, made in (("wind", wind_table), ("current", partial(coefficients_of, "current"))):
-        if (table := getattr(state, key)) is not None:
-            speed(f"{where}.{key}", table)
-            try:
-                made(table)
-            except StudyError as error:
-                raise StudyError(f"{where}.{error}") from None
-
-
-def _check_wear(project, study):
-    wear = project.wear
-    if wear is None:
-        return
-    if wear.mm_per_year < 0:
-        raise StudyError(f"wear.mm_per_year is {wear.mm_per_year:g}; allowed: at least 0")
-    if wear.years is None and project.project.service_life is None:
-        raise StudyError("wear: the number of years is missing; give wear.years or project.service_life")
-    if wear.years is not None:
-        positive("wear.years", wear.years)
-    twice = [name for name, table in study.get("types", {}).items() if "corrosion_mm" in table]
-    if twice:
-        raise StudyError(f"[wear] and types.{twice[0]}.corrosion_mm are both given; give one of them")
-    unnamed = [name for name, table in study.get("types", {}).items() if "catalogue" not in table]
-    if unnamed:
-        raise StudyError(
-            f"wear of type {unnamed[0]!r} needs a diameter; name a size of the catalogue, such as catalogue = "
-            '"R3 studless 76 mm"'
-        )
-
-
-def _check_fatigue(project, study):
-    from hakobune.mooring.criteria.fatigue import BASES, curves
-
-    shares = [state.share for state in project.states]
-    if any(not 0 <= share <= 1 for share in shares) or sum(shares) > 1 + 1e-9:
-        raise StudyError(f"states: the shares of the time are {shares}; allowed: 0 to 1 each, at most 1 in total")
-    own = project.fatigue
-    if own is None:
-        return
-    numbers = (own.exponent, own.constant)
-    if (own.curve is None) == (None in numbers) or (own.curve is not None and any(numbers)):
-        raise StudyError("fatigue: give either curve, or exponent and constant of N = constant · s^−exponent")
-    if own.curve is not None:
-        _one("fatigue.curve", own.curve, tuple(curves()))
-    else:
-        positive("fatigue.exponent", own.exponent)
-        positive("fatigue.constant", own.constant)
-        _one("fatigue.basis", own.basis, BASES)
-    if not own.factor >= 1:
-        raise StudyError(f"fatigue.factor is {own.factor:g}; allowed: at least 1")
-    if project.simulation is None or project.project.service_life is None or not any(shares):
-        raise StudyError(
-            "fatigue needs [simulation], project.service_life and a share of the time for at least one state"
-        )
-    unnamed = [name for name, table in study.get("types", {"ropes": {}}).items() if "catalogue" not in table]
-    if unnamed:
-        raise StudyError(f"fatigue of type {unnamed[0]!r} needs a diameter; name a size of the catalogue")
-
-
-def _check_limits(project, found):
-    """Raises StudyError if no load case and no [[values]] gives the quantity of a limit; found : by the load cases"""
-    known = (*OF_TENSIONS, *found, *KNOWN_OF_PROJECT)
-    for i, one in enumerate(project.limits):
-        if one.quantity not in (*known, *(value.quantity for value in project.values)):
-            raise StudyError(
-                f"limits[{i}].quantity is {one.quantity!r}; allowed: {'; '.join(known)}; or give it by [[values]]"
-            )
-
-
-def _check_own_rules(project, found, folder):
-    """Raises StudyError if a user's rule file has a quantity that no load case, table or value gives: a misprint"""
-    known = {*OF_TENSIONS, *found, *KNOWN_OF_PROJECT, *(value.quantity for value in project.values)}
-    known |= {criterion.quantity for criterion in read_rules()}
-    for i, table in enumerate(project.rules):
-        for one in () if table.file is None else of_rule(read_rules(folder / table.file), table.rule, table.subject):
-            if one.quantity not in known:
-                raise StudyError(
-                    f"rules[{i}], {table.file}: no load case computes the quantity {one.quantity!r}; allowed: "
-                    f"{'; '.join((*OF_TENSIONS, *found, *KNOWN_OF_PROJECT))}; or give it by [[values]]"
-                )
-
-
-def _check_needs(needs, criteria):
-    """Raises StudyError if no criterion limits a Need of the study, which would pass unchecked"""
-    for need in needs:
-        if not need.judged(criteria):
-            subject = ' with subject = "hawser"' if need.hawser else ""
-            raise StudyError(
-                f"the study has {need.what} and no chosen criterion judges them; give a rule set that does, or "
-                f"[[limits]] of {need.quantities[0]!r}{subject}"
-            )
-
-
-def _check_hawsers(project, needs):
-    """Raises StudyError for a limit on hawsers if the study has none: it would check nothing"""
-    if not any(need.hawser for need in needs):
-        for i, one in enumerate(project.limits):
-            if one.subject == HAWSER:
-                raise StudyError(
-                    f"limits[{i}].subject is {HAWSER!r} and the study has no hawser; leave the subject out"
-                )
-
-
-def _check_used(project, criteria):
-    """Raises StudyError for a table that no criterion uses"""
-    asked = {one.quantity for one in criteria}
-    for table, quantity in USED.items():
-        if getattr(project, table) is not None and quantity not in asked:
-            raise StudyError(
-                f"[{table}] is given and no chosen criterion limits {quantity!r}; give a rule set or [[limits]] "
-                f"that does, or leave out [{table}]"
-            )
-
-
-def _check_values(project, criteria):
-    asked = dict.fromkeys(one.quantity for one in criteria if one.quantity not in FOUND)
-    for i, one in enumerate(project.values):
-        where = f"values[{i}]"
-        _one(f"{where}.state", one.state, KNOWN_STATES)
-        _one(f"{where}.lines", one.lines, KNOWN_LINES)
-        if not 0 <= one.value < math.inf:
-            raise StudyError(f"{where}.value is {one.value:g}; allowed: 0 or more, finite")
-        if one.quantity not in asked:
-            known = "; ".join(asked) or "none is asked for"
-            raise StudyError(f"{where}.quantity is {one.quantity!r}; allowed by the chosen criteria: {known}")
-
-
-def _check_earthquakes(project, study, folder):
-    from .kinds.earthquake import check_study
-
-    if project.earthquakes and not study.get("fender"):
-        raise StudyError(
-            "earthquakes are given and the study has no fenders; lines leave the hull with long natural periods"
-        )
-    for i, one in enumerate(project.earthquakes):
-        if [other.name for other in project.earthquakes].count(one.name) > 1:
-            raise StudyError(
-                f"earthquakes[{i}].name is {one.name!r}, which another earthquake has too; give each a name of its own"
-            )
-        check_study(folder / one.study)
-
-
 def _criteria(project, folder):
     chosen = []
     for i, table in enumerate(project.rules):
@@ -438,9 +191,9 @@ def _limit(where, table):
     """The Criterion of a LimitTable.  Raises StudyError."""
     if (table.at_most is None) == (table.at_least is None):
         raise StudyError(f"{where}: give one of at_most, at_least")
-    _one(f"{where}.state", table.state, KNOWN_STATES)
-    _one(f"{where}.lines", table.lines, KNOWN_LINES)
-    _one(f"{where}.statistic", table.statistic, STATISTICS)
+    check_among(f"{where}.state", table.state, KNOWN_STATES)
+    check_among(f"{where}.lines", table.lines, KNOWN_LINES)
+    check_among(f"{where}.statistic", table.statistic, STATISTICS)
     if table.subject not in ("", HAWSER):
         raise StudyError(f"{where}.subject is {table.subject!r}; allowed: {HAWSER}, or left out for all other lines")
     sense = "at most" if table.at_least is None else "at least"
@@ -450,11 +203,6 @@ def _limit(where, table):
         OWN, "", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", table.subject,
         table.statistic, 1.0, table.source, "read",
     )  # fmt: skip
-
-
-def _one(key, value, allowed):
-    if value not in allowed:
-        raise StudyError(f"{key} is {value!r}; allowed: {', '.join(allowed)}")
 
 
 def scenes(read):

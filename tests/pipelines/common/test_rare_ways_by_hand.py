@@ -16,7 +16,7 @@ from hakobune.pipelines import cli, doctor, start
 from hakobune.pipelines.common import interrupt
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.weather import seas
-from hakobune.pipelines.design import project as of_project
+from hakobune.pipelines.design import project_checks as of_project
 from hakobune.pipelines.exchange import flags as of_flags
 from hakobune.pipelines.executors import cluster, processes
 from hakobune.pipelines.line_dynamics import parts

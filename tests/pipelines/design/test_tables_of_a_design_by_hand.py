@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.criteria import verdict as of
-from hakobune.pipelines.design import comparison, project, report_tables, running
+from hakobune.pipelines.design import project, report_tables, running, verdict
 from hakobune.pipelines.design.cases import LoadCase
 from hakobune.pipelines.design.fatigue import QUANTITY as FATIGUE
 from hakobune.pipelines.design.kinds import breakwater, earthquake, in_time
@@ -200,10 +200,10 @@ def test_rule_sets_stand_side_by_side_by_what_they_use(monkeypatch):
             for one in criteria
         ]
 
-    monkeypatch.setattr(comparison, "read_rules", lambda: [steel, more, rope, ship, unknown])
-    monkeypatch.setattr(comparison, "judge", judge)
+    monkeypatch.setattr(verdict, "read_rules", lambda: [steel, more, rope, ship, unknown])
+    monkeypatch.setattr(verdict, "judge", judge)
     read = SimpleNamespace(criteria=[port], study={"types": {"x": {"catalogue": "R3 studless 80 mm"}}})
-    found = comparison.side_by_side(read, [])
+    found = verdict.side_by_side(read, [])
     assert [(one.name, one.chosen, one.judged, one.known, one.criterion, one.unread) for one in found] == [
         ("D 2020", True, 1, 1, port, 0),
         ("A 1990", False, 2, 2, more, 1),
@@ -222,7 +222,7 @@ def test_rule_sets_stand_side_by_side_by_what_they_use(monkeypatch):
     ],
 )
 def test_a_study_has_the_things_of_its_tables(study, has):
-    assert {word for word, there in comparison._things(study).items() if there} == has
+    assert {word for word, there in verdict._things(study).items() if there} == has
 
 
 # ------------------------------------------------------------------ weather of a site, runs in time
