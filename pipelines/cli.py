@@ -29,6 +29,7 @@ from .keys.command import keys, new
 from .line_dynamics.command import line_dynamics
 from .lines.flags import line, lines
 from .members.command import members
+from .moor.command import moor
 from .passing.command import passing
 from .printing import timing
 from .printing.console import new_console, tables_as, taken
@@ -228,20 +229,6 @@ def check(
 
 
 @app.command
-def moor(
-    study: Annotated[Path, Parameter(help="mooring study (TOML)")],
-    /,
-    *,
-    database: Annotated[Path, Parameter(help="database of the body, .h5")],
-    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv, with a picture of the plan beside")] = None,
-):
-    """Compute equilibrium, natural periods and line tensions of a moored body, by the simplified method."""
-    from .moor.command import moor
-
-    return moor(study, database, output)
-
-
-@app.command
 def sweep(
     study: Annotated[Path, Parameter(help="sweep: a study and the keys to vary (TOML)")],
     /,
@@ -260,6 +247,7 @@ def sweep(
     return sweep(study, output, executor, fresh, plot)
 
 
+app.command(moor)
 app.command(sea)
 app.command(response)
 app.command(qtf)

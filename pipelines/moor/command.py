@@ -1,21 +1,30 @@
 """`hakobune moor`: a study on a database → results file, tables on the terminal, plan of the lines."""
 
-from hakobune.bem.database import open_database
+from __future__ import annotations
 
-from ..results.output import check_result, write_result
-from ..results.tables import printed
-from .result import moor as found
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
 
 
-def moor(study, database, output=None):
-    """Run the study of a TOML file on a database, print it, write it; returns the exit status.
+def moor(
+    study: Annotated[Path, Parameter(help="mooring study (TOML)")],
+    /,
+    *,
+    database: Annotated[Path, Parameter(help="database of the body, .h5")],
+    output: Annotated[Path | None, Parameter(help="results, .h5 or .csv, with a picture of the plan beside")] = None,
+):
+    """Compute equilibrium, natural periods and line tensions of a moored body, by the simplified method."""
+    from hakobune.bem.database import open_database
 
-    With `output` the results are written there (HDF5 or CSV), with a plan of the lines beside it (…_plan.png).
-    raises : ValueError, one line, before anything is written
-    """
+    from ..results.output import check_result
+    from ..results.tables import printed
+    from .result import moor
+
     check_result(output, "moor", [study, database])
     db = open_database(database)
-    result = found(study, db)
+    result = moor(study, db)
     written = [] if output is None else _written(result, db, output)
     status = printed(result)
     if written:
@@ -25,6 +34,7 @@ def moor(study, database, output=None):
 
 def _written(result, db, output):
     """Names of the files"""
+    from ..results.output import write_result
     from .plan_picture import draw_plan
 
     made, _ = result.detail

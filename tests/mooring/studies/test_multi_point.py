@@ -308,7 +308,7 @@ def test_lines_cut_into_equal_segments_leave_every_result_as_it_is(stormy):
 def test_the_example_with_lines_of_segments_has_its_pretensions_and_runs(tmp_path, database):
     scene = tmp_path / "study.toml"  # the stand-in has no forces, which irregular waves need
     scene.write_text((SCENES / "moor_chain_and_wire.toml").read_text() + 'method = "regular_wave"\n')
-    command(scene, database, tmp_path / "moor.h5")
+    command(scene, database=database, output=tmp_path / "moor.h5")
     result = moor(scene, database)
     pretension = np.array([35.0] * 8 + [30.0] * 2) * TONF
     assert np.allclose(result.rest.lines.horizontal_b, pretension, rtol=1e-9)
@@ -321,7 +321,7 @@ def test_every_number_of_the_results_file_has_its_unit(tmp_path, database):
     """But for shares, factors and the shapes of modes"""
     study, output = tmp_path / "study.toml", tmp_path / "moor.h5"
     study.write_text(STUDY)
-    command(study, database, output)
+    command(study, database=database, output=output)
     bare = {name for name, one in read(output).quantities.items() if one.numeric and not one.unit}
     assert bare == {"tension.used", "allowable", "motion_factor", "mode_shape.at_rest", "mode_shape.under_loads"}
 
@@ -330,7 +330,7 @@ def test_a_line_without_a_breaking_load_has_a_colour_of_its_own_in_the_plan(tmp_
     study, drawn = tmp_path / "study.toml", []
     study.write_text(STUDY.replace("breaking_load_tonf = 1700.0\n", ""))
     monkeypatch.setattr("hakobune.pipelines.moor.plan_picture.save", lambda figure, *_: drawn.append(figure))
-    command(study, database, tmp_path / "moor.h5")
+    command(study, database=database, output=tmp_path / "moor.h5")
     axes = drawn[0].axes[0]
     assert {line.get_color() for line in axes.lines if line.get_linewidth() == 2.5} == {UNKNOWN}
     assert {text.get_text().split("\n")[-1] for text in axes.texts if text.get_text()} == {"unknown"}
@@ -348,7 +348,7 @@ def test_command_writes_results_and_plan(tmp_path, database, capsys):
     text = STUDY.replace("[current]\n", '[current]\nwaves = "still"\n')
     study.write_text(text)
     result = moor(study, database)
-    assert command(study, database, output) == 0
+    assert command(study, database=database, output=output) == 0
     shown = capsys.readouterr().out
     assert "largest tension" in shown and "surge" in shown
     assert (tmp_path / "moor_plan.png").stat().st_size > 10_000
@@ -367,10 +367,10 @@ def test_command_leaves_no_file_when_the_study_has_no_answer(tmp_path, database)
     study, output = tmp_path / "study.toml", tmp_path / "moor.h5"
     study.write_text(STUDY.replace("period = 10.0", "period = 3.0"))
     with pytest.raises(ValueError, match="period 3 s"):
-        command(study, database, output)
+        command(study, database=database, output=output)
     assert not output.exists()
     with pytest.raises(ValueError, match="is an input of the study"):
-        command(study, database, database)
+        command(study, database=database, output=database)
     assert len(open_database(database).omega) == len(OMEGA)
 
 
@@ -417,7 +417,7 @@ def test_lines_without_a_breaking_load_are_not_called_acceptable(tmp_path, datab
     study = tmp_path / "study.toml"
     study.write_text(STUDY.replace("breaking_load_tonf = 1700.0\n", ""))
     result = moor(study, database)
-    command(study, database)
+    command(study, database=database)
     shown = capsys.readouterr().out
     assert np.isnan(result.utilisation).all()
     assert (

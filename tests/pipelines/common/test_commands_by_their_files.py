@@ -155,10 +155,11 @@ def _breakwater(room):
 
 
 def _moor(room):
-    room.of(of_moor, found=room.found, open_database=lambda path: "db")
+    room.at(moor__result__moor=room.found)
+    room.patch.setattr("hakobune.bem.database.open_database", lambda path: "db")
     room.made = Made((SimpleNamespace(), None))
     room.at(moor__plan_picture__draw_plan=room.draw)
-    status = of_moor.moor(STUDY, Path("body.h5"), H5)
+    status = of_moor.moor(STUDY, database=Path("body.h5"), output=H5)
     assert room.made.files == [H5] and room.drawn == [Path("found_plan.png")]
     return status, ["written: found.h5, found_plan.png"]
 
