@@ -228,6 +228,29 @@ def test_a_simulation_at_model_scale_is_printed_with_three_digits_and_kept_with_
     compare(words.split(), hakobune.simulate("study.toml", "box.h5"), capsys)
 
 
+def test_hours_of_downtime_at_model_scale_are_printed_with_three_digits_and_kept_with_all(capsys, there, tank):
+    """Hours of the calendar are not scaled, nor are angles and accelerations; limits stop some of the hours"""
+    (there / "box.h5").symlink_to(tank[0])
+    rng, n = np.random.default_rng(4), 500
+    columns = {"hs [m]": SCALE * rng.lognormal(0, 0.4, n), "tp [s]": root(rng.uniform(8, 12, n))}
+    columns["dir [deg]"] = rng.uniform(0, 360, n)
+    times = np.datetime64("2014-01-01T00", "h") + 12 * np.arange(n)
+    rows = [f"{t},{','.join(map(repr, map(float, row)))}" for t, *row in zip(times, *columns.values(), strict=True)]
+    (there / "hours.csv").write_text("\n".join([f"time,{','.join(columns)}", *rows]))
+    waves = {"height": "hs", "peak_period": "tp", "direction_from": "dir"}
+    limits = {"heave": 0.6 * SCALE, "roll": 3.0, "bow velocity z": root(0.4)}
+    made = {
+        "hindcast": {"file": "hours.csv", "x_axis_compass_deg": 90.0, "waves": [waves]},
+        "body": {"damping_ratio": {"roll": 0.05}},
+        "points": [{"name": "bow", "position": [50 * SCALE, 0.0, 10 * SCALE]}],
+        "operations": [{"name": "cranes", "limits": [{"quantity": q, "at_most": v} for q, v in limits.items()]}],
+    }
+    (there / "study.toml").write_text(tomli_w.dumps(made))
+    found = hakobune.downtime("study.toml", "box.h5")
+    assert 0 < found["downtime.hours"][0] < 8766
+    compare(["downtime", "study.toml", "--database", "box.h5"], found, capsys)
+
+
 def test_a_sweep_at_model_scale_is_printed_with_three_digits_and_kept_with_all(capsys, there):
     speeds = [root(0.1), root(0.15)]
     sweep = {"command": "berth", "study": "berth.toml", "vary": [{"key": "approach.speed", "values": speeds}]}
