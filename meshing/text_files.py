@@ -74,3 +74,10 @@ def numbers_of(line):
 def csv_rows(text):
     """Rows of a CSV text with column names, as a `csv.DictReader`; empty lines and # lines are skipped"""
     return csv.DictReader(line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#"))
+
+
+def packaged_rows(package, name):
+    """Rows of `tables/NAME.csv` in a folder of the program, a dictionary of texts each; its # lines have the source"""
+    from importlib.resources import files
+
+    return list(csv_rows(files(package).joinpath("tables", f"{name}.csv").read_text(encoding="utf-8")))

@@ -4,12 +4,11 @@ Ueda (1981), tables 2.1, 2.2, 2.3 and 2.5 (`tables/field.csv`).  The tables cut 
 which causes most of the scatter of absorbed over effective energy; weights in tonf with g = 9.8 m/s² and 1.03 tonf/m³.
 """
 
-from importlib.resources import files
 from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.meshing.text_files import csv_rows
+from hakobune.meshing.text_files import packaged_rows
 
 from .energy import Ship, berthing_energy, eccentricity, virtual_mass_older, virtual_mass_ueda
 
@@ -45,9 +44,7 @@ class Contact(NamedTuple):
 
 def contacts():
     """All `Contact` of the table"""
-    text = files(__package__).joinpath("tables", "field.csv").read_text(encoding="utf-8")
-    rows = csv_rows(text)
-    return [_contact(list(row.values())) for row in rows]
+    return [_contact(list(row.values())) for row in packaged_rows(__package__, "field")]
 
 
 def _contact(row):

@@ -9,12 +9,11 @@ chapter 6, of sinkers and piles.  A drag anchor has no capacity for a pull upwar
 """
 
 from functools import cache
-from importlib.resources import files
 from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.meshing.text_files import csv_rows
+from hakobune.meshing.text_files import packaged_rows
 
 from .failing import fails
 from .overuse import shares
@@ -72,7 +71,6 @@ class Anchor(NamedTuple):
 @cache
 def charts():
     """{(type, soil): Chart} of drag anchors"""
-    rows = csv_rows(files(__package__).joinpath("tables", "drag_anchors.csv").read_text(encoding="utf-8"))
     return {
         (row["type"], row["soil"]): Chart(
             float(row["reference_kg"]),
@@ -81,7 +79,7 @@ def charts():
             row["source"],
             row["status"],
         )
-        for row in rows
+        for row in packaged_rows(__package__, "drag_anchors")
     }
 
 

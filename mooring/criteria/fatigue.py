@@ -11,12 +11,11 @@ they depend on: corrosion, preload, terminations, bending over a fairlead.
 
 from __future__ import annotations
 
-from importlib.resources import files
 from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.meshing.text_files import csv_rows
+from hakobune.meshing.text_files import packaged_rows
 
 from ..lines.catalogue import CHAIN
 from .strength import chain_factor
@@ -64,8 +63,6 @@ class Cycles(NamedTuple):
 
 def curves():
     """{name: Curve} of the table"""
-    text = files(__package__).joinpath("tables", "fatigue_curves.csv").read_text(encoding="utf-8")
-    rows = csv_rows(text)
     return {
         row["name"]: Curve(
             row["name"],
@@ -76,7 +73,7 @@ def curves():
             row["chain"] == "yes",
             row["source"],
         )
-        for row in rows
+        for row in packaged_rows(__package__, "fatigue_curves")
     }
 
 

@@ -7,12 +7,11 @@ in `tables/families.csv` and their sources in both.  A maker's table is a CSV wi
 """
 
 from functools import cache
-from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
 
-from hakobune.meshing.text_files import csv_rows, read_text
+from hakobune.meshing.text_files import csv_rows, packaged_rows, read_text
 
 from .fender import FenderError, fender_of_points
 from .pneumatic import pneumatic
@@ -24,7 +23,7 @@ MARKS = ("rated", "allowable", "limit", "return_length")
 @cache
 def families():
     """{family: {"strain", "reaction", "unloading": arrays, MARKS: numbers, "intensity": kN/m² or None}}"""
-    marks, shapes = (table_rows(name) for name in ("families", "shapes"))
+    marks, shapes = (packaged_rows(__package__, name) for name in ("families", "shapes"))
     out = {}
     for row in marks:
         points = [shape for shape in shapes if shape["family"] == row["family"]]
@@ -89,7 +88,7 @@ def _ordinary(label, family, intensity, height, length):
 
 def fender_of_file(path, height, **marks):
     """`fender.Fender` of a maker's CSV table; height : m; marks : as of `fender_of_points`.  Raises FenderError."""
-    rows = _rows(read_text(path, FenderError, largest=1))
+    rows = list(csv_rows(read_text(path, FenderError, largest=1)))
     columns = set(rows[0]) if rows else set()
     along = next((key for key in ("strain", "deflection_m") if key in columns), None)
     if along is None or "reaction_kN" not in columns:
@@ -115,12 +114,3 @@ def _number(text):
         return text is not None and np.isfinite(float(text))
     except ValueError:
         return False
-
-
-def table_rows(name):
-    """Rows of `tables/name.csv`, one dictionary of texts each"""
-    return _rows(files(__package__).joinpath("tables", f"{name}.csv").read_text(encoding="utf-8"))
-
-
-def _rows(text):
-    return list(csv_rows(text))

@@ -9,14 +9,17 @@ from functools import cache
 
 import numpy as np
 
-from .families import table_rows
+from hakobune.meshing.text_files import packaged_rows
+
 from .fender import FenderError
 
 
 @cache
 def bands():
     """{cause: (smallest, largest) factor on the reaction}"""
-    return {row["cause"]: (float(row["smallest"]), float(row["largest"])) for row in table_rows("variation")}
+    return {
+        row["cause"]: (float(row["smallest"]), float(row["largest"])) for row in packaged_rows(__package__, "variation")
+    }
 
 
 def chosen(causes=None, **own):

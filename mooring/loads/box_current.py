@@ -24,10 +24,11 @@ from functools import cache
 
 import numpy as np
 
+from hakobune.meshing.text_files import packaged_rows
+
 from .box_drag import DragTable, box_drag, check_positive, stream_pressure
 from .crest import CrestSurface, Point
 from .smooth import parabolic, smooth
-from .table_file import read_table
 
 DEGREES = ("0", "15", "30", "45", "60", "75", "90")
 ANGLES = np.deg2rad([float(a) for a in DEGREES])
@@ -172,7 +173,7 @@ def _rows(name, slender):
     """{(B/d, H/d): (7,) coefficients} at all angles"""
     return {
         (float(r["beam_over_draft"]), float(r["depth_over_draft"])): np.array([float(r[a]) for a in DEGREES])
-        for r in read_table("current_angles.csv")
+        for r in packaged_rows(__package__, "current_angles")
         if r["coefficient"] == name and float(r["length_over_beam"]) == slender
     }
 
@@ -181,7 +182,7 @@ def _rows(name, slender):
 def _crest(name):
     points = [
         Point(float(r["beam_over_draft"]), float(r["depth_over_draft"]), float(r["value"]), r["crest"] == "1")
-        for r in read_table("current_depths.csv")
+        for r in packaged_rows(__package__, "current_depths")
         if r["coefficient"] == name
     ]
     return CrestSurface(points, TANK[2.0])
@@ -189,7 +190,7 @@ def _crest(name):
 
 def _suspects(slender, wide, relative):
     """One message for each printed value out of trend among the tests next to these proportions"""
-    for r in read_table("current_angles.csv"):
+    for r in packaged_rows(__package__, "current_angles"):
         if not r["suspect"] or float(r["length_over_beam"]) != slender:
             continue
         name, b, h = r["coefficient"], float(r["beam_over_draft"]), float(r["depth_over_draft"])

@@ -9,15 +9,16 @@ is assumed amidships.  Coefficients and their source are in `tables/ship_wind.cs
 
 import numpy as np
 
+from hakobune.meshing.text_files import packaged_rows
+
 from .coefficients import hull_coefficients
-from .table_file import read_table
 
 STEP = 2.5  # °, of the coefficients
 
 
 def ships():
     """Names of the types of ship"""
-    return tuple(row["ship"] for row in read_table("ship_wind.csv"))
+    return tuple(row["ship"] for row in packaged_rows(__package__, "ship_wind"))
 
 
 def blendermann(ship, length, front_area, side_area, side_height):
@@ -25,7 +26,7 @@ def blendermann(ship, length, front_area, side_area, side_height):
 
     raises : ValueError naming the types there are
     """
-    known = {row["ship"]: row for row in read_table("ship_wind.csv")}
+    known = {row["ship"]: row for row in packaged_rows(__package__, "ship_wind")}
     if ship not in known:
         raise ValueError(f"there are no wind coefficients of a {ship!r}; allowed: {'; '.join(known)}")
     across, ahead, astern, cross, roll = (float(value) for value in list(known[ship].values())[1:])

@@ -28,9 +28,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.meshing.text_files import packaged_rows
+
 from .box_drag import check_positive
 from .smooth import smooth
-from .table_file import read_table
 
 FITTED = np.deg2rad(60.0)
 LARGEST_TURN = 0.5  # L/R of the tests
@@ -186,7 +187,7 @@ def _rows(coefficient):
         tuple(float(r[key]) for key in ("length_over_beam", "beam_over_draft", "depth_over_draft")): np.array(
             [float(r[f"A{i}"]) for i in range(first, size)]
         )
-        for r in read_table("turning_derivatives.csv")
+        for r in packaged_rows(__package__, "turning_derivatives")
         if r["coefficient"] == f"C_{coefficient}"
     }
 

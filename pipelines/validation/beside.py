@@ -3,14 +3,13 @@
 Numbers remain in the units of the publication, which are at the end of a column's name (height_m, static_tonf).
 """
 
-import csv
 import sys
 
 import numpy as np
 import tomli_w
 
 from hakobune.bem.database import open_database
-from hakobune.meshing.text_files import read_text
+from hakobune.meshing.text_files import csv_rows, read_text
 from hakobune.meshing.whole_files import write_whole
 
 from ..common.quantities import StudyError
@@ -25,8 +24,7 @@ LONG = 100  # rows above which a table is in files only
 
 def read_rows(path):
     """[{column: text}] of a CSV whose lines of # tell its source.  Raises StudyError."""
-    lines = read_text(path, StudyError, largest=1).splitlines()
-    return list(csv.DictReader(line for line in lines if line.strip() and line[0] != "#"))
+    return list(csv_rows(read_text(path, StudyError, largest=1)))
 
 
 def number(text):

@@ -8,12 +8,13 @@ below a hundredth of √(A_ii A_jj), A_ii and B_ii below a ten-thousandth and X_
 tests/bench/solver_references.py: cylinders exactly, boxes by the contour method.
 """
 
-import csv
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+
+from hakobune.meshing.text_files import csv_rows
 
 from .cases import CASES, PAIRS
 
@@ -51,8 +52,7 @@ class Error(NamedTuple):
 @cache
 def references():
     """{case: {A11: (n,), …}} at the case's frequencies"""
-    with FILE.open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    rows = list(csv_rows(FILE.read_text(encoding="utf-8")))
     out = {}
     for case in CASES.values():
         mine = [row for row in rows if row["case"] == case.name]

@@ -9,12 +9,16 @@ import numpy as np
 import pytest
 from kinks import assert_slope_is_continuous
 
+from hakobune.meshing.text_files import packaged_rows
 from hakobune.mooring.loads.box_current import ANGLES, _crest, box_table, current_force
 from hakobune.mooring.loads.crest import CrestSurface, Point
-from hakobune.mooring.loads.table_file import read_table
 
 TANK = {1.2: 1.4, 2.0: 1.8}
 DRAFT = 10.0
+
+
+def digitised(name):
+    return packaged_rows("hakobune.mooring.loads", name)
 
 
 def numbers(row, *keys):
@@ -34,19 +38,19 @@ def surface(name):
 
 
 def crests(name):
-    rows = [r for r in read_table("current_depths.csv") if r["coefficient"] == name and r["crest"] == "1"]
+    rows = [r for r in digitised("current_depths") if r["coefficient"] == name and r["crest"] == "1"]
     return sorted(numbers(r, "depth_over_draft", "beam_over_draft", "value") for r in rows)
 
 
 def test_every_printed_value_is_returned():
-    for row in read_table("current_angles.csv"):
+    for row in digitised("current_angles"):
         sizes = numbers(row, "length_over_beam", "beam_over_draft", "depth_over_draft")
         printed = numbers(row, "0", "15", "30", "45", "60", "75", "90")
         assert np.allclose(column(table(*sizes), row["coefficient"]), printed, rtol=0, atol=1e-12), row
 
 
 def test_every_printed_value_of_the_depth_series_is_returned():
-    rows = read_table("current_depths.csv")
+    rows = digitised("current_depths")
     assert len(rows) == 59
     for row in rows:
         b, h, value = numbers(row, "beam_over_draft", "depth_over_draft", "value")
@@ -56,9 +60,9 @@ def test_every_printed_value_of_the_depth_series_is_returned():
 def test_tables_agree_where_two_of_them_print_the_same():
     """0° of table 2.2.3.2 with 2.2.3.3, 90° of 2.2.3.5 with 2.2.3.6: 12 common cells each."""
     keys = ("beam_over_draft", "depth_over_draft")
-    series = {(r["coefficient"], *numbers(r, *keys)): r["value"] for r in read_table("current_depths.csv")}
+    series = {(r["coefficient"], *numbers(r, *keys)): r["value"] for r in digitised("current_depths")}
     common = 0
-    for r in read_table("current_angles.csv"):
+    for r in digitised("current_angles"):
         if r["length_over_beam"] == "2":
             assert float(r["0" if r["coefficient"] == "C_x" else "90"]) == float(
                 series[r["coefficient"], *numbers(r, *keys)]
