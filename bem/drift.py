@@ -9,8 +9,6 @@ n = C_g/C, momentum and angular momentum through a distant cylinder give
 The prime is the exact derivative.  A body without absorption has (1/2π) ∫ |H|² dθ = −Re H(β).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 OF_EACH = {"body_drift_force_fixed": False, "body_drift_force": True}  # names for each body, and whether it moves

@@ -9,8 +9,6 @@ from the first along or about the axis, with k (s − rest) + c ṡ.  One of the
 scene; a single body is called ALONE.
 """
 
-from __future__ import annotations
-
 from functools import partial
 from typing import NamedTuple
 

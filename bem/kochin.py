@@ -8,8 +8,6 @@ motion, m or rad (radiation).  The function of SR179 report (1982), eq. 2.1.5.15
 unit velocity; it has source strengths where a direct solution has φ and ∂φ/∂n.
 """
 
-from __future__ import annotations
-
 import math
 from functools import lru_cache
 from typing import NamedTuple

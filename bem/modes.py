@@ -4,8 +4,6 @@ With several bodies the rigid modes are six per body, one body after another; mo
 Shapes of flexible bodies (`Mode`) follow after all of them.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

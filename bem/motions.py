@@ -3,8 +3,6 @@
 {−ω²[M + A] − iω[B + B'] + [C + C']} X = F      (SR179 report 1982, section 2.1.2, time factor exp(−iωt))
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

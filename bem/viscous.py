@@ -14,8 +14,6 @@ is used.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping 
 (appendix 1) needs 2 %; with B² in place of (B/2)², as in Himeno (1981), it would have 10 %.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

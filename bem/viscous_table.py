@@ -10,8 +10,6 @@ Roll and pitch have amplitudes_deg in place of amplitudes.  Of several bodies [v
 each its laws in [bodies.viscous].
 """
 
-from __future__ import annotations
-
 import math
 import tomllib
 

@@ -5,8 +5,6 @@
 per unit amplitude, time factor exp(−iωt).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

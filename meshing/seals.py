@@ -6,8 +6,6 @@ HDF5   a block before the file, which HDF5 reserves for users: a line with the C
 text   the last of the # lines of the header, with the CRC-32 of all other lines
 """
 
-from __future__ import annotations
-
 import os
 import re
 import zlib

@@ -1,7 +1,5 @@
 """Text files of other programs: UTF-8 with or without the byte order mark of Windows, regular files of limited size."""
 
-from __future__ import annotations
-
 import csv
 import gzip
 import stat

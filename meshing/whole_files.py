@@ -3,8 +3,6 @@
 If the disk is full or a quota is reached, the old file remains, and an error of one line gives the reason.
 """
 
-from __future__ import annotations
-
 import contextlib
 import errno
 import os

@@ -11,8 +11,6 @@ limit, such as heave in finite depth, keep their end value with an infinite erro
 extrapolated.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import cached_property
 

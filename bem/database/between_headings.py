@@ -23,8 +23,6 @@ plan contains both, and a plane parallel to the wall is no plane of symmetry.  W
 are those towards β with their reflection, except for a phase:  F(−β) = exp(−2ikw sin β) F(β), drift the same.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

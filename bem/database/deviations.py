@@ -3,8 +3,6 @@
 Every deviation is about one standard deviation; for complex quantities that of the modulus.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -11,8 +11,6 @@ deviation, linear between frequencies, is subtracted.  Without Kochin functions 
 Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad or None for the stored ones.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..drift import about, ahead, harmonics, mean_drift_of_series

@@ -6,8 +6,6 @@ in one step (`storing.append`); checks and wall time of a frequency have one CRC
 one byte and no seal; only their schema is checked.
 """
 
-from __future__ import annotations
-
 import tomllib
 import zlib
 

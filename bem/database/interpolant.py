@@ -17,8 +17,6 @@ and set of echoes fits all quantities: every member of a family is fitted and we
 its error at nodes left out (Rippa, Adv. Comput. Math. 11, 1999).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from itertools import pairwise

@@ -9,8 +9,6 @@ needed.  Coefficients are smooth there and come from `between_frequencies`; the 
 alone, with its uncertainty.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 

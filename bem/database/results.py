@@ -3,8 +3,6 @@
 Their attribute `schema` is "hakobune", the kind of result, and a version; databases have none.
 """
 
-from __future__ import annotations
-
 import contextlib
 import mmap
 import os

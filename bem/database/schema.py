@@ -3,8 +3,6 @@
 Names follow Capytaine where it has one.  Every dataset carries its axes as HDF5 dimension scales.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .. import DOFS, POWER

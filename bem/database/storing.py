@@ -4,8 +4,6 @@ A write takes HDF5 0.1 to 0.2 ms, and a frequency has some forty: those that fol
 each quantity in one write.  What a kill can take is what was not yet given to `store`.
 """
 
-from __future__ import annotations
-
 import json
 from typing import NamedTuple
 

@@ -5,8 +5,6 @@ grid over frequencies are written whole, sealed with the file and kept when it i
 axes of its own, named in their attribute `axes`.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .file import LATER, DatabaseError, beside, lay_out, read_header

@@ -7,8 +7,6 @@ cₖ = (ν+2k) Γ(ν+k) / k! Γ(1+ν), gives the scale (DLMF 10.23.15; Miller's 
 (DLMF 10.17.3) starts the upward recurrence.  Absolute error below 1e-14 of 1 / x^(ν+½), measured for ν ≤ 1.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -15,8 +15,6 @@ u = (0, v, w) + ω × a, a = (0, y, z − z₀).  The axis keeps its length, and
     u_ij = ½ {ω_i (ω_j·a) + ω_j (ω_i·a)} − (ω_i·ω_j) a − (∫ (w_i′w_j′ + v_i′v_j′) dx, 0, 0)
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -10,8 +10,6 @@ rigid motions C is the classical matrix.  Beams provide their u_ij (`beams.secon
 them.  For shapes from files u_ij is unknown, and ½ {(u_j·∇) u_i + (u_i·∇) u_j} is used.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 # finite-difference step over the size of the body: rounding gives 1e-10 of a gradient, the third derivative less

@@ -5,8 +5,6 @@
 Points in a plane or on a line do not determine the shape across it: there the shape is assumed constant.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -13,8 +13,6 @@ each approximated by piecewise polynomials of degree 7 in both variables; error 
 measured in tests/bem/green/test_green.py.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from typing import NamedTuple

@@ -10,8 +10,6 @@ zero and infinite frequency, have
     mirror          sign of 1/r₁ in G
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

@@ -12,8 +12,6 @@ Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁; b
 g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -7,8 +7,6 @@ Horner's rule in y runs on SIMD vectors of the eight coefficients of a power of 
 Two functions of the same x are added between the two sums.  7 ns with the gradient.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

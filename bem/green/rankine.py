@@ -10,8 +10,6 @@ and u/r³ = −∂(1/r)/∂u, so that only ∫ r dl, ∫ dl/r, ∫ l r dl and �
 value) where P lies in the panel's own plane.
 """
 
-from __future__ import annotations
-
 import math
 
 from ..kernels.jit import kernel

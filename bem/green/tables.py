@@ -7,8 +7,6 @@ frequency, so that few piecewise polynomials of degree 7 represent it: pieces in
 is negligible, pieces of equal size in the two depth variables.
 """
 
-from __future__ import annotations
-
 import math
 from functools import lru_cache
 from typing import NamedTuple

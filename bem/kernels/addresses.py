@@ -3,8 +3,6 @@
 A field is read word by word, and said never to change (`invariant.load`): what is read in a loop is loaded before it.
 """
 
-from __future__ import annotations
-
 import hashlib
 import operator
 

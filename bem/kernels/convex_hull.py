@@ -3,8 +3,6 @@
 scipy.spatial has one as well, but its import takes 0.09 s of processor time, in every study.
 """
 
-from __future__ import annotations
-
 from itertools import groupby
 
 import numpy as np

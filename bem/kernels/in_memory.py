@@ -6,8 +6,6 @@ word after word at every call from Python, and kernels pass its address.  Kernel
 what its arrays hold may change.  How numba reads it: `addresses`.
 """
 
-from __future__ import annotations
-
 marked = []  # classes that numba does not know yet
 
 

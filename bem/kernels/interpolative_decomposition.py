@@ -8,8 +8,6 @@ A Ω, with Ω (m, width) a sparse random sign matrix, which keeps the norm of ev
 1 + O(width^(−1/2)) (Martinsson & Tropp, Acta Numerica 29, 2020).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .jit import kernel

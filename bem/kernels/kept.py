@@ -8,8 +8,6 @@ Private parts of numba, all used only here: `CompileResult._reduce` and `_rebuil
 `CodeLibrary._shared_module`, which callers link, and `_reload_init`, called before a kernel is loaded.
 """
 
-from __future__ import annotations
-
 import hashlib
 import pickle
 import sys

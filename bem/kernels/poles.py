@@ -7,8 +7,6 @@ at places xⱼ taken one by one, where the last function was worst, with weights
 zeros of the denominator.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 # fit error, relative to the largest value of each function, at which the poles suffice; below it noise creates poles

@@ -1,7 +1,5 @@
 """Progress callback of long preparations, called after every part; its display is separate."""
 
-from __future__ import annotations
-
 from contextlib import contextmanager
 from contextvars import ContextVar
 

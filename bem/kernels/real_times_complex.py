@@ -1,7 +1,5 @@
 """Products of a real and a complex matrix as one real product: half the work of numpy, which makes both complex."""
 
-from __future__ import annotations
-
 import numpy as np
 
 

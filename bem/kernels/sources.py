@@ -6,8 +6,6 @@ sources at every start took a third of the time of the smallest command.  A file
 change is read again the next time, since a second change in the same tick of the file system's clock has the same time.
 """
 
-from __future__ import annotations
-
 import ast
 import hashlib
 import json

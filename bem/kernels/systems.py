@@ -1,7 +1,5 @@
 """Linear systems of several symmetry classes: those of few unknowns side by side, each on one thread."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from .real_times_complex import real_times_complex

@@ -9,8 +9,6 @@ A kernel computes a range of rows and releases the interpreter lock; Python thre
 distributes itself (`prange`) run as fast and take two to three times as long to compile.
 """
 
-from __future__ import annotations
-
 from contextlib import nullcontext
 from functools import cache
 from itertools import pairwise

@@ -17,8 +17,6 @@ The mesh contains only the part on one side of its mirror planes; arguments and 
 (`bem.panels.influence`).
 """
 
-from __future__ import annotations
-
 import math
 from functools import reduce
 from itertools import pairwise

@@ -6,8 +6,6 @@ Collocation at Gauss points converges two orders faster than the interpolation e
 mass: 104 bilinear panels are as accurate as 900 constant ones in a tenth of the time.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -13,8 +13,6 @@ Mirror planes split the unknowns into classes, even or odd in x and in y; a clas
 its images, their potentials equal or opposite.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from functools import cached_property

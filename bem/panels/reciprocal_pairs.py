@@ -5,8 +5,6 @@ are enough.  The imaginary part is in `bem.panels.standing_waves`.  Integrals ar
 at the nodes, and with the fine points on panels whose surface image is close.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

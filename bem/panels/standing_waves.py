@@ -8,8 +8,6 @@ the sum over the images is Σ f(point) f(source).  The number of columns is the 
 with the number of nodes.
 """
 
-from __future__ import annotations
-
 from itertools import product
 
 import numpy as np

@@ -5,8 +5,6 @@ is); here G is the remainder of `bem.green.finite_depth`, by Gauss quadrature.  
 the wave: close panels take fine points for the real part alone, unless the wave is short beside them.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ A fit takes seconds, and every study of a database needs the same one.  It depen
 the source files and of the versions of numpy and scipy names its file, so that any change leads to a new fit.
 """
 
-from __future__ import annotations
-
 import hashlib
 import io
 from contextlib import suppress

@@ -19,8 +19,6 @@ their poles those of `rational`, and output follows from a matrix P ≥ 0 such t
 Within the band the fit is more accurate than the tolerance where the body is sensitive to its error (`sensitivity`).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 from warnings import warn

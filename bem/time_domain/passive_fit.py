@@ -12,8 +12,6 @@ Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and derivatives of H to L are p
 and L move together (`moving_poles`).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -8,8 +8,6 @@ inputs, are reduced in balance: those that are weakly reached and weakly seen ar
 (Liu and Anderson, Int. J. Control 50, 1989), and what remains is stable.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

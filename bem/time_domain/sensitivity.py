@@ -10,8 +10,6 @@ Springs of moorings are unknown here.  They restrain surge, sway and yaw, more s
 below the natural frequency of heave these count as resonant at every frequency, if that gives a larger sensitivity.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 HELD = (0, 1, 5)  # degrees of freedom of each body that are fixed: surge, sway, yaw

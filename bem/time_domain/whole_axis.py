@@ -18,8 +18,6 @@ Motions without change of volume are dipoles, B like ω³ and more; a vertical s
 horizontal one less than any power.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Faults of an input in one line: the quantity, its value, the allowed range."""
 
-from __future__ import annotations
-
 import numpy as np
 
 

@@ -15,8 +15,6 @@ API RP 2A-WSD, S = 320 (U₀/10)² (z/10)^0.45 / (1 + f̃ⁿ)^(5/(3n)), n = 0.46
 one-hour mean at 10 m. Kaimal: IEC 61400-1, L = 8.1 Λ, Λ = 0.7 z up to 60 m and 42 m above.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import dataclass
 

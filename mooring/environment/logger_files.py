@@ -6,8 +6,6 @@ has the names; a line of units below goes to them.  Dates, 2026-01-02 03:04:05.6
 from the first.  An empty place, NaN or "-" is a gap, which counts only in a column that is used.
 """
 
-from __future__ import annotations
-
 import re
 from datetime import datetime
 from typing import NamedTuple

@@ -7,8 +7,6 @@ would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Nei
 distributed over the circle by multiples of the golden ratio, so that any narrow band contains all of them.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import dataclass
 from typing import NamedTuple

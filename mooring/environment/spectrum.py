@@ -6,8 +6,6 @@ With x = ω/ω_p and u = 5/4 x⁻⁴ the part of γ = 1 has m_n = A ω_pⁿ⁻�
 the part added by γ is confined to 0.3 < x < 2 and is integrated by Gauss's rule.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -9,8 +9,6 @@
 The circle is divided into 3600 cells; every sum over directions is one over these cells, scaled to a total of 1.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

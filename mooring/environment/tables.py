@@ -3,8 +3,6 @@
 Where semicolons separate columns a comma is a decimal mark, as in files of loggers.
 """
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -6,8 +6,6 @@ On equal steps exp(−iω(t₀ + pΔ + qδ)) is a product of a coarse and a fine
 2√n exponentials for each component and one product of matrices, exact to rounding.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

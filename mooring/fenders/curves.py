@@ -7,8 +7,6 @@ uses the monotone cubics of Fritsch and Carlson (1980), which neither overshoot 
 peak of the curve.  `straight` uses straight lines; an integration in time has to step onto their corners.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -5,8 +5,6 @@
 SR179 report (1982), chapter 3.3; a catalogue curve f is used as R = (1 − γ) f(ξ), eq. 3.7.1.11 there.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -16,8 +16,6 @@ keeps s from its start, evaluates stages with advanced_one(s, Î´ of the start, Î
 its end.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -6,8 +6,6 @@ B breaking load, ε_B strain at which a new rope breaks, n exponent (1 straight,
 same load at a smaller strain, (T/hB).  The pull over elongation is a `mooring.fenders.fender.Fender` without return.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

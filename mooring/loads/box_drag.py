@@ -8,8 +8,6 @@ table coefficients are monotone cubics with slopes that have the same symmetry, 
 at all angles.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

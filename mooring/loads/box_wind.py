@@ -5,8 +5,6 @@ direction χ the wind comes from, 0 ahead; here it is the direction blown to, wh
 Superstructures add their front and side areas a_f, a_s to those of the box (chapter 4, section 5.2).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from .box_drag import DragTable, box_drag, check_positive, stream_pressure

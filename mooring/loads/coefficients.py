@@ -7,8 +7,6 @@ to; the angle of OCIMF, Mooring Equipment Guidelines (2nd edition, 1997), counte
 same.  OCIMF writes q as ρ V²/7600 in kN for V in knots, which takes a knot as 0.5130 m/s.
 """
 
-from __future__ import annotations
-
 import csv
 from dataclasses import dataclass
 from functools import cached_property

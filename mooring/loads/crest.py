@@ -13,8 +13,6 @@ value is returned exactly; value and both slopes are continuous, also across the
 values belong to a tank `tank` beams deep, d/H = 1/(tank b); a deeper sea has the same values.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from functools import cached_property
 from typing import NamedTuple

@@ -7,8 +7,6 @@ height, on superstructures at their middle.  The report gives a current no heeli
 at the centre of gravity; a uniform one has equal pressure over the draft and acts at half of it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

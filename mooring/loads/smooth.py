@@ -6,8 +6,6 @@ neighbours; it may overshoot, but is linear in the values, so that a surface joi
 of neighbouring values changes.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

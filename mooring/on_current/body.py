@@ -6,8 +6,6 @@ The incident wave has the length and the pressure of its intrinsic frequency σ,
 respond at ω.  The effect of the current on F itself, of the order of V/C, is neglected.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields
 from functools import cached_property
 

@@ -9,8 +9,6 @@ direction of a wave is that of k, at right angles to its crests; its energy trav
 would come from downstream of the body do not exist there: the current blocks them.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -9,8 +9,6 @@ outside, R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 takes R_w once; the squ
 D is that of `bem.database.reader.Reader`, which resolves the resonances of the motions between stored waves.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.database.between_frequencies import BetweenError

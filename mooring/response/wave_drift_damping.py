@@ -23,8 +23,6 @@ falls by kV, which removes k ∂D/∂ω: (2 − ω dn/dω)/C_g remains along the
 cylinder.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.waves import group_factor, wavenumber

@@ -4,8 +4,6 @@ Stiffness by weight, and motions of the free body, are recomputed; drift of the 
 which depend on the old motions, are removed.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from hakobune.bem.database import open_database

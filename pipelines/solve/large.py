@@ -1,7 +1,5 @@
 """Large problems: shared work of frequencies, its cost, and whether it fits the memory."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import partial

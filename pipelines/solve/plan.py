@@ -1,7 +1,5 @@
 """All decisions before a frequency is solved, from a scene and from the header of its database."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import msgspec

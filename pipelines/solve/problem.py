@@ -1,7 +1,5 @@
 """The problem of a scene that `bem` solves: `PanelProblem` or `ShapeProblem` of `bem.methods`."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from hakobune.bem.methods.panel_problem import PanelProblem

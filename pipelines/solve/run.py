@@ -1,7 +1,5 @@
 """Fill the database of a scene: pending frequencies are solved, stored and marked one by one."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from contextlib import ExitStack, contextmanager, suppress

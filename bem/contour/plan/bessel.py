@@ -9,8 +9,6 @@ cell where it is not separated, and 18⁻¹² = 1e-15.  A pair of points takes a
 takes with one call for each function.
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import numpy as np

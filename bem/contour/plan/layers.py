@@ -8,8 +8,6 @@ contour is φ/2 = Dφ − S ∂φ/∂n outside and φ/2 = S ∂φ/∂n − Dφ i
 The geometry is computed once; each wavenumber costs its Bessel functions and one accumulation.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Contour nodes and Neumann-to-Dirichlet maps of the plan of a vertical-sided body, as the depth modes use them."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -8,8 +8,6 @@ Integrals over panels that are near a target are split until every piece is as f
 the pieces that end at the target use t = t₀ + (t₁ − t₀) v⁴, which makes a logarithmic singularity smooth.
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 

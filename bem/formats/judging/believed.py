@@ -1,7 +1,5 @@
 """Faults of an imported set: by our own solution of its hull, or by its own laws."""
 
-from __future__ import annotations
-
 from ..values import FormatError
 from . import laws
 from .causes import AGREED, corrected, finding

@@ -7,8 +7,6 @@ A cause that has a number, as a length, a factor, or a point, takes it from the 
 alone fits each is followed by every other: a unit and a point, a sign and a unit are told both.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable
 from dataclasses import replace

@@ -6,8 +6,6 @@ long waves, without irregular frequencies and with few panels, and waves five hu
 significant.  Sizes of rows are those of the solution: √(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), the largest force of a mode over headings.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 

@@ -5,8 +5,6 @@ the last term is small a few other rows are checked, since a block may have part
 panel has no influence on those of its own plane.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

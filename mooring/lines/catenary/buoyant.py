@@ -5,8 +5,6 @@ flat bed without friction: parts that would rise out of the sea float in its sur
 downward pulls there are upward pulls here.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

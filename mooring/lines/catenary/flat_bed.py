@@ -11,8 +11,6 @@ reduces tension from the lift-off point to an end that lies on the bed; where bo
 neglected.  A line lighter than water is the mirror image of a heavy one and is solved without a bed.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

@@ -5,8 +5,6 @@
 SR179 report (1982), section 3.1.1, integrated.  Scalars in, scalars out.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

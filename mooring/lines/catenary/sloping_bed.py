@@ -11,8 +11,6 @@ w (sin β − μ cos β) times its leg there. For a given span ln H is found fro
 bounds.
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

@@ -5,8 +5,6 @@ friction pulling against the fairlead.  Bending, current on the line and history
 Kernels in `uniform` solve the lines; here input and results are checked.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The states of a line, numbered alike for solutions and kernels."""
 
-from __future__ import annotations
-
 from enum import IntEnum
 
 

@@ -13,8 +13,6 @@ so that t solves (x/LP)² + (z/LQ)² = 1 with P = t (asinh 1/t + κ) and Q = 1 +
 numbers when the line is taut.  Newton's step is used while it remains inside the bracket.
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

@@ -4,8 +4,6 @@ The line is sorted into its `State`, solved by the closed form of that state (`s
 fairlead is recomputed from its forces, so that a wrong answer is seen.  Functions of `solve` check input and result.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The bed under a moving line, as a value."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

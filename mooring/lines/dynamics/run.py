@@ -1,7 +1,5 @@
 """One run of a dynamic line: its input, the loop over the kernels' steps, and the history of results."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """The line at rest: nodes on the exact catenary, then moved into the equilibrium of the lumped line itself."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..catenary.solve import profile, solve_lines

@@ -4,8 +4,6 @@ Time factor exp(−iωt): a displacement is Re[X exp(−iωt)].  Everything may 
 line starts from rest.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

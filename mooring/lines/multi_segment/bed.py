@@ -1,7 +1,5 @@
 """The sea bed under a line: a polyline in the vertical plane through anchor and fairlead."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -8,8 +8,6 @@ length of such a heap, and the weights of floating buoys; the last two columns o
 of the fairlead.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

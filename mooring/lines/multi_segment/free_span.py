@@ -5,8 +5,6 @@ SR179 report (1982), section 3.1.1, integrated, with the strain λ − 1 + T/EA 
     Δx = H Δs/EA + λ (H/w) [asinh(V/H) − asinh(V₋/H)],    Δz = (V² − V₋²)/2wEA + λ (T − T₋)/w,    V₋ = V − w Δs
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

@@ -8,8 +8,6 @@ traversal seeks the tension that holds it (`on_bed`).
 SR179 report (1982), section 3.1.1, eq. 3.1.6.
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

@@ -19,8 +19,6 @@ slack lines with sinkers or buoys in several heaps, folds and bights, on beds st
 Bending, current on the line and the weight of the line above water are neglected.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache, cached_property
 

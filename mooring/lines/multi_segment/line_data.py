@@ -8,8 +8,6 @@ holds the segment, the next point load below and the number of recorded pieces. 
 Workspace, and records its steps and unknowns there.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -3,8 +3,6 @@
 The derivatives with respect to the fairlead's position give the stiffness.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

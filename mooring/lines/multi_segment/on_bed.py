@@ -6,8 +6,6 @@ below the anchor: there a line that slides hangs in a bight.  It turns where T =
 to the anchor, which holds it with w (sin β − μ cos β) per length; on that leg β is larger by π.
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

@@ -5,8 +5,6 @@ method solves the equations with the contacts found there, and a traversal with 
 search is repeated with a smaller tolerance.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

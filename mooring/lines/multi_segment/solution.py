@@ -3,8 +3,6 @@
 Coordinates and signs : `mooring.lines.multi_segment.line`.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple

@@ -4,8 +4,6 @@ A span hangs lower the steeper it starts, the later it leaves a facet and the la
 the bed, so the start at which it just touches a facet, a vertex or the anchor is a bracketed root.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

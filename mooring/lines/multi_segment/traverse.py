@@ -13,8 +13,6 @@ hills the first is the better one, with buoys on slack lines the second.
 The contacts are recorded as steps; `newton` solves the equations of all of them together.
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

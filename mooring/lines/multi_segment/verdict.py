@@ -11,8 +11,6 @@ over a bollard.  Parts without tension are exempt; `StaticSolution.slides` repor
 of it, or in the surface with a weight between both.
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

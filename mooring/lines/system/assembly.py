@@ -5,8 +5,6 @@ about the moving origin, with J = [1, −S(a)] and S(a) v = a × v; an end on a 
 Rows and columns surge, sway and yaw are the coefficients a11 … a33 of the SR179 report (1982), eq. 3.5.1.2.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

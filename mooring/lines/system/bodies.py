@@ -1,7 +1,5 @@
 """Rotations of a body: R takes body axes to space axes."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Whether the parts of a system are consistent: names, ends, places; the first fault is one line."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from .parts import Fairlead, LineSystemError

@@ -5,8 +5,6 @@ line has one horizontal force, and V_a + V_b is its weight, so its derivatives a
 other end; an anchor does not move, and its own derivatives are not needed.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

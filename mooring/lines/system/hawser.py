@@ -7,8 +7,6 @@ T(e) follows a table of load against elongation as monotone cubics (`mooring.fen
 line becomes taut.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -5,8 +5,6 @@ carries the vertical to u = R e_z.  In axes that turn with ψ the hydrostatic fo
 and pitch from the tilt e_z × u: exact in heading, linear in tilt, as C itself is.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

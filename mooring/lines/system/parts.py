@@ -7,8 +7,6 @@ derivatives, in one row: compiled for a `UniformLine`, from its own solver for a
 All values SI, all frozen.  A `Fairlead` is given in the axes of its body, everything else in space.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

@@ -6,8 +6,6 @@ costs N b² operations for N freedoms and rows of b terms instead of N³.  No pi
 symmetric part, or is refused.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -3,8 +3,6 @@
 Lines have different numbers of nodes; what one kernel steps of them all lies behind each other in one array of a kind.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Pull of a moving line during a step of the body: Legendre polynomials."""
 
-from __future__ import annotations
-
 from hakobune.bem.kernels.jit import kernel
 
 TERMS = 4  # terms of the polynomial of a line's tension during a step of the body

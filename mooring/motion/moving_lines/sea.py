@@ -14,8 +14,6 @@ The sums are products of small matrices in single precision.  Sines and exponent
 over waves is then vector instructions, 10 ns a wave and node in place of 35.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -11,8 +11,6 @@ with Legendre's P_k.  It keeps the impulse of F and its first three moments, so 
 than the body's step have their full effect on the body, while the body's own error estimate sees a smooth force.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

@@ -4,8 +4,6 @@ Each group is of one body, along whose axes its shapes and forces are, and is fi
 Of a shape between several bodies that is the first of them.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

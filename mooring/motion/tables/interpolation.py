@@ -1,7 +1,5 @@
 """Interpolation between equal steps, compiled."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

@@ -4,8 +4,6 @@ A set has `cases(xi)`, `tables(results)`, which are {axis: rows} of `beside.resu
 `pictures(results)`, {name: arguments of `picture.draw`}.
 """
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

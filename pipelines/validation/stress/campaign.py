@@ -1,7 +1,5 @@
 """A campaign: each scene is solved and tested against the laws, a row for each; a failure is a result of its row."""
 
-from __future__ import annotations
-
 import time
 from typing import NamedTuple
 

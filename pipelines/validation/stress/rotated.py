@@ -8,8 +8,6 @@ which results obey within the accuracy of the Green function's tables, whatever 
 planes a panel is integrated more finely where an image of it is near, a difference within the discretisation error.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -2,8 +2,6 @@
 is stored.
 """
 
-from __future__ import annotations
-
 import re
 import sys
 import time

@@ -1,7 +1,5 @@
 """A scene solved as the commands do: scene, mesh, lid, method, one frequency; nothing is stored."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -10,8 +10,6 @@ pivots holds here too.
     y[j] = r[j] − M[j] y[j−2] − L[j] y[j−1],   x[j] = A[j]⁻¹ (y[j] − U[j] x[j+1] − f[j] x[j+2])
 """
 
-from __future__ import annotations
-
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import address
 

@@ -8,8 +8,6 @@ pair of nodes up to two apart, and energy is kept.  A line stretched by ε bends
 Second differences make it of second order in ℓ: (nπ/N)²/6 too small an ω² of mode n of a hinged beam.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

@@ -9,8 +9,6 @@ D + D^T is positive definite for a line (mass on the diagonal, tension not negat
 between blocks; within a block the inverse is written out.
 """
 
-from __future__ import annotations
-
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import address
 

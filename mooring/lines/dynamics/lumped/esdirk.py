@@ -12,8 +12,6 @@ then that of one element at its kink, which does not affect the others. Work and
 of the scheme.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

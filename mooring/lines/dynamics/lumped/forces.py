@@ -17,8 +17,6 @@ The tangent is exact for tension, bed and friction and for drag against velocity
 mass turn with the line, which is h²|F|/mℓ times smaller.
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel

@@ -5,8 +5,6 @@
 At small τ the line falls for a moment and is stopped; at large τ the step is Newton's.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

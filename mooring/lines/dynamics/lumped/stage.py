@@ -3,8 +3,6 @@
 Every implicit scheme of second-order equations has this form; it differs by q̂, v̂, c_q and c_v only.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -11,8 +11,6 @@ closes and steps keep their order.  Drag, added mass and the force of accelerate
 Q′ of each element.
 """
 
-from __future__ import annotations
-
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
 

@@ -9,8 +9,6 @@ In place of the waves there may be a table of their sums over time at places nea
 The ramp R = x³(10 − 15x + 6x²), x = t/ramp, has continuous velocity and acceleration.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -3,8 +3,6 @@
 N elements join nodes 0 (anchor) to N (fairlead).  Each element gives half of its length to either end node.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and what is done with them."""
 
-from __future__ import annotations
-
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
 

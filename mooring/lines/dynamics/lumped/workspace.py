@@ -5,8 +5,6 @@ and j + 1, and the column before the first and all after the last contain elemen
 longer than the number of nodes, by at least eight: vectors may begin at any node.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
