@@ -15,8 +15,8 @@ import re
 import numpy as np
 
 from .panels import PanelMesh
-from .text_files import read_text
-from .text_formats import _is_number, _number, _panel, _symmetry
+from .text_files import is_number, read_text
+from .text_formats import _number, _panel, _symmetry
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 PANEL_OF = {"203": 3, "204": 4}  # corners of Salome's types
@@ -65,7 +65,7 @@ def read_pnl(path):
     rows = []
     for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1):
         words = line.split("!")[0].split()
-        if words and _is_number(words[0]):
+        if words and is_number(words[0]):
             rows.append((k, [_number(path, k, word) for word in words]))
     if not rows or len(rows[0][1]) < 4:
         raise ValueError(f"{path}: no line with numbers of panels, nodes, x symmetry, y symmetry")

@@ -58,6 +58,15 @@ def check_size(path, error=ValueError, largest=LARGEST):
         raise error(f"{path} has {found.st_size / 1e6:.0f} MB; allowed: up to {largest} MB")
 
 
+def is_number(word):
+    """Whether Python reads a word as a number"""
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
 def numbers_of(line):
     """The numbers at the beginning of a line, as Fortran reads them: 1.D0 and 1, 2 are accepted; a word ends them"""
     found = []

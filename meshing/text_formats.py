@@ -12,7 +12,7 @@ import numpy as np
 
 from .curved.splines import panelled
 from .panels import PanelMesh
-from .text_files import read_text
+from .text_files import is_number, read_text
 from .whole_files import write_whole
 
 FOOT = 0.3048  # m
@@ -31,7 +31,7 @@ def read_gdf(path):
     symmetry = _symmetry(path, 3, _numbers(path, 3, lines[2], 2))
     (panels,) = _numbers(path, 4, lines[3], 1)
     kind = lines[3].split()[1:2]
-    if kind and _is_number(kind[0]):
+    if kind and is_number(kind[0]):
         return _of_patches(path, lines, int(panels), float(kind[0]), unit, symmetry)
     values = _all_numbers(path, lines, 5)
     if values is None or len(values) != 12 * panels:
@@ -132,7 +132,7 @@ def read_stl(path):
     raises : ValueError, which names a word that is no number, or vertices not in groups of three
     """
     words = re.findall(r"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", read_text(path, errors="replace"), re.IGNORECASE)
-    wrong = next((word for row in words for word in row if not _is_number(word)), None)
+    wrong = next((word for row in words for word in row if not is_number(word)), None)
     if wrong is not None:
         raise ValueError(f"{path}: {_shown(wrong)} of a vertex is no number")
     points = np.array(words, float)
@@ -229,7 +229,7 @@ def _panel_by_panel(path, lines, panels):
             wanted -= min(wanted, len(words))
     for i, line in enumerate(lines[k:], k + 1):
         words = line.split()
-        if words and _is_number(words[0]) and float(words[0]) > 0:
+        if words and is_number(words[0]) and float(words[0]) > 0:
             raise ValueError(
                 f"{path}, line {i}: {line.strip()!r} after {panels} panels: dipole panels (NPAND) or a wrong NPAN; "
                 "allowed: bodies with a volume, and NPAN equal to the number of panels"
@@ -250,11 +250,3 @@ def _number(path, k, word):
 
 def _shown(word):
     return repr(word if len(word) <= 40 else f"{word[:40]}…")
-
-
-def _is_number(word):
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True

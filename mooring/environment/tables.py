@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hakobune.meshing.text_files import read_text
+from hakobune.meshing.text_files import is_number, read_text
 
 
 class TableError(ValueError):
@@ -27,7 +27,7 @@ def read_table(path, blank=None):
     lines = [line for line in text.splitlines() if _has_data(line)]
     if not lines:
         raise TableError(f"{path} has no rows; give rows of numbers")
-    names = None if _is_number(_split(lines[0])[0]) else _split(lines.pop(0))
+    names = None if is_number(_split(lines[0])[0]) else _split(lines.pop(0))
     if not lines:
         raise TableError(f"{path} has no rows of numbers")
     width = len(names or _split(lines[0]))
@@ -147,7 +147,7 @@ def fault_of_steps(path, time, off, lines=None):
 def line_of(path, row):
     """Line number, from 1, in the file of a row of numbers, from 0, as read by `read_table`"""
     lines = [(n, line) for n, line in enumerate(read_text(Path(path), TableError).splitlines(), 1) if _has_data(line)]
-    named = not _is_number(_split(lines[0][1])[0])
+    named = not is_number(_split(lines[0][1])[0])
     return lines[row + named][0]
 
 
@@ -161,14 +161,6 @@ def _split(line):
         if mark in line:
             return [word.strip() for word in line.split(mark)]
     return re.split(r"\s+", line)
-
-
-def _is_number(word):
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
 
 
 def _number(path, line, word, blank):

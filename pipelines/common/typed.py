@@ -52,6 +52,20 @@ def typed(raw: dict[str, typing.Any], kind: type[Typed], error: type[ValueError]
         raise error(of_another(raw, kind) or _line(str(fault), raw, kind)) from None
 
 
+def to_toml(study):
+    """TOML of a typed study or scene that reads back as the same, without the keys that are None"""
+    import tomli_w
+
+    return tomli_w.dumps(without_none(msgspec.to_builtins(study)))
+
+
+def without_none(value):
+    """Nested dictionaries and lists without None, which TOML cannot represent"""
+    if isinstance(value, dict):
+        return {key: without_none(one) for key, one in value.items() if one is not None}
+    return [without_none(one) for one in value] if isinstance(value, list | tuple) else value
+
+
 def differing(table):
     """{key: value} of a msgspec.Struct for all values that differ from their defaults, also in nested tables.
 

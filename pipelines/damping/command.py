@@ -25,17 +25,12 @@ def damping(
     record is a free decay: a and b of its extinction, and with --mass B1 and B2.
     """
     from ..common.picture import PLOTS, check_picture
-    from ..results.tables import printed
+    from ..results.output import finish
     from .result import damping
 
     check_picture(plot, PLOTS)
     result = damping(record, mass=None if mass is None else 1e3 * mass)
-    if plot is not None:
-        _draw(result, plot)
-    status = printed(result)
-    if plot is not None:
-        print(plot)
-    return status
+    return finish(result, plot=plot, draw=_draw)
 
 
 def _draw(result, path):

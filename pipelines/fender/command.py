@@ -51,7 +51,7 @@ def fender(
     """
     from ..common.fender_tables import FenderTable
     from ..common.picture import PLOTS, check_picture
-    from ..results.tables import printed
+    from ..results.output import finish
     from .result import fender
 
     given = {"family": family, "table": table, "length": length, "rated_reaction": rated_reaction}
@@ -60,23 +60,18 @@ def fender(
     check_picture(plot, PLOTS)
     joules = None if energy is None else 1e3 * energy
     result = fender(FenderTable(height=height, **given), strain=strain, deflection=deflection, energy=joules)
-    if plot is not None:
-        _draw(result.detail, plot)
-    status = printed(result)
-    if plot is not None:
-        print(plot)
-    return status
+    return finish(result, plot=plot, draw=_draw)
 
 
-def _draw(made, output):
-    """Reaction and energy over the deflection, between softest and stiffest; made : `result.Pressed`"""
+def _draw(result, path):
+    """Reaction and energy over the deflection, between softest and stiffest"""
     import numpy as np
     from matplotlib.figure import Figure
 
     from ..common.picture import save
     from ..common.units import KN
 
-    pair, bands, at, straight = made
+    pair, bands, at, straight = result.detail
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     axis = figure.add_subplot()
     x = np.linspace(0.0, pair.limit, 400)
@@ -99,4 +94,4 @@ def _draw(made, output):
     right.set(ylabel="energy, kJ", ylim=(0, None))
     handles = [*axis.get_legend_handles_labels()[0], *right.get_legend_handles_labels()[0]]
     axis.legend(handles=handles, loc="upper left")
-    save(figure, output, 110)
+    save(figure, path, 110)

@@ -6,8 +6,7 @@ from hakobune.mooring.lines.one_line import tension_curve
 
 from ..common.picture import PLOTS, check_picture, save
 from ..common.units import KN
-from ..results.output import check_result, write_result
-from ..results.tables import printed
+from ..results.output import check_result, finish
 from .line_result import line
 
 
@@ -16,25 +15,16 @@ def line_command(output, plot, **words):
 
     words : of `line_result.line`
     """
-    if output is not None:
-        check_result(output, "line")
-    if plot is not None:
-        check_picture(plot, PLOTS)
-    result = line(**words)
-    if output is not None:
-        write_result(result, output)
-    if plot is not None:
-        draw(*result.detail, plot)
-    status = printed(result)
-    for path in (path for path in (output, plot) if path is not None):
-        print(path)
-    return status
+    check_result(output, "line")
+    check_picture(plot, PLOTS)
+    return finish(line(**words), output, plot, draw)
 
 
-def draw(one, span, found, output):
+def draw(result, path):
     """Draw the profile of a `OneLine` at a span (m), from its `LineSolution`, and its tension over a range of spans"""
     from matplotlib.figure import Figure
 
+    one, span, found = result.detail
     figure = Figure(figsize=(12, 4.6), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(3, 2))
     shape = one.shape(span, 400)
@@ -54,4 +44,4 @@ def draw(one, span, found, output):
     right.set(xlabel="span, m", ylabel="kN", ylim=(0, None), title="tension and offset")
     right.legend(frameon=False)
     right.grid(alpha=0.3)
-    save(figure, output, 130)
+    save(figure, path, 130)

@@ -19,17 +19,11 @@ def members(
     It uses Morison's formula and includes marine growth.  hakobune members members_dolphin.toml --plot forces.png
     """
     from ..common.picture import PLOTS, check_picture
-    from ..results.tables import printed
+    from ..results.output import finish
     from .result import members
 
     check_picture(plot, PLOTS)
-    result = members(study)
-    if plot is not None:
-        _draw(result, plot)
-    status = printed(result)
-    if plot is not None:
-        print(plot)
-    return status
+    return finish(members(study), plot=plot, draw=_draw)
 
 
 def _draw(result, path):

@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from ..common.typed import to_toml, without_none
+
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
@@ -27,7 +29,7 @@ def given(
     raises : ValueError, one line, as these do; TypeError for other arguments
     """
     if isinstance(study, kind):
-        return study, _text(study)
+        return study, to_toml(study)
     if isinstance(study, dict):
         import tomli_w
 
@@ -38,25 +40,11 @@ def given(
     raise TypeError(f"the study is of type {type(study).__name__}; allowed: {allowed}")
 
 
-def _text(study):
-    """TOML of a typed study, without default values"""
-    import msgspec
-    import tomli_w
-
-    return tomli_w.dumps(_without_none(msgspec.to_builtins(study)))
-
-
 def words_of(**words) -> str:
     """TOML of the arguments of a study function that has no file, without default values"""
     import tomli_w
 
-    return tomli_w.dumps(_without_none(words))
-
-
-def _without_none(value) -> Any:
-    if isinstance(value, dict):
-        return {key: _without_none(one) for key, one in value.items() if one is not None}
-    return [_without_none(one) for one in value] if isinstance(value, list | tuple) else value
+    return tomli_w.dumps(without_none(words))
 
 
 def database_of(database: File | Database) -> Database:

@@ -27,6 +27,23 @@ def write_result(result, path):
         result.write(path)
 
 
+def finish(result, output=None, plot=None, draw=None):
+    """Write a result, draw it, print it and then the names of its files; returns the exit status
+
+    output, plot : paths that were checked before, or None; draw : function of a result and a path
+    """
+    from .tables import printed
+
+    if output is not None:
+        write_result(result, output)
+    if plot is not None:
+        draw(result, plot)
+    status = printed(result)
+    for path in (path for path in (output, plot) if path is not None):
+        print(path)
+    return status
+
+
 def _is_one(path, kind):
     if path.suffix.lower() == CSV:
         return opening(path)[0].startswith(f"{MARK}{kind}")

@@ -11,10 +11,10 @@ from hakobune.bem.kochin import angles
 from hakobune.bem.modes import moving
 from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 
+from ..common.typed import to_toml
 from ..scene.identity import MESH_FILE, contents, fixed_part, scene_hash
 from ..scene.places import bodies_of, in_scene
 from ..scene.scene import SceneError
-from ..scene.text import to_toml
 from .arrangement import own_hulls, own_hulls_of_modes
 from .bending.modes import modes_of, with_modes
 

@@ -11,11 +11,11 @@ from hakobune.bem.database.schema import NEEDS_MOTION
 from hakobune.bem.problem import Problem
 from hakobune.bem.waves import wavenumber
 
+from ..common.typed import to_toml
 from ..printing.timing import phase
 from ..scene.identity import check_same, fixed_part, scene_hash
 from ..scene.methods import check_method
 from ..scene.scene import Scene, SceneError
-from ..scene.text import to_toml
 from .arrangement import own_hulls_of_modes
 from .bending.modes import modes_of
 from .header import body_properties, each_body, kochin_angles, make_header, named

@@ -119,7 +119,7 @@ def _members(room):
 
 def _fender(room):
     room.at(fender__result__fender=room.found)
-    room.of(of_fender, _draw=lambda detail, plot: room.drawn.append(plot))
+    room.of(of_fender, _draw=lambda result, plot: room.drawn.append(plot))
     status = of_fender.fender(family="cell", height=2.0, strain=0.3, energy=900.0, plot=PNG)
     (table,), words = room.asked[0]
     assert (table.family, table.height) == ("cell", 2.0)

@@ -9,10 +9,10 @@ from box_scene import SCENE
 from hakobune.bem.database.file import Header
 from hakobune.meshing.files import read_mesh, write_mesh
 from hakobune.meshing.shapes import box
+from hakobune.pipelines.common.typed import to_toml
 from hakobune.pipelines.scene import identity
 from hakobune.pipelines.scene.identity import MESH_FILE, check_same, content, difference, fixed_part, scene_hash
 from hakobune.pipelines.scene.scene import Scene, SceneError, make_scene
-from hakobune.pipelines.scene.text import to_toml
 
 BEFORE = """\
 tolerance = 0.01

@@ -10,9 +10,9 @@ import pytest
 from box_scene import SCENE
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.typed import to_toml
 from hakobune.pipelines.scene.products import GROUPS, expand
 from hakobune.pipelines.scene.scene import SceneError, make_scene, numbers, read_scene
-from hakobune.pipelines.scene.text import to_toml
 
 # what is replaced by what, and words the one line must have
 FAULTS = {

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from hakobune.bem.viscous import Tabulated, yamashita_roll
+from hakobune.pipelines.common.typed import to_toml
 from hakobune.pipelines.scene.identity import fixed_part
 from hakobune.pipelines.scene.scene import SceneError, make_scene
-from hakobune.pipelines.scene.text import to_toml
 from hakobune.pipelines.scene.viscous_table import viscous_of
 
 BODY = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [15.0, 29.0, 32.0]}

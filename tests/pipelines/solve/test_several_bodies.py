@@ -16,9 +16,9 @@ from hakobune.bem.viscous_table import viscous_of_text
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.checking import check
+from hakobune.pipelines.common.typed import to_toml
 from hakobune.pipelines.exchange.command import export
 from hakobune.pipelines.scene.scene import SceneError, make_scene
-from hakobune.pipelines.scene.text import to_toml
 from hakobune.pipelines.scene.viscous_table import viscous_of
 from hakobune.pipelines.solve.arrangement import _gap, arranged, own_hulls
 from hakobune.pipelines.solve.hull import coarse_hull, finer_hull, make_hull
