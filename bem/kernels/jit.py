@@ -7,6 +7,8 @@ through others (`sources`).  `kept` describes how kernels are stored and called 
 are compiled for the process alone, which a message reports.
 """
 
+from __future__ import annotations
+
 import os
 import sys
 from functools import cache, update_wrapper

@@ -126,6 +126,16 @@ def pull_of_any(kept, row, x, low, high, bed, length, weight, flexibility, frict
     return (H, V) if kept[0] < BEYOND_REACH else (math.nan, math.nan)
 
 
+@kernel()
+def pulls(kept, rows, x, low, high, bed, lines, out):
+    """out (n, 2) of `pull_of_any` for lines (n, 4): length, weight, 1/EA, friction"""
+    for i in range(x.size):
+        length, weight, flexibility, friction = lines[i]
+        out[i, 0], out[i, 1] = pull_of_any(
+            kept[i], rows[i], x[i], low[i], high[i], bed, length, weight, flexibility, friction
+        )
+
+
 def workspace(count):
     """kept (n, KEPT) and rows (n, ROW) for lines without earlier results"""
     return np.zeros((count, KEPT)), np.zeros((count, ROW))
