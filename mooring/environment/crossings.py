@@ -8,6 +8,8 @@ waves of 16 values would be 1 % too low.
     width of the spectrum  ε² = 1 − m₂²/(m₀m₄) = 1 − (zero crossings / maxima)²   (Cartwright & Longuet-Higgins 1956)
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 
@@ -57,9 +59,19 @@ class Crossings:
         return self.highest(1 / 3)[1]
 
     @property
+    def tenth_height(self):
+        """H1/10, m"""
+        return self.highest(1 / 10)[0]
+
+    @property
     def maximum_height(self):
         """Hmax, m"""
         return float(self.heights.max())
+
+    @property
+    def mean_height(self):
+        """m"""
+        return float(self.heights.mean())
 
     @property
     def mean_period(self):

@@ -35,7 +35,7 @@ def test_highest_waves_are_picked_by_height_with_their_periods():
     np.testing.assert_allclose(found.periods, periods, atol=0.03)
     assert abs(found.significant_height - 11) < 0.02 and abs(found.significant_period - 10.5) < 0.02
     assert abs(found.maximum_height - 12) < 0.02 and abs(found.mean_period - 8) < 0.02
-    assert found.highest(1 / 10)[0] == found.maximum_height
+    assert found.tenth_height == found.maximum_height
 
 
 def test_a_record_upside_down_swaps_crests_with_troughs_and_up_with_down():
@@ -66,7 +66,7 @@ def test_heights_of_a_narrow_spectrum_are_those_of_rayleigh():
     for seed in range(20):
         record = elevation(sea.components(400, seed, amplitudes="random"), np.arange(14_000.0))
         found = zero_crossings(record, 1.0)
-        parts.append(np.array([found.highest(part)[0] for part in (1, 1 / 3, 1 / 10)]) / record.std())
+        parts.append(np.array([found.mean_height, found.significant_height, found.tenth_height]) / record.std())
     # a record has about eighty groups: its deviation and its highest waves are known to 1/80 and scatter less
     theory = [rayleigh_height(1.0, part) for part in (1, 1 / 3, 1 / 10)]
     assert np.abs(np.mean(parts, axis=0) / theory - 1).max() < 0.03
