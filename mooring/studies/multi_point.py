@@ -53,7 +53,7 @@ class MultiPoint:
     contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
     held : (3, k, 6) N, N m exerted by the first body of each of k `hinges` on the second, along its axes, at rest and
         in equilibrium, and the largest, increased by `motion_factor` times the effect of motions in waves
-    stiffness : (n, n) N/m … in equilibrium of lines, fenders, ropes, hinges and their springs, along axes of the motions
+    stiffness : (n, n) N/m … in equilibrium of lines, fenders, ropes, hinges and springs, along axes of the motions
     warnings : findings, one line each; failures are marked as in `criteria.failing.fails`
     """
 

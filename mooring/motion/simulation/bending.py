@@ -21,12 +21,6 @@ STATIC = (
 
 def check_bending(body, free):
     """Raise ValueError for a Reader whose shapes cannot be followed; free : numbers of the motions that are not held"""
-    if body.links:
-        names = ", ".join(link.name for link in body.links)
-        raise ValueError(
-            f"hinges {names} are given with bodies that bend; allowed in time: bodies without [[modes]], or a hinge as "
-            "a shape of one body"
-        )
     added = body.held_added_mass(np.inf)[0]
     for i in range(body.rigid, len(body.words)):
         omega = np.sqrt(max(body.stiffness[i, i], 0.0) / (body.inertia[i, i] + added[i, i]))
