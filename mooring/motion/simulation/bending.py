@@ -21,6 +21,12 @@ STATIC = (
 
 def check_bending(body, free):
     """Raise ValueError for a Reader whose shapes cannot be followed; free : numbers of the motions that are not held"""
+    held = [body.words[i] for i in range(body.rigid, len(body.words)) if i not in free]
+    if held and body.links:
+        raise ValueError(
+            f"simulation.motions holds {', '.join(held)}, and hinges {', '.join(one.name for one in body.links)} are "
+            "given; allowed with hinges: all shapes free; solve fewer shapes (count)"
+        )
     added = body.held_added_mass(np.inf)[0]
     for i in range(body.rigid, len(body.words)):
         omega = np.sqrt(max(body.stiffness[i, i], 0.0) / (body.inertia[i, i] + added[i, i]))
