@@ -73,8 +73,8 @@ def main():
         peer, own = np.interp(t, fine, pulls[:, i])[late], ours[late, i]
         off = 100 * np.std(own - peer) / np.std(peer)
         print(
-            f"line {name}: MoorDyn {peer.mean() / 1e3:.2f} ± {peer.std() / 1e3:.2f}, up to {peer.max() / 1e3:.1f}; ours "
-            f"{own.mean() / 1e3:.2f} ± {own.std() / 1e3:.2f}, up to {own.max() / 1e3:.1f} kN; rms without means "
+            f"line {name}: MoorDyn {peer.mean() / 1e3:.2f} ± {peer.std() / 1e3:.2f}, up to {peer.max() / 1e3:.1f}; "
+            f"ours {own.mean() / 1e3:.2f} ± {own.std() / 1e3:.2f}, up to {own.max() / 1e3:.1f} kN; rms without means "
             f"{off:.2f} % of σ"
         )
 

@@ -66,7 +66,9 @@ def moving_of(moored, settings, sea=None, surface=True):
         made[i] = dynamic_line(line, anchor.position, system, elements, surface, np.arctan2(along[1], along[0]))
         along /= np.linalg.norm(along)
         stretch.append(turned(headings[fairlead.body]) @ np.concatenate([along, np.cross(arm, along)]))
-        spring.append(1 / sum(one.length / one.stiffness for one in made[i].segments))
+        first, *others = made[i].segments
+        soft = sum(one.length / one.stiffness for one in others)
+        spring.append(first.stiffness / (first.length + first.stiffness * soft))
     as_spring = np.array(stretch), np.array(spring)
     return moving_lines(made, np.array(places), OF_LINE * settings.tolerance, as_spring, sea)
 
