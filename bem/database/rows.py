@@ -196,7 +196,8 @@ class Database:
         if self.bodies:
             names = ", ".join(body.name for body in self.bodies)
             raise DatabaseError(
-                f"{self.path} contains {len(self.bodies)} bodies, {names}; allowed here: one body, solved alone"
+                f"{self.path} contains {len(self.bodies)} bodies, {names}; allowed here: one body, solved alone; "
+                "hakobune moor, response and simulate take several"
             )
         self.require_rigid()
 

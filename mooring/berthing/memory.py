@@ -80,9 +80,10 @@ def without_memory(mass, gyration, added_mass):
     )
 
 
-def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0):
+def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0, first=0):
     """`BerthingShip` of a `bem.database.Database`; mass : kg; gyration : m; center : m.
 
+    first : number of the ship's surge among all motions; the others are held
     raises : ValueError of `memory_of_database`; BerthingError where mass or gyration are impossible
     """
     from hakobune.bem.time_domain.memory import memory_of_database
@@ -90,15 +91,16 @@ def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0):
     for key, value in (("mass", mass), ("radius of gyration", gyration)):
         if not 0 < value < np.inf:
             raise BerthingError(f"the {key} of the ship is {value:g}; allowed: above 0, finite")
-    memory = memory_of_database(db, tolerance, PLANE)
+    own = [first + motion for motion in PLANE]
+    memory = memory_of_database(db, tolerance, own)
     a, b, c = memory.matrices
     inertia = mass * np.array([[1.0, center], [center, gyration**2 + center**2]])
     return BerthingShip(
         inertia,
-        memory.added_mass_infinity[np.ix_(PLANE, PLANE)],
+        memory.added_mass_infinity[np.ix_(own, own)],
         a,
-        b[:, PLANE],
-        c[PLANE, :],
+        b[:, own],
+        c[own, :],
         memory.storage,
         memory.loss,
         center,

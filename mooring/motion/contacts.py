@@ -186,13 +186,13 @@ def rest_together(links, forces, start, unit, headings):
     forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
     raises : ValueError where there is no balance
     """
-    given = forces(np.asarray(start)), springs_at(links, poses_at(start, headings))
+    given = forces(np.asarray(start)), springs_at(links, *bent_poses_at(start, headings))
     size = max(*(np.abs(part * unit).max() for part in given), 1.0)
 
     def parts(place):
-        poses = poses_at(place, headings)
-        G, gap = rows_at(links, poses)
-        F = forces(place) + springs_at(links, poses)
+        poses = bent_poses_at(place, headings)
+        G, gap = rows_at(links, *poses)
+        F = forces(place) + springs_at(links, *poses)
         mu = np.linalg.lstsq((G * unit).T, -F * unit, rcond=None)[0]
         return F + G.T @ mu, gap, mu
 
@@ -214,13 +214,14 @@ def rest_together(links, forces, start, unit, headings):
 
 def stiffness_together(links, forces, place, mu, headings):
     """(n, n) stiffness along the axes of the bodies, of forces (`rest_together`), springs and link forces μ (r,)"""
-    out, along = np.empty((len(place), len(place))), places_along(headings)
+    out, along, rigid = np.empty((len(place), len(place))), np.eye(len(place)), 6 * len(headings)
+    along[:rigid, :rigid] = places_along(headings)
 
     def total(at):
-        poses = poses_at(at, headings)
-        return forces(at) + springs_at(links, poses) + rows_at(links, poses)[0].T @ mu
+        poses = bent_poses_at(at, headings)
+        return forces(at) + springs_at(links, *poses) + rows_at(links, *poses)[0].T @ mu
 
-    for j, h in enumerate(np.tile(STEP, len(place) // 6)):
+    for j, h in enumerate(np.append(np.tile(STEP, len(headings)), np.full(len(place) - rigid, STEP[0]))):
         out[:, j] = (total(place - h * along[:, j]) - total(place + h * along[:, j])) / (2 * h)
     return out
 
@@ -259,6 +260,12 @@ def poses_at(place, headings):
     poses = np.array(place, float).reshape(-1, 6)
     poses[:, 5] += headings
     return poses
+
+
+def bent_poses_at(place, headings):
+    """(N, 6) of displacements in space (6N + f,), and after them (f,) amplitudes of shapes, for bodies that bend"""
+    rigid = 6 * len(headings)
+    return (poses_at(place[:rigid], headings), *([place[rigid:]] if len(place) > rigid else []))
 
 
 def contact_forces(berth, position):

@@ -466,6 +466,16 @@ def of_moorings(scene, y, rate):
     return good
 
 
+@kernel(counted=False)
+def of_links_on_shapes(body, held, kept, y):
+    """Amplitudes and rates of the shapes in the state y (n,) into the `LinkWork` of Links"""
+    count = body.heading.size
+    for s in range(held.shapes.size):
+        n = held.shapes[s] - 6 * count
+        at = BLOCK * count + 6 + OF_SHAPES * (n // 6) + n % 6
+        kept.amplitude[s], kept.speed[held.shapes[s]] = y[at], y[at + 6]
+
+
 @kernel(inline=True, counted=False)
 def of_links(scene, links, y, rate):
     """Forces of hinges between the bodies of a `Scene` in the state y (n,), added to the forces; the work of dampers
@@ -476,6 +486,7 @@ def of_links(scene, links, y, rate):
         for b in range(scene.body.heading.size):
             for j in range(6):
                 kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
+        of_links_on_shapes(scene.body, held, kept, y)
         hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
         for k in range(held.ends.shape[0]):
             for e in range(2):
@@ -484,6 +495,10 @@ def of_links(scene, links, y, rate):
                     for j in range(6):
                         power = kept.pull[k] * kept.pulled[k, 6 * e + j] * y[BLOCK * b + 6 + j]
                         rate[BLOCK * b + FIRST_WORK + BY_DAMPING] += power
+            for s in range(held.shapes.size):
+                owner = scene.body.shapes.owner[(held.shapes[s] - 6 * scene.body.heading.size) // 6]
+                power = kept.pull[k] * kept.pulled_by[k, s] * kept.speed[held.shapes[s]]
+                rate[BLOCK * owner + FIRST_WORK + BY_DAMPING] += power
 
 
 @kernel(counted=False)

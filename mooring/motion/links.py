@@ -8,7 +8,9 @@ second from its position at rest in axes of the first, the parts h · ½(Q₃₂
 the derivative of g by the motions, along the axes of the forces, at the present angles; so μ, force and moment on the
 second body, does no work while the constraint is satisfied.  A spring and a damper of a slider or a hinge give −k (s −
 rest) − c ṡ along or about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference
-quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).
+quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).  On a body that
+bends the point of a link moves by R Σ ξ u and its axes turn by exp(Σ ξ w), of shapes with amplitudes ξ; these are then
+among the motions ν.
 """
 
 from __future__ import annotations
@@ -17,11 +19,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem.hinges import SHOWN, end_of
+from hakobune.bem.hinges import SHOWN, end_of, of_shapes
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
 from .line_loads import generalized, give_generalized, rotation_of
+from .tables.groups import groups_of
 
 BACK = 2.0  # α, rad/s: a larger value would need steps shorter than those for waves
 ALONG, ABOUT = 1, 2  # an axis, the travel of a slider and of a hinge
@@ -41,6 +44,8 @@ class Links(NamedTuple):
     shown : (k, 3, 3) rows, axes of the reported forces, in axes of the first
     way : (k, 3) of the axis of a slider or a hinge, in axes of the first; drive : (k, 3) k, c and rest
     travels : (k,) ALONG an axis, ABOUT one, or none, 0
+    shapes : (f,) number of each shape of bodies that bend among the motions, which are 6N and groups of six
+    bent, turned : (k, 2, f, 3) m and rad at the points per unit of each shape, along the axes of the bodies
     """
 
     ends: np.ndarray
@@ -55,6 +60,9 @@ class Links(NamedTuple):
     way: np.ndarray
     drive: np.ndarray
     travels: np.ndarray
+    shapes: np.ndarray = np.zeros(0, np.int64)
+    bent: np.ndarray = np.zeros((0, 2, 0, 3))
+    turned: np.ndarray = np.zeros((0, 2, 0, 3))
 
 
 @in_memory
@@ -62,10 +70,12 @@ class LinkWork(NamedTuple):
     """Room for work of one evaluation.
 
     rows : (r, 12) of G, of the first and the second body; gap : (r,) g; axis : (r, 3) of forces and moments, in space
-    left, mu : (r,); matrix, shares : (r, r), (6N, r); speed : (6N,) ν; ahead : (N, 6) poses
-    turn : (2, 3, 3); arms : (2, 3) m to the point of the second; arm, push : (3,); Q : (3, 3); free : (6N,)
+    left, mu : (r,); matrix, shares : (r, r), (n, r) of n motions; speed : (n,) ν; ahead : (N, 6) poses
+    turn : (2, 3, 3); arms : (2, 3) m to the point of the second; arm, push : (3,); Q : (3, 3); free : (n,)
     state, rate : (n,) of a sample; kept : (samples, SHOWN k) N, N m, on the second body along `Links.shown`, travels
     pull, travel : (k,) of springs and dampers, N or N m, m or rad; pulled : (k, 12), toward : (k, 3) their rows, axes
+    amplitude : (f,) of shapes, set by the caller; by_shapes, pulled_by : (r, f), (k, f) of rows and `pulled`
+    moved, spun : (2, f, 3) m and rad in space of both ends of a link, per unit of each shape
     """
 
     rows: np.ndarray
@@ -90,18 +100,26 @@ class LinkWork(NamedTuple):
     travel: np.ndarray
     pulled: np.ndarray
     toward: np.ndarray
+    amplitude: np.ndarray
+    by_shapes: np.ndarray
+    pulled_by: np.ndarray
+    moved: np.ndarray
+    spun: np.ndarray
 
 
 def links_of(reader):
     """`Links` of a `bem.database.reader.Reader`, or None.  Raises ValueError for unknown bodies."""
     if not reader.links:
         return None
-    ends, points, backs, helds, shown, ways = [], [], [], ([], []), [], []
+    ends, points, backs, helds, shown, ways, bends = [], [], [], ([], []), [], [], []
     for link in reader.links:
         bodies, moves = zip(*(end_of(reader, name) for name in link.bodies), strict=True)
         place, axes = bodies[0].in_scene(link.position), [np.eye(3) if one.fixed else one.axes for one in bodies]
         ends.append([-1 if own is None else own.start // 6 for own in moves])
         points.append([place if one.fixed else one.axes.T @ (place - one.rotation_center) for one in bodies])
+        at, none = [one.axes.T @ (place - (*one.place, 0.0)) for one in bodies], np.zeros((2, 3, len(reader.modes)))
+        at = [none if one.fixed else of_shapes(reader, one, own) for one, own in zip(bodies, at, strict=True)]
+        bends.append(np.array(at).transpose(1, 0, 3, 2))
         own = axes[0].T @ bodies[0].axes  # axes of the first body in those used for its rotations here
         along = link.along @ own.T if len(link.along) < 3 else np.eye(3)
         for part, held in zip(helds, (along, link.held @ own.T), strict=True):
@@ -117,6 +135,8 @@ def links_of(reader):
         np.ascontiguousarray(reader.axes_at_rest[:, :3]), np.array(shown), np.array(ways),
         np.array([(link.stiffness, link.damping, link.rest) for link in reader.links], float),
         np.array([{"slider": ALONG, "hinge": ABOUT}.get(link.kind, 0) for link in reader.links]),
+        reader.rigid + groups_of(reader).place,
+        *np.ascontiguousarray(np.stack(bends, axis=1)),
     )  # fmt: skip
 
 
@@ -132,20 +152,23 @@ def no_links(place):
 def link_work(links, states=0, samples=0, groups=0):
     """`LinkWork` of Links, for so many numbers of a state, samples, and groups of shapes of bodies that bend"""
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
-    motions = 6 * (n + groups)
+    motions, f = max(6 * (n + groups), 1 + int(links.shapes.max(initial=-1))), len(links.shapes)
     return LinkWork(
         np.zeros((r, 12)), np.zeros(r), np.zeros((r, 3)), np.zeros(r), np.zeros(r), np.zeros((r, r)),
-        np.zeros((motions, r)), np.zeros(6 * n), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3),
+        np.zeros((motions, r)), np.zeros(motions), np.zeros((n, 6)), np.zeros((2, 3, 3)), np.zeros((2, 3)), np.zeros(3),
         np.zeros(3), np.zeros((3, 3)), np.zeros(motions), np.zeros(states), np.zeros(states),
-        np.zeros((samples, SHOWN * k)), np.zeros(k), np.zeros(k), np.zeros((k, 12)), np.zeros((k, 3)),
+        np.zeros((samples, SHOWN * k)), np.zeros(k), np.zeros(k), np.zeros((k, 12)), np.zeros((k, 3)), np.zeros(f),
+        np.zeros((r, f)), np.zeros((k, f)), np.zeros((2, f, 3)), np.zeros((2, f, 3)),
     )  # fmt: skip
 
 
-def rows_at(links, poses):
-    """(r, 6N) of G and (r,) of g, of `links.Links` with the bodies at poses (N, 6)"""
+def rows_at(links, poses, bent=0.0):
+    """(r, 6N + f) of G and (r,) of g, of `links.Links` with the bodies at poses (N, 6) and amplitudes of f shapes"""
     work, poses = link_work(links), np.ascontiguousarray(poses, float)
+    work.amplitude[:] = bent
     fill_rows(links, work, poses, False)
-    G = np.zeros((len(work.gap), poses.size))
+    G = np.zeros((len(work.gap), poses.size + len(links.shapes)))
+    G[:, poses.size :] = work.by_shapes
     for k, ends in enumerate(links.ends):
         rows = slice(links.first[k], links.first[k + 1])
         for e, b in enumerate(ends):
@@ -158,18 +181,20 @@ def held_by(links, poses, mu):
     """(k, 6) N, N m exerted by the first body of each link on the second, along the axes of the first, from μ (r,)"""
     work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(SHOWN * len(links.ends))
     fill_rows(links, work, poses, True)
-    drive(links, work, np.zeros(poses.size))
+    drive(links, work, np.zeros(len(work.free)))
     work.mu[:] = mu
     put_forces(links, work, poses, out)
     return out.reshape(-1, SHOWN)[:, :6]
 
 
-def springs_at(links, poses):
-    """(6N,) N, N m along the axes of the bodies, of the springs of links with the bodies at rest at poses (N, 6)"""
-    work, poses, force = link_work(links), np.ascontiguousarray(poses, float), np.zeros(np.size(poses))
+def springs_at(links, poses, bent=0.0):
+    """(6N + f,) N, N m along the axes of the bodies, and on shapes, of the springs of links at rest, as `rows_at`"""
+    work, poses = link_work(links), np.ascontiguousarray(poses, float)
+    force = np.zeros(len(work.free))
+    work.amplitude[:] = bent
     fill_rows(links, work, poses, True)
     drive(links, work, force)
-    return force
+    return np.append(force[: poses.size], force[links.shapes])
 
 
 @kernel(inline=True, counted=False)
@@ -184,6 +209,70 @@ def give_row(links, work, poses, k, m, turns, row):
             generalized(poses[b], 0.0, 0.0, 0.0, f[0], f[1], f[2], row[6 * e : 6 * e + 6])
         elif b >= 0:
             give_generalized(poses[b], work.arms[e], f, row[6 * e : 6 * e + 6])
+
+
+@kernel(counted=False)
+def bend_ends(links, work, k):
+    """Move both ends of link k by shapes, and turn its axes: work.arms, arm and turn, with work.moved and spun
+
+    The rotation exp(θ) of θ = Σ ξ w is that of Rodrigues; it turns by w + (1 − cos θ)/θ² θ × w + … for a change of ξ.
+    """
+    R, E, u = work.turn, work.Q, work.push
+    for e in range(2):
+        u[:] = 0.0
+        for s in range(links.shapes.size):
+            for i in range(3):
+                work.moved[e, s, i] = 0.0
+                for j in range(3):
+                    work.moved[e, s, i] += R[e, i, j] * links.bent[k, e, s, j]
+                work.arms[e, i] += work.amplitude[s] * work.moved[e, s, i]
+                work.arm[i] += (2.0 * e - 1.0) * work.amplitude[s] * work.moved[e, s, i]
+                u[i] += work.amplitude[s] * links.turned[k, e, s, i]
+        square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2]
+        angle = np.sqrt(square)
+        first = 1.0 - square / 6.0 if angle < 1e-4 else np.sin(angle) / angle
+        second = 0.5 - square / 24.0 if angle < 1e-4 else (1.0 - np.cos(angle)) / square
+        third = 1.0 / 6.0 if angle < 1e-4 else (1.0 - first) / square
+        for s in range(links.shapes.size):
+            w = links.turned
+            a, b, c = w[k, e, s, 0], w[k, e, s, 1], w[k, e, s, 2]
+            x, y, z = u[1] * c - u[2] * b, u[2] * a - u[0] * c, u[0] * b - u[1] * a
+            a += second * x + third * (u[1] * z - u[2] * y)
+            b += second * y + third * (u[2] * x - u[0] * z)
+            c += second * z + third * (u[0] * y - u[1] * x)
+            for i in range(3):
+                work.spun[e, s, i] = R[e, i, 0] * a + R[e, i, 1] * b + R[e, i, 2] * c
+        E[0, 0], E[0, 1], E[0, 2] = 0.0, -u[2], u[1]
+        E[1, 0], E[1, 1], E[1, 2] = u[2], 0.0, -u[0]
+        E[2, 0], E[2, 1], E[2, 2] = -u[1], u[0], 0.0
+        for i in range(3):
+            a, b, c = R[e, i, 0], R[e, i, 1], R[e, i, 2]
+            for j in range(3):
+                once = a * E[0, j] + b * E[1, j] + c * E[2, j]
+                along = a * u[0] + b * u[1] + c * u[2]
+                own = a if j == 0 else b if j == 1 else c
+                R[e, i, j] = own + first * once + second * (along * u[j] - square * own)
+
+
+@kernel(counted=False)
+def shape_row(links, work, m, turns, row, i):
+    """Row i of (…, f) by shapes of a unit force or moment along m (3,) in space, as `give_row`, after `bend_ends`
+
+    turns : 0 for a force along an axis of space, ALONG one of the first body, ABOUT for a moment
+    """
+    d, spun = work.arm, work.spun
+    for s in range(links.shapes.size):
+        total = 0.0
+        for j in range(3):
+            if turns == ABOUT:
+                total += m[j] * (spun[1, s, j] - spun[0, s, j])
+            else:
+                total += m[j] * (work.moved[1, s, j] - work.moved[0, s, j])
+        if turns == ALONG:  # the axis turns with the first body: w · (m × d)
+            total += spun[0, s, 0] * (m[1] * d[2] - m[2] * d[1])
+            total += spun[0, s, 1] * (m[2] * d[0] - m[0] * d[2])
+            total += spun[0, s, 2] * (m[0] * d[1] - m[1] * d[0])
+        row[i, s] = total
 
 
 @kernel(counted=False)
@@ -203,6 +292,9 @@ def fill_rows(links, work, poses, driven):
             for i in range(3):
                 arms[e, i] = R[e, i, 0] * p[k, e, 0] + R[e, i, 1] * p[k, e, 1] + R[e, i, 2] * p[k, e, 2]
                 d[i] += sign * (arms[e, i] + (links.place[b, i] + poses[b, i] if b >= 0 else 0.0))
+        bends = links.shapes.size > 0
+        if bends:
+            bend_ends(links, work, k)
         slides = links.turns[k] - links.first[k] < 3
         for i in range(3 if slides else 0):
             arms[0, i] += d[i]
@@ -212,12 +304,16 @@ def fill_rows(links, work, poses, driven):
                 m[j] = R[0, j, 0] * h[0] + R[0, j, 1] * h[1] + R[0, j, 2] * h[2] if slides else h[j]
             work.gap[i] = m[0] * d[0] + m[1] * d[1] + m[2] * d[2]
             give_row(links, work, poses, k, m, False, work.rows[i])
+            if bends:
+                shape_row(links, work, m, ALONG if slides else 0, work.by_shapes, i)
         if driven and links.travels[k] > 0:
             h, m = links.way[k], work.toward[k]
             for j in range(3):
                 m[j] = R[0, j, 0] * h[0] + R[0, j, 1] * h[1] + R[0, j, 2] * h[2]
             work.pulled[k] = 0.0
             give_row(links, work, poses, k, m, links.travels[k] == ABOUT, work.pulled[k])
+            if bends:
+                shape_row(links, work, m, links.travels[k], work.pulled_by, k)
             work.travel[k] = m[0] * d[0] + m[1] * d[1] + m[2] * d[2]
         for i in range(3):  # Q = (R₁ᵀ R₂) R₀ᵀ; R₁ᵀR₂ row by row
             for j in range(3):
@@ -237,6 +333,8 @@ def fill_rows(links, work, poses, driven):
             for j in range(3):
                 m[j] = R[0, j, 0] * d[0] + R[0, j, 1] * d[1] + R[0, j, 2] * d[2]
             give_row(links, work, poses, k, m, True, work.rows[i])
+            if bends:
+                shape_row(links, work, m, ABOUT, work.by_shapes, i)
 
 
 @kernel(counted=False)
@@ -250,6 +348,8 @@ def drive(links, work, force):
                 if b >= 0:
                     for j in range(6):
                         speed += row[6 * e + j] * work.speed[6 * b + j]
+            for s in range(links.shapes.size):
+                speed += work.pulled_by[k, s] * work.speed[links.shapes[s]]
             pull = -links.drive[k, 0] * (work.travel[k] - links.drive[k, 2]) - links.drive[k, 1] * speed
             work.pull[k] = pull
             for e in range(2):
@@ -257,17 +357,21 @@ def drive(links, work, force):
                 if b >= 0:
                     for j in range(6):
                         force[6 * b + j] += pull * row[6 * e + j]
+            for s in range(links.shapes.size):
+                force[links.shapes[s]] += pull * work.pulled_by[k, s]
 
 
 @kernel(inline=True, counted=False)
 def along_rows(links, work, k, i, values):
-    """Row i, of link k, times values (6N,)"""
+    """Row i, of link k, times values (n,) of all motions"""
     total = 0.0
     for e in range(2):
         b = links.ends[k, e]
         if b >= 0:
             for j in range(6):
                 total += work.rows[i, 6 * e + j] * values[6 * b + j]
+    for s in range(links.shapes.size):
+        total += work.by_shapes[i, s] * values[links.shapes[s]]
     return total
 
 
@@ -309,6 +413,8 @@ def fill_shares(links, work, inverse):
                     if b >= 0:
                         for m in range(6):
                             total += work.rows[i, 6 * e + m] * work.shares[6 * b + m, j]
+                for s in range(links.shapes.size):
+                    total += work.by_shapes[i, s] * work.shares[links.shapes[s], j]
                 work.matrix[i, j] = total
 
 
@@ -326,7 +432,11 @@ def hold_together(links, work, poses, inverse, force):
             )
             for j in range(2, 6):
                 work.ahead[b, j] = poses[b, j] + h * speed[6 * b + j]
+        for s in range(links.shapes.size):
+            work.amplitude[s] += side * AHEAD * speed[links.shapes[s]]
         fill_rows(links, work, work.ahead, False)
+        for s in range(links.shapes.size):
+            work.amplitude[s] -= side * AHEAD * speed[links.shapes[s]]
         for k in range(links.ends.shape[0]):
             for i in range(links.first[k], links.first[k + 1]):
                 before = 0.0 if side > 0.0 else work.left[i]
@@ -357,6 +467,8 @@ def give_rows(links, work, mu, force):
                 if b >= 0:
                     for j in range(6):
                         force[6 * b + j] += work.rows[i, 6 * e + j] * mu[i]
+            for s in range(links.shapes.size):
+                force[links.shapes[s]] += work.by_shapes[i, s] * mu[i]
 
 
 @kernel(counted=False)

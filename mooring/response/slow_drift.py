@@ -103,10 +103,11 @@ def newman(components, drift, t):
 
 def differences(body):
     """(d,) rad/s of the spectrum of the slow force: to 0.2 for a hull of 100 m, by Froude's law for others, and to
-    three times the natural frequency of surge, sway and yaw for a moored body"""
+    three times the natural frequency of surge, sway and yaw for a moored body; not of several, which fenders hold to
+    each other far more stiffly than lines hold them to the bed"""
     high = SLOWEST[0] * np.sqrt(SLOWEST[1] / body.between.length * body.gravity / 9.80665)
     for mode in (0, 1, 5):
-        if body.stiffness[mode, mode] > 0:
+        if body.stiffness[mode, mode] > 0 and not body.bodies:
             mass = body.inertia[mode, mode] + body.held_added_mass(high)[0, mode, mode]
             high = max(high, 3 * np.sqrt(body.stiffness[mode, mode] / mass))
     return np.linspace(0.0, high, STEPS + 1)

@@ -53,6 +53,7 @@ class MultiPoint:
     contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
     held : (3, k, 6) N, N m exerted by the first body of each of k `hinges` on the second, along its axes, at rest and
         in equilibrium, and the largest, increased by `motion_factor` times the effect of motions in waves
+    stiffness : (n, n) N/m … in equilibrium of lines, fenders, ropes, hinges and springs, along axes of the motions
     warnings : findings, one line each; failures are marked as in `criteria.failing.fails`
     """
 
@@ -75,6 +76,7 @@ class MultiPoint:
     contact: np.ndarray | None = None
     held: np.ndarray | None = None
     hinges: tuple[str, ...] = ()
+    stiffness: np.ndarray | None = None
 
     def __repr__(self):
         worst = int(np.argmax(self.tension))
@@ -145,10 +147,10 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
         first = second = 0.0, np.zeros((2, 0)), np.zeros((0, 6))
         at_rest, equilibrium = stays, _heeled(system, stays, hydrostatic, steady)
     beside, contact, held = zip(first, second, strict=True)
-    periods = [
-        natural_periods(body.restrained(stiffness=in_motions(state.stiffness, hulls) + more))
-        for state, more in zip((at_rest, equilibrium), beside, strict=True)
+    held_by_all = [
+        in_motions(state.stiffness, hulls) + more for state, more in zip((at_rest, equilibrium), beside, strict=True)
     ]
+    periods = [natural_periods(body.restrained(stiffness=one)) for one in held_by_all]
     added = np.zeros(np.shape(held[1])) if effects.held is None else effects.held
     outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes)
     anchors, fairleads = line_ends(equilibrium)
@@ -172,6 +174,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
         np.array(contact),
         np.array([*held, held[1] + np.copysign(conditions.motion_factor * added, held[1])]),
         tuple(link.name for link in body.links),
+        held_by_all[1],
     )
     return replace(result, warnings=(*place_findings(system, hulls), *findings(result, db)))
 

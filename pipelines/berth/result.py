@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from msgspec.structs import asdict
 
+from hakobune.bem.bodies.one_of_several import body_named
 from hakobune.mooring.berthing.memory import berth as in_time
 from hakobune.mooring.berthing.memory import ship_of_database, without_memory
 from hakobune.mooring.berthing.two_springs import TwoSprings
@@ -81,9 +82,13 @@ def _ship(study, approach, db):
     if db is None:
         added = (approach.virtual_mass - 1) * ship.mass
         return without_memory(ship.mass, ship.gyration, added * np.diag([1.0, ship.gyration**2])), ()
+    one, more = _vessel(study.ship.body, db)
     with heard() as told:
-        made = ship_of_database(db, ship.mass, ship.gyration, center=study.ship.center)
-    displaced = db.density * float(db["displaced_volume"])
+        made = ship_of_database(db, ship.mass, ship.gyration, center=study.ship.center, **more)
+    displaced = db.density * float(one.displaced_volume)
+    others = [body.name for body in db.bodies if not body.fixed and body.name != one.name]
+    if others:
+        told.append(f"{', '.join(others)} held still: the memory is that of {one.name} beside them, as fixed bodies")
     if abs(displaced / ship.mass - 1) > MASS_DIFFERS:
         told.append(
             f"the body of {db.path} displaces {displaced / 1e3:.4g} t, and the ship has {ship.mass / 1e3:.4g} "
@@ -94,6 +99,22 @@ def _ship(study, approach, db):
             f"the memory of {db.path} holds for a water depth of {db.water_depth:g} m, and depth is {study.depth:g} m"
         )
     return made, told
+
+
+def _vessel(name, db):
+    """The ship in a database, as a database of one body, and the keyword of its motions among those of several
+
+    raises : StudyError for several bodies without a name, and a name that no body that moves has
+    """
+    if not db.bodies:
+        if name:
+            raise StudyError(f"ship.body is {name!r}, and {db.path} is of one body; leave it out")
+        return db, {}
+    moving = [body.name for body in db.bodies if not body.fixed]
+    name = moving[0] if not name and len(moving) == 1 else name
+    if name not in moving:
+        raise StudyError(f"ship.body is {name!r}; allowed: one that moves of {db.path}, {', '.join(moving)}")
+    return body_named(db, name), {"first": 6 * moving.index(name)}
 
 
 def _to_paste(study, approach):

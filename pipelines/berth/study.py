@@ -43,6 +43,7 @@ class ShipTable(Table):
     block : block coefficient; or give displacement
     gyration : m, radius of gyration in yaw; by default a quarter of the length
     center : m, distance of the centre of gravity ahead of midship, for a database
+    body : name of the ship among several bodies of a database, of which the others are held still
     """
 
     length: float
@@ -53,6 +54,7 @@ class ShipTable(Table):
     gyration: float | None = None
     center: float = 0.0
     density: float = 1025.0
+    body: str = ""
 
 
 class SpeedsTable(Table):

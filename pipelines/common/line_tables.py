@@ -6,16 +6,23 @@ Segments, and the bodies between them, count from the first end of the line: its
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import msgspec
 
 from hakobune.mooring.lines.multi_segment.bed import Bed
 from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
 from hakobune.mooring.lines.system.hawser import Hawser, elongation_at, pull_of_points
-from hakobune.mooring.lines.system.parts import CompositeLine, LineType, UniformLine
+from hakobune.mooring.lines.system.parts import CompositeLine, LineDynamics, LineType, UniformLine
 
 from .quantities import HEAVIEST, LONGEST, StudyError, Table, below, force, friction, one_of, positive
 from .units import KGF, TONF
+
+IN_MOTION = {  # keys of a MaterialTable, and names in LineDynamics
+    "drag_normal": "drag_normal", "drag_tangential": "drag_tangential", "added_normal": "added_mass_normal",
+    "added_tangential": "added_mass_tangential", "damping_ratio": "damping",
+    "bending_stiffness_kN_m2": "bending_stiffness",
+}  # fmt: skip
 
 
 class MaterialTable(Table):
@@ -29,6 +36,15 @@ class MaterialTable(Table):
         "wedge socket" or "clips"
     efficiency : efficiency of the termination, above 0, at most 1, in place of its name
     corrosion_mm : loss of diameter of a chain of the catalogue by wear and corrosion
+    mass_kg_per_m : mass in air, of a line in motion; by default that of the catalogue
+    diameter : m, diameter of the displaced volume, of a line in motion; by default that of the catalogue
+    drag_normal : normal drag coefficient, over D; by default that of the catalogue, or 1.2
+    drag_tangential : tangential drag coefficient, over πD; by default that of the catalogue, or 0.1
+    added_normal : normal added mass coefficient; by default that of the catalogue, or 1
+    added_tangential : tangential added mass coefficient; by default that of the catalogue, or 0
+    damping_ratio : structural damping over the critical damping of one element, or of a fortieth of the segment where
+        elements are shorter; by default that of the catalogue, or 1
+    bending_stiffness : bending stiffness EI of a line in motion, with hinged ends; by default 0
     """
 
     catalogue: str | None = None
@@ -41,6 +57,14 @@ class MaterialTable(Table):
     termination: str | None = None
     efficiency: float | None = None
     corrosion_mm: float | None = None
+    mass_kg_per_m: float | None = None
+    diameter: float | None = None
+    drag_normal: float | None = None
+    drag_tangential: float | None = None
+    added_normal: float | None = None
+    added_tangential: float | None = None
+    damping_ratio: float | None = None
+    bending_stiffness_kN_m2: float | None = None
 
 
 class TypeTable(MaterialTable):
@@ -69,7 +93,8 @@ class SegmentTable(Table):
 
     type : name of one of the types
     length : m, unstretched length
-    elements : number of elements of a line in motion; by default 40 over its whole length
+    elements : number of elements of a line in motion; by default 40 over its whole length, in a simulation
+        `dynamic_elements`
     """
 
     type: str
@@ -136,12 +161,32 @@ def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineT
         name or table.catalogue or where,
         weight or known.weight,
         force(where, table, "axial_stiffness") or (known.axial_stiffness if known else math.inf),
-        known.mass if known else None,
-        known.diameter if known else None,
+        *(_given(where, table, key, known) for key in ("mass_kg_per_m", "diameter")),
         _strength_left(where, table)
         * (force(where, table, "breaking_load") or (known.breaking_load if known else math.inf)),
-        dynamics=known.dynamics if known else None,
+        dynamics=_dynamics(where, table, known.dynamics if known else None),
     )
+
+
+def _given(where, table, key, known):
+    """A value above 0 of a MaterialTable, by default that of the LineType of its catalogue, None without one"""
+    value = getattr(table, key)
+    if value is not None:
+        return positive(f"{where}.{key}", value)
+    return getattr(known, key.removesuffix("_kg_per_m")) if known else None
+
+
+def _dynamics(where, table, known):
+    """`LineDynamics` of a MaterialTable, by default those of its catalogue.  Raises StudyError."""
+    given = {name: getattr(table, key) for key, name in IN_MOTION.items() if getattr(table, key) is not None}
+    for key, name in IN_MOTION.items():
+        if name in given and not 0 <= given[name] < math.inf:
+            raise StudyError(f"{where}.{key} is {given[name]:g}; allowed: at least 0, finite")
+    if table.damping_ratio is not None:
+        given["damping"] = -given["damping"]
+    if table.bending_stiffness_kN_m2 is not None:
+        given["bending_stiffness"] *= 1e3
+    return replace(known or LineDynamics(), **given) if given else known
 
 
 def _strength_left(where, table):
@@ -220,8 +265,17 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
         return UniformLine(name, made[0], lengths[0], *ends, rough[0])
     try:
         segments = [
-            Segment(length, kind.weight, kind.axial_stiffness, kind.diameter or 0.0, kind.breaking_load, kind.name)
-            for kind, length in zip(made, lengths, strict=True)
+            Segment(
+                length,
+                kind.weight,
+                kind.axial_stiffness,
+                kind.diameter or 0.0,
+                kind.breaking_load,
+                kind.name,
+                kind,
+                part.elements,
+            )
+            for kind, length, part in zip(made, lengths, parts, strict=True)
         ]
     except ValueError as error:
         raise StudyError(f"{where} ({name}): {error}") from None
@@ -310,7 +364,8 @@ def _point_loads(where, bodies, lengths, density, gravity):
     for i, body in enumerate(attached(f"{where}.", bodies, len(lengths) - 1)):
         if body is not None:
             weight = gravity * (body.mass - density * body.volume) if body.weight_N is None else body.weight_N
-            loads.append(PointLoad(sum(lengths[: i + 1]), weight, gravity * body.mass, f"after segment {i + 1}"))
+            felt = body.drag_area, body.added_mass
+            loads.append(PointLoad(sum(lengths[: i + 1]), weight, gravity * body.mass, f"after segment {i + 1}", *felt))
     return loads
 
 

@@ -69,7 +69,8 @@ def scene_of_several(file):
     span = float(np.ptp(np.concatenate([file["anchor"][:, :2], still[:, :2]]), axis=0).max())
     span += AROUND * max(one.box[1] - one.box[0] for one in boxes)
     moving = [number for number, body in enumerate(db.bodies) if not body.fixed]
-    stage = Stage(tuple(boxes), span, float(file.attrs["water_depth"]))
+    carriers = tuple(moving[other] if other >= 0 else -1 for other in contacts.other[:fenders])
+    stage = Stage(tuple(boxes), span, float(file.attrs["water_depth"]), berth.fenders, carriers, still)
     held = system is not None or bool(ropes)
     return Scene(stage, partial(_placed, moored, still, moving), held, moored.threads)
 

@@ -25,13 +25,16 @@ class Hull(NamedTuple):
 class Stage(NamedTuple):
     """hulls : (Hull, …); span : m, of anchors and hulls
 
-    depth : m; fenders : of a `mooring.motion.contacts` berth
+    depth : m; fenders : of a `mooring.motion.contacts` berth; carriers : numbers of the hulls that carry them, below 0
+    for a quay, or () for quays alone; rest : (n, 6) m, rad, poses of the hulls with which the fenders are given
     """
 
     hulls: tuple
     span: float
     depth: float
     fenders: tuple = ()
+    carriers: tuple = ()
+    rest: np.ndarray | None = None
 
 
 class Scene(NamedTuple):
@@ -80,8 +83,10 @@ def frames(stage, at, poses, threads=None, heights=None, buoys=None):
         plotter.add_mesh(made, color=HULL)
     if lines is not None:
         plotter.add_mesh(lines, color="#202020", line_width=2)
-    for one in stage.fenders:
-        plotter.add_mesh(_fender(one), color=FENDER)
+    fenders = [_fender(one) for one in stage.fenders]
+    for made in fenders:
+        plotter.add_mesh(made, color=FENDER)
+    follow = carried(stage, fenders)
     ball = None if buoys is None else pyvista.Sphere(radius=OF_SPAN * stage.span)
     if ball is not None:
         round_, ball.points = ball.points.copy(), ball.points + buoys[0]
@@ -93,6 +98,8 @@ def frames(stage, at, poses, threads=None, heights=None, buoys=None):
         for i, (t, pose) in enumerate(zip(at, poses, strict=True)):
             for made, points, one in zip(hulls, still, pose, strict=True):
                 made.points = one[:3] + points @ rotation(*one[3:]).T
+            for made, points, hull in follow:
+                made.points = pose[hull, :3] + points @ rotation(*pose[hull, 3:]).T
             if lines is not None:
                 lines.points = threads(i)
             if ball is not None:
@@ -104,6 +111,16 @@ def frames(stage, at, poses, threads=None, heights=None, buoys=None):
             yield plotter.screenshot(return_img=True)
     finally:
         plotter.close()
+
+
+def carried(stage, fenders):
+    """[(mesh, its points in axes of the hull, number of the hull)] of the fenders that a hull carries"""
+    found = []
+    for made, hull in zip(fenders, stage.carriers or (-1,) * len(fenders), strict=True):
+        if hull >= 0:
+            own = rotation(*stage.rest[hull, 3:])
+            found.append((made, (np.array(made.points) - stage.rest[hull, :3]) @ own, hull))
+    return found
 
 
 def _polylines(points):

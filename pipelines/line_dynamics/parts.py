@@ -52,6 +52,7 @@ def _segment(where, part, kinds, total):
 
 def _properties(where, kind, water):
     """Keywords of a DynamicSegment, and the breaking load in N"""
+    from hakobune.mooring.lines.dynamics.line import felt
     from hakobune.mooring.lines.system.parts import LineDynamics
 
     static = line_type(where, kind, water.density, water.gravity)
@@ -61,22 +62,11 @@ def _properties(where, kind, water):
             f"{where}: the axial stiffness is missing, which a line in motion needs; "
             "give one of axial_stiffness_tonf, axial_stiffness_kN, or elongation_percent with tensions"
         )
-    given = {"mass": kind.mass_kg_per_m, "diameter": kind.diameter}
     for key, name in (("mass", "mass_kg_per_m"), ("diameter", "diameter")):
-        if given[key] is None and kind.catalogue is None:
+        if getattr(static, key) is None:
             raise StudyError(f"{where}: {name} is missing; give a number above 0, or a catalogue name")
-        given[key] = getattr(static, key) if given[key] is None else positive(f"{where}.{name}", given[key])
-    known = static.dynamics or LineDynamics()
-    felt = {
-        "drag_normal": known.drag_normal,
-        "drag_tangential": known.drag_tangential,
-        "added_normal": known.added_mass_normal,
-        "added_tangential": known.added_mass_tangential,
-    }
-    felt |= {key: getattr(kind, key) for key in felt if getattr(kind, key) is not None}
-    made = {"weight": static.weight, "axial_stiffness": stiffness, **given}
-    bending = {"bending_stiffness": 1e3 * kind.bending_stiffness_kN_m2}
-    return made | bending | felt | {"damping_ratio": kind.damping_ratio}, static.breaking_load
+    made = {"weight": static.weight, "axial_stiffness": stiffness, "mass": static.mass, "diameter": static.diameter}
+    return made | felt(static.dynamics or LineDynamics()), static.breaking_load
 
 
 def _elongation(where, kind):

@@ -48,28 +48,11 @@ class BedTable(Table):
 class DynamicTypeTable(MaterialTable):
     """Material of a line in motion
 
-    mass_kg_per_m : mass in air; by default that of the catalogue
-    diameter : m, diameter of the displaced volume; by default that of the catalogue
-    drag_normal : normal drag coefficient, over D; by default that of the catalogue, or 1.2
-    drag_tangential : tangential drag coefficient, over πD; by default that of the catalogue, or 0.1
-    added_normal : normal added mass coefficient; by default that of the catalogue, or 1
-    added_tangential : tangential added mass coefficient; by default that of the catalogue, or 0
-    damping_ratio : structural damping over the critical damping of one element, or of a fortieth of the segment where
-        elements are shorter
-    bending_stiffness : bending stiffness EI, with hinged ends
     elongation_percent : %, elongations from 0 on of a rope with nonlinear stiffness, with straight lines between the
         points
     tension : tension of such a rope at each elongation, from 0 on
     """
 
-    mass_kg_per_m: float | None = None
-    diameter: float | None = None
-    drag_normal: float | None = None
-    drag_tangential: float | None = None
-    added_normal: float | None = None
-    added_tangential: float | None = None
-    damping_ratio: float = 1.0
-    bending_stiffness_kN_m2: float = 0.0
     elongation_percent: list[float] | None = None
     tension_tonf: list[float] | None = None
     tension_kN: list[float] | None = None

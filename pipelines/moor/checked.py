@@ -50,7 +50,13 @@ def body_of_database(db):
 
 
 def body_of_scene(name, scene):
-    """Body of a Scene"""
+    """Body of a Scene.  Raises StudyError for several bodies."""
+    if len(scene.bodies) > 1:
+        names = ", ".join(body.name for body in scene.bodies)
+        raise StudyError(
+            f"{name} has {len(scene.bodies)} bodies, {names}; allowed here: one body; hakobune moor, response and "
+            "simulate take several"
+        )
     water, shape, planes = scene.water, scene.body.shape, SYMMETRY.get(scene.body.shape)
     of_water = water.density, water.gravity, water.depth
     if planes is not None:

@@ -12,6 +12,7 @@ import math
 import warnings
 from pathlib import Path
 
+from ..common.line_tables import IN_MOTION
 from ..common.quantities import StudyError
 
 KEY, BODY = "lines_file", "lines_body"
@@ -113,12 +114,13 @@ def _table(chain, points, bodies, depth, water, types):
         joints.append(len(parts))
     loads = [
         {"after_segment": count, "mass": float(points[end].mass), "volume": float(points[end].volume),
-         "weight_N": float(water[1] * (points[end].mass - water[0] * points[end].volume))}
+         "weight_N": float(water[1] * (points[end].mass - water[0] * points[end].volume)),
+         "drag_area": float(points[end].drag_area), "added_mass": float(points[end].added_mass)}
         for count, (_, end) in zip(joints[:-1], ends[:-1], strict=True)
         if points[end].mass or points[end].volume
     ]  # fmt: skip
     if len(parts) == 1:
-        return made | parts[0]
+        return made | {key: parts[0][key] for key in ("type", "length")}
     rough = max(types[part["type"]]["bed_friction"] for part in parts)
     return made | {"segments": parts, "bed": {"friction": rough}} | ({"bodies": loads} if loads else {})
 
@@ -137,33 +139,54 @@ def _parts(line, along, types):
 
     if isinstance(line, UniformLine):
         kind = line.type
-        values = kind.name, kind.weight, kind.axial_stiffness, kind.breaking_load
-        return [{"type": _type(types, *values, line.bed_friction), "length": float(line.length)}]
+        part = {"type": _type(types, kind, kind.axial_stiffness, line), "length": float(line.length)}
+        return [part | ({"elements": line.elements} if line.elements else {})]
     curved = any(isinstance(part.axial_stiffness, tuple) for part in getattr(line, "segments", ()))
     if not isinstance(line, CompositeLine) or line.bed is not None or line.loads or curved:
         raise StudyError(
             f"{KEY}: line {line.name} has its own bed, bodies between its ends or a rope with a tension curve; "
             "allowed: segments of constant stiffness; `hakobune lines` can compute it"
         )
-    values = [(part.name, part.weight, part.axial_stiffness, part.breaking_load) for part in line.segments]
     found = [
-        {"type": _type(types, *of, line.bed_friction), "length": float(part.length)}
-        for of, part in zip(values, line.segments, strict=True)
+        {"type": _type(types, part.kind or part, part.axial_stiffness, line), "length": float(part.length)}
+        for part in line.segments
     ]
     return found if along else found[::-1]
 
 
-def _type(types, name, weight, stiffness, load, friction):
-    """Name of the type in `types` with these values, N and N/m; a new one is added if none matches"""
-    made = {"weight_N_per_m": float(weight), "bed_friction": float(friction)}
+def _type(types, kind, stiffness, line):
+    """Name of the type in `types` with the values of a LineType or a Segment of a line; new if none matches
+
+    stiffness : N, EA
+    """
+    made = {"weight_N_per_m": float(kind.weight), "bed_friction": float(line.bed_friction)}
     if math.isfinite(stiffness):
         made["axial_stiffness_kN"] = float(stiffness) / 1e3
-    if math.isfinite(load):
-        made["breaking_load_kN"] = float(load) / 1e3
-    i, given = 1, name or "line"
+    if math.isfinite(kind.breaking_load):
+        made["breaking_load_kN"] = float(kind.breaking_load) / 1e3
+    made |= {key: float(value) for key, value in _in_motion(kind, stiffness, line) if value is not None}
+    i, given = 1, kind.name or "line"
     name = given
     while name in types and types[name] != made:
         i += 1
         name = f"{given} {i}"
     types[name] = made
     return name
+
+
+def _in_motion(kind, stiffness, line):
+    """(key, value) of a type in motion, of a LineType or a Segment; a damping BA as its share of the critical"""
+    from hakobune.mooring.lines.dynamics.line import DAMPED
+
+    mass, own = getattr(kind, "mass", None), getattr(kind, "dynamics", None)
+    if not mass or not kind.diameter:
+        return
+    yield from (("mass_kg_per_m", mass), ("diameter", kind.diameter))
+    if own is not None:
+        yield from ((key, getattr(own, name)) for key, name in IN_MOTION.items() if key.startswith(("drag", "added")))
+        ratio = -own.damping
+        if own.damping >= 0 and math.isfinite(stiffness):  # over that of an element, which is as long as in the file
+            size = max(line.length / (getattr(line, "elements", None) or DAMPED), line.length / DAMPED)
+            ratio = own.damping / (size * math.sqrt(stiffness * mass))
+        yield "damping_ratio", ratio if ratio >= 0 else None
+        yield "bending_stiffness_kN_m2", 1e-3 * own.bending_stiffness or None

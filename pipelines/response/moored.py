@@ -1,4 +1,8 @@
-"""`hakobune response --moored`: the body of a response study on the lines of a mooring study, with its slow motion."""
+"""`hakobune response --moored`: the body of a response study on the lines of a mooring study, with its slow motion.
+
+Of several bodies lines, ropes, fenders and hinges are the linear stiffness that they have where they balance the steady
+forces; slow motion is not computed.
+"""
 
 from __future__ import annotations
 
@@ -74,6 +78,68 @@ def moored(path, read, db, sea, duration, points):
         notes += _of_bound_waves(spectrum, db)
     told = (*notes, *viscous_words(held, laws, damping))
     return Moored(found, told, tuple(failing(statics.warnings)), held.stiffness)
+
+
+class Together(NamedTuple):
+    """body : `Reader` of several bodies on their moorings; offset : (n, 3) m, m, rad of each, by the steady forces
+
+    notes, failures : one line each
+    """
+
+    body: object
+    offset: np.ndarray
+    notes: tuple[str, ...]
+    failures: tuple[str, ...]
+
+
+def moored_together(path, read, db):
+    """`Together` of the mooring study at `path` and a ResponseStudy of a sea.  Raises ValueError, one line."""
+    from hakobune.bem.hinges import driven
+    from hakobune.mooring.studies.conditions import Waves
+    from hakobune.mooring.studies.multi_point import multi_point
+
+    from ..common.quantities import positive
+    from ..common.quay_tables import linked
+    from ..common.weather.seas import sea_with_swell
+    from ..moor.study import read_study
+
+    for name, given in (("current is", read.current is not None), ("hinges are", bool(read.hinges))):
+        if given:
+            raise StudyError(f"{name} given with --moored; allowed: those of {path} alone")
+    study, _ = read_study(path)
+    hulls = study.hulls_of(db)
+    system, berth = study.system_of(db, hulls), study.berth_of(db, hulls)
+    if system is None:
+        raise StudyError(f"{path} has no lines; give at least one [[spreads]] or [[lines]], or use hakobune simulate")
+    sea = sea_with_swell("sea", read.sea, db.water_depth)
+    duration = positive("sea.duration_hours", read.sea.duration_hours)
+    waves = Waves(sea.spectrum.significant_height, sea.spectrum.T01, sea.direction)
+    conditions = replace(study.conditions(), waves=waves, sea=sea, method="irregular", duration=3600 * duration)
+    alone = linked(db.bodies_reader.floating(), study.hinges, db)
+    statics = multi_point(db, system, hulls, conditions, study.allowable, berth, alone)
+    body = read.restrained(alone.restrained(driven(alone).damping - alone.damping, statics.stiffness))
+    return Together(
+        body, statics.displacement.reshape(-1, 3), tuple(_of_stiffness(path, statics)), tuple(failing(statics.warnings))
+    )
+
+
+def _of_stiffness(path, statics):
+    """Notes on what holds several bodies in a `MultiPoint` of the study at `path`"""
+    held = [f"{len(statics.system.lines)} lines", *(f"hinge {name}" for name in statics.hinges)]
+    for word, parts in (("fender", statics.berth.fenders), ("rope", statics.berth.ropes)):
+        held += [f"{len(parts)} {word}{'s' * (len(parts) > 1)}"] * bool(parts)
+    yield (
+        f"moored by {', '.join(held)} of {path}, with the stiffness that they have under the steady forces of wind, "
+        "current and waves; slow motion is not included; use hakobune simulate for it"
+    )
+    if statics.berth.names:
+        idle = [name for name, force in zip(statics.berth.names, statics.contact[1, 1], strict=True) if force == 0]
+        yield (
+            "fenders and ropes are linear here; where motions exceed their deflection at rest they lose contact or go "
+            "slack, which hakobune simulate includes"
+        )
+        if idle:
+            yield f"no force under the steady forces, and so no stiffness: {', '.join(idle)}"
 
 
 def _of_bound_waves(spectrum, db):

@@ -22,6 +22,7 @@ from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .effort import check_effort
 from .findings import air_gaps, failures, keel_gaps, notes, turned
+from .moored import moored_together
 from .places import places_of
 from .solved import FRACTILE, solved_in_climate, solved_in_sea, solved_moored
 from .study import ResponseStudy, make_response_study, read_response_study
@@ -33,6 +34,7 @@ KIND = "response"
 MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
 DAMPING, EACH = "wave drift damping", "drift of each body, about its own point in its own axes"
 MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
+OFFSET = "moored, offset by steady forces"
 FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
 FAR_FROM_DEPTH = 0.2  # change of the gap under the keel, over that of the database, above which a message is printed
 
@@ -54,15 +56,16 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if read.sea:
         check_effort(read)
     db = database_of(database)
-    points, held = places_of(read, db), None
-    if moored is not None:
-        db.require_one_body()
+    points, held, together = places_of(read, db), None, None
     body = db.bodies_reader.floating()
-    if not moored:
+    if moored is None:
         body = driven(linked(read.restrained(body), read.hinges, db))
     with heard() as caught:
         try:
-            if moored is not None:
+            if moored is not None and db.bodies:
+                together = moored_together(moored, read, db)
+                found, body = solved_in_sea(read, together.body, db, points, place)
+            elif moored is not None:
                 held = solved_moored(read, db, points, moored)
                 found = held.motion.fast
             else:
@@ -80,8 +83,14 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         quantities |= of_moored(held.motion)
         axes |= labels("plane", PLANE) | labels("moored_omega", held.motion.omega, "rad/s")
         axes |= labels("with_plane", PLANE)
+    if together is not None:
+        names = [f"{one.name} {motion}" for one in db.bodies if not one.fixed for motion in PLANE]
+        offset = Quantity(together.offset.ravel(), ("horizontal",), MOVED * len(together.offset), "mean", OFFSET)
+        quantities["moored.offset"] = offset
+        axes |= labels("horizontal", names)
+    on_lines = held or together
     warned += [
-        *(() if held is None else held.failures),
+        *(on_lines.failures if on_lines else ()),
         *failures(found, stiffness, years, body.words),
         *turned(quantities, axes),
     ]
@@ -90,7 +99,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         quantities,
         axes,
         tuple(dict.fromkeys(warned)),
-        (*notes(found, years), *noted, *(held.notes if held else ())),
+        (*notes(found, years), *noted, *(on_lines.notes if on_lines else ())),
         (),
         provenance(text, db),
         found,

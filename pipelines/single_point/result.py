@@ -55,6 +55,8 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     """
     read, text = given(study, Study, _read, make_study)
     db = None if database is None else database_of(database)
+    if db is not None:
+        db.require_one_body()
     if read.slewing is not None:
         running.check(read, db)
     raw = tomllib.loads(text)

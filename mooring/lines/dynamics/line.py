@@ -111,6 +111,21 @@ class DynamicSegment:
         return self.damping_ratio * critical if self.structural_damping is None else self.structural_damping
 
 
+def felt(dynamics):
+    """Keywords of a DynamicSegment with the values of a `LineDynamics`; none for None"""
+    if dynamics is None:
+        return {}
+    damping = "structural_damping" if dynamics.damping >= 0 else "damping_ratio"
+    return {
+        "drag_normal": dynamics.drag_normal,
+        "drag_tangential": dynamics.drag_tangential,
+        "added_normal": dynamics.added_mass_normal,
+        "added_tangential": dynamics.added_mass_tangential,
+        "bending_stiffness": dynamics.bending_stiffness,
+        damping: abs(dynamics.damping),
+    }
+
+
 @dataclass(frozen=True)
 class AttachedBody:
     """A buoy or a clump between two segments, with its own inertia.

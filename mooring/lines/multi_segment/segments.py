@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +16,7 @@ class Segment:
     axial_stiffness : EA in N, may be inf; or a table of (strain, tension) pairs, both rising from (0, 0), straight
         between its points and beyond the last
     diameter : m, breaking_load : N; for drawings and verdicts
+    kind : `system.parts.LineType` with its mass and drag, None if unknown; elements : number in motion, or None
     """
 
     length: float
@@ -23,6 +25,8 @@ class Segment:
     diameter: float = 0.0
     breaking_load: float = np.inf
     name: str = ""
+    kind: Any = field(default=None, compare=False, repr=False)
+    elements: int | None = field(default=None, compare=False)
 
     def __post_init__(self):
         for word, unit in (("length", "m"), ("weight", "N/m")):
@@ -59,12 +63,15 @@ class PointLoad:
 
     position : m of unstretched line from the anchor; weight : N, submerged
     weight_in_air : N, at least 0, of a buoy out of the water; the SR179 report (1982) takes 0
+    drag_area : m², C_d A, and added_mass : over the displaced mass, both of a line in motion
     """
 
     position: float
     weight: float
     weight_in_air: float = 0.0
     name: str = field(default="")
+    drag_area: float = field(default=0.0, compare=False)
+    added_mass: float = field(default=0.5, compare=False)
 
     def __post_init__(self):
         if not np.isfinite(self.weight):

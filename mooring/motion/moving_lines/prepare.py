@@ -1,4 +1,4 @@
-"""Lines of a System as lines with a motion of their own."""
+"""Lines of a System as lines with a motion of their own, with segments, sinkers and buoys."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ import numpy as np
 
 from hakobune.bem.modes import turned
 
-from ...lines.dynamics.line import DynamicLine, DynamicSegment, ElasticBed
+from ...lines.dynamics.line import AttachedBody, DynamicLine, DynamicSegment, ElasticBed, felt
 from ...lines.system.bodies import rotation
+from ...lines.system.hawser import Hawser
 from ...lines.system.parts import Anchor, UniformLine
 from .packed import moving_lines
 
@@ -18,6 +19,8 @@ FIRM = {"stiffness": 3e6, "damping": 3e5}
 # share of the tolerance of a run for a step of a line and for its pull on a wrongly predicted course.  Errors of smooth
 # motion add up: steps with a whole tolerance each give three in a regular wave, these one
 OF_LINE = 0.25
+LEAST = 4  # elements of a segment
+ON_JOINT = 1e-6  # m
 
 
 def moving_of(moored, settings, sea=None, surface=True):
@@ -34,7 +37,7 @@ def moving_of(moored, settings, sea=None, surface=True):
         return None
     if moored.reader.modes:
         raise ValueError('dynamic_lines are given with bodies that bend; allowed: "auto", "none"')
-    whole = [i for i, line in enumerate(system.lines) if isinstance(line, UniformLine)]
+    whole = [i for i, line in enumerate(system.lines) if not isinstance(line, Hawser)]
     if isinstance(names, str):
         if names != "all":
             raise ValueError(f'dynamic_lines is {names!r}; allowed: "all", "auto", "none", or a list of names')
@@ -45,26 +48,27 @@ def moving_of(moored, settings, sea=None, surface=True):
             raise ValueError(f"dynamic_lines: there is no line {unknown[0]!r}; allowed: {', '.join(system.line_names)}")
         numbers = sorted(system.line_names.index(name) for name in names)
     if not numbers:
-        raise ValueError("dynamic_lines: no line of the body is uniform, and only uniform lines can move")
+        raise ValueError("dynamic_lines: all lines of the body are hawsers, which have no weight and cannot move")
     made, places, stretch, spring = {}, [], [], []
     headings = {one.name: one.position[5] for one in system.bodies}
     poses = {one.name: one.position + moored.start[6 * i : 6 * i + 6] for i, one in enumerate(system.bodies)}
     for i in numbers:
         line = system.lines[i]
         if i not in whole:
-            raise ValueError(
-                f"dynamic_lines: line {line.name} has segments or is a hawser; only uniform lines can move"
-            )
+            raise ValueError(f"dynamic_lines: line {line.name} is a hawser, which has no weight and cannot move")
         anchor, fairlead = ends_of(line, system)
         pose = poses[fairlead.body]
         R = rotation(*pose[3:])
-        made[i] = dynamic_line(line, anchor.position, system, settings.dynamic_elements, surface)
         arm = R @ np.asarray(fairlead.position, float)
         places.append(pose[:3] + arm)
         along = places[-1] - np.asarray(anchor.position, float)
+        elements = settings.dynamic_elements
+        made[i] = dynamic_line(line, anchor.position, system, elements, surface, np.arctan2(along[1], along[0]))
         along /= np.linalg.norm(along)
         stretch.append(turned(headings[fairlead.body]) @ np.concatenate([along, np.cross(arm, along)]))
-        spring.append(line.type.axial_stiffness / line.length)
+        first, *others = made[i].segments
+        soft = sum(one.length / one.stiffness for one in others)
+        spring.append(first.stiffness / (first.length + first.stiffness * soft))
     as_spring = np.array(stretch), np.array(spring)
     return moving_lines(made, np.array(places), OF_LINE * settings.tolerance, as_spring, sea)
 
@@ -75,38 +79,53 @@ def ends_of(line, system):
     return tuple(ends if isinstance(ends[0], Anchor) else ends[::-1])
 
 
-def dynamic_line(line, anchor, system, elements, surface=True):
-    """DynamicLine of a UniformLine, with its weight in air above the water.
+def dynamic_line(line, anchor, system, elements, surface=True, towards=0.0):
+    """DynamicLine of a UniformLine or a CompositeLine, with its weight in air above the water.
 
-    raises : ValueError for a property missing in its type
+    anchor : (3,) m; elements : of the whole line, at least LEAST a segment; towards : rad, of the fairlead, along
+    which a bed of its own lies
+    raises : ValueError for a property missing in its types
     """
-    kind = line.type
-    for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):
+    below, rest = max(float(anchor[2]) + system.depth, 0.0), (system.density, system.gravity, surface)
+    if isinstance(line, UniformLine):
+        bed = ElasticBed(below=below, friction=line.bed_friction, **FIRM)
+        return DynamicLine(_segment(line.name, line.type, line.length, elements), anchor, (), bed, *rest)
+    way = 1 if line.a == ends_of(line, system)[0].name else -1
+    segments, joints = [], np.cumsum([one.length for one in line.segments[::way]])[:-1]
+    for one in line.segments[::way]:
+        if one.kind is None:
+            raise ValueError(f"dynamic_lines: segment {one.name} of line {line.name} has no mass")
+        own = one.elements or max(LEAST, round(elements * one.length / line.length))
+        segments.append(_segment(line.name, one.kind, one.length, own, one.axial_stiffness))
+    bodies = [None] * len(joints)
+    for load in line.loads:
+        at = load.position if way > 0 else line.length - load.position
+        here = np.flatnonzero(np.abs(joints - at) < ON_JOINT)
+        if not len(here) or bodies[here[0]] is not None:
+            raise ValueError(f"dynamic_lines: line {line.name} has sinkers or buoys that are not one between segments")
+        bodies[here[0]] = _attached(load, system)
+    if line.bed is None:
+        bed = ElasticBed(below=below, friction=line.bed_friction, **FIRM)
+    else:
+        bed = ElasticBed(uphill=float(towards), friction=line.bed.friction, points=line.bed.points, **FIRM)
+    return DynamicLine(tuple(segments), anchor, tuple(bodies), bed, *rest)
+
+
+def _attached(load, system):
+    """AttachedBody of a PointLoad; one without a weight in air is a buoy or a sinker without mass"""
+    volume = (load.weight_in_air - load.weight) / (system.density * system.gravity)
+    return AttachedBody(load.weight_in_air / system.gravity, max(volume, 0.0), load.drag_area, load.added_mass)
+
+
+def _segment(name, kind, length, elements, stiffness=None):
+    """DynamicSegment of a LineType in line `name`; stiffness : EA, N, or a table, by default that of the type"""
+    for key, value in (("mass", kind.mass), ("diameter", kind.diameter)):
         if value is None:
             raise ValueError(
-                f"dynamic_lines: type {kind.name} of line {line.name} has no {name}; give a type with a "
-                "catalogue name, which supplies it"
+                f"dynamic_lines: type {kind.name} of line {name} has no {key}; give a type with a "
+                "catalogue name, which supplies it, or mass_kg_per_m and diameter"
             )
-    if not np.isfinite(kind.axial_stiffness):
-        raise ValueError(f"dynamic_lines: type {kind.name} of line {line.name} is inextensible; give its stiffness")
-    segment = DynamicSegment(
-        line.length, kind.mass, kind.weight, kind.diameter, kind.axial_stiffness, elements, **_felt(kind.dynamics)
-    )
-    below = max(float(anchor[2]) + system.depth, 0.0)
-    bed = ElasticBed(below=below, friction=line.bed_friction, **FIRM)
-    return DynamicLine(segment, anchor, (), bed, system.density, system.gravity, surface)
-
-
-def _felt(dynamics):
-    """Keywords of a DynamicSegment with the values of a `LineDynamics`; none for None"""
-    if dynamics is None:
-        return {}
-    damping = "structural_damping" if dynamics.damping >= 0 else "damping_ratio"
-    return {
-        "drag_normal": dynamics.drag_normal,
-        "drag_tangential": dynamics.drag_tangential,
-        "added_normal": dynamics.added_mass_normal,
-        "added_tangential": dynamics.added_mass_tangential,
-        "bending_stiffness": dynamics.bending_stiffness,
-        damping: abs(dynamics.damping),
-    }
+    stiffness = kind.axial_stiffness if stiffness is None else stiffness
+    if np.ndim(stiffness) == 0 and not np.isfinite(stiffness):
+        raise ValueError(f"dynamic_lines: type {kind.name} of line {name} is inextensible; give its stiffness")
+    return DynamicSegment(length, kind.mass, kind.weight, kind.diameter, stiffness, elements, **felt(kind.dynamics))

@@ -19,11 +19,11 @@ STATIC = (
 
 def check_bending(body, free):
     """Raise ValueError for a Reader whose shapes cannot be followed; free : numbers of the motions that are not held"""
-    if body.links:
-        names = ", ".join(link.name for link in body.links)
+    held = [body.words[i] for i in range(body.rigid, len(body.words)) if i not in free]
+    if held and body.links:
         raise ValueError(
-            f"hinges {names} are given with bodies that bend; allowed in time: bodies without [[modes]], or a hinge as "
-            "a shape of one body"
+            f"simulation.motions holds {', '.join(held)}, and hinges {', '.join(one.name for one in body.links)} are "
+            "given; allowed with hinges: all shapes free; solve fewer shapes (count)"
         )
     added = body.held_added_mass(np.inf)[0]
     for i in range(body.rigid, len(body.words)):

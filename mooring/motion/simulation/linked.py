@@ -24,18 +24,25 @@ def check_held(stiffness, body):
         )
 
 
-def begin_together(links, inverse, poses, speed):
-    """Poses and velocities (N, 6) that satisfy the links, nearest to those given; inverse : (6N, 6N) of the mass.
+def begin_together(links, inverse, poses, speed, shapes=None):
+    """Poses and velocities (N, 6) that satisfy the links, nearest to those given; inverse : (n, n) of the mass.
 
+    shapes : (2, f) amplitudes of shapes and their rates, which then follow in the result; None without any
     raises : ValueError without any nearby
     """
-    poses, speed = np.array(poses, float), np.array(speed, float)
+    poses, speed, rigid = np.array(poses, float), np.array(speed, float), np.size(poses)
+    bent = np.zeros((2, 0)) if shapes is None else np.array(shapes, float)
     for _ in range(TRIES):
-        G, gap = rows_at(links, poses)
+        G, gap = rows_at(links, poses, bent[0]) if bent.size else rows_at(links, poses)
         share = inverse @ G.T
         if np.abs(gap).max() < TOGETHER:
-            return poses, speed - (share @ np.linalg.solve(G @ share, G @ speed.ravel())).reshape(-1, 6)
-        step = -(share @ np.linalg.solve(G @ share, gap)).reshape(-1, 6)
+            both = np.append(speed.ravel(), bent[1])
+            both = both - share @ np.linalg.solve(G @ share, G @ both)
+            speed, bent[1] = both[:rigid].reshape(-1, 6), both[rigid:]
+            return (poses, speed) if shapes is None else (poses, speed, bent)
+        whole = -(share @ np.linalg.solve(G @ share, gap))
+        step = whole[:rigid].reshape(-1, 6)
+        bent[0] += whole[rigid:]
         step[:, :2] = [[np.cos(c) * x - np.sin(c) * y, np.sin(c) * x + np.cos(c) * y]
                        for c, (x, y) in zip(poses[:, 5], step[:, :2], strict=True)]  # fmt: skip
         poses += step

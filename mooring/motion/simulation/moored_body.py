@@ -129,6 +129,7 @@ def moored(
     berth = no_berth() if berth is None else berth
     if body.modes:
         berth = with_shapes(berth, body)
+    if body.modes and links is None:
         if system is not None or berth.names:
             others = _but_berth(system, tables, body, spring)
             start, stiffness = rest_bent(body, berth, others, start, units_of(body), free)
@@ -239,7 +240,8 @@ def _rest_together(links, berth, system, tables, body, spring, start):
     except ValueError:
         if system is None:
             raise
-        start, held = rest_together(links, forces, _rest(system, body, spring)[0], units_of(body), headings)
+        start[: body.rigid] = _rest(system, body, spring)[0]
+        start, held = rest_together(links, forces, start, units_of(body), headings)
     return start, stiffness_together(links, forces, start, held, headings)
 
 

@@ -159,13 +159,14 @@ def _followed(moored, settings, begun, progress):
     states[:, 6:12] = velocity
     bent = y[shapes_at(count) :][: OF_SHAPES * groups.count].reshape(-1, 2, 6).swapaxes(0, 1)
     amplitudes = moored.start[rigid:] + of_all(settings.offset, moored.reader)[1]
-    for part, values in zip(bent, (amplitudes, bending), strict=True):
-        part[groups.place // 6, groups.place % 6] = values
-    links = scene.links[0]
+    shapes, links = np.array([amplitudes, bending]), scene.links[0]
     scene = scene._replace(links=(links, link_work(links, len(y), rows, groups.count)))
     if len(links.ends):
-        inverse = scene.body.mass_inverse[:rigid, :rigid]
-        states[:, :6], states[:, 6:12] = begin_together(links, inverse, states[:, :6], states[:, 6:12])
+        moves = np.append(np.arange(rigid), links.shapes)
+        inverse = scene.body.mass_inverse[np.ix_(moves, moves)]
+        given = links, inverse, states[:, :6], states[:, 6:12], shapes
+        states[:, :6], states[:, 6:12], shapes = begin_together(*given)
+    bent[:, groups.place // 6, groups.place % 6] = shapes
     states[:, SLOW : SLOW + 3] = states[:, [0, 1, 5]]
     if moored.buoy is not None:
         y[buoy_at(count) : shapes_at(count) - 3] = moored.buoy.start

@@ -22,7 +22,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ...lines.system.hawser import Hawser
-from ...lines.system.parts import UniformLine
 from ..line_loads import body_lines
 from ..moving_lines.prepare import dynamic_line, ends_of
 from .bending import STATIC
@@ -124,14 +123,11 @@ def able_to_move(system, settings, bends=False):
     for line in () if system is None else system.lines:
         if isinstance(line, Hawser):  # without weight it has no dynamics
             continue
-        if not isinstance(line, UniformLine):
-            loaded += [line.name] * bool(getattr(line, "loads", ()))
-            kept.setdefault("it has segments, and only lines of one type can move", []).append(line.name)
-            continue
         try:
             dynamic_line(line, ends_of(line, system)[0].position, system, settings.dynamic_elements)
             able.append(line.name)
         except ValueError as error:
+            loaded += [line.name] * bool(getattr(line, "loads", ()))
             why = str(error).removeprefix("dynamic_lines: ").replace(f" of line {line.name}", "")
             kept.setdefault(" ".join(why.split()), []).append(line.name)
     told = [

@@ -8,7 +8,7 @@ from bending_body import bending, hinged_as_a_shape, two_of_which_one_bends
 from made_up_body import INERTIA, OMEGA
 from two_bodies import DEPTH, coupled_bodies, twice
 
-from hakobune.bem.hinges import Link
+from hakobune.bem.hinges import Link, driven, forces_of, rows_of
 from hakobune.bem.time_domain.memory import MemoryArrays, no_memory
 from hakobune.mooring.fenders.fender import fender_of_points
 from hakobune.mooring.lines.catalogue import line_type
@@ -236,6 +236,30 @@ def test_a_hinge_on_a_body_that_bends_holds_the_point_that_its_shapes_move():
         assert np.abs(ends[0] - (ends[1] if others else 0.0)).max() < 1e-9 * np.abs(X).max()
 
 
+@pytest.mark.parametrize("link", [
+    JOINT, JOINT._replace(kind="slider", axis=(0.3, 0.1, 1.0), damping=6e5, stiffness=2e6),
+], ids=lambda one: one.kind)  # fmt: skip
+def test_a_hinge_on_a_body_that_bends_moves_as_in_the_frequency_domain(link):
+    """Amplitude and phase of all motions in a regular wave, with the memory of the water; its forces too"""
+    free, a, w = two_of_which_one_bends(2), 1e-3, OMEGA[I]
+    body = free.linked((link,))
+    held = on_springs(body, remembering(body))
+    how = Settings(44 * T, 20 * T, T / 20, **STILL | {"memory": "states"})
+    run = simulate(held, Weather(regular=Waves(2 * a, T, AROUND[J])), how)
+    whole = driven(body)
+    B = whole.damping + held.damping + held.memory.transform(w)[0]
+    D = -(w**2) * (body.inertia + held.memory.added_mass_infinity) - 1j * w * B + whole.stiffness + held.spring
+    F, Z = body.between.quantities["excitation_force"][I, J], body.free
+    exact = Z @ np.linalg.solve(Z.T @ D @ Z, Z.T @ F)
+    off = np.abs(amplitudes(run, run.motion / a) - exact)
+    assert off[:12].max() < 1e-4 * np.abs(exact[:12]).max() and off[12:].max() < 1e-4 * np.abs(exact[12:]).max()
+    parts = slice(0, 3) if link.kind == "hinge" else slice(3, 6)  # without its spring and damper
+    rows = rows_of(body, link)
+    (pull,) = forces_of((link,), rows, (D @ exact - F)[None, None])[0]
+    off = np.abs(amplitudes(run, run.links[:, 0, parts] / a) - pull[0, parts])
+    assert off.max() < 1e-3 * np.abs(pull[0, parts]).max() and np.abs(pull[0, parts]).max() > 1e4
+
+
 def test_what_cannot_be_followed_is_refused_in_a_line():
     stiff = bending(1, more=1e6)
     with pytest.raises(
@@ -248,5 +272,6 @@ def test_what_cannot_be_followed_is_refused_in_a_line():
     top.stiffness[3, 3] = -1e9
     with pytest.raises(ValueError, match="the body capsizes: its restoring in roll"):
         on_springs(top)
-    with pytest.raises(ValueError, match="hinges pin are given with bodies that bend; allowed in time"):
-        on_springs(bending(1).linked((Link("pin", ("space", "body"), (0.0, 0.0, 0.0), kind="ball"),)))
+    pinned = bending(1).linked((Link("pin", ("space", "body"), (0.0, 0.0, 0.0), kind="ball"),))
+    with pytest.raises(ValueError, match=r"simulation\.motions holds vertical bending 1, torsion 1, and hinges pin"):
+        on_springs(pinned, motions=range(6))

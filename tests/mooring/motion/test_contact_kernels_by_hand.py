@@ -348,7 +348,7 @@ def test_dampers_and_springs_of_links_work_on_both_bodies(monkeypatch):
                            pulled=np.arange(24.0).reshape(2, 12))  # fmt: skip
     asked = []
     monkeypatch.setattr(equation, "hold_together", lambda *given: asked.append(given))
-    held = SimpleNamespace(ends=np.array([[0, 1], [1, -1]]))
+    held = SimpleNamespace(ends=np.array([[0, 1], [1, -1]]), shapes=np.zeros(0, int))
     equation.of_links(made, (held, kept), y, rate)
     assert kept.speed.tolist() == [*range(6), *range(10, 16)]
     assert asked[0][0] is held and asked[0][2] is made.work.place and asked[0][3] == "W"

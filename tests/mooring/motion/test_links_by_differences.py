@@ -4,8 +4,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from bending_body import two_of_which_one_bends
 from plain import plain
 
+from hakobune.bem.hinges import Link, rows_of
 from hakobune.mooring.lines.system.bodies import rotation
 
 links = plain("mooring.motion.links")
@@ -119,3 +121,37 @@ def test_a_definite_system_is_solved():
 
 def test_links_stand_still_where_there_is_no_body():
     assert links.links_of(SimpleNamespace(links=())) is None
+
+
+@pytest.mark.parametrize("link", [
+    Link("a", ("ship", "barge"), (4.0, -30.0, 2.0), (1.0, 0.3, 0.1)),
+    Link("a", ("barge", "ship"), (40.0, 8.0, 2.0), (0.3, 0.1, 1.0), "slider"),
+    Link("a", ("space", "barge"), (40.0, -25.0, 1.0), (0.0, 1.0, 0.2), "rigid"),
+], ids=lambda one: one.kind)  # fmt: skip
+def test_rows_of_shapes_are_the_derivatives_of_what_is_held_and_of_the_travel(link):
+    """With shapes far beyond what is small, so that axes turn by a tenth of a radian"""
+    kinds = ("vertical bending", "horizontal bending", "torsion")
+    body = two_of_which_one_bends(2, kinds).linked((link,))
+    held, h = links.links_of(body), 1e-6
+    poses, bent = POSES + body.axes_at_rest * [0, 0, 0, 0, 0, 1], np.array([1.5, -0.8, 0.7, 1.1, 0.05, 0.08])
+    G, _ = links.rows_at(held, poses, bent)
+    work = links.link_work(held)
+
+    rest = body.axes_at_rest * [0, 0, 0, 0, 0, 1]
+    where = (poses, bent) if link.kind == "slider" else (rest, 0 * bent)  # an angle about an axis needs its hinge held
+
+    def travel(way):
+        work.amplitude[:] = where[1] + way
+        links.fill_rows(held, work, where[0], True)
+        return work.travel[0]
+
+    travel(0.0)
+    own = work.pulled_by[0].copy()
+    assert len(held.shapes) == 6 and np.abs(G[:, 12:]).max(axis=0).min() > 1e-3
+    for k, way in enumerate(h * np.eye(6)):
+        slope = (links.rows_at(held, poses, bent + way)[1] - links.rows_at(held, poses, bent - way)[1]) / (2 * h)
+        assert G[:, 12 + k] == pytest.approx(slope, abs=1e-7)
+        assert own[k] == pytest.approx((travel(way) - travel(-way)) / (2 * h), abs=1e-7)
+    small = links.rows_at(held, rest, 0.0)[0]
+    span = np.linalg.qr(small.T)[0]  # rows of the frequency domain hold the same motions
+    assert np.abs(rows_of(body, link) - rows_of(body, link) @ span @ span.T).max() < 1e-9 * np.abs(small).max()

@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 
 import hakobune
+from hakobune.bem.time_domain import memory as of_time
+from hakobune.mooring.berthing import memory as berthing
 from hakobune.pipelines.berth import result
+from hakobune.pipelines.common.quantities import StudyError
 
 L, B, D, DEPTH, MASS, SPEED, OFFSET = 300.0, 50.0, 18.0, 24.3, 220_000.0, 0.12, 40.0  # m, t, m/s
 DOLPHIN = 34000.0  # kN/m
@@ -133,13 +136,52 @@ def test_a_makers_table_lies_beside_the_study_wherever_the_command_is_called(tmp
 def test_a_memory_of_another_mass_or_depth_is_told_beyond_two_hundredths(monkeypatch, mass, depth, says):
     monkeypatch.setattr(result, "ship_of_database", lambda db, mass, gyration, center: (mass, gyration, center))
 
-    class Stored(dict):
-        path, density, water_depth = "a.h5", 1000.0, 20.0
-
+    stored = SimpleNamespace(path="a.h5", density=1000.0, water_depth=20.0, bodies=(), displaced_volume=1000.0)
     ship = SimpleNamespace(mass=1e6 * mass, gyration=50.0)
-    study = SimpleNamespace(ship=SimpleNamespace(center=1.5), depth=depth)
-    made, told = result._ship(study, SimpleNamespace(ship=ship), Stored(displaced_volume=1000.0))
+    study = SimpleNamespace(ship=SimpleNamespace(center=1.5, body=""), depth=depth)
+    made, told = result._ship(study, SimpleNamespace(ship=ship), stored)
     assert made == (1e6 * mass, 50.0, 1.5) and list(told) == says
+
+
+def several(*fixed):
+    """A database of a pier, a ship and a barge; fixed : names of those that do not move"""
+    bodies = tuple(SimpleNamespace(name=name, fixed=name in fixed) for name in ("pier", "ship", "barge"))
+    return SimpleNamespace(path="a.h5", density=1000.0, water_depth=20.0, bodies=bodies)
+
+
+@pytest.mark.parametrize(("fixed", "body", "first", "said"), [
+    (("pier",), "barge", 6, ["ship held still: the memory is that of barge beside them, as fixed bodies"]),
+    (("pier",), "ship", 0, ["barge held still: the memory is that of ship beside them, as fixed bodies"]),
+    (("pier", "ship"), "", 0, []),
+])  # fmt: skip
+def test_the_ship_is_one_of_several_and_the_others_are_held(monkeypatch, fixed, body, first, said):
+    one = SimpleNamespace(name=body or "barge", displaced_volume=1000.0)
+    monkeypatch.setattr(result, "body_named", lambda db, name: one if name == one.name else None)
+    monkeypatch.setattr(result, "ship_of_database", lambda *given, **more: more["first"])
+    ship = SimpleNamespace(mass=1e6, gyration=50.0)
+    study = SimpleNamespace(ship=SimpleNamespace(center=0.0, body=body), depth=20.0)
+    made, told = result._ship(study, SimpleNamespace(ship=ship), several(*fixed))
+    assert made == first and list(told) == said
+
+
+@pytest.mark.parametrize(("db", "body", "says"), [
+    (several("pier"), "", "ship.body is ''; allowed: one that moves of a.h5, ship, barge"),
+    (several("pier"), "pier", "ship.body is 'pier'; allowed: one that moves of a.h5, ship, barge"),
+    (SimpleNamespace(path="a.h5", bodies=()), "ship", "ship.body is 'ship', and a.h5 is of one body; leave it out"),
+])  # fmt: skip
+def test_a_ship_that_no_body_is_cannot_berth(db, body, says):
+    with pytest.raises(StudyError) as error:
+        result._vessel(body, db)
+    assert str(error.value) == says
+
+
+def test_motions_of_the_ship_are_its_sway_and_yaw_among_those_of_all(monkeypatch):
+    asked, square = [], np.arange(144.0).reshape(12, 12)
+    memory = SimpleNamespace(matrices=(np.eye(1), square[:1], square[:, :1]), added_mass_infinity=square,
+                             storage=None, loss=None)  # fmt: skip
+    monkeypatch.setattr(of_time, "memory_of_database", lambda db, tolerance, motions: asked.append(motions) or memory)
+    ship = berthing.ship_of_database(None, 1e6, 50.0, first=6)
+    assert asked == [[7, 11]] and ship.added_mass_infinity.tolist() == [[91.0, 95.0], [139.0, 143.0]]
 
 
 def test_without_a_database_the_water_has_the_virtual_mass_of_the_study(monkeypatch):

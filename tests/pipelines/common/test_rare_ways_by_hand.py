@@ -4,6 +4,7 @@ import math
 import os
 import signal
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -504,10 +505,12 @@ def test_types_of_a_file_are_kept_once_and_apart_where_they_differ():
         (6e6, 0.5, "chain 2"),
         (math.inf, 0.5, "chain 4"),
     ):
-        assert lines_file._type(types, "chain", 900.0, 1e8, load, friction) == wanted
+        line = SimpleNamespace(bed_friction=friction)
+        assert lines_file._type(types, replace(KIND, breaking_load=load), 1e8, line) == wanted
     assert types["chain"] == {"weight_N_per_m": 900.0, "bed_friction": 0.5, "axial_stiffness_kN": 1e5,
-                              "breaking_load_kN": 5e3}  # fmt: skip
-    assert lines_file._type(types, "", 900.0, math.inf, math.inf, 0.0) == "line"
+                              "breaking_load_kN": 5e3, "mass_kg_per_m": 80.0, "diameter": 0.1}  # fmt: skip
+    bare = LineType("", 900.0)
+    assert lines_file._type(types, bare, math.inf, SimpleNamespace(bed_friction=0.0)) == "line"
     assert types["line"] == {"weight_N_per_m": 900.0, "bed_friction": 0.0}
 
 

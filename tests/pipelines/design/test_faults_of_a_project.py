@@ -12,8 +12,10 @@ import pytest
 import tomli_w
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.design.kinds import mooring
 from hakobune.pipelines.design.project import read_project
+from hakobune.pipelines.moor.checked import body_of_scene
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.run import solve
 
@@ -495,3 +497,12 @@ def test_a_quay_stands_in_the_load_cases_of_its_berth():
     body = SimpleNamespace(dimensions=sizes, sizes=sizes, rotation_center=np.zeros(3), density=1025.0, gravity=9.80665)
     base = mooring.base({**BERTH, "quay": {"y": 30.0}}, body)
     assert mooring.at(base, 21.5, {})["quay"] == {"y": 30.0}
+
+
+def test_a_scene_of_several_bodies_has_no_design():
+    box = {"shape": "box", "length": 20.0, "beam": 6.0, "draft": 2.0}
+    bodies = [{**box, "name": "ship", "place": [0.0, 5.0, 0.0]}, {**box, "name": "barge", "place": [0.0, -5.0, 0.0]}]
+    scene = make_scene({"water": {"depth": 12.0}, "bodies": bodies, "waves": {"periods": [6.0], "headings_deg": [0.0]}})
+    with pytest.raises(StudyError) as error:
+        body_of_scene("two.toml", scene)
+    assert str(error.value).startswith("two.toml has 2 bodies, ship, barge; allowed here: one body; hakobune moor,")

@@ -1,12 +1,18 @@
 """Lines of a study from a file of MoorDyn: the numbers of the file, where the body has its fairleads."""
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
+from hakobune.mooring.motion.moving_lines.prepare import dynamic_line
 from hakobune.mooring.motion.simulation import able_to_move
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.line_dynamics.moordyn import with_moordyn
+from hakobune.pipelines.line_dynamics.parts import line_of as dynamic_alone
+from hakobune.pipelines.line_dynamics.study import make_line_dynamics
 from hakobune.pipelines.moor.study import read_study
 
 FILE = """--- LINE TYPES ---
@@ -55,9 +61,41 @@ def test_a_buoy_has_the_buoyancy_of_the_water_of_its_file(tmp_path):
     for density in (1000.0, 1025.0):
         (load,) = study.system(study.hull_of({}), (0, 0, 0), density, 9.81).lines[0].loads
         assert load.weight == pytest.approx((16000 - 1025 * 20) * 9.80665)
-    _, left_out = able_to_move(study.system(study.hull_of({}), (0, 0, 0)), SimpleNamespace(dynamic_elements=20))
-    (said,) = [line for line in left_out if "sinkers and buoys" in line]
-    assert "line 1 2:" in said and "tensions are too small" in said
+
+
+def test_a_line_with_a_buoy_moves_with_what_the_file_says_and_as_driven_alone(tmp_path):
+    """Mass, drag, elements and buoy of the file: the line of `line-dynamics` with [moordyn], but for its bed"""
+    file = FILE.replace("3 Free 0.0 100.0 -40.0 0 0 0 0", "3 Free 0.0 100.0 -20.0 16000 20 12.5 0.9")
+    study, _ = read(tmp_path, file=file.replace("wire 0.05 20.0 2.0e8 -1.0", "wire 0.05 20.0 2.0e8 4.0e5"))
+    system = study.system(study.hull_of({}), (0, 0, 0))
+    asked = make_line_dynamics({"moordyn": {"file": "m.dat", "line": "2"}, "fairlead": {}})
+    alone, _ = dynamic_alone(with_moordyn(asked, tmp_path))
+    end = next(point for point in system.points if point.name == system.lines[0].a)
+    moving = dynamic_line(system.lines[0], end.position, system, 20)
+    left_out = ("bed_stiffness", "bed_damping", "bed_thickness")
+    for name, value in alone.system._asdict().items():
+        if name not in left_out:
+            np.testing.assert_allclose(getattr(moving.system, name), value, rtol=1e-12, atol=1e-12, err_msg=name)
+    assert moving.system.body_displaced[20] == pytest.approx(1025 * 20) and moving.elements == 30
+    backwards = replace(system.lines[0], a=system.lines[0].b, b=system.lines[0].a,
+                        segments=system.lines[0].segments[::-1],
+                        loads=[replace(load, position=85.0) for load in system.lines[0].loads])  # fmt: skip
+    turned = replace(system, lines=(backwards, system.lines[1]))
+    assert dynamic_line(backwards, end.position, turned, 20) == moving
+    able, left_out = able_to_move(system, SimpleNamespace(dynamic_elements=20))
+    assert able == tuple(system.line_names) and left_out == ()
+
+
+def test_a_line_with_segments_of_no_known_mass_stays_static_and_its_buoy_is_told(tmp_path):
+    study, _ = read(tmp_path, file=FILE.replace("3 Free 0.0 100.0 -40.0 0", "3 Free 0.0 100.0 -40.0 900"))
+    system = study.system(study.hull_of({}), (0, 0, 0))
+    bare = replace(system.lines[0], segments=[replace(part, kind=None) for part in system.lines[0].segments])
+    _, told = able_to_move(replace(system, lines=(bare, system.lines[1])), SimpleNamespace(dynamic_elements=20))
+    assert "line 1 2 in static shape" in told[0] and "has no mass" in told[0]
+    assert "sinkers and buoys of line 1 2" in told[1] and "tensions are too small" in told[1]
+    off = replace(system.lines[0], loads=[replace(load, position=150.0) for load in system.lines[0].loads])
+    with pytest.raises(ValueError, match="line 1 2 has sinkers or buoys that are not one between segments"):
+        dynamic_line(off, (0.0, 290.0, -50.0), replace(system, lines=(off, system.lines[1])), 20)
 
 
 def test_lines_have_the_numbers_of_the_file(tmp_path):

@@ -1,5 +1,7 @@
 """A response study of a barge beside a pier, from its tables to its result."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -7,7 +9,11 @@ import hakobune
 from hakobune.bem.database import open_database
 from hakobune.bem.drift import harmonics
 from hakobune.bem.waves import wavenumber
+from hakobune.mooring.response.sea_state import sea_state
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.typed import typed
+from hakobune.pipelines.common.weather.seas import sea_with_swell
+from hakobune.pipelines.response.study import SeaTable
 
 BARGE = {"name": "barge", "shape": "box", "length": 12.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 4.0, 0.0],
          "gyration": [1.6, 3.6, 3.6]}  # fmt: skip
@@ -62,6 +68,74 @@ def test_what_several_bodies_cannot_be_asked(database, name):
     with pytest.raises(StudyError) as error:
         hakobune.response({"sea": SEA, **more}, database)
     assert words in str(error.value)
+
+
+SPRINGS = [((6.0, 0.0, 0.4), (26.0, 4.0, 0.4)), ((-6.0, 0.0, 0.4), (-26.0, 4.0, 0.4)),
+           ((0.0, 2.5, 0.4), (0.0, 21.5, 0.4)), ((0.0, -2.5, 0.4), (0.0, -13.5, 0.4))]  # fmt: skip
+STIFF, PULL = 2e5, 2e4  # N/m, N
+MOORING = """[water]
+depth = 9.0
+
+[hulls.barge]
+freeboard = 1.0
+
+[types.spring]
+spring_kN_per_m = 200.0
+"""
+
+
+def moored_by_springs(folder, more=""):
+    """A study of four springs at 20 kN, the barge's origin at (0, 4)"""
+    text = MOORING
+    for i, (fairlead, bollard) in enumerate(SPRINGS):
+        text += f'\n[[lines]]\nname = "{i}"\ntype = "spring"\nbody = "barge"\nfairlead = {list(fairlead)}\n'
+        away = np.linalg.norm(np.subtract(bollard, fairlead) - [0.0, 4.0, 0.0])
+        text += f"bollard = {list(bollard)}\nlength = {float(away - PULL / STIFF)!r}\n"
+    path = folder / "springs.toml"
+    path.write_text(text + more)
+    return path
+
+
+def by_hand(center):
+    """(6, 6) N/m … of the springs about the rotation centre: k n nᵀ + T/d (1 − n nᵀ), and T turning with its arm"""
+    K = np.zeros((6, 6))
+    for fairlead, bollard in SPRINGS:
+        away, arm = np.subtract(bollard, fairlead) - [0.0, 4.0, 0.0], np.subtract(fairlead, center)
+        d = np.linalg.norm(away)
+        n = away / d
+        own = STIFF * np.outer(n, n) + PULL / d * (np.eye(3) - np.outer(n, n))
+        cross = np.array([[0, -arm[2], arm[1]], [arm[2], 0, -arm[0]], [-arm[1], arm[0], 0]])
+        G = np.hstack([np.eye(3), -cross])
+        K += G.T @ own @ G
+        K[3:, 3:] += PULL * (n @ arm * np.eye(3) - np.outer(arm, n))
+    return K
+
+
+def test_bodies_on_their_moorings_move_as_on_the_stiffness_by_hand(database, tmp_path):
+    sea = {**SEA, "height": 0.02}  # drift moves nothing
+    found = hakobune.response({"sea": sea}, database, moored=moored_by_springs(tmp_path))
+    reader = open_database(database).bodies_reader.floating()
+    held = reader.restrained(stiffness=by_hand(reader.bodies[0].own_center))
+    beside = sea_state(held, sea_with_swell("sea", typed(sea, SeaTable, StudyError), 9.0), 3 * 3600.0)
+    sigma = dict(zip(found.labels["response"].values.tolist(), found["response.sigma"], strict=True))
+    for name, wanted in zip(beside.names[:6], beside.sigma[:6], strict=True):
+        assert sigma[name] == pytest.approx(wanted, rel=1e-4, abs=1e-6 * beside.sigma[:6].max()), name
+    free = hakobune.response({"sea": sea}, database)
+    assert abs(free["response.sigma"][0] / found["response.sigma"][0] - 1) > 0.05  # springs matter
+    assert found.labels["difference"].values[-1] < 1.0  # slow beats, however stiff the springs
+    assert list(found.labels["horizontal"].values) == ["barge surge", "barge sway", "barge yaw"]
+    assert "4 lines of" in found.notes[-1] and "slow motion is not included" in found.notes[-1]
+
+
+@pytest.mark.parametrize(("study", "more", "words"), [
+    ({"hinges": [{"name": "h", "bodies": ["pier", "barge"], "position": [0.0, 0.0, 0.0], "kind": "ball"}]}, "",
+     "hinges are given with --moored"),
+    ({"current": {"speed": 1.0, "direction_deg": 0.0}}, "", "current is given with --moored"),
+    ({}, "[hull]\nfreeboard = 1.0\n", "hull is given; allowed with this database: [hulls.barge]"),
+])  # fmt: skip
+def test_what_bodies_on_their_moorings_cannot_be_asked(database, tmp_path, study, more, words):
+    with pytest.raises(ValueError, match=re.escape(words)):
+        hakobune.response({"sea": SEA, **study}, database, moored=moored_by_springs(tmp_path, more))
 
 
 def test_waves_far_from_all_are_those_of_their_kochin_function(database):

@@ -6,6 +6,7 @@ import pytest
 
 import hakobune
 from hakobune.bem.database import open_database
+from hakobune.bem.hinges import Link, rows_of
 from hakobune.bem.time_domain.memory import memory_of_database
 from hakobune.mooring.motion.simulation import moored, simulate
 from hakobune.mooring.motion.weather import Settings, Weather
@@ -156,8 +157,6 @@ def test_the_memory_of_all_motions_bends_it_as_the_stored_coefficients_do(tmp_pa
         ({"dynamic_lines": "all"}, ON_CHAINS, 'dynamic_lines are given with bodies that bend; allowed: "auto", "none"'),
         ({"qtf": "full"}, {"waves": {"height": 0.5, "period": 4.0, "direction_deg": 45.0, "spectrum": "issc"}},
          "simulation.qtf is 'full' with bodies that bend; allowed"),
-        ({}, {"hinges": [{"name": "H", "bodies": ["space", "body"], "position": [0.0, 0.0, 0.0]}]},
-         "hinges H are given with bodies that bend; allowed in time"),
     ],
 )  # fmt: skip
 def test_what_there_is_not_for_a_beam_is_refused_in_a_line(barge, tmp_path, simulation, more, words):
@@ -165,6 +164,18 @@ def test_what_there_is_not_for_a_beam_is_refused_in_a_line(barge, tmp_path, simu
     with pytest.raises(ValueError, match=words) as caught:
         hakobune.simulate(study, barge, tmp_path / "run.h5")
     assert "\n" not in str(caught.value)
+
+
+def test_a_ball_holds_the_point_of_a_beam_that_its_shapes_move(barge, tmp_path):
+    ball = {"name": "B", "bodies": ["space", "body"], "position": [6.0, 1.0, 0.5], "kind": "ball"}
+    hakobune.simulate(STUDY | {"hinges": [ball]}, barge, tmp_path / "run.h5")
+    body = open_database(barge).bodies_reader.floating()
+    with h5py.File(tmp_path / "run.h5") as file:
+        motion, links = file["motion"][0].astype(float), file["links"][0]
+    moves = rows_of(body, Link("B", ("space", "body"), tuple(ball["position"]), kind="ball"))
+    size = np.abs(motion[:, 6:]).max() + np.abs(motion[:, :3]).max()
+    assert np.abs(motion[:, 6]).max() > 1e-4 and np.abs(links[:, :3]).max() > 1e2
+    assert np.abs(motion @ moves.T).max() < 2e-3 * size
 
 
 def test_moor_still_refuses_a_beam(barge):

@@ -1,5 +1,7 @@
 """A ship and a barge made fast to each other, one heading the other way, through the file of a simulation."""
 
+from types import SimpleNamespace
+
 import h5py
 import msgspec
 import numpy as np
@@ -14,6 +16,7 @@ from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.quay_tables import QuayFenderTable, berth_between
 from hakobune.pipelines.films.of_several import scene_of_several
+from hakobune.pipelines.films.stage import carried
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import Task, prepared
 
@@ -76,6 +79,10 @@ def test_a_film_has_the_hulls_and_the_ropes_between_them_where_the_run_has_them(
     with h5py.File(tmp_path / "run.h5") as file:
         scene = scene_of_several(file)
     ship, barge = scene.stage.hulls
+    faces = [SimpleNamespace(points=[fender.face]) for fender in scene.stage.fenders]
+    for (_, own, carrier), fender in zip(carried(scene.stage, faces), TIGHT["fender"], strict=True):
+        assert carrier == 0 and own[0] == pytest.approx(np.subtract(fender["position"], ship.center))  # on the ship
+    assert carried(scene.stage._replace(carriers=()), faces) == []  # on a quay
     assert ship.box == pytest.approx((-7, 7, -2.5, 2.5, -1.5, 1.5)) and barge.box[:2] == pytest.approx((-5, 5))
     motion = np.zeros((2, 12))
     motion[1, 6:8], motion[1, 11] = [1.0, 0.5], np.pi / 2
