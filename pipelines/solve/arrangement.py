@@ -87,7 +87,7 @@ def _overlap(one, other):
     """Whether a corner of a hull lies inside another hull"""
     low, high = other.points.min(axis=0), other.points.max(axis=0)
     near = one.centroids[np.all((one.centroids[:, :2] > low[:2]) & (one.centroids[:, :2] < high[:2]), axis=1)]
-    return len(near) > 0 and bool(np.any(np.abs(winding(near, other.vertices)) > 0.5))
+    return len(near) > 0 and bool(np.any(np.abs(winding(near, other.closed().vertices)) > 0.5))
 
 
 def _far(one, other):
