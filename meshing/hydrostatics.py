@@ -65,11 +65,7 @@ def stands(mesh, depth):
 def waterplane_area(mesh):
     """m², of the whole hull or hulls; 0 or less of what is submerged or has normals that point inward"""
     area = -mesh.copies * mesh.area_vectors[:, 2].sum()
-    for i in range(mesh.bodies):
-        under = mesh.of_body(i).foot
-        if under is not None:
-            area -= mesh.copies * under.area_vectors[:, 2].sum()
-    return area
+    return area if mesh.foot is None else area - mesh.copies * mesh.foot.area_vectors[:, 2].sum()
 
 
 def hydrostatics(

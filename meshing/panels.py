@@ -155,7 +155,7 @@ class PanelMesh:
     def volume(self):
         """m³ enclosed by the whole hull, the water plane and its foot: ∬ x·n dS / 3 (the plane z = 0 adds nothing)"""
         share = self.copies * float(np.einsum("ni,ni->", self.centroids, self.area_vectors)) / 3
-        return share if self.bodies > 1 or self.foot is None else share + self.foot.volume
+        return share if self.foot is None else share + self.foot.volume
 
     @cached_property
     def foot(self):

@@ -206,13 +206,12 @@ FAULTS = {
     "a name of two words": (({**BARGE, "name": "my barge"}, PIER), "a word of letters"),
     "no place": (({**BARGE, "place": None}, PIER), "bodies[0].place is missing"),
     "a far heading": (({**BARGE, "place": [0, 4, 400]}, PIER), "heading 400"),
-    "all fixed": (({**BARGE, "fixed": True}, PIER), "all bodies are fixed"),
-    "deeper than the water": ((BARGE, {**PIER, "draft": 9.0}), "bodies[1].draft is 9.0"),
+    "deeper than the water": ((BARGE, {**PIER, "draft": 9.1}), "bodies[1].draft is 9.1 in water 9.0 m deep"),
+    "afloat on the bed": (({**BARGE, "draft": 9.0}, PIER), "or 9 of a body that stands on the bed, which needs fixed"),
     "place of one body": (
         ({**BARGE, "rotation_center": None},),
         "bodies[0].place is [0.0, 4.0, 0.0], but there is one",
     ),
-    "one fixed body": (({**PIER, "place": None},), "bodies[0].fixed is true"),
 }
 
 
