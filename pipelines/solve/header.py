@@ -123,6 +123,8 @@ def kochin_angles(scene, mesh, wave):
 
 def _attributes(scene):
     made = {"tolerance": scene.accuracy, "method": scene.solved_by}
+    if scene.held:
+        made["held"] = True  # no body moves
     files = contents(scene)
     if files is not None:
         made[MESH_FILE] = files

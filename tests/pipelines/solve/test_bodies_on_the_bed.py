@@ -13,6 +13,7 @@ from hakobune.pipelines.scene.scene import SceneError, make_scene
 from hakobune.pipelines.solve.hull import make_hull
 from hakobune.pipelines.solve.plan import planned
 from hakobune.pipelines.solve.run import solve
+from hakobune.pipelines.waves.result import waves
 
 DEPTH, OMEGA, RADIUS = 9.0, 1.0, 3.0
 PILE = {"shape": "buoy", "radius": RADIUS, "draft": DEPTH, "fixed": True}
@@ -45,6 +46,8 @@ def test_a_pile_alone_has_the_force_of_maccamy_and_fuchs(tmp_path, more, toleran
     assert db.displaced_volume == pytest.approx(np.pi * RADIUS**2 * DEPTH)
     assert db.waterplane_area == pytest.approx(np.pi * RADIUS**2)
     assert check(path, console()) == 0
+    around = waves(path, omega=OMEGA, heading=0.0)  # of a fixed body, without asking
+    assert around["body"] == "held" and 1.0 < around["place.height"][0] < 2.0
     with pytest.raises(SceneError, match="want has rao, but no body moves"):
         scene(PILE, want=["rao"])
 
