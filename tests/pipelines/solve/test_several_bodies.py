@@ -110,9 +110,7 @@ def test_capytaine_has_all_bodies_along_the_axes_of_the_scene(database, tmp_path
     barge = capytaine.read(place, {"body": 1})
     assert barge.quantities["added_mass"] == pytest.approx(db["added_mass"][:, :6])
     assert barge.body["mass"] == pytest.approx(1025 * 90) and barge.rotation_center == pytest.approx([0, 4, 0.2])
-    with pytest.raises(
-        ValueError, match="which --to orcaflex cannot write; allowed: --to wamit, nemoh, hams, bemio"
-    ):
+    with pytest.raises(ValueError, match="which --to orcaflex cannot write; allowed: --to wamit, nemoh, hams, bemio"):
         export(database, "orcaflex", None, False)
 
 
